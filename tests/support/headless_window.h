@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -25,6 +26,14 @@ inline const WindowCommand& command_named(std::string_view name) {
         if (command.name == name) return command;
     FAIL("there is no command " << name);
     return commands()[0];
+}
+
+/// Makes `clipboard`, which must outlive its use, the clipboard of the window. Precondition: there is one.
+inline void use_clipboard(std::string& clipboard) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = &clipboard;
+    io.SetClipboardTextFn = [](void* to, const char* text) { *static_cast<std::string*>(to) = text; };
+    io.GetClipboardTextFn = [](void* from) { return static_cast<std::string*>(from)->c_str(); };
 }
 
 class HeadlessWindow {

@@ -110,9 +110,6 @@ void take_document(Editor& editor, SceneDocument document);
 /// Saves `scene`, the edited one or what of it can be opened again (as_made), as a scene file. ".json" is
 /// added to a name without it.
 [[nodiscard]] std::optional<Problem> save_file(Editor& editor, std::string path, const Scene& scene);
-[[nodiscard]] inline std::optional<Problem> save_file(Editor& editor, std::string path) {
-    return save_file(editor, std::move(path), editor.scene());
-}
 
 /// Whether the document's file is there and is not the one that was opened or saved last: saving would write
 /// over what another program, or another window, has put there.

@@ -63,7 +63,7 @@ void poll_loads(UiState& state);
 /// awaited: it opens again, and its picture is the one that is seen. What is saved, exported or kept
 /// meanwhile.
 [[nodiscard]] Scene as_made(const UiState& state, Scene scene);
-/// The open document so.
+/// Returns the open document with that scene.
 [[nodiscard]] SceneDocument document_as_made(const UiState& state);
 
 /// Ends all loads; the scene is as before them.

@@ -22,9 +22,7 @@ namespace fs = std::filesystem;
 
 struct Bench : HeadlessWindow {
     Bench() {
-        ImGuiIO& io = ImGui::GetIO();
-        io.ClipboardUserData = &clipboard;
-        io.SetClipboardTextFn = [](void* to, const char* text) { *static_cast<std::string*>(to) = text; };
+        test::use_clipboard(clipboard);
         frames(2);
     }
     [[nodiscard]] bool copied(const std::string& part) const {

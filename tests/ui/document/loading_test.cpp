@@ -202,7 +202,7 @@ TEST_CASE("what is kept while a mesh is built has the mesh that is seen, and ope
     HeadlessWindow bench;
     bench.frames(2);
     begin_persistence(bench.state, folder.path("state"));
-    REQUIRE_FALSE(save_file(bench.state.editor, path));
+    REQUIRE_FALSE(save_file(bench.state.editor, path, bench.scene()));
     const Scene before = bench.scene();
     bench.scene().lights[0].intensity = 0.25f;
     bench.frames(2);

@@ -135,7 +135,7 @@ TEST_CASE("an example is never saved over: saving asks for a name of one's own",
     const std::string path = (folder / "example.json").string();
     HeadlessWindow bench;
     bench.frames(2);
-    REQUIRE_FALSE(save_file(bench.state.editor, path));
+    REQUIRE_FALSE(save_file(bench.state.editor, path, bench.scene()));
     const std::string text = std::get<std::string>(read_file(path, 1 << 20));
     bench.state.shipped_scenes = folder.string();
     brighten(bench, 2);

@@ -183,7 +183,7 @@ TEST_CASE("what is saved under a name without .json gets it, and in capitals it 
          {std::pair("plain", "plain.json"), {"a.scene", "a.scene.json"}, {"b.JSON", "b.JSON"}}) {
         Editor editor;
         take_document(editor, first_scene());
-        REQUIRE_FALSE(save_file(editor, folder.path(name)));
+        REQUIRE_FALSE(save_file(editor, folder.path(name), editor.scene()));
         CHECK(editor.document.path == folder.path(saved));
         CHECK(std::filesystem::exists(folder.path(saved)));
     }

@@ -146,9 +146,7 @@ TEST_CASE("a copy and a command of a picture are of the scene that it shows", "[
     const TemporaryDirectory folder;
     StoredWindow bench;
     std::string clipboard;
-    ImGuiIO& io = ImGui::GetIO();
-    io.ClipboardUserData = &clipboard;
-    io.SetClipboardTextFn = [](void* to, const char* text) { *static_cast<std::string*>(to) = text; };
+    test::use_clipboard(clipboard);
     const auto exported = [&] {
         const std::string path = folder.path("shown.pfm");
         begin_export(bench.state, {bench.state.rendered->size, 1}, path);
@@ -166,7 +164,7 @@ TEST_CASE("a copy and a command of a picture are of the scene that it shows", "[
         CHECK((mine == right));  // many thousands are not to be printed
         copy_render_command(bench.state, {bench.state.rendered->size, 1}, "a.png");
     };
-    REQUIRE_FALSE(save_file(bench.state.editor, folder.path("own.json")));
+    REQUIRE_FALSE(save_file(bench.state.editor, folder.path("own.json"), bench.scene()));
     check_shows(bench.edited);
     CHECK(clipboard.find("/lights") == std::string::npos);
     bench.key(Key::B);

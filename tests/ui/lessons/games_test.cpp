@@ -133,7 +133,7 @@ TEST_CASE("a game that was saved under a name is work, and its changes are asked
     bench.scene().objects[0].material.shininess = 3;
     bench.frames(2);
     CHECK_FALSE(bench.state.editor.unsaved());
-    REQUIRE_FALSE(save_file(bench.state.editor, path));
+    REQUIRE_FALSE(save_file(bench.state.editor, path, bench.scene()));
     bench.scene().objects[0].material.shininess = 4;
     bench.frames(2);
     CHECK(bench.state.editor.unsaved());

@@ -266,7 +266,7 @@ TEST_CASE("the next page's scene belongs to no file, and one's own is asked abou
     const std::string path = folder.path("mine.json");
     LambertWindow bench;
     bench.answer("0.5");
-    REQUIRE_FALSE(save_file(bench.state.editor, path));
+    REQUIRE_FALSE(save_file(bench.state.editor, path, bench.scene()));
     const std::string saved = bytes_of(path);
     CHECK(bench.frame().title == "mine.json – Glint");
     bench.scene().lights[0].intensity = 0.25f;

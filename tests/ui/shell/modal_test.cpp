@@ -142,7 +142,7 @@ TEST_CASE("the Enter that chooses in the palette does not answer the dialog that
     HeadlessWindow bench;
     bench.frames(2);
     const std::string path = folder.path("a.json");
-    REQUIRE_FALSE(save_file(bench.state.editor, path));
+    REQUIRE_FALSE(save_file(bench.state.editor, path, bench.scene()));
     const std::string saved = bytes_of(path);
     bench.scene().shading.mode = ShadingMode::Flat;
     bench.frames(2);

@@ -29,9 +29,7 @@ struct Bench : HeadlessWindow {
         io.KeyMap[ImGuiKey_Escape] = escape_key;
         io.KeyMap[ImGuiKey_Tab] = tab_key;
         io.KeyMap[ImGuiKey_Backspace] = backspace_key;
-        io.ClipboardUserData = &clipboard;
-        io.SetClipboardTextFn = [](void* to, const char* text) { *static_cast<std::string*>(to) = text; };
-        io.GetClipboardTextFn = [](void* from) { return static_cast<std::string*>(from)->c_str(); };
+        test::use_clipboard(clipboard);
         SceneDocument document = first_scene();
         document.scene.lights[0].intensity = 0.5f;
         take_document(state.editor, std::move(document));

@@ -29,9 +29,7 @@ struct TypingWindow : HeadlessWindow {
         io.KeyMap[ImGuiKey_V] = v_key;
         io.KeyMap[ImGuiKey_C] = c_key;
         io.KeyMap[ImGuiKey_A] = a_key;
-        io.ClipboardUserData = &clipboard;
-        io.SetClipboardTextFn = [](void* to, const char* text) { *static_cast<std::string*>(to) = text; };
-        io.GetClipboardTextFn = [](void* from) { return static_cast<std::string*>(from)->c_str(); };
+        test::use_clipboard(clipboard);
         state.editor.selection = {Selection::Kind::Object, 0};
         frames(2);
     }
