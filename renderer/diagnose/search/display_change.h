@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "renderer/picture.h"
+#include "renderer/simd/lanes.h"
 
 namespace glint {
 
@@ -53,8 +54,8 @@ struct DisplayChange {
 }
 
 /// Levels by which `level` lies outside of `low` to `high`.
-[[nodiscard]] inline float levels_outside(float low, float high, float level) {
-    return std::max(std::max(low - level, level - high), 0.0f);
+template <Number F> [[nodiscard]] F levels_outside(F low, F high, F level) {
+    return max0(max(low - level, level - high));
 }
 
 /// What a byte of the scene's picture may have become, in levels of 0 to 255 with fractions: rounding and

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <numeric>
 
 namespace glint {
@@ -19,11 +20,13 @@ DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture, c
                     high[c] = std::max(high[c], near[c]);
                 }
             }
-        drawn.at.push_back(rgb_at(picture, picture.pixel(p.x, p.y)));
-        drawn.low.push_back(low);
-        drawn.high.push_back(high);
-        drawn.bare.push_back(is_bare && is_bare(p.x, p.y) ? 1 : 0);
+        const Rgb at = rgb_at(picture, picture.pixel(p.x, p.y));
+        drawn.at.insert(drawn.at.end(), at.begin(), at.end());
+        drawn.low.insert(drawn.low.end(), low.begin(), low.end());
+        drawn.high.insert(drawn.high.end(), high.begin(), high.end());
+        if (is_bare) drawn.bare.push_back(is_bare(p.x, p.y) ? 1 : 0);
     }
+    if (std::count(drawn.bare.begin(), drawn.bare.end(), 1) == 0) drawn.bare.clear();
     return drawn;
 }
 
@@ -79,34 +82,74 @@ Ground ground_of(const Picture& wrong, const std::vector<PixelKind>& kinds, cons
 WrongProbes::WrongProbes(const std::vector<Probe>& probes, const Picture& wrong,
                          const std::vector<PixelKind>& kinds, float noise)
     : noise_(noise) {
-    for (DisplayChange turned : ways_of_turning()) {
-        turned.noise = noise;
-        const std::size_t way = way_turned(turned);
-        for (const Probe& p : probes)
-            at_[way].push_back(rgb_at(wrong, changed_index(turned, wrong.size, p.x, p.y)));
-        ground_[way] = ground_of(wrong, kinds, turned);
+    for (DisplayChange change : ways_of_turning()) {
+        change.noise = noise;
+        const Ground ground = ground_of(wrong, kinds, change);
+        for (const bool exchanged : {false, true}) {
+            change.red_blue = exchanged;
+            for (const Probe& p : probes) {
+                const Rgb stored = rgb_at(wrong, changed_index(change, wrong.size, p.x, p.y));
+                for (std::size_t c = 0; c < 3; ++c)
+                    at_[way(change)].push_back(stored[changed_channel(change, c)]);
+            }
+            Ground& turned = ground_[way(change)] = ground;
+            if (exchanged) std::swap(turned.levels[0], turned.levels[2]);
+        }
     }
 }
 
+namespace {
+
+/// So many channels at a time are looked up, and then computed side by side.
+constexpr std::size_t block_probes = 16, block = 3 * block_probes;
+
+struct Block {
+    std::array<float, block> low{}, high{};  // what the channels may show
+    std::array<float, block> mine{};         // what they do show
+};
+
+/// Sum of excess_of() over a block.
+float excess_in(const Block& at) {
+    constexpr int lanes = 4;
+    Lanes<lanes> sum;
+    for (std::size_t i = 0; i < block; i += lanes) {
+        const auto channels = [i](const auto& values) { return load<Lanes<lanes>>(values.data() + i); };
+        sum = sum + excess_of(levels_outside(channels(at.low), channels(at.high), channels(at.mine)));
+    }
+    return sum.v[0] + sum.v[1] + sum.v[2] + sum.v[3];
+}
+
+/// Lets the probes that show no surface show the ground.
+void show_ground(Block& at, const std::uint8_t* bare, std::size_t probes, const Ground& ground,
+                 float scatter) {
+    for (std::size_t i = 0; i < 3 * probes; ++i) {
+        if (bare[i / 3] == 0) continue;
+        at.low[i] = ground.levels[i % 3] - scatter;
+        at.high[i] = ground.levels[i % 3] + scatter;
+    }
+}
+
+}  // namespace
+
 double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong, const DisplayChange& change,
                  const ByteBounds& bounds, double enough) {
-    const std::vector<Rgb>& mine = wrong.at(change);
+    const ProbeLevels& mine = wrong.at(change);
     const Ground& ground = wrong.ground(change);
-    const std::vector<Rgb>& lows = change.soft ? drawn.low : drawn.at;
-    const std::vector<Rgb>& highs = change.soft ? drawn.high : drawn.at;
-    const float scatter = change.scatter();
-    const std::array<std::size_t, 3> channel{changed_channel(change, 0), changed_channel(change, 1),
-                                             changed_channel(change, 2)};
+    const ProbeLevels& lows = change.soft ? drawn.low : drawn.at;
+    const ProbeLevels& highs = change.soft ? drawn.high : drawn.at;
+    const bool shows_ground = ground.is_known && !drawn.bare.empty();
+    Block at;
     double sum = 0;
-    for (std::size_t i = 0; i < mine.size() && sum <= enough; ++i) {
-        const Rgb &here = mine[i], &darkest = lows[i], &brightest = highs[i];
-        const bool shows_ground = drawn.bare[i] != 0 && ground.is_known;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::size_t k = channel[c];
-            const float low = shows_ground ? ground.levels[k] - scatter : bounds.low[darkest[c]];
-            const float high = shows_ground ? ground.levels[k] + scatter : bounds.high[brightest[c]];
-            sum += double(excess_of(levels_outside(low, high, static_cast<float>(here[k]))));
+    for (std::size_t first = 0; first < mine.size() && sum <= enough; first += block) {
+        const std::size_t count = std::min(block, mine.size() - first);
+        if (count < block) at = {};  // what there is no probe for counts nothing
+        for (std::size_t i = 0; i < count; ++i) {
+            at.low[i] = bounds.low[lows[first + i]];
+            at.high[i] = bounds.high[highs[first + i]];
+            at.mine[i] = static_cast<float>(mine[first + i]);
         }
+        if (shows_ground) show_ground(at, &drawn.bare[first / 3], count / 3, ground, change.scatter());
+        sum += double(excess_in(at));
     }
     return sum;
 }
@@ -115,7 +158,7 @@ namespace {
 
 /// What a channel was before and after the gain, both far enough from black and from being clamped.
 struct Pair {
-    float drawn = 0, mine = 0;
+    float drawn = 0, mine = 0, ratio = 0;
 };
 
 Code inverse(Code code) {
@@ -140,39 +183,45 @@ std::vector<Pair> gain_pairs(const DrawnProbes& drawn, const WrongProbes& wrong,
     constexpr std::size_t enough = 200;
     const CodeTable& before = code_table(change.before);
     const CodeTable& after = code_table(inverse(change.after));
-    const std::vector<Rgb>& mine = wrong.at(change);
-    const std::size_t step = std::max<std::size_t>(1, mine.size() / enough);
+    const ProbeLevels& mine = wrong.at(change);
+    const std::size_t probes = mine.size() / 3, step = std::max<std::size_t>(1, probes / enough);
     std::vector<Pair> pairs;
     pairs.reserve(3 * (enough + enough));
-    for (std::size_t i = 0; i < mine.size(); i += step)
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::uint8_t from = drawn.at[i][c], to = mine[i][changed_channel(change, c)];
-            if (drawn.bare[i] != 0 || from < least || to < least || from > most || to > most) continue;
-            pairs.push_back({before[from], after[to]});
+    for (std::size_t i = 0; i < probes; i += step) {
+        if (!drawn.bare.empty() && drawn.bare[i] != 0) continue;
+        for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
+            const std::uint8_t from = drawn.at[k], to = mine[k];
+            if (from < least || to < least || from > most || to > most) continue;
+            pairs.push_back({before[from], after[to], after[to] / before[from]});
         }
+    }
     return pairs;
 }
 
+/// Ratios lie in bins of a 16th of an octave, from 2^-8 to 2^8; what is beyond lies in the first or last.
+constexpr int bins_an_octave = 16, bins = 16 * bins_an_octave;
+std::size_t bin_of(float ratio) {
+    constexpr int mantissa = 23, smallest = 127 - 8;  // bits of a float; the exponent of 2^-8
+    return static_cast<std::size_t>(std::clamp(
+        bits_of(ratio) / ((1 << mantissa) / bins_an_octave) - smallest * bins_an_octave, 0, bins - 1));
+}
+
 /// The ratio that half of the light lies below: what is bright counts more, as rounding spoils it less.
-/// Halves what is left to look at instead of sorting all.
-float median_ratio(std::vector<Pair>& pairs) {
-    const auto is_less = [](const Pair& a, const Pair& b) { return a.mine * b.drawn < b.mine * a.drawn; };
-    const auto light = [](float sum, const Pair& p) { return sum + p.drawn; };
-    const float all = std::accumulate(pairs.begin(), pairs.end(), 0.0f, light);
-    auto first = pairs.begin(), last = pairs.end();
-    float below = 0;  // the light before `first`
-    while (last - first > 1) {
-        const auto middle = first + (last - first) / 2;
-        std::nth_element(first, middle, last, is_less);
-        const float half = std::accumulate(first, middle, below, light);
-        if (2 * half >= all) {
-            last = middle;
-        } else {
-            below = half;
-            first = middle;
-        }
-    }
-    return first->mine / first->drawn;
+/// Finds the bin in which it lies and sorts what is in there only.
+float median_ratio(const std::vector<Pair>& pairs) {
+    std::array<float, bins> light{};
+    for (const Pair& p : pairs) light[bin_of(p.ratio)] += p.drawn;
+    const float half = std::accumulate(light.begin(), light.end(), 0.0f) / 2;
+    std::size_t bin = 0;
+    float below = 0;
+    while (bin + 1 < bins && below + light[bin] < half) below += light[bin++];
+    std::vector<Pair> in_bin;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(in_bin),
+                 [bin](const Pair& p) { return bin_of(p.ratio) == bin; });
+    std::sort(in_bin.begin(), in_bin.end(), [](const Pair& a, const Pair& b) { return a.ratio < b.ratio; });
+    std::size_t i = 0;
+    while (i + 1 < in_bin.size() && below + in_bin[i].drawn < half) below += in_bin[i++].drawn;
+    return in_bin[i].ratio;
 }
 
 }  // namespace
@@ -181,7 +230,7 @@ std::optional<float> fitted_gain(const DrawnProbes& drawn, const WrongProbes& wr
                                  const DisplayChange& change) {
     constexpr std::size_t enough = 12;
     constexpr float near = 0.02f, rounding = 1.5f / 255;
-    std::vector<Pair> pairs = gain_pairs(drawn, wrong, change);
+    const std::vector<Pair> pairs = gain_pairs(drawn, wrong, change);
     if (pairs.size() < enough) return std::nullopt;
     const float median = median_ratio(pairs);
     float product = 0, square = 0;  // least squares among those that agree with the median

@@ -10,6 +10,7 @@
 #include "renderer/diagnose/search/comparable.h"
 #include "renderer/diagnose/search/display_change.h"
 #include "renderer/picture.h"
+#include "renderer/simd/lanes.h"
 
 namespace glint {
 
@@ -22,10 +23,13 @@ struct Probe {
     int x = 0, y = 0;
 };
 
+/// Three channels of each probe in turn.
+using ProbeLevels = std::vector<std::uint8_t>;
+
 /// A drawn picture at the probes.
 struct DrawnProbes {
-    std::vector<Rgb> at, low, high;  // low, high: each channel's least and largest among the nine around
-    std::vector<std::uint8_t> bare;  // 1: no surface shows there
+    ProbeLevels at, low, high;       // low, high: each channel's least and largest among the nine around
+    std::vector<std::uint8_t> bare;  // of each probe, 1: no surface shows there; empty where all show one
     bool operator==(const DrawnProbes&) const = default;
 };
 /// Whether a pixel of a drawn picture shows no surface; empty where all probes show one.
@@ -49,33 +53,33 @@ struct Ground {
 [[nodiscard]] Ground ground_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
                                const DisplayChange& change);
 
-/// The picture under diagnosis at the probes, for each of the four ways of turning it over.
+/// The picture under diagnosis at the probes, for each way of turning it over and exchanging its channels.
 class WrongProbes {
   public:
     /// `noise`: of DisplayChange.
     WrongProbes(const std::vector<Probe>& probes, const Picture& wrong, const std::vector<PixelKind>& kinds,
                 float noise);
     [[nodiscard]] float noise() const { return noise_; }
-    /// In the order of the scene's channels only when nothing exchanged them.
-    [[nodiscard]] const std::vector<Rgb>& at(const DisplayChange& change) const {
-        return at_[way_turned(change)];
-    }
-    [[nodiscard]] const Ground& ground(const DisplayChange& change) const {
-        return ground_[way_turned(change)];
-    }
+    /// In the order of the scene's channels, as is ground().
+    [[nodiscard]] const ProbeLevels& at(const DisplayChange& change) const { return at_[way(change)]; }
+    [[nodiscard]] const Ground& ground(const DisplayChange& change) const { return ground_[way(change)]; }
 
   private:
-    std::array<std::vector<Rgb>, 4> at_;
-    std::array<Ground, 4> ground_;
+    static std::size_t way(const DisplayChange& change) {
+        return 2 * way_turned(change) + (change.red_blue ? 1U : 0U);
+    }
+
+    std::array<ProbeLevels, 8> at_;
+    std::array<Ground, 8> ground_;
     float noise_;
 };
 
 /// A difference up to this is a matter of rounding: it counts nothing.
 inline constexpr float free_levels = 1;
 /// What a difference of so many levels counts: its square beyond what is free, at most 16.
-[[nodiscard]] inline float excess_of(float levels) {
-    const float beyond = std::max(levels - free_levels, 0.0f);
-    return std::min(beyond * beyond, 16.0f);
+template <Number F> [[nodiscard]] F excess_of(F levels) {
+    const F beyond = max0(levels - F(free_levels));
+    return min(beyond * beyond, F(16));
 }
 
 /// Sum of excess_of() over all channels of all probes; only as far as it is above `enough`. `bounds` are
