@@ -25,6 +25,10 @@ struct DisplayFinding {
     bool smooth_edges = false;      // silhouettes are anti-aliased
     glm::vec2 shift{0};     // pixels to the right and down by which it is displaced; 0 where it is not
     bool smoothed = false;  // within surfaces, too, and no shift is the reason
+    // Of a smoothed or shifted picture: how many pixels of surfaces differ from the drawing itself, though
+    // not from all between a pixel's neighbours, and by how many levels at most.
+    std::uint64_t softened = 0;
+    int softened_most = 0;
 };
 
 struct Candidate {
@@ -33,8 +37,9 @@ struct Candidate {
     DisplayChange change;          // under which it explains the picture
     double residual = 0;           // RMS in levels of 0 to 255, over what can be compared
     double explained = 0;          // share of the wrong pixels that it explains, 0 to 1
-    // The pixel that distinguishes this candidate best from the right picture, and its colours: in the wrong
-    // picture, and in the right and the mistaken picture as this display would show them.
+    // The pixel of the scene's picture that distinguishes this candidate best from the right picture, and its
+    // colours, channels in the scene's order: in the wrong picture, and in the right and the mistaken picture
+    // as this display would show them.
     glm::ivec2 pixel{0};
     Rgb mine{}, reference{}, as_mistaken{};
 };

@@ -27,6 +27,8 @@ JsonValue display_json(const DisplayFinding& display) {
     if (display.shift != glm::vec2(0)) json["shift"] = JsonValue{display.shift.x, display.shift.y};
     if (display.smooth_edges) json["smooth_edges"] = true;
     if (display.smoothed) json["smoothed"] = true;
+    if (display.softened > 0)
+        json["softened"] = {{"pixels", display.softened}, {"levels", display.softened_most}};
     return json;
 }
 

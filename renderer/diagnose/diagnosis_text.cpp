@@ -42,13 +42,19 @@ std::string verdict_line(const Diagnosis& d) {
     return fmt::format("Mistake: {}. {}", name_of(best.mistakes), what_is_done(best.mistakes));
 }
 
-std::string candidate_lines(const Candidate& c) {
+/// The colour of a pixel, as the wrong picture stores its channels.
+std::string stored_text(const DisplayChange& change, Rgb c) {
+    return text_of(change.red_blue ? Rgb{c[2], c[1], c[0]} : c);
+}
+
+std::string candidate_lines(const Candidate& c, PictureSize size) {
+    const glm::ivec2 place = changed_place(c.change, size, c.pixel);
     std::string text = fmt::format(
-        "It explains {} % of the wrong pixels and leaves {:.2f} levels. At {},{} your picture has {}; "
-        "right is "
-        "{}, with the mistake {}.\n",
-        explained_percent(c), c.residual, c.pixel.x, c.pixel.y, text_of(c.mine), text_of(c.reference),
-        text_of(c.as_mistaken));
+        "It explains {} % of the wrong pixels and leaves {:.2f} levels. At {},{} your picture has {}; right "
+        "is {}, with the mistake {}",
+        explained_percent(c), c.residual, place.x, place.y, stored_text(c.change, c.mine),
+        stored_text(c.change, c.reference), stored_text(c.change, c.as_mistaken));
+    text += place == c.pixel ? ".\n" : fmt::format("; the scene has that at {},{}.\n", c.pixel.x, c.pixel.y);
     if (!c.also.empty()) text += "In this scene these look the same: " + names_of(c.also) + ".\n";
     return text;
 }
@@ -146,6 +152,9 @@ std::string display_text(const DisplayFinding& display) {
         words.emplace_back("smooth edges");
     else if (display.smoothed)
         words.emplace_back("smoothed");
+    if (display.softened > 0)
+        words.push_back(fmt::format("within surfaces by up to {} levels in {} pixels", display.softened_most,
+                                    display.softened));
     return fmt::format("{}", fmt::join(words, "; "));
 }
 
@@ -164,7 +173,12 @@ std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
     if (const std::string display = display_text(d.display); !display.empty())
         text += "Taken away first, as no mistake of lighting: " + display + ".\n";
     if (d.verdict == Verdict::NoMistake) text += still_unlike_line(d.pixels);
-    if (d.verdict == Verdict::Mistake) text += candidate_lines(d.candidates.front());
+    if (d.verdict == Verdict::NoMistake && d.display.softened > 0)
+        text +=
+            "A small highlight that is lit otherwise lies between its neighbours' colours, too: a larger "
+            "picture "
+            "would tell it from a soft one.\n";
+    if (d.verdict == Verdict::Mistake) text += candidate_lines(d.candidates.front(), d.size);
     if (d.experiment) text += "To be sure, " + experiment_line(*d.experiment);
     if (d.verdict == Verdict::NotInCatalogue) text += difference_lines(d, scene);
     return text;

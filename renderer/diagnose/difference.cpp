@@ -78,6 +78,31 @@ TermValues terms_at(const Renderer& renderer, glm::ivec2 pixel) {
     return terms;
 }
 
+/// One channel of a wrong pixel, in linear light. Terms add up there, so levels are converted back to it.
+struct Sample {
+    double right = 0, difference = 0;
+    std::map<std::pair<std::string, int>, double> terms;
+};
+
+/// The channels of a wrong pixel that are not clamped.
+void add_samples(std::vector<Sample>& samples, const WrongPixel& pixel, Rgb right, const TermValues& terms,
+                 const Display& display) {
+    constexpr double white = 254.5;
+    const Code code = display.transfer == Transfer::Srgb ? Code::Decoded : Code::Same;
+    const auto linear = [&](double level) {
+        const double shown = double(coded(code, static_cast<float>(std::clamp(level / 255, 0.0, 1.0))));
+        return shown / double(display.exposure);
+    };
+    for (int c = 0; c < 3; ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        const double mine = double(right[k]) + pixel.difference[k];
+        if (mine <= 0 || mine > white || double(right[k]) > white) continue;
+        Sample sample{linear(double(right[k])), linear(mine) - linear(double(right[k])), {}};
+        for (const auto& [name, value] : terms) sample.terms[name] = value[c];
+        samples.push_back(std::move(sample));
+    }
+}
+
 /// Sums of a least-squares fit of the difference by each term alone.
 struct Fits {
     struct Sums {
@@ -86,30 +111,16 @@ struct Fits {
     std::map<std::pair<std::string, int>, Sums> of;
     double energy = 0;  // of the difference
 
-    void add(double difference, const TermValues& terms, int channel) {
-        energy += difference * difference;
-        for (const auto& [name, value] : terms) {
-            of[name].product += difference * value[channel];
-            of[name].square += value[channel] * value[channel];
+    explicit Fits(const std::vector<Sample>& samples) {
+        for (const Sample& s : samples) {
+            energy += s.difference * s.difference;
+            for (const auto& [name, value] : s.terms) {
+                of[name].product += s.difference * value;
+                of[name].square += value * value;
+            }
         }
     }
 };
-
-/// Terms add up in linear light, so levels are converted back to it. Clamped channels are left out.
-void add_pixel(Fits& fits, const WrongPixel& pixel, Rgb right, const TermValues& terms,
-               const Display& display) {
-    constexpr double white = 254.5;
-    const Code code = display.transfer == Transfer::Srgb ? Code::Decoded : Code::Same;
-    const auto linear = [&](double level) {
-        return double(coded(code, static_cast<float>(std::clamp(level / 255, 0.0, 1.0))));
-    };
-    for (int c = 0; c < 3; ++c) {
-        const auto k = static_cast<std::size_t>(c);
-        const double mine = double(right[k]) + pixel.difference[k];
-        if (mine <= 0 || mine > white || double(right[k]) > white) continue;
-        fits.add((linear(mine) - linear(double(right[k]))) / double(display.exposure), terms, c);
-    }
-}
 
 std::vector<DifferenceTerm> likely_terms(const Fits& fits) {
     constexpr std::size_t most = 3;
@@ -126,29 +137,43 @@ std::vector<DifferenceTerm> likely_terms(const Fits& fits) {
     return terms;
 }
 
+/// Of the samples, how many the likeliest term leaves as they are: 1 where there is no such term.
+double share_left(const std::vector<Sample>& samples, const std::vector<DifferenceTerm>& terms) {
+    if (terms.empty()) return 1;
+    constexpr double near = 0.1;  // of the difference
+    const DifferenceTerm& term = terms.front();
+    const auto left = std::count_if(samples.begin(), samples.end(), [&](const Sample& s) {
+        const double explained = (term.factor - 1) * s.terms.at({term.term, term.light});
+        return std::abs(s.difference - explained) > near * std::abs(s.difference);
+    });
+    return static_cast<double>(left) / static_cast<double>(samples.size());
+}
+
 }  // namespace
 
-void describe_difference(Diagnosis& d, const Renderer& renderer, const Exhibit& exhibit,
-                         const DisplayChange& change, const Display& display) {
-    constexpr std::size_t samples = 300;
+DescribedDifference describe_difference(const Renderer& renderer, const Exhibit& exhibit,
+                                        const DisplayChange& change, const Display& display) {
+    constexpr std::size_t pixels = 300;
     std::map<int, DifferenceRegion> regions;
     const std::vector<WrongPixel> wrong = wrong_pixels(exhibit, renderer, change, regions);
-    d.regions.clear();
-    for (const auto& [object, region] : regions) d.regions.push_back(region);
+    DescribedDifference found;
+    for (const auto& [object, region] : regions) found.regions.push_back(region);
     const auto weight = [](const DifferenceRegion& r) {
         return static_cast<double>(r.pixels) *
                (std::abs(r.mean[0]) + std::abs(r.mean[1]) + std::abs(r.mean[2]));
     };
-    std::stable_sort(d.regions.begin(), d.regions.end(),
+    std::stable_sort(found.regions.begin(), found.regions.end(),
                      [&](const auto& a, const auto& b) { return weight(a) > weight(b); });
-    Fits fits;
-    const std::size_t step = std::max<std::size_t>(1, wrong.size() / samples);
+    std::vector<Sample> samples;
+    const std::size_t step = std::max<std::size_t>(1, wrong.size() / pixels);
     for (std::size_t i = step / 2; i < wrong.size(); i += step) {
         const glm::ivec2 at = wrong[i].at;
-        add_pixel(fits, wrong[i], rgb_at(exhibit.right, exhibit.right.pixel(at.x, at.y)),
-                  terms_at(renderer, at), display);
+        add_samples(samples, wrong[i], rgb_at(exhibit.right, exhibit.right.pixel(at.x, at.y)),
+                    terms_at(renderer, at), display);
     }
-    d.terms = likely_terms(fits);
+    found.terms = likely_terms(Fits(samples));
+    found.pixels_left = share_left(samples, found.terms) * static_cast<double>(wrong.size());
+    return found;
 }
 
 }  // namespace glint

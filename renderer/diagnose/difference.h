@@ -6,8 +6,15 @@
 
 namespace glint {
 
-/// Fills in the diagnosis's regions and terms. `renderer` has drawn the right picture last.
-void describe_difference(Diagnosis& diagnosis, const Renderer& renderer, const Exhibit& exhibit,
-                         const DisplayChange& change, const Display& display);
+struct DescribedDifference {
+    std::vector<DifferenceRegion> regions;  // the largest first
+    std::vector<DifferenceTerm> terms;      // the likeliest first
+    double pixels_left = 0;                 // about how many wrong pixels the likeliest term does not explain
+};
+
+/// Of the picture minus the right one after `change` was taken away. `renderer` has drawn the right picture
+/// last.
+[[nodiscard]] DescribedDifference describe_difference(const Renderer& renderer, const Exhibit& exhibit,
+                                                      const DisplayChange& change, const Display& display);
 
 }  // namespace glint

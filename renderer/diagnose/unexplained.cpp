@@ -8,21 +8,30 @@ namespace glint {
 namespace {
 
 /// The display changes to try for a picture that nothing explains, the smallest first.
-std::vector<DisplayChange> cautious_changes(const Exhibit& exhibit, const Judged& none) {
-    constexpr std::uint64_t clearly = 4;  // a gain or a curve takes away something of any difference
-    DisplayChange turned = none.change;
+std::vector<DisplayChange> cautious_changes(const Exhibit& exhibit, const DisplayChange& supposed) {
+    DisplayChange turned = supposed;
     turned.before = turned.after = Code::Same;
     turned.gain = 1;
     turned.soft = false;
-    std::vector<DisplayChange> changes{exhibit.least_change};
-    std::uint64_t least = score(exhibit, none.drawing, changes.front()).unlike;
-    for (const DisplayChange& change : {turned, none.change}) {
-        const std::uint64_t unlike = score(exhibit, none.drawing, change).unlike;
-        if (clearly * unlike > least) continue;
-        least = unlike;
-        changes.push_back(change);
+    return {exhibit.least_change, turned, supposed};
+}
+
+/// What differs under the smallest change that leaves little unexplained: a gain or a curve takes away
+/// something of any difference, and so does a term of the equation.
+DescribedDifference cautious_difference(DisplayChange& change, const Renderer& renderer,
+                                        const Exhibit& exhibit, const DisplayChange& supposed,
+                                        const Display& display) {
+    constexpr double clearly = 4;
+    DescribedDifference best;
+    bool is_first = true;
+    for (const DisplayChange& tried : cautious_changes(exhibit, supposed)) {
+        DescribedDifference found = describe_difference(renderer, exhibit, tried, display);
+        if (!is_first && clearly * found.pixels_left >= best.pixels_left) continue;
+        best = std::move(found);
+        change = tried;
+        is_first = false;
     }
-    return changes;
+    return best;
 }
 
 /// Why the picture cannot be of this scene, if it cannot.
@@ -46,13 +55,13 @@ void say_what_is_unexplained(Diagnosis& d, Renderer& renderer, const Scene& scen
     d.verdict = Verdict::NotInCatalogue;
     constexpr double much = 0.5;  // the nearest candidates are kept if they explain this share
     std::erase_if(d.candidates, [](const Candidate& c) { return c.explained < much; });
-    constexpr double nearly_all = 0.9;
     (void)renderer.render(under_mistakes(scene, {}), d.size);
-    for (const DisplayChange& change : cautious_changes(exhibit, none)) {
-        d.display = display_finding(exhibit, none.drawing.picture, change);
-        describe_difference(d, renderer, exhibit, change, scene.display);
-        if (!d.terms.empty() && d.terms.front().explained > nearly_all) break;
-    }
+    DisplayChange change;
+    DescribedDifference found = cautious_difference(change, renderer, exhibit, none.change, scene.display);
+    d.display = display_finding(exhibit, none.drawing.picture, change);
+    d.pixels = count_unlike(exhibit, none.drawing.picture, change);
+    d.regions = std::move(found.regions);
+    d.terms = std::move(found.terms);
 }
 
 }  // namespace glint

@@ -106,14 +106,32 @@ void require_sound_heading(const std::string& bytes) {
     if (result != EXR_ERR_SUCCESS) throw std::runtime_error(exr_get_default_error_message(result));
 }
 
+/// What an EXR's display window shows of the pixels that its data window holds: a renderer may store those
+/// alone that are not black, or more than it shows. Throws Refused.
+Picture displayed_part(Picture stored, const Imath::Box2i& data, const Imath::Box2i& display) {
+    if (data == display) return stored;
+    const MemoryShare share(memory_need(MemoryUse::Pixels, sizeof(float) * stored.linear.size()));
+    Picture shown = empty_linear(1LL + display.max.x - display.min.x, 1LL + display.max.y - display.min.y);
+    const int left = std::max(data.min.x, display.min.x), right = std::min(data.max.x, display.max.x);
+    for (int y = std::max(data.min.y, display.min.y); y <= std::min(data.max.y, display.max.y); ++y) {
+        if (left > right) break;
+        const float* const from = &stored.linear[3 * stored.pixel(left - data.min.x, y - data.min.y)];
+        std::copy_n(from, 3 * (right - left + 1),
+                    &shown.linear[3 * shown.pixel(left - display.min.x, y - display.min.y)]);
+    }
+    return shown;
+}
+
 /// Throws what the library throws for a file that is not whole.
 Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path) {
     require_sound_heading(bytes);
     ExrSource source(bytes);
     Imf::InputFile file(source, 0);
-    const auto window = file.header().dataWindow();
+    const Imath::Box2i window = file.header().dataWindow(), display = file.header().displayWindow();
     const long long width = 1LL + window.max.x - window.min.x, height = 1LL + window.max.y - window.min.y;
-    if (!fits(width, height)) return unreadable(path, "has a size out of range", "an OpenEXR");
+    if (!fits(width, height) ||
+        !fits(1LL + display.max.x - display.min.x, 1LL + display.max.y - display.min.y))
+        return unreadable(path, "has a size out of range", "an OpenEXR");
     const Imf::ChannelList& channels = file.header().channels();
     const bool grey = channels.findChannel("R") == nullptr;
     if (grey && channels.findChannel("Y") == nullptr)
@@ -142,7 +160,7 @@ Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path
     if (grey)
         for (std::size_t i = 0; i < picture.linear.size(); i += 3)
             picture.linear[i + 1] = picture.linear[i + 2] = picture.linear[i];
-    return picture;
+    return displayed_part(std::move(picture), window, display);
 }
 
 }  // namespace

@@ -82,8 +82,14 @@ std::array<DisplayChange, 4> ways_of_turning() {
     return ways;
 }
 
+glm::ivec2 changed_place(const DisplayChange& change, PictureSize size, glm::ivec2 pixel) {
+    return {change.mirrored ? size.width - 1 - pixel.x : pixel.x,
+            change.upside_down ? size.height - 1 - pixel.y : pixel.y};
+}
+
 std::size_t changed_index(const DisplayChange& change, PictureSize size, int x, int y) {
-    return size.index(change.mirrored ? size.width - 1 - x : x, change.upside_down ? size.height - 1 - y : y);
+    const glm::ivec2 place = changed_place(change, size, {x, y});
+    return size.index(place.x, place.y);
 }
 
 ByteBounds byte_bounds(const DisplayChange& change) {
@@ -113,7 +119,7 @@ ByteRanges byte_ranges(const DisplayChange& change) {
     ByteRanges ranges;
     for (std::size_t i = 0; i < ranges.size(); ++i)
         ranges[i] = {bounds.low[i], keeps_brightness(change) ? static_cast<float>(i) : curve.at(2 * i + 1),
-                     bounds.high[i]};
+                     bounds.high[i], i == 255};
     return ranges;
 }
 

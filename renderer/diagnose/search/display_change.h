@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <glm/vec2.hpp>
 
 #include "renderer/picture.h"
 #include "renderer/simd/lanes.h"
@@ -46,7 +48,8 @@ struct DisplayChange {
     return (change.upside_down ? 2U : 0U) + (change.mirrored ? 1U : 0U);
 }
 [[nodiscard]] std::array<DisplayChange, 4> ways_of_turning();
-/// Where a pixel of the scene's picture went: its index in the changed picture of that size.
+/// Where a pixel of the scene's picture went in the changed picture of that size, and its index there.
+[[nodiscard]] glm::ivec2 changed_place(const DisplayChange& change, PictureSize size, glm::ivec2 pixel);
 [[nodiscard]] std::size_t changed_index(const DisplayChange& change, PictureSize size, int x, int y);
 /// The channel of the changed picture to which a channel went.
 [[nodiscard]] inline std::size_t changed_channel(const DisplayChange& change, std::size_t channel) {
@@ -62,9 +65,17 @@ template <Number F> [[nodiscard]] F levels_outside(F low, F high, F level) {
 /// clamping leave a range.
 struct ByteRange {
     float low = 0, middle = 0, high = 0;
+    bool is_clamped = false;  // it was drawn as 255: anything from `middle` on may have been clamped to that
 
     [[nodiscard]] float distance(std::uint8_t byte) const {
         return levels_outside(low, high, static_cast<float>(byte));
+    }
+    [[nodiscard]] float from_middle(std::uint8_t byte) const {
+        return std::abs(middle - static_cast<float>(byte));
+    }
+    /// Levels by which the drawing itself is off, without the room that noise and softness leave.
+    [[nodiscard]] float off(std::uint8_t byte) const {
+        return is_clamped && static_cast<float>(byte) > middle ? 0 : from_middle(byte);
     }
 };
 using ByteRanges = std::array<ByteRange, 256>;

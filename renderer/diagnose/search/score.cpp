@@ -27,7 +27,7 @@ class Expected {
         if (bare_ != nullptr && !bare_->empty() && ground_.is_known && (*bare_)[pixel] != 0) {
             for (std::size_t c = 0; c < 3; ++c) {
                 const float level = ground_.levels[c];
-                expected[c] = {level - scatter_, level, level + scatter_};
+                expected[c] = {level - scatter_, level, level + scatter_, false};
             }
             return expected;
         }
@@ -84,11 +84,11 @@ bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std:
         const float d = explained[c].distance(mine[c]), d_right = right[c].distance(mine[c]);
         off = std::max(off, d);
         off_right = std::max(off_right, d_right);
-        told += d_right - 2 * d;
+        told += d_right - 2 * explained[c].from_middle(mine[c]);
         row.excess += double(excess_of(d));
         row.squares += double(d) * double(d);
-        apart = std::max(apart, std::abs(explained[c].middle - static_cast<float>(mine[c])));
-        apart_right = std::max(apart_right, std::abs(right[c].middle - static_cast<float>(mine[c])));
+        apart = std::max(apart, explained[c].off(mine[c]));
+        apart_right = std::max(apart_right, right[c].off(mine[c]));
     }
     const bool is_wrong = off_right > visible_levels, is_unlike = misses || off > visible_levels;
     if (misses) row.excess += double(excess_of(off + 2 * visible_levels));

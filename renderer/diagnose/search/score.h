@@ -2,6 +2,7 @@
 // Judges one explanation of a wrong picture on every pixel that can be compared.
 
 #include <array>
+#include <climits>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -44,7 +45,7 @@ struct Score {
     double squares = 0;             // sum of the squares of the differences in levels, channel by channel
     double off = 0, off_right = 0;  // sums over the wrong pixels of what a drawing itself is off: the
                                     // explanation's, the right one
-    int told_best = 0;              // levels by which `pixel` speaks for the explanation
+    int told_best = INT_MIN;        // levels by which `pixel` speaks for the explanation
     glm::ivec2 pixel{0};  // of the scene's picture: where the explanation is told best from the right one
 
     [[nodiscard]] double residual() const;  // RMS in levels

@@ -93,7 +93,7 @@ TEST_CASE("a right picture has no mistake, whatever happened to it at the displa
         for (unsigned change = 0; change < 2; ++change) {
             const SceneDocument document = diagnosed_scene(200 + seed);
             const WrongPicture picture = wrong_picture(document.scene, {}, 2 * seed + change);
-            const Diagnosis d = diagnose(document, picture.picture, {false, 1, {}});
+            const Diagnosis d = diagnosed(document, picture.picture);
             // One encoding too many is a mistake that has a name, where the catalogue lists it.
             const bool encoded = picture.what == "sRGB" && d.verdict == Verdict::Mistake &&
                                  name_of(d.candidates[0].mistakes) == "encoded_twice";
@@ -113,7 +113,7 @@ TEST_CASE("a picture of another scene is in no catalogue, or not comparable", "[
             const Picture picture = picture_under(drawn, {});
             if (!differ(picture, picture_under(document.scene, {})))
                 continue;  // lit by nothing but highlights
-            const Diagnosis d = diagnose(document, picture, {false, 1, {}});
+            const Diagnosis d = diagnosed(document, picture);
             ++all;
             refused += d.verdict == Verdict::NotInCatalogue || d.verdict == Verdict::NotComparable ? 1 : 0;
         }
@@ -135,7 +135,7 @@ TEST_CASE("a mistake that a change at the display undoes is not a candidate", "[
             green = static_cast<std::uint8_t>(green < 128 ? green + 40 : green - 40);
         }
     REQUIRE(brightened > 200);
-    const Diagnosis d = diagnose(document, wrong, {false, 1, {}});
+    const Diagnosis d = diagnosed(document, wrong);
     CHECK(d.verdict == Verdict::NotInCatalogue);
     for (const Candidate& c : d.candidates) CHECK(name_of(c.mistakes) != "encoded_twice");
 }
@@ -153,7 +153,7 @@ TEST_CASE("a right picture that a power of 2.2 encoded has no mistake, and the p
                 if (i % 4 == 3) continue;
                 wrong.rgba[i] = static_cast<std::uint8_t>(std::lround(255 * std::pow(linear, 1 / 2.2)));
             }
-            const Diagnosis d = diagnose(document, wrong, {false, 1, {}});
+            const Diagnosis d = diagnosed(document, wrong);
             CAPTURE(seed, transfer, d.candidates.empty() ? "" : name_of(d.candidates[0].mistakes));
             CHECK(d.verdict == Verdict::NoMistake);
             CHECK(d.display.change.is_by_power());
@@ -178,13 +178,13 @@ TEST_CASE("a mistake that leaves more than half of the difference is not the ver
     Scene mistaken = scene;
     mistaken.shading.mistakes.normals_by_model_matrix = true;
     Picture wrong = Renderer(1).render(mistaken, size);
-    const Diagnosis whole = diagnose(document, wrong, {false, 1, {}});
+    const Diagnosis whole = diagnosed(document, wrong);
     REQUIRE(whole.verdict == Verdict::Mistake);
     CHECK(name_of(whole.candidates.front().mistakes) == "normals_by_model_matrix");
     for (const int y : {30, 60, 210})
         for (int x = 10; x < 255; ++x)
             for (std::size_t c = 0; c < 3; ++c) wrong.rgba[4 * wrong.pixel(x, y) + c] ^= 0x40;
-    const Diagnosis partly = diagnose(document, wrong, {false, 1, {}});
+    const Diagnosis partly = diagnosed(document, wrong);
     CHECK(partly.verdict == Verdict::NotInCatalogue);
 }
 
@@ -248,7 +248,7 @@ TEST_CASE("the deciding pixel has the colours that the pictures have there", "[d
     const SceneDocument document = diagnosed_scene(4);
     const std::size_t flipped = place_of("normals_flipped");
     const Picture right = picture_under(document.scene, {}), wrong = picture_under(document.scene, {flipped});
-    const Diagnosis d = diagnose(document, wrong, {false, 1, {}});
+    const Diagnosis d = diagnosed(document, wrong);
     REQUIRE(d.verdict == Verdict::Mistake);
     const Candidate& c = d.candidates.front();
     CHECK(c.mistakes == MistakeSet{flipped});
@@ -262,7 +262,7 @@ TEST_CASE("the deciding pixel has the colours that the pictures have there", "[d
 
 TEST_CASE("an experiment shows what it says, and parts the mistakes", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(5);
-    const Diagnosis d = diagnose(document, picture_under(document.scene, {18}), {false, 1, {}});
+    const Diagnosis d = diagnosed(document, picture_under(document.scene, {18}));
     REQUIRE(d.experiment);
     const Experiment& e = *d.experiment;
     const auto varied = scene_variant(document, e.set);
@@ -291,7 +291,7 @@ TEST_CASE("a picture that shows its object elsewhere is not taken for one that d
             continue;
         const Picture wrong = picture_under(scene, {m});
         if (!differ(wrong, picture_under(scene, {}))) continue;
-        const Diagnosis d = diagnose(document, turned_over(wrong, false, true), {false, 1, {}});
+        const Diagnosis d = diagnosed(document, turned_over(wrong, false, true));
         REQUIRE(d.verdict == Verdict::Mistake);
         CHECK(names(d.candidates.front(), {m}));
         CHECK(d.display.change.mirrored);

@@ -1,4 +1,6 @@
 // What is not a mistake of lighting is found and named: turned over, exchanged, brightened, encoded, shifted.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "renderer/diagnose/diagnose.h"
@@ -19,7 +21,7 @@ SceneDocument bright_scene() {
 }
 
 DisplayFinding finding_of(const SceneDocument& document, const Picture& picture) {
-    const Diagnosis d = diagnose(document, picture, {false, 1, {}});
+    const Diagnosis d = diagnosed(document, picture);
     CHECK(d.verdict == Verdict::NoMistake);
     return d.display;
 }
@@ -91,7 +93,7 @@ TEST_CASE("a gain and an encoding are found together", "[diagnose]") {
           Approx(0.7).epsilon(0.01));
     // An encoding too many has a name in the catalogue; what is left is the gain.
     const Diagnosis both =
-        diagnose(document, through(right, [](double x) { return srgb_of_linear(0.6 * x); }), {false, 1, {}});
+        diagnosed(document, through(right, [](double x) { return srgb_of_linear(0.6 * x); }));
     REQUIRE(both.verdict == Verdict::Mistake);
     CHECK(name_of(both.candidates[0].mistakes) == "encoded_twice");
     const DisplayChange& left = both.display.change;
@@ -125,13 +127,58 @@ TEST_CASE("a picture that is moved by a whole pixel is shifted, and one that is 
           "[diagnose]") {
     const SceneDocument document = bright_scene();
     const Picture right = picture_under(document.scene, {});
-    const Diagnosis moved = diagnose(document, one_to_the_right(right), {false, 1, {}});
+    const Diagnosis moved = diagnosed(document, one_to_the_right(right));
     CHECK(moved.display.shift.x == Approx(1).margin(0.3));
     CHECK(moved.display.shift.y == 0);
     CHECK_FALSE(moved.display.smoothed);
     const DisplayFinding soft = finding_of(document, blurred(right));
     CHECK(soft.smoothed);
     CHECK(soft.shift == glm::vec2(0));
+}
+
+TEST_CASE("a shift is measured to its end, and not to where a plane would have led", "[diagnose]") {
+    const SceneDocument document = shipped("still-life.json");
+    Renderer renderer(1);
+    const Picture right = renderer.render(document.scene, {160, 90});
+    Picture picture = through(right, [](double x) { return 0.95 * x; });
+    for (int pixels = 1; pixels <= 3; ++pixels) {
+        picture = one_to_the_right(picture);
+        const Diagnosis d = diagnosed(document, picture);
+        INFO(pixels);
+        CHECK(d.display.shift.x == Approx(pixels).margin(0.1));
+        CHECK(std::abs(d.display.shift.y) < 0.1f);
+    }
+}
+
+TEST_CASE("how much of a picture only softness explains is counted, and said where it might hide a highlight",
+          "[diagnose]") {
+    const SceneDocument document = shipped("every-term.json");
+    Renderer renderer(1);
+    const PictureSize size{160, 90};
+    const Picture right = renderer.render(document.scene, size);
+    const std::vector<PixelKind> kinds = pixel_kinds(renderer, size);
+    Scene dimmed = document.scene;
+    dimmed.lights[0].specular = glm::vec3(0.3f);
+    const Picture picture = renderer.render(dimmed, size);
+    std::uint64_t pixels = 0;
+    int most = 0;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (kinds[i] != PixelKind::Surface) continue;
+        int off = 0;
+        for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
+            off = std::max(off, std::abs(int{right.rgba[c]} - int{picture.rgba[c]}));
+        pixels += off > 2 ? 1 : 0;
+        most = std::max(most, off);
+    }
+    const Diagnosis d = diagnosed(document, picture);
+    CHECK(d.verdict == Verdict::NoMistake);  // a limit: the highlight is a few pixels wide
+    CHECK(d.display.softened == pixels);
+    CHECK(d.display.softened_most == most);
+    const std::string text = diagnosis_text(d, document.scene);
+    CHECK(text.find(fmt::format("within surfaces by up to {} levels in {} pixels", most, pixels)) !=
+          std::string::npos);
+    CHECK(text.find("A small highlight that is lit otherwise") != std::string::npos);
+    CHECK(diagnosis_text(diagnosed(document, right), document.scene).find("highlight") == std::string::npos);
 }
 
 TEST_CASE("a picture at another aspect is not comparable, and which aspect is said", "[diagnose]") {
@@ -143,7 +190,7 @@ TEST_CASE("a picture at another aspect is not comparable, and which aspect is sa
         for (int x = 0; x < 160; ++x)
             for (std::size_t c = 0; c < 3; ++c)
                 squeezed.rgba[4 * squeezed.pixel(x, y) + c] = wide.rgba[4 * wide.pixel(2 * x, y * 3 / 2) + c];
-    const Diagnosis d = diagnose(document, squeezed, {false, 1, {}});
+    const Diagnosis d = diagnosed(document, squeezed);
     CHECK(d.verdict == Verdict::NotComparable);
     INFO(d.why);
     CHECK(d.why.find("16:9") != std::string::npos);
@@ -180,7 +227,7 @@ TEST_CASE("a term that is wrong and in no catalogue is found where it lives", "[
     document.scene.global_ambient = glm::vec3(0.05f);
     Scene wrong = document.scene;
     wrong.lights[0].diffuse *= 0.5f;
-    const Diagnosis d = diagnose(document, picture_under(wrong, {}), {false, 1, {}});
+    const Diagnosis d = diagnosed(document, picture_under(wrong, {}));
     CHECK(d.verdict == Verdict::NotInCatalogue);
     REQUIRE_FALSE(d.terms.empty());
     CHECK(d.terms[0].term == "diffuse");

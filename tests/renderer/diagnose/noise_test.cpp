@@ -46,7 +46,7 @@ TEST_CASE("a right picture with noise has no mistake", "[diagnose][release]") {
         const Picture right = picture_under(document.scene, {});
         for (const double deviation : {1.0, 2.0, 5.0}) {
             INFO(name << ", noise " << deviation);
-            const Diagnosis d = diagnose(document, noisy(right, deviation, 3), {false, 1, {}});
+            const Diagnosis d = diagnosed(document, noisy(right, deviation, 3));
             CHECK(d.verdict == Verdict::NoMistake);
             CHECK(display_text(d.display).starts_with("noise of about "));
         }
@@ -55,7 +55,7 @@ TEST_CASE("a right picture with noise has no mistake", "[diagnose][release]") {
 
 TEST_CASE("a picture with more noise than can be judged is not comparable, and that is said", "[diagnose]") {
     const SceneDocument document = shipped("default.json");
-    const Diagnosis d = diagnose(document, noisy(picture_under(document.scene, {}), 20, 5), {false, 1, {}});
+    const Diagnosis d = diagnosed(document, noisy(picture_under(document.scene, {}), 20, 5));
     CHECK(d.verdict == Verdict::NotComparable);
     CHECK(d.why.starts_with("noise of about "));
 }
@@ -68,7 +68,7 @@ TEST_CASE("a mistake is named in a noisy picture", "[diagnose][release]") {
             const MistakeSet mistake{place_of(name)};
             const Picture wrong = noisy(picture_under(document.scene, mistake), deviation, 4);
             INFO(name << ", noise " << deviation);
-            const Diagnosis d = diagnose(document, wrong, {false, 1, {}});
+            const Diagnosis d = diagnosed(document, wrong);
             REQUIRE(d.verdict == Verdict::Mistake);
             const Candidate& first = d.candidates.front();
             CHECK((first.mistakes == mistake ||

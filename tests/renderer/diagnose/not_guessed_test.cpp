@@ -35,10 +35,6 @@ Picture disc(PictureSize size, std::uint8_t level) {
     return picture;
 }
 
-Diagnosis diagnosed(const SceneDocument& document, const Picture& picture) {
-    return diagnose(document, picture, {false, 1, {}});
-}
-
 }  // namespace
 
 TEST_CASE("a picture of one colour is not comparable, unless the scene has one, too", "[diagnose]") {

@@ -71,6 +71,11 @@ inline std::size_t place_of(std::string_view name) {
     return static_cast<std::size_t>(at - all.begin());
 }
 
+/// On one thread, without pairs.
+inline Diagnosis diagnosed(const SceneDocument& document, const Picture& picture) {
+    return diagnose(document, picture, {false, 1, {}});
+}
+
 struct WrongPicture {
     Picture picture;
     std::string what;      // happened to it at the display

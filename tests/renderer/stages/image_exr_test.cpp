@@ -88,3 +88,46 @@ TEST_CASE("an EXR holds every number of the picture times the exposure, first ro
     file.readPixels(0, 1);
     for (std::size_t i = 0; i < 18; ++i) CHECK(read[i] == picture.linear[i] * 2);
 }
+
+TEST_CASE("an EXR shows its display window, whatever part of it the file holds", "[image]") {
+    const TemporaryDirectory directory;
+    const std::string path = directory.path("windows.exr");
+    const Imath::Box2i display({-2, 1}, {5, 6});
+    const auto number = [](int x, int y) { return static_cast<float>(100 * y + x); };
+    for (const Imath::Box2i& data : {display, Imath::Box2i({0, 2}, {3, 4}), Imath::Box2i({-5, -2}, {9, 8}),
+                                     Imath::Box2i({3, 0}, {8, 3}), Imath::Box2i({20, 20}, {21, 21})}) {
+        Imf::Header header(display, data);
+        for (const char* const name : {"R", "G", "B"})
+            header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        const int width = data.max.x - data.min.x + 1;
+        std::vector<float> stored;
+        for (int y = data.min.y; y <= data.max.y; ++y)
+            for (int x = data.min.x; x <= data.max.x; ++x)
+                for (int c = 0; c < 3; ++c) stored.push_back(number(x, y) + static_cast<float>(c) / 4);
+        {
+            Imf::FrameBuffer frame;
+            for (std::size_t c = 0; c < 3; ++c)
+                frame.insert(std::string(1, "RGB"[c]),
+                             Imf::Slice::Make(Imf::FLOAT, stored.data() + c, data, 12,
+                                              12 * static_cast<std::size_t>(width)));
+            Imf::OutputFile file(path.c_str(), header);
+            file.setFrameBuffer(frame);
+            file.writePixels(data.max.y - data.min.y + 1);
+        }
+        const auto read = read_exr(path);
+        REQUIRE(problem_of(read) == nullptr);
+        const Picture& picture = std::get<Picture>(read);
+        INFO("data from " << data.min.x << ", " << data.min.y);
+        REQUIRE(picture.size == PictureSize{8, 6});
+        bool all = true;
+        for (int y = 0; y < 6; ++y)
+            for (int x = 0; x < 8; ++x) {
+                const Imath::V2i place(x - 2, y + 1);
+                const float expected = data.intersects(place) ? number(place.x, place.y) : 0;
+                all = all && picture.linear[3 * picture.pixel(x, y)] == expected;
+                all =
+                    all && (expected == 0 || picture.linear[3 * picture.pixel(x, y) + 2] == expected + 0.5f);
+            }
+        CHECK(all);
+    }
+}

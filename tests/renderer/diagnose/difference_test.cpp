@@ -1,0 +1,98 @@
+// What a diagnosis says of a difference: its numbers agree with each other and with the picture's own bytes.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "renderer/diagnose/diagnose.h"
+#include "renderer/diagnose/diagnosis_format.h"
+#include "tests/renderer/diagnose/wrong_pictures.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+std::uint64_t wrong_in_regions(const Diagnosis& d) {
+    std::uint64_t pixels = 0;
+    for (const DifferenceRegion& region : d.regions) pixels += region.pixels;
+    return pixels;
+}
+
+}  // namespace
+
+TEST_CASE("a picture that is clipped where the scene is brighter has the mistake that it makes",
+          "[diagnose]") {
+    SceneDocument document = shipped("default.json");
+    for (const char* const name : {"view_reversed", "absolute_cosine", "unnormalized_half"}) {
+        const std::size_t mistake = place_of(name);
+        document.scene.display.exposure = 1;
+        Renderer renderer(1);
+        const Picture wrong = renderer.render(under_mistakes(document.scene, {mistake}), {321, 180});
+        document.scene.display.exposure = 2;  // the picture is half as bright, and not clipped where this is
+        const Diagnosis d = diagnosed(document, wrong);
+        INFO(name);
+        REQUIRE(d.verdict == Verdict::Mistake);
+        CHECK(d.candidates[0].mistakes == MistakeSet{mistake});
+        CHECK(d.display.change.gain == Approx(0.5).epsilon(0.01));
+    }
+}
+
+TEST_CASE("the wrong pixels of a difference are those of its regions, whatever was taken away first",
+          "[diagnose]") {
+    const SceneDocument document = shipped("still-life.json");
+    const PictureSize size{160, 90};
+    Renderer renderer(1);
+    const Picture right = renderer.render(document.scene, size);
+    SECTION("a light that is dimmed is no gain") {
+        Scene dimmed = document.scene;
+        dimmed.lights[0].intensity *= 0.6f;
+        const Diagnosis d = diagnosed(document, renderer.render(dimmed, size));
+        REQUIRE(d.verdict == Verdict::NotInCatalogue);
+        CHECK(d.display.change.gain == 1);
+        CHECK(wrong_in_regions(d) == count_of(d.pixels, PixelKind::Surface).unlike);
+        REQUIRE_FALSE(d.terms.empty());
+        CHECK(d.terms[0].light == 0);
+        CHECK(d.terms[0].factor == Approx(0.6).epsilon(0.01));
+    }
+    SECTION("a patch of another colour in a darker picture is the patch alone") {
+        Picture patched =
+            through(right, [](double x) { return srgb_of_linear(0.7 * std::pow((x + 0.055) / 1.055, 2.4)); });
+        for (int y = 21; y < 32; ++y)
+            for (int x = 61; x < 80; ++x) {
+                std::uint8_t* const pixel = &patched.rgba[4 * patched.pixel(x, y)];
+                pixel[0] = 255, pixel[1] = pixel[2] = 0;
+            }
+        const Diagnosis d = diagnosed(document, patched);
+        REQUIRE(d.verdict == Verdict::NotInCatalogue);
+        CHECK(d.display.change.gain == Approx(0.7).epsilon(0.02));
+        CHECK(wrong_in_regions(d) == count_of(d.pixels, PixelKind::Surface).unlike);
+        CHECK(wrong_in_regions(d) <= 11 * 19);
+        CHECK(wrong_in_regions(d) > 11 * 19 * 9 / 10);
+        REQUIRE(d.regions.size() == 1);
+        CHECK(d.regions[0].low == glm::ivec2(61, 21));
+        CHECK(d.regions[0].high == glm::ivec2(79, 31));
+    }
+}
+
+TEST_CASE("the deciding pixel is told as the picture has it, however it was turned over", "[diagnose]") {
+    const SceneDocument document = diagnosed_scene(4);
+    const Picture wrong = picture_under(document.scene, {place_of("missing_pi")});
+    for (int ways = 0; ways < 8; ++ways) {
+        Picture picture = turned_over(wrong, (ways & 1) != 0, (ways & 2) != 0);
+        for (std::size_t i = 0; (ways & 4) != 0 && i < picture.rgba.size(); i += 4)
+            std::swap(picture.rgba[i], picture.rgba[i + 2]);
+        const Diagnosis d = diagnosed(document, picture);
+        REQUIRE(d.verdict == Verdict::Mistake);
+        const std::string text = diagnosis_text(d, document.scene);
+        int x = 0, y = 0, r = 0, g = 0, b = 0;
+        const std::size_t at = text.find(" At ");
+        INFO("way " << ways << ": " << text);
+        REQUIRE(at != std::string::npos);
+        REQUIRE(std::sscanf(text.c_str() + at, " At %d,%d your picture has (%d, %d, %d)", &x, &y, &r, &g,
+                            &b) == 5);
+        const std::uint8_t* const pixel = &picture.rgba[4 * picture.pixel(x, y)];
+        CHECK((r == pixel[0] && g == pixel[1] && b == pixel[2]));
+    }
+}
