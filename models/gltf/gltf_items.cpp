@@ -37,6 +37,8 @@ void read_cone(const Node& node, SpotCone& cone) {
         const Range angles{0, std::numbers::pi / 2 + 1e-6, "0 to pi/2"};
         read(spot, "innerConeAngle", inner, angles);
         read(spot, "outerConeAngle", outer, angles);
+        if (inner > outer)  // equal: an even cone
+            spot.fail("innerConeAngle is above outerConeAngle", "an inner cone within the outer one");
     });
     cone.cutoff_deg = std::min(glm::degrees(outer), 90.0f);
     const double middle = (std::cos(static_cast<double>(inner)) + std::cos(static_cast<double>(outer))) / 2;

@@ -12,7 +12,7 @@ namespace glint {
 struct GltfLeftOut {
     std::size_t textures = 0, blended = 0, skins = 0, animations = 0, morphs = 0, lines = 0, sparse = 0,
                 colours = 0;
-    std::size_t cameras = 0, sheared = 0, flat = 0, far = 0, lights = 0;
+    std::size_t cameras = 0, sheared = 0, flat = 0, far = 0, lights = 0, ranges = 0;
 };
 /// Returns one warning, with its count, for each kind of object that was met.
 [[nodiscard]] Warnings said_objects(const GltfLeftOut& left);

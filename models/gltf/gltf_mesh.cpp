@@ -152,7 +152,7 @@ Result<Mesh> GltfFile::mesh(int part) const {
         const std::vector<std::size_t>& first = document_->first_parts;
         if (part < 0 || static_cast<std::size_t>(part) >= first.back())
             return Problem{
-                document_->path, "", fmt::format("there is no part {}", part),
+                "", "/part", fmt::format("the file has no part {}", part),
                 first.back() == 0 ? "a file with a mesh" : fmt::format("0 to {}", first.back() - 1)};
         const auto number = static_cast<std::size_t>(part);
         // The last mesh that begins there or before: those without primitives begin where the next does.

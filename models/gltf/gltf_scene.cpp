@@ -174,6 +174,8 @@ class SceneReader {
         require_object(light);
         content_.scene.lights.push_back(
             light_from(light, name, view.value_or(world), view ? LightSpace::Camera : LightSpace::World));
+        const bool has_place = content_.scene.lights.back().kind != LightKind::Directional;
+        left_.ranges += has_place && light.has("range") ? 1 : 0;
         content_.has_lights = true;
     }
     void count_all() {

@@ -95,7 +95,7 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
                        ".obj, .ply, .off, .stl, .om, .gltf or .glb", 0};
     if (bytes.empty()) return Problem{path, "", "the file is empty", "a mesh", 0};
     if (part != 0)
-        return Problem{path, "", fmt::format("it holds one mesh, and not a part {}", part), "part 0", 0};
+        return Problem{"", "/part", fmt::format("the file holds one mesh, and not a part {}", part), "0", 0};
     return mesh_of(path, [&]() -> Result<Mesh> {
         Mesh mesh = format->read(without_mark(format->extension, {bytes, 0, bytes.size()}), path);
         if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};

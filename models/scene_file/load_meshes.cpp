@@ -177,7 +177,7 @@ class Loader {
         Result<MeshPtr> loaded = load(source, mesh_dir_, gltf_files_);
         if (const Problem* problem = problem_of(loaded)) {
             if (!problem->file.empty()) return *problem;
-            return Problem{file_, pointer, problem->what, problem->expected};
+            return Problem{file_, pointer + problem->pointer, problem->what, problem->expected};
         }
         known = std::get<MeshPtr>(std::move(loaded));
         return known;

@@ -112,6 +112,33 @@ TEST_CASE("a light that its node leaves no direction is one line, unless it need
               "expected a node whose axes have a length");
 }
 
+TEST_CASE("a light's range is left out with a warning, and its inner cone lies within the outer", "[gltf]") {
+    const auto text_with = [](const std::string& light) {
+        return changed("\"nodes\": [{\"mesh\": 0}], \"scenes\": [{\"nodes\": [0]}]",
+                       "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{" + light +
+                           "}]}}, \"nodes\": [{\"mesh\": 0}, {\"extensions\": {\"KHR_lights_punctual\": "
+                           "{\"light\": 0}}}], \"scenes\": [{\"nodes\": [0, 1]}]");
+    };
+    const TemporaryDirectory folder;
+    const auto warnings = [&](const std::string& light) {
+        return std::get<SceneDocument>(open_document(folder.file("t.gltf", text_with(light)))).warnings;
+    };
+    const std::string range = "1 light has a range, beyond which it shines here, too";
+    CHECK(warnings("\"type\": \"point\", \"range\": 3") == Warnings{range});
+    CHECK(warnings("\"type\": \"spot\", \"range\": 3") == Warnings{range});
+    CHECK(warnings("\"type\": \"directional\", \"range\": 3").empty());
+    CHECK(warnings("\"type\": \"point\"").empty());
+    const auto cone = [](double inner, double outer) {
+        return fmt::format("\"type\": \"spot\", \"spot\": {{\"innerConeAngle\": {}, \"outerConeAngle\": {}}}",
+                           inner, outer);
+    };
+    CHECK(warnings(cone(0.4, 0.5)).empty());
+    CHECK(warnings(cone(0.5, 0.5)).empty());
+    CHECK(error_of(text_with(cone(0.6, 0.5))) ==
+          "t.gltf: /extensions/KHR_lights_punctual/lights/0/spot: innerConeAngle is above outerConeAngle; "
+          "expected an inner cone within the outer one");
+}
+
 TEST_CASE("a camera that its node leaves no direction is one line", "[gltf]") {
     const std::string camera = "\"cameras\": [{\"type\": \"perspective\"}], ";
     const auto check = [&](const std::string& node, const std::string& what) {

@@ -135,7 +135,7 @@ TEST_CASE("a scene of glTF is changed, saved and opened again as others are", "[
 
     const Result<Mesh> none = read_mesh(path, 7);
     REQUIRE(problem_of(none) != nullptr);
-    CHECK(problem_of(none)->text() == path + ": there is no part 7; expected 0 to 2");
+    CHECK(problem_of(none)->text() == "/part: the file has no part 7; expected 0 to 2");
 }
 
 TEST_CASE("parts are counted through all meshes, those without primitives too", "[gltf]") {
@@ -160,7 +160,8 @@ TEST_CASE("parts are counted through all meshes, those without primitives too", 
     for (const int part : {-1, 3}) {
         const Result<Mesh> mesh = std::get<GltfFile>(file).mesh(part);
         REQUIRE(problem_of(mesh) != nullptr);
-        CHECK(problem_of(mesh)->text() == fmt::format("t.gltf: there is no part {}; expected 0 to 2", part));
+        CHECK(problem_of(mesh)->text() ==
+              fmt::format("/part: the file has no part {}; expected 0 to 2", part));
     }
     const TemporaryDirectory folder;
     const SceneDocument document = opened(folder.file("t.gltf", text));

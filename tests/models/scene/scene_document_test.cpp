@@ -91,6 +91,18 @@ TEST_CASE("a mesh that --set names and that is not there is the fault of --set",
           "--set: /objects/0/mesh/file: cannot read \"no.off\": no such file; expected a mesh file");
 }
 
+TEST_CASE("a part that a mesh's file has not is a problem at the part, and of --set where that names it",
+          "[scene_document]") {
+    const Place place;
+    place.write("deep/s.json", two_triangles);
+    CHECK(problem_at(place / "deep/s.json", {{"/objects/1/mesh/part", "1"}}) ==
+          "--set: /objects/1/mesh/part: the file holds one mesh, and not a part 1; expected 0");
+    place.write("t.json", R"({"glint": 1, "objects": [{"mesh": {"file": "one.gltf", "part": 3}}]})");
+    place.write("one.gltf", R"({"asset": {"version": "2.0"}})");
+    CHECK(problem_at(place / "t.json") ==
+          place / "t.json: /objects/0/mesh/part: the file has no part 3; expected a file with a mesh");
+}
+
 TEST_CASE("a scene that has loaded nothing stays as it was", "[scene_document]") {
     Scene scene;
     scene.objects.resize(2);
