@@ -162,6 +162,9 @@ std::optional<std::string> form_missed(const Prediction& p, const JsonValue& val
     const JsonValue::Elements& list = value.elements();
     if (std::ssize(list) != count || !std::all_of(list.begin(), list.end(), is_number))
         return fmt::format("a list of {} numbers", count);
+    const auto is_shown = [](const JsonValue& v) { return v.number() >= 0 && v.number() <= 1; };
+    if (p.kind == PredictionKind::Colour && !std::all_of(list.begin(), list.end(), is_shown))
+        return "three numbers from 0 to 1, as a picture shows them";
     if (p.kind != PredictionKind::Click) return std::nullopt;
     const double x = list[0].number(), y = list[1].number();
     if (x < 0 || y < 0 || x >= size.width || y >= size.height)

@@ -16,6 +16,12 @@
 namespace glint {
 namespace {
 
+/// What the scope reads: what is shown, where that has linear colours: a comparison's parts, a single term.
+const Picture& scope_reads(const UiState& state) {
+    const bool readable = !state.displayed->linear.empty() && state.displayed->size == state.rendered->size;
+    return readable ? *state.displayed : *state.rendered;
+}
+
 void copy_profile_command(UiState& state) {
     const PictureSize size = state.rendered->size;
     const ScopeState& scope = state.views.scope;
@@ -23,7 +29,13 @@ void copy_profile_command(UiState& state) {
         return profile_command_text(of, in_file, size, pixel_of(scope.from, size), pixel_of(scope.to, size));
     });
     ImGui::SetClipboardText(command.c_str());
-    state.notifications.add(Tone::Done, "The command that prints these numbers is on the clipboard");
+    if (scope_reads(state).linear == state.rendered->linear)
+        state.notifications.add(Tone::Done, "The command that prints these numbers is on the clipboard");
+    else
+        state.notifications.add(
+            Tone::Warning,
+            "The command on the clipboard prints the numbers of the scene's own picture: no "
+            "single one prints those of what is composed here");
 }
 
 /// The picture that shows: the drawn one, or what is composed of it.
@@ -139,9 +151,7 @@ bool views_need_linear(const ViewsState& views) {
 
 void update_views(UiState& state) {
     update_shown(state);
-    // The scope reads what is shown where that has linear colours: a comparison's parts, a single term.
-    const bool readable = !state.displayed->linear.empty() && state.displayed->size == state.rendered->size;
-    update_scope(state.views.scope, *state.renderer, readable ? *state.displayed : *state.rendered);
+    update_scope(state.views.scope, *state.renderer, scope_reads(state));
     ask_part(state);
     const PictureSize size = state.rendered->size;
     update_lit_dots(state.views.lit, drawn_parts(state.views.compare, *state.renderer, size), size,

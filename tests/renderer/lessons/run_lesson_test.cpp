@@ -151,7 +151,9 @@ TEST_CASE(
          {"predict number\nquestion: ?\nanswer: [1, 2]\ntolerance: 1",
           "predict number\nquestion: ?\nanswer: true\ntolerance: 1",
           "predict click\nquestion: ?\nanswer: [[1], [2]]\ntolerance: 1",
-          "predict colour\nquestion: ?\nanswer: [\"a\", \"b\", \"c\"]\ntolerance: 1"}) {
+          "predict colour\nquestion: ?\nanswer: [\"a\", \"b\", \"c\"]\ntolerance: 1",
+          "predict colour\nquestion: ?\nanswer: [0, 1.5, 1]\ntolerance: 1",
+          "predict colour\nquestion: ?\nanswer: [0 - 0.1, 1, 1]\ntolerance: 1"}) {
         const Bench bench("```" + std::string(block) + "\n```\n");
         LessonRunner runner(1);
         const Result<std::string> page = handout_html(runner, bench.lesson, true);

@@ -159,6 +159,26 @@ TEST_CASE("a file whose name begins as an option does is named by a path", "[exp
     CHECK(file_word("- b.json") == "'./- b.json'");
 }
 
+TEST_CASE("the scope's command is said to print the numbers that show only where it does",
+          "[ui][window][export]") {
+    Bench bench;
+    bench.frames(2);
+    run_command(bench.state, CommandId::Scope);
+    const auto said = [&] {
+        bench.frames(2);
+        bench.click(bench.control("Copy as command"));
+        bench.frames(1);
+        return bench.state.notifications.list.back().text;
+    };
+    CHECK(said() == "The command that prints these numbers is on the clipboard");
+    run_command(bench.state, CommandId::Compare);  // flat, Gouraud, Phong
+    CHECK(said().find("prints the numbers of the scene's own picture") != std::string::npos);
+    run_command(bench.state, CommandId::Compare);
+    CHECK(said() == "The command that prints these numbers is on the clipboard");
+    run_command(bench.state, CommandId::OverRange);  // stripes change no number
+    CHECK(said() == "The command that prints these numbers is on the clipboard");
+}
+
 TEST_CASE("in a narrow picture the command sets the field that the window shows, and nothing else",
           "[ui][window][export]") {
     Bench bench;
