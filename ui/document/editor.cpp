@@ -11,14 +11,15 @@
 namespace glint {
 namespace {
 
-/// Puts the scene of a step in hand.
-void take_step(Editor& editor, const Scene& scene) {
+/// Puts the scene of a step in hand. Where the selected item is gone, the next is selected by a step forward,
+/// as when it was deleted; by one back the one before it, of which it may have been a copy.
+void take_step(Editor& editor, const Scene& scene, bool forward = false) {
     const Scene before = std::exchange(editor.document.scene, scene);
     Selection& selection = editor.selection;
     int place = selection.index;
     if (selection.kind == Selection::Kind::Light) place = place_in(before.lights, scene.lights, place);
     if (selection.kind == Selection::Kind::Object) place = place_in(before.objects, scene.objects, place);
-    if (place >= 0) selection.index = place;
+    selection.index = place >= 0 ? place : forward ? selection.index : std::max(selection.index - 1, 0);
     selection = valid_selection(selection, scene);
 }
 
@@ -101,7 +102,7 @@ bool undo(Editor& editor) {
 
 bool redo(Editor& editor) {
     if (!editor.history.can_redo()) return false;
-    take_step(editor, editor.history.redo());
+    take_step(editor, editor.history.redo(), true);
     return true;
 }
 

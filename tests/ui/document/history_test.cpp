@@ -179,6 +179,26 @@ TEST_CASE("what undo takes away is not selected any more", "[ui]") {
     CHECK(editor.selection.kind != Selection::Kind::Light);
 }
 
+TEST_CASE("undoing a copy selects what was copied, and deleting again the next", "[ui]") {
+    Editor editor;
+    SceneDocument document;
+    document.scene = two_lights();
+    document.scene.lights.emplace_back().name = "Lamp";
+    take_document(editor, document);
+    editor.selection = {Selection::Kind::Light, 1};
+    duplicate(editor.scene(), editor.selection);
+    remember_step(editor, false);
+    CHECK(editor.selection.index == 2);
+    REQUIRE(undo(editor));
+    CHECK(editor.selection == Selection{Selection::Kind::Light, 1});
+    remove(editor.scene(), editor.selection);
+    remember_step(editor, false);
+    REQUIRE(undo(editor));
+    editor.selection = {Selection::Kind::Light, 1};
+    REQUIRE(redo(editor));
+    CHECK(editor.selection == Selection{Selection::Kind::Light, 1});
+}
+
 TEST_CASE("a mesh that was loaded again is not an edit, and no name has it", "[ui]") {
     Scene scene = two_lights();
     scene.objects[0].mesh = std::make_shared<const Mesh>();
