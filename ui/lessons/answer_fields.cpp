@@ -32,9 +32,13 @@ bool number_answer(LessonState& lesson, const Prediction& question) {
     }
     tooltip("Your answer", "A number, or a calculation such as 1/2 or cos(30*deg)");
     if (!question.unit.empty()) {
-        ImGui::SameLine(0, px(8));
-        ImGui::AlignTextToFramePadding();
+        const float gap = px(8), left = ImGui::GetContentRegionAvail().x - px(130) - gap;
+        const bool beside = ImGui::CalcTextSize(question.unit.c_str()).x <= left;
+        if (beside) ImGui::SameLine(0, gap);
+        if (beside) ImGui::AlignTextToFramePadding();
+        ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(question.unit.c_str());
+        ImGui::PopTextWrapPos();
     }
     ImGui::PopFont();
     if (const std::string why = why_no_answer(lesson); !lesson.typed.empty() && !why.empty()) small_dim(why);
@@ -64,7 +68,9 @@ void figure(const char* word, const std::string& text, const ImVec4& colour) {
     ImGui::BeginGroup();
     small_dim(word);
     ImGui::PushFont(fonts().heading);
+    ImGui::PushTextWrapPos(0);
     coloured(colour, text);
+    ImGui::PopTextWrapPos();
     ImGui::PopFont();
     ImGui::EndGroup();
     list_control(word, "", last_item());
@@ -73,10 +79,18 @@ void figure(const char* word, const std::string& text, const ImVec4& colour) {
 /// Both side by side where they fit.
 void two_figures(const std::string& mine, const std::string& right, bool counts) {
     const float left = ImGui::GetCursorPosX(), half = ImGui::GetContentRegionAvail().x / 2;
+    ImGui::PushFont(fonts().heading);
+    const auto fits = [&](const std::string& text) {
+        return ImGui::CalcTextSize(text.c_str()).x < half - px(8);
+    };
+    const bool beside = fits(mine) && fits(right);
+    ImGui::PopFont();
     if (!mine.empty()) {
         figure("You said", mine, counts ? theme().accent : theme().warning);
-        ImGui::SameLine();
-        ImGui::SetCursorPosX(left + half);
+        if (beside) {
+            ImGui::SameLine();
+            ImGui::SetCursorPosX(left + half);
+        }
     }
     figure("It is", right, theme().accent);
 }

@@ -227,6 +227,8 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
           "l.md:47: \"z\" is not a picture; expected a run of render above it");
     CHECK(with_edit("if: c.max_error > 0\n", "") ==
           "l.md:49: the option above has no condition; expected a line if: behind it");
+    CHECK(with_edit("along: 0,9 63,9", "along: 9,9 9,9")
+              .ends_with("\"9,9 9,9\" is one pixel; expected two that differ"));
     CHECK(with_edit("done: e.hit\n", "") == "l.md:62: the block has no line \"done:\"; expected one");
     CHECK(with_edit("falls_under: missing_pi", "falls_under: missing_p") ==
           "l.md:76: \"missing_p\" is not a mistake; expected \"missing_pi\"");

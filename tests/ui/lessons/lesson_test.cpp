@@ -89,6 +89,34 @@ TEST_CASE("an answer stands beside the right one, and its number is marked in th
     CHECK(column.holds(bench.control("Marked number")));
 }
 
+TEST_CASE("a long unit stands below its number, and the two answers below each other",
+          "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    (void)folder.file("ball.json", ball);
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    const auto ask = [&](const std::string& unit) {
+        test::drop(bench,
+                   folder.file(unit.substr(0, 3) + ".md",
+                               own_lesson("```predict number\nquestion: How many?\nanswer: 2\ntolerance: "
+                                          "1\nunit: " +
+                                          unit + "\n```\n")));
+        bench.click(bench.control("Your answer"));
+        bench.type("2");
+        bench.frames(1);
+        bench.click(bench.control("Lock it in"));
+        bench.frames(2);
+    };
+    ask("watts for each square metre of the surface and steradian");
+    const Rect yours = bench.area_of("You said"), right = bench.area_of("It is");
+    const Rect column = test::right_column(bench);
+    CHECK(right.low.y >= yours.high.y);
+    CHECK(yours.high.x <= column.high.x);
+    CHECK(right.high.x <= column.high.x);
+    ask("m");
+    CHECK(bench.area_of("You said").low.y == bench.area_of("It is").low.y);
+}
+
 TEST_CASE("an answer is right within the question's tolerance, and typed as a calculation",
           "[ui][window][lesson]") {
     LambertWindow bench;
