@@ -2,6 +2,8 @@
 // What a field of a scene can be: its words (Row) and its kind (a number, a colour, one of a set, ...). The
 // fields themselves: scene_fields.h.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -77,6 +79,14 @@ struct Count {
     [[nodiscard]] bool contains(double x) const {
         return x >= low && x <= high && x == static_cast<int>(x) &&
                (is_allowed == nullptr || is_allowed(static_cast<int>(x)));
+    }
+    /// The number nearest to x that it contains; of two equally near the larger. Precondition: x is no NaN.
+    [[nodiscard]] int nearest(double x) const {
+        const int middle = static_cast<int>(std::lround(std::clamp(x, double(low), double(high))));
+        for (int away = 0; away <= high - low; ++away)
+            for (const int n : {middle + away, middle - away})
+                if (contains(n)) return n;
+        return middle;
     }
 };
 /// Words for "expected ...": "1, 4, 9", "a whole number from 1 to 8", or "1" if that is the only value.

@@ -91,7 +91,7 @@ template <class Visit> class NumberWalk {
     template <class T> void at(const Count& kind, T& n, int initial) const {
         if (only_ != nullptr && depth_ != only_->size()) return;
         const Real range{.range = {double(kind.low), double(kind.high), kind.words}};
-        visit_(described(range, n, initial, true), kind, n);
+        visit_(described(range, n, initial, kind), kind, n);
     }
     template <class V> void at(const Colour& kind, V& v, const glm::vec3& initial) const {
         parts<3>(kind, v, initial, {"red", "green", "blue"});
@@ -137,13 +137,13 @@ template <class Visit> class NumberWalk {
     }
     template <class T> void number(const Real& described_as, const Real& kind, T& x, float initial) const {
         if (only_ != nullptr && depth_ != only_->size()) return;
-        SceneNumber n = described(described_as, x, initial, false);
+        SceneNumber n = described(described_as, x, initial, {});
         if constexpr (!std::is_const_v<T>) n.place = &x;
         visit_(std::move(n), kind, x);
     }
-    [[nodiscard]] SceneNumber described(const Real& kind, double value, double initial, bool is_whole) const {
-        return {pointer_, words_,       value,    initial, kind,   help_,
-                is_whole, moves_faces_, applies_, is_w_,   nullptr};
+    [[nodiscard]] SceneNumber described(const Real& kind, double value, double initial,
+                                        const std::optional<Count>& count) const {
+        return {pointer_, words_, value, initial, kind, count, help_, moves_faces_, applies_, is_w_, nullptr};
     }
 
     Visit& visit_;

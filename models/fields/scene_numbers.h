@@ -14,14 +14,14 @@ namespace glint {
 
 /// One number of a scene.
 struct SceneNumber {
-    std::string pointer;      // RFC 6901: "/lights/0/falloff/linear", "/camera/eye/2"
-    std::string words;        // as its panel calls it, without its owner: "view angle", "diffuse red"
-    double value = 0;         // what it is now
-    double initial = 0;       // its default
-    Real kind;                // range, unit, step; of a count its range
-    const char* help = "";    // its field's words
-    bool is_whole = false;    // a count: samples, the detail of a shape
-    bool moves_faces = true;  // false: it decides how a pixel is lit, never which face it shows
+    std::string pointer;         // RFC 6901: "/lights/0/falloff/linear", "/camera/eye/2"
+    std::string words;           // as its panel calls it, without its owner: "view angle", "diffuse red"
+    double value = 0;            // what it is now
+    double initial = 0;          // its default
+    Real kind;                   // range, unit, step; of a count its range
+    std::optional<Count> count;  // of a count: samples, the detail of a shape
+    const char* help = "";       // its field's words
+    bool moves_faces = true;     // false: it decides how a pixel is lit, never which face it shows
     bool applies = true;  // false: without effect at the moment, as the cone of a light that is not a spot
     bool is_w = false;    // of a position, which is divided by it at once: a field for it would not keep what
                           // is typed

@@ -65,6 +65,13 @@ void forget_number_that_is_gone(UiState& state) {
     forget_number(state);
 }
 
+/// The other end of an interval to begin with: twice the number, or half of it where that is too much.
+double other_end(const SceneNumber& number) {
+    const double twice = number.value == 0 ? 1 : 2 * number.value;
+    const double far = number.kind.range.contains(twice) ? twice : number.value / 2;
+    return number.count ? number.count->nearest(far) : far;
+}
+
 void choose_number(AnimateState& animate, const Scene& scene) {
     Animation& animation = animate.animation;
     ImGui::SetNextItemWidth(label_cell("Number"));
@@ -86,7 +93,7 @@ void choose_number(AnimateState& animate, const Scene& scene) {
         animation.pointer = number.pointer;
         animate.number = words;
         animation.from = number.value;
-        animation.to = number.value == 0 ? 1 : 2 * number.value;
+        animation.to = other_end(number);
         animate.began = ImGui::GetTime();
     }
     if (animation.pointer.empty()) return;
@@ -232,8 +239,9 @@ Result<Scene> scene_at(const SceneDocument& document, const Animation& animation
     Scene scene = document.scene;
     const std::optional<SceneNumber> number = number_at(scene, animation.pointer);
     const double value = value_at(animation, frame);
+    const bool is_count = number && number->count;
     if (const auto problem =
-            set_number(scene, animation.pointer, number && number->is_whole ? std::round(value) : value))
+            set_number(scene, animation.pointer, is_count ? number->count->nearest(value) : value))
         return *problem;
     const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
     if (const Problem* problem = problem_of(warned)) return *problem;

@@ -95,11 +95,10 @@ namespace {
 /// A field of the number, under the words of its panel. True when it was edited; then `value` is another.
 bool field_of(const SceneNumber& number, const char* label, double& value) {
     const Help help{number.help, number.pointer};
-    if (number.is_whole) {
+    if (number.count) {
         int count = static_cast<int>(number.value);
-        const Count range{static_cast<int>(lowest(number.kind.range)),
-                          static_cast<int>(highest(number.kind.range))};
-        const bool edited = integer_field(label, count, range, static_cast<int>(number.initial), help);
+        const bool edited =
+            integer_field(label, count, *number.count, static_cast<int>(number.initial), help);
         value = count;
         return edited;
     }

@@ -142,7 +142,7 @@ TEST_CASE("what a scene file could not hold is found in the scene, and nothing e
     constexpr float inf = std::numeric_limits<float>::infinity();
     int refused = 0;
     for (const SceneNumber& number : numbers_of(valid)) {
-        if (number.is_whole) continue;
+        if (number.count) continue;
         for (const float value :
              {inf, -inf, std::nanf(""), -1e31f, -1.0f, 0.0f, 0.5f, 95.0f, 180.0f, 1e30f, 1e31f}) {
             INFO(number.pointer << " = " << value);
@@ -185,7 +185,7 @@ TEST_CASE("handles of numbers edit the scene where they stand", "[fields]") {
     REQUIRE(handle->place == &scene.lights[0].falloff.quadratic);
     CHECK(handle->initial == 0);
     CHECK(number_at(scene, "/objects/0/material/f0/2")->initial == Approx(0.04));
-    CHECK(number_at(scene, "/objects/0/mesh/detail")->is_whole);
+    CHECK(number_at(scene, "/objects/0/mesh/detail")->count.has_value());
     CHECK_FALSE(number_at(scene, "/lights/0/spot/exponent")->applies);  // a point light has no cone
     CHECK_FALSE(number_at(scene, "/objects/0/material/diffuse/0")->moves_faces);
     CHECK(number_at(scene, "/objects/0/transform/scale/0")->moves_faces);

@@ -67,6 +67,39 @@ struct GifRead {
 
 }  // namespace
 
+TEST_CASE("a count that goes to and fro takes the allowed number that is nearest", "[animate]") {
+    SceneDocument document = busy_document();
+    Animation animation{Motion::PingPong, "/lights/3/area/samples", 1, 64, 40};
+    for (int frame = 0; frame < 40; ++frame) {
+        const double value = value_at(animation, frame);
+        int nearest = 1;
+        for (int side = 2; side <= 8; ++side)
+            if (std::abs(side * side - value) <= std::abs(nearest - value)) nearest = side * side;
+        INFO(frame << ": " << value);
+        CHECK(at(document, animation, frame).lights[3].area.samples == nearest);
+    }
+    animation = {Motion::PingPong, "/objects/0/mesh/detail", 4, 8, 8};  // every whole number
+    for (int frame = 0; frame < 8; ++frame)
+        CHECK(std::get<PrimitiveMesh>(at(document, animation, frame).objects[0].source).detail ==
+              (frame <= 4 ? 4 + frame : 12 - frame));
+}
+
+TEST_CASE("the interval of a number that is chosen begins within what it may be", "[ui][window][animate]") {
+    HeadlessWindow bench;
+    bench.scene().lights = {test::assorted_lights()[3]};
+    bench.scene().lights[0].area.samples = 64;
+    bench.scene().camera.projection = Perspective{120};
+    begin_animation(bench.state, Motion::PingPong);
+    const auto choose = [&](const char* search, const char* name) {
+        bench.state.animate.search = search;
+        bench.frames(4);
+        bench.click(bench.control(name));
+        return bench.state.animate.animation.to;
+    };
+    CHECK(choose("samples", "Window: area samples") == 36);  // of 32 the nearest square
+    CHECK(choose("view angle", "Camera: view angle") == 60);
+}
+
 TEST_CASE("a turntable goes once round, at one distance and height, and begins with the scene itself",
           "[ui][animate]") {
     const SceneDocument document = busy_document();

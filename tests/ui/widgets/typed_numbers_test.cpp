@@ -78,7 +78,7 @@ class Typist {
         CHECK(same_description(std::get<Scene>(read), bench_.scene()));
         const auto number = number_at(bench_.scene(), shown.key);
         const bool is_told = !bench_.state.notifications.list.empty();
-        if (number && !number->is_whole)
+        if (number && !number->count)
             CHECK((is_told || static_cast<float>(number->value) == std::strtof(letters_.c_str(), nullptr)));
         while (undo(bench_.state.editor)) {
         }
