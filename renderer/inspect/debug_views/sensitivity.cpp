@@ -42,32 +42,48 @@ struct PinnedScene {
 /// One pixel of many scenes.
 class PixelProbe {
   public:
-    PixelProbe(const SceneDocument& document, PictureSize size, int x, int y, int threads)
-        : document_(document), size_(size), x_(x), y_(y), still_(threads), moved_(threads) {
-        (void)still_.render(document_.scene, size_);
+    /// `pinned` must stay where it is.
+    PixelProbe(const PinnedScene& pinned, const SceneDocument& whole, PictureSize size, int x, int y,
+               int threads)
+        : pinned_(pinned), whole_(whole), size_(size), x_(x), y_(y), still_(threads), moved_(threads) {
+        (void)still_.render(pinned_.document.scene, size_);
     }
 
-    [[nodiscard]] glm::dvec3 color_now() const { return color_of(still_.explain(x_, y_), document_.scene); }
+    [[nodiscard]] glm::dvec3 color_now() const {
+        return color_of(still_.explain(x_, y_), pinned_.document.scene);
+    }
     /// Returns the colour with another value of one number; nothing where the scene does not allow it.
     [[nodiscard]] std::optional<glm::dvec3> color_with(const SceneNumber& number, double value) {
-        Scene scene = document_.scene;
+        Scene scene = pinned_.document.scene;
         if (set_number(scene, number.pointer, value)) return std::nullopt;
-        if (problem_of(load_meshes(scene, document_.path, document_.mesh_dir)) != nullptr)
+        if (problem_of(load_meshes(scene, pinned_.document.path, pinned_.document.mesh_dir)) != nullptr)
             return std::nullopt;
-        if (!number.moves_faces && !lights_cull(scene))
-            return color_of(still_.explain_as(scene, x_, y_), scene);
-        // A number that decides which face the pixel shows, or what is drawn over it: the picture is drawn
-        // again.
+        if (!decides_face(number, scene)) return color_of(still_.explain_as(scene, x_, y_), scene);
+        (void)moved_.render(scene, size_);
+        return color_of(moved_.explain(x_, y_), scene);
+    }
+    /// The same after a long move, which may take the object away from what stands behind it.
+    [[nodiscard]] std::optional<glm::dvec3> color_far(const SceneNumber& number, double value) {
+        Scene scene = whole_.scene;
+        if (set_number(scene, pinned_.pointer_in_whole(number.pointer), value)) return std::nullopt;
+        if (!decides_face(number, scene)) return color_with(number, value);
+        if (problem_of(load_meshes(scene, whole_.path, whole_.mesh_dir)) != nullptr) return std::nullopt;
         (void)moved_.render(scene, size_);
         return color_of(moved_.explain(x_, y_), scene);
     }
 
   private:
+    /// Whether a number decides which face the pixel shows, or what is drawn over it: the picture is drawn
+    /// again.
+    static bool decides_face(const SceneNumber& number, const Scene& scene) {
+        return number.moves_faces || lights_cull(scene);
+    }
     static glm::dvec3 color_of(const Explanation& e, const Scene& scene) {
         return glm::dvec3(e.sum) * static_cast<double>(scene.display.exposure);
     }
 
-    const SceneDocument& document_;
+    const PinnedScene& pinned_;
+    SceneDocument whole_;
     PictureSize size_;
     int x_, y_;
     Renderer still_, moved_;  // the scene as it is; the scene with something else in it
@@ -134,10 +150,10 @@ void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, con
         return;
     }
     number.move = usual_move(moved);
-    auto there = probe.color_with(moved, moved.value + number.move);
+    auto there = probe.color_far(moved, moved.value + number.move);
     if (!there) {
         number.move = -number.move;
-        there = probe.color_with(moved, moved.value + number.move);
+        there = probe.color_far(moved, moved.value + number.move);
     }
     number.effect = there.value_or(now) - now;
     s.numbers.push_back(number);
@@ -172,7 +188,7 @@ double usual_move(const SceneNumber& number) {
 struct SensitivityRun::State {
     State(const SceneDocument& document, PictureSize size, int x, int y, int threads)
         : pinned(pinned_scene(document, size, x, y, threads)),
-          probe(pinned.document, size, x, y, threads),
+          probe(pinned, document, size, x, y, threads),
           now(probe.color_now()),
           numbers(pinned.measured_numbers()) {
         for (std::size_t i = 0; i < document.scene.objects.size(); ++i)

@@ -22,7 +22,7 @@ struct Sensitivity {
     bool one_sided = false;  // the number can move in one direction only (it is at the end of its range)
     bool is_w = false;       // of a position: nobody moves a light by it
     double move = 0;         // usual_move(), below 0 where the number can only become less
-    glm::dvec3 effect{0};    // what the pixel gains when the number moves so far
+    glm::dvec3 effect{0};    // what the pixel gains when the number moves so far, in the whole scene
 };
 
 /// How far a number is usually moved, in its unit: a tenth of its usual range; where it has none, what a drag
@@ -61,7 +61,8 @@ class SensitivityRun {
 };
 
 /// Central differences over a thousandth of each number. The face at the pixel is pinned: the other objects,
-/// which under local illumination could change the pixel only by hiding it, are left out and have no effect.
+/// which under local illumination could change the pixel only by hiding it, are left out and have no effect;
+/// but behind a number's long move they are there.
 /// Where a stroke covers some of the pixel, they stay, and their numbers are measured too: of more than
 /// max_stroking_objects only those of the object that shows.
 /// `document.scene` must be drawable, the pixel inside the picture. `measured` is told how many numbers of

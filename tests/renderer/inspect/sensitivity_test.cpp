@@ -308,6 +308,33 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
     }
 }
 
+TEST_CASE("an effect that takes the object away shows what stands behind it", "[sensitivity]") {
+    SceneDocument document = balls();
+    document.scene.objects[1].transform.translate = {0, 0, -2};  // behind the first
+    document.scene.objects[1].transform.scale = glm::vec3(3);
+    document.scene.objects[1].material.diffuse = {0.1f, 0.9f, 0.2f};
+    Renderer renderer(1);
+    (void)renderer.render(document.scene, sensitive_size);
+    glm::ivec2 edge{32, 24};  // the last pixel of the first ball along its row
+    while (renderer.object_at(edge.x + 1, edge.y) == 0) ++edge.x;
+    REQUIRE(renderer.object_at(edge.x + 1, edge.y) == 1);
+    const glm::dvec3 now(renderer.explain(edge.x, edge.y).sum);
+    const Sensitivities found = of_pixel(document, edge.x, edge.y);
+    int behind = 0;  // numbers whose move shows the other ball
+    for (const Sensitivity& s : found.numbers) {
+        Scene moved = document.scene;
+        if (set_number(moved, s.pointer, s.value + s.move)) continue;
+        if (problem_of(load_meshes(moved, "", "")) != nullptr) continue;
+        (void)renderer.render(moved, sensitive_size);
+        const glm::dvec3 gain =
+            glm::dvec3(renderer.explain(edge.x, edge.y).sum) * double(moved.display.exposure) - now;
+        INFO(s.pointer);
+        behind += renderer.object_at(edge.x, edge.y) == 1 ? 1 : 0;
+        for (int c = 0; c < 3; ++c) CHECK(s.effect[c] == Approx(gain[c]).margin(1e-6));
+    }
+    CHECK(behind > 3);
+}
+
 TEST_CASE("an effect is what the pixel gains when its number moves by a tenth of its usual range",
           "[sensitivity]") {
     SceneDocument document;
