@@ -185,6 +185,21 @@ bool save(UiState& state) {
     return save_over(state);
 }
 
+namespace {
+
+/// The path of a mesh that the scene names and that is no file any more; empty where there is none.
+std::string missing_mesh(const SceneDocument& document) {
+    for (const Object& object : document.scene.objects) {
+        const auto* const named = std::get_if<MeshFile>(&object.source);
+        std::error_code failed;
+        if (named != nullptr && !std::filesystem::exists(path_from(document.mesh_dir, named->path), failed))
+            return named->path;
+    }
+    return "";
+}
+
+}  // namespace
+
 bool save_as(UiState& state, const std::string& path) {
     if (const auto problem = save_file(state.editor, path, as_made(state, state.editor.scene()))) {
         state.notifications.add(*problem);
@@ -194,6 +209,10 @@ bool save_as(UiState& state, const std::string& path) {
     const char* const awaited =
         awaits_mesh(state) ? ", with the mesh as it was: the new one is being built" : "";
     state.notifications.add(Tone::Done, fmt::format("Saved {}{}", state.editor.title(), awaited));
+    if (const std::string mesh = missing_mesh(state.editor.document); !mesh.empty())
+        state.notifications.add(
+            Tone::Warning,
+            fmt::format("\"{}\" is not there any more: the scene opens again when it is", on_one_line(mesh)));
     return true;
 }
 

@@ -241,6 +241,31 @@ TEST_CASE("what is kept while a mesh is built has the mesh that is seen, and ope
     CHECK(as_made(bench.state, bench.scene()) == bench.scene());
 }
 
+TEST_CASE("who saves a scene whose mesh is gone is told that it will not open", "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string mesh = folder.file("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string path =
+        folder.file("own.json", R"({"glint": 1, "objects": [{"mesh": {"file": "one.obj"}}]})");
+    HeadlessWindow bench;
+    bench.frames(2);
+    UiInput input;
+    input.dropped = {path};
+    (void)bench.frame(input);
+    bench.wait_for_loads();
+    bench.frames(2);
+    const auto saved = [&] {
+        bench.state.notifications.list.clear();
+        CHECK(save(bench.state));
+        return bench.state.notifications.list;
+    };
+    REQUIRE(saved().size() == 1);
+    std::filesystem::remove(mesh);
+    const auto told = saved();
+    REQUIRE(told.size() == 2);
+    CHECK(told[1].tone == Tone::Warning);
+    CHECK(told[1].text == "\"one.obj\" is not there any more: the scene opens again when it is");
+}
+
 TEST_CASE("a mesh that cannot be read leaves the object as it was, and says why", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("none.obj", "f 1 2 3\n");

@@ -118,6 +118,7 @@ TEST_CASE("pointers of numbers are named in words, with the panel they stand in"
     CHECK(named_number("/camera/projection/fov_y_deg", scene).what == "view angle");
     CHECK(named_number("/global_ambient/2", scene).what == "ambient blue");
     CHECK(named_number("/objects/0", scene).owner == "Ball");
+    CHECK(named_number("/objects/0", scene).what.empty());
     CHECK(named_number("/camera/eye", scene).what == "eye");
     CHECK(named_number("/lights/1/position", scene).what == "position");
     CHECK(named_number("/lights/7/position/0", scene).owner == "Scene");

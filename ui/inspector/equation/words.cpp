@@ -107,7 +107,9 @@ NamedNumber named_number(const std::string& pointer, const Scene& scene) {
     const int index = parts.size() > 1 ? index_of_part(parts[1]) : -1;
     const auto at = static_cast<std::size_t>(index);  // -1 becomes the largest
     const auto named = [&](const std::string& owner, Selection::Kind kind, int item = 0) {
-        return NamedNumber{owner, words_of_pointer(scene, pointer), {kind, item}};
+        const bool is_item = kind == Selection::Kind::Light || kind == Selection::Kind::Object;
+        const bool is_whole = is_item && parts.size() == 2;
+        return NamedNumber{owner, is_whole ? "" : words_of_pointer(scene, pointer), {kind, item}};
     };
     if (section == "lights" && at < scene.lights.size())
         return named(scene.lights[at].name, Selection::Kind::Light, index);
