@@ -80,7 +80,7 @@ TermValues terms_at(const Renderer& renderer, glm::ivec2 pixel) {
 
 /// One channel of a wrong pixel, in linear light. Terms add up there, so levels are converted back to it.
 struct Sample {
-    double right = 0, difference = 0;
+    double difference = 0;
     std::map<std::pair<std::string, int>, double> terms;
 };
 
@@ -97,7 +97,7 @@ void add_samples(std::vector<Sample>& samples, const WrongPixel& pixel, Rgb righ
         const auto k = static_cast<std::size_t>(c);
         const double mine = double(right[k]) + pixel.difference[k];
         if (mine <= 0 || mine > white || double(right[k]) > white) continue;
-        Sample sample{linear(double(right[k])), linear(mine) - linear(double(right[k])), {}};
+        Sample sample{linear(mine) - linear(double(right[k])), {}};
         for (const auto& [name, value] : terms) sample.terms[name] = value[c];
         samples.push_back(std::move(sample));
     }

@@ -156,19 +156,13 @@ glm::vec2 fitted_shift(const Exhibit& e, const Levels& levels, const DisplayChan
 }
 
 /// Counts what only softness explains.
-void count_softened(DisplayFinding& finding, const Exhibit& e, const Picture& drawn,
-                    const ByteRanges& ranges) {
-    const PictureSize size = drawn.size;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
-            const Rgb mine = mine_at(e.wrong, finding.change, x, y), ours = rgb_at(drawn, size.index(x, y));
-            float most = 0;
-            for (std::size_t c = 0; c < 3; ++c) most = std::max(most, ranges[ours[c]].distance(mine[c]));
-            if (most <= visible_levels) continue;
-            ++finding.softened;
-            finding.softened_most = std::max(finding.softened_most, static_cast<int>(std::lround(most)));
-        }
+void count_softened(DisplayFinding& finding, const Exhibit& e, const Picture& drawn) {
+    DisplayChange hard = finding.change;
+    hard.soft = false;
+    const PixelCounts counts = count_unlike(e, drawn, hard);
+    const PixelCount& surface = count_of(counts, PixelKind::Surface);
+    finding.softened = surface.unlike;
+    finding.softened_most = surface.unlike > 0 ? static_cast<int>(std::lround(surface.most)) : 0;
 }
 
 }  // namespace
@@ -181,7 +175,7 @@ DisplayFinding display_finding(const Exhibit& e, const Picture& drawn, const Dis
     finding.smooth_edges = smooth_edges(e, drawn, change);
     if (!change.soft) return finding;
     constexpr float least = 0.2f;  // of a pixel; what is left is the smoothing itself
-    count_softened(finding, e, drawn, ranges);
+    count_softened(finding, e, drawn);
     glm::vec2 shift = fitted_shift(e, Levels(drawn, ranges), change);
     for (int i = 0; i < 2; ++i)
         if (std::abs(shift[i]) < least) shift[i] = 0;

@@ -1,5 +1,8 @@
 #include "renderer/diagnose/unexplained.h"
 
+#include <array>
+#include <utility>
+
 #include "renderer/diagnose/difference.h"
 #include "renderer/diagnose/display_finding.h"
 #include "renderer/diagnose/other_aspect.h"
@@ -7,13 +10,13 @@
 namespace glint {
 namespace {
 
-/// The display changes to try for a picture that nothing explains, the smallest first.
-std::vector<DisplayChange> cautious_changes(const Exhibit& exhibit, const DisplayChange& supposed) {
+/// Further display changes to try for a picture that nothing explains, the smaller first.
+std::array<DisplayChange, 2> larger_changes(const DisplayChange& supposed) {
     DisplayChange turned = supposed;
     turned.before = turned.after = Code::Same;
     turned.gain = 1;
     turned.soft = false;
-    return {exhibit.least_change, turned, supposed};
+    return {turned, supposed};
 }
 
 /// What differs under the smallest change that leaves little unexplained: a gain or a curve takes away
@@ -22,14 +25,14 @@ DescribedDifference cautious_difference(DisplayChange& change, const Renderer& r
                                         const Exhibit& exhibit, const DisplayChange& supposed,
                                         const Display& display) {
     constexpr double clearly = 4;
-    DescribedDifference best;
-    bool is_first = true;
-    for (const DisplayChange& tried : cautious_changes(exhibit, supposed)) {
+    change = exhibit.least_change;
+    DescribedDifference best = describe_difference(renderer, exhibit, change, display);
+    for (const DisplayChange& tried : larger_changes(supposed)) {
+        if (tried == change) continue;
         DescribedDifference found = describe_difference(renderer, exhibit, tried, display);
-        if (!is_first && clearly * found.pixels_left >= best.pixels_left) continue;
+        if (clearly * found.pixels_left >= best.pixels_left) continue;
         best = std::move(found);
         change = tried;
-        is_first = false;
     }
     return best;
 }

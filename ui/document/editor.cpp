@@ -19,7 +19,8 @@ void take_step(Editor& editor, const Scene& scene, bool forward = false) {
     int place = selection.index;
     if (selection.kind == Selection::Kind::Light) place = place_in(before.lights, scene.lights, place);
     if (selection.kind == Selection::Kind::Object) place = place_in(before.objects, scene.objects, place);
-    selection.index = place >= 0 ? place : forward ? selection.index : std::max(selection.index - 1, 0);
+    if (place < 0) place = forward ? selection.index : std::max(selection.index - 1, 0);
+    selection.index = place;
     selection = valid_selection(selection, scene);
 }
 

@@ -21,8 +21,9 @@ namespace {
 
 /// True when Enter ended the typing.
 bool number_answer(LessonState& lesson, const Prediction& question) {
+    const float width = px(130);
     ImGui::PushFont(fonts().reading);
-    ImGui::SetNextItemWidth(px(130));
+    ImGui::SetNextItemWidth(width);
     if (std::exchange(lesson.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered =
         text_field("##answer", "a number", lesson.typed, ImGuiInputTextFlags_EnterReturnsTrue);
@@ -32,7 +33,7 @@ bool number_answer(LessonState& lesson, const Prediction& question) {
     }
     tooltip("Your answer", "A number, or a calculation such as 1/2 or cos(30*deg)");
     if (!question.unit.empty()) {
-        const float gap = px(8), left = ImGui::GetContentRegionAvail().x - px(130) - gap;
+        const float gap = px(8), left = ImGui::GetContentRegionAvail().x - width - gap;
         const bool beside = ImGui::CalcTextSize(question.unit.c_str()).x <= left;
         if (beside) ImGui::SameLine(0, gap);
         if (beside) ImGui::AlignTextToFramePadding();

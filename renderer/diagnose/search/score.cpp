@@ -218,6 +218,7 @@ PixelCounts count_unlike(const Exhibit& e, const Picture& drawn, const DisplayCh
             PixelCount& count = counts[static_cast<std::size_t>(kind)];
             ++count.pixels;
             count.unlike += off > visible_levels ? 1 : 0;
+            count.most = std::max(count.most, off);
         }
     return counts;
 }

@@ -70,6 +70,7 @@ inline constexpr float visible_levels = 2;
 /// How many pixels there are of a kind, and how many of them differ by more than visible_levels.
 struct PixelCount {
     std::uint64_t pixels = 0, unlike = 0;
+    float most = 0;  // levels by which one differs at most
 
     [[nodiscard]] double share() const {
         return pixels == 0 ? 0 : static_cast<double>(unlike) / static_cast<double>(pixels);
