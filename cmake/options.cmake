@@ -106,12 +106,15 @@ function(compile_by_folder target)
   endif()
 endfunction()
 # A library of `sources`, of which the files `words` read and write texts or visit fields: many small instances, each run once a
-# file, which -O1 compiles in two thirds of -O3's time. They are compiled as the target ${target}_of_words.
+# file. They are compiled quickly, as the library ${target}_of_words, which is linked behind the other, so that the optimised copy
+# of what both define is taken.
 function(add_library_with_words target sources words)
   list(REMOVE_ITEM sources ${words})
-  add_library(${target}_of_words OBJECT ${words})
-  target_compile_options(${target}_of_words PRIVATE $<$<CONFIG:Release>:-O1>)
-  add_library(${target} STATIC ${sources} $<TARGET_OBJECTS:${target}_of_words>)
+  add_library(${target}_of_words STATIC ${words})
+  compile_quickly(${target}_of_words)
+  add_library(${target} STATIC ${sources})
+  target_link_libraries(${target} PUBLIC ${target}_of_words)
+  target_link_libraries(${target}_of_words PRIVATE ${target})  # each calls the other
   foreach(part ${target} ${target}_of_words)
     compile_by_folder(${part})
     count_ways(${part})

@@ -21,21 +21,23 @@ bool truth_of(const Node& node, const NamedValues& names) {
     return value.boolean();
 }
 
-/// The member of an object; of a list, the list of its elements' members.
-JsonValue member_of(const JsonValue& value, const std::string& name) {
-    if (value.is_array()) {
-        JsonValue::Elements results;
-        for (const JsonValue& element : value.elements()) results.push_back(member_of(element, name));
-        return JsonValue(std::move(results));
-    }
-    if (const JsonValue* member = value.find(name)) return *member;
+const JsonValue& member_of(const JsonValue& object, const std::string& name) {
+    if (const JsonValue* member = object.find(name)) return *member;
     std::vector<std::string> members;
-    for (const auto& [key, unused] : value.members()) members.push_back(key);
+    for (const auto& [key, unused] : object.members()) members.push_back(key);
     throw ExpressionProblem{"there is no " + in_quotes(name),
                             members.empty() ? "an object with it" : in_quotes(nearest(name, members))};
 }
 
-JsonValue element_of(const JsonValue& list, const JsonValue& place) {
+/// The list of the members of a list's elements, which may be lists themselves.
+JsonValue members_of(const JsonValue& list, const std::string& name) {
+    JsonValue::Elements results;
+    for (const JsonValue& element : list.elements())
+        results.push_back(element.is_array() ? members_of(element, name) : member_of(element, name));
+    return JsonValue(std::move(results));
+}
+
+const JsonValue& element_of(const JsonValue& list, const JsonValue& place) {
     const double at = as_number(place);
     const std::size_t size = list.elements().size();
     if (!(at >= 0 && at < static_cast<double>(size)) || at != std::floor(at))
@@ -128,7 +130,7 @@ JsonValue comparison_of(const Node& node, const NamedValues& names) {
     return node.word == "!=" ? differ(a, b, tolerance) : all_hold(node.word, a, b, tolerance);
 }
 
-JsonValue name_of_value(const Node& node, const NamedValues& names) {
+const JsonValue& named_value(const Node& node, const NamedValues& names) {
     const auto found = names.find(node.word);
     if (found != names.end()) return found->second;
     std::vector<std::string> known;
@@ -137,16 +139,44 @@ JsonValue name_of_value(const Node& node, const NamedValues& names) {
                             known.empty() ? "a run above it" : in_quotes(nearest(node.word, known))};
 }
 
+/// A value that stands among the names or in the expression, or else one that was made: an explanation is not
+/// copied for one number of it.
+struct Found {
+    const JsonValue* stored = nullptr;
+    JsonValue made;
+
+    [[nodiscard]] const JsonValue& value() const { return stored != nullptr ? *stored : made; }
+    /// `part`, which is within this value.
+    [[nodiscard]] Found only(const JsonValue& part) const {
+        return stored != nullptr ? Found{&part, {}} : Found{nullptr, part};
+    }
+};
+
+JsonValue made_by(const Node& node, const NamedValues& names);
+
+Found found_by(const Node& node, const NamedValues& names) {
+    if (node.kind == Kind::Literal) return {&node.literal, {}};
+    if (node.kind == Kind::Name) return {&named_value(node, names), {}};
+    if (node.kind != Kind::Member && node.kind != Kind::Element) return {nullptr, made_by(node, names)};
+    const Found whole = found_by(node.parts[0], names);
+    if (node.kind == Kind::Element)
+        return whole.only(element_of(whole.value(), value_of(node.parts[1], names)));
+    if (whole.value().is_array()) return {nullptr, members_of(whole.value(), node.word)};
+    return whole.only(member_of(whole.value(), node.word));
+}
+
 JsonValue value_of(const Node& node, const NamedValues& names) {
+    Found found = found_by(node, names);
+    return found.stored != nullptr ? *found.stored : std::move(found.made);
+}
+
+JsonValue made_by(const Node& node, const NamedValues& names) {
     switch (node.kind) {
     case Kind::Literal:
-        return node.literal;
     case Kind::Name:
-        return name_of_value(node, names);
     case Kind::Member:
-        return member_of(value_of(node.parts[0], names), node.word);
     case Kind::Element:
-        return element_of(value_of(node.parts[0], names), value_of(node.parts[1], names));
+        break;  // found_by
     case Kind::Negate:
         return combined(0.0, value_of(node.parts[0], names), [](double a, double b) { return a - b; });
     case Kind::Arithmetic:

@@ -50,14 +50,14 @@ Result<JsonValue> lobe_answer(const Scene& scene, const Lesson& lesson, const Le
     return lobe_json(reflector, object.name, run.angle_deg, lobe_slice(reflector, run.angle_deg, 180));
 }
 
-JsonValue microfacets_answer(const LessonRun& run) {
+MicrofacetOptions microfacets_of(const LessonRun& run) {
     MicrofacetOptions options;
     options.roughness = run.roughness;
     options.light_deg = run.angle_deg;
     options.view_deg = run.view_deg.value_or(run.angle_deg);
     options.rays = run.rays;
     options.facets = run.facets;
-    return microfacets_json(options);
+    return options;
 }
 
 std::vector<double> numbers_of(const JsonValue& value) {
@@ -67,9 +67,6 @@ std::vector<double> numbers_of(const JsonValue& value) {
 }
 
 }  // namespace
-
-LessonRunner::LessonRunner(int threads, std::vector<Assignment> always)
-    : always_(std::move(always)), renderer_(threads) {}
 
 Result<SceneDocument> LessonRunner::open(const Lesson& lesson) {
     if (opened_.path != lesson.scene || opened_.path.empty()) {
@@ -123,13 +120,22 @@ Result<JsonValue> LessonRunner::answer(const SceneDocument& document, const Less
     case RunKind::Lobe:
         return lobe_answer(scene, lesson, run);
     case RunKind::Microfacets:
-        return microfacets_answer(run);
+        return microfacets_answer(microfacets_of(run));
     case RunKind::Compare:
         break;
     }
     const Result<Comparison> compared = compare(pictures[run.first], pictures[run.second]);
     if (const Problem* problem = problem_of(compared)) return in_lesson(*problem, lesson, run.line);
     return comparison_json(std::get<Comparison>(compared));
+}
+
+const JsonValue& LessonRunner::microfacets_answer(const MicrofacetOptions& options) {
+    constexpr std::size_t kept = 8;  // more than a lesson has
+    const auto known = std::find_if(microfacets_.begin(), microfacets_.end(),
+                                    [&](const auto& one) { return one.first == options; });
+    if (known != microfacets_.end()) return known->second;
+    if (microfacets_.size() == kept) microfacets_.clear();
+    return microfacets_.emplace_back(options, microfacets_json(options)).second;
 }
 
 Result<NamedValues> LessonRunner::answers(const SceneDocument& document, const Lesson& lesson,

@@ -5,9 +5,11 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "models/lesson/lesson.h"
+#include "renderer/inspect/reflectance/microfacets.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -16,9 +18,12 @@ using NamedPictures = std::map<std::string, Picture>;
 
 class LessonRunner {
   public:
-    /// `threads`: as for Renderer. `always` is set last on every scene: a test switches a mistake on and sees
-    /// which claims fall.
-    explicit LessonRunner(int threads = 0, std::vector<Assignment> always = {});
+    /// `threads`: as for Renderer.
+    explicit LessonRunner(int threads = 0) : renderer_(threads) {}
+
+    /// From now on these are set last on every scene: a test switches a mistake on and sees which claims
+    /// fall.
+    void set_always(std::vector<Assignment> assignments) { always_ = std::move(assignments); }
 
     /// Opens a lesson's scene with its meshes; the last scene is kept from call to call.
     [[nodiscard]] Result<SceneDocument> open(const Lesson& lesson);
@@ -47,10 +52,13 @@ class LessonRunner {
   private:
     Result<JsonValue> answer(const SceneDocument& document, const Lesson& lesson, const LessonRun& run,
                              NamedPictures& pictures);
+    /// Many rays, which know nothing of a scene: answers are kept.
+    const JsonValue& microfacets_answer(const MicrofacetOptions& options);
 
     std::vector<Assignment> always_;
     Renderer renderer_;
     SceneDocument opened_;
+    std::vector<std::pair<MicrofacetOptions, JsonValue>> microfacets_;
 };
 
 /// The right answer of a prediction on that scene: a number; the number of an option, from 0; a pixel; a

@@ -166,7 +166,8 @@ TEST_CASE("what differs in a small part of the picture is named by what that par
     CHECK(found == "ours, 0 where it is negative");
 }
 
-TEST_CASE("the eye and the light in one frame and the point in another are named", "[diagnose][check]") {
+TEST_CASE("the eye and the light in one frame and the point in another are named",
+          "[diagnose][check][release]") {
     const SceneDocument document = torus_scene();
     const Scene& scene = document.scene;
     const glm::dmat4 world_from_camera = world_from_view(scene.camera);
@@ -207,7 +208,7 @@ TEST_CASE("the eye and the light in one frame and the point in another are named
         }
 }
 
-TEST_CASE("a cosine of a normal and a light in different frames is named", "[diagnose][check]") {
+TEST_CASE("a cosine of a normal and a light in different frames is named", "[diagnose][check][release]") {
     const SceneDocument document = torus_scene();
     const Scene& scene = document.scene;
     const glm::dmat3 world_from_camera(world_from_view(scene.camera));
@@ -242,7 +243,7 @@ TEST_CASE("a cosine of a normal and a light in different frames is named", "[dia
         }
 }
 
-TEST_CASE("what corners hand on is read at the corners", "[diagnose][check]") {
+TEST_CASE("what corners hand on is read at the corners", "[diagnose][check][release]") {
     SceneDocument document = torus_scene();
     document.scene.shading.mode = ShadingMode::Gouraud;
     const glm::dmat3 world_from_camera(world_from_view(document.scene.camera));

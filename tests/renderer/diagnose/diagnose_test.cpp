@@ -140,7 +140,8 @@ TEST_CASE("a mistake that a change at the display undoes is not a candidate", "[
     for (const Candidate& c : d.candidates) CHECK(name_of(c.mistakes) != "encoded_twice");
 }
 
-TEST_CASE("a right picture that a power of 2.2 encoded has no mistake, and the power is told", "[diagnose]") {
+TEST_CASE("a right picture that a power of 2.2 encoded has no mistake, and the power is told",
+          "[diagnose][release]") {
     for (unsigned seed = 1; seed <= scenes(6); ++seed)
         for (const Transfer transfer : {Transfer::Srgb, Transfer::None}) {
             SceneDocument document = diagnosed_scene(400 + seed);
@@ -162,7 +163,8 @@ TEST_CASE("a right picture that a power of 2.2 encoded has no mistake, and the p
         }
 }
 
-TEST_CASE("a mistake that leaves more than half of the difference is not the verdict", "[diagnose]") {
+TEST_CASE("a mistake that leaves more than half of the difference is not the verdict",
+          "[diagnose][release]") {
     // An egg's normals are wrong, and thin lines across the wall are so, too, and further off.
     const PictureSize size{320, 240};
     SceneDocument document;

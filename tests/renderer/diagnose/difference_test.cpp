@@ -23,7 +23,7 @@ std::uint64_t wrong_in_regions(const Diagnosis& d) {
 }  // namespace
 
 TEST_CASE("a picture that is clipped where the scene is brighter has the mistake that it makes",
-          "[diagnose]") {
+          "[diagnose][release]") {
     SceneDocument document = shipped("default.json");
     for (const char* const name : {"view_reversed", "absolute_cosine", "unnormalized_half"}) {
         const std::size_t mistake = place_of(name);
@@ -76,7 +76,8 @@ TEST_CASE("the wrong pixels of a difference are those of its regions, whatever w
     }
 }
 
-TEST_CASE("the deciding pixel is told as the picture has it, however it was turned over", "[diagnose]") {
+TEST_CASE("the deciding pixel is told as the picture has it, however it was turned over",
+          "[diagnose][release]") {
     const SceneDocument document = diagnosed_scene(4);
     const Picture wrong = picture_under(document.scene, {place_of("missing_pi")});
     for (int ways = 0; ways < 8; ++ways) {

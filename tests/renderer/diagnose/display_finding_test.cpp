@@ -136,7 +136,7 @@ TEST_CASE("a picture that is moved by a whole pixel is shifted, and one that is 
     CHECK(soft.shift == glm::vec2(0));
 }
 
-TEST_CASE("a shift is measured to its end, and not to where a plane would have led", "[diagnose]") {
+TEST_CASE("a shift is measured to its end, and not to where a plane would have led", "[diagnose][release]") {
     const SceneDocument document = shipped("still-life.json");
     Renderer renderer(1);
     const Picture right = renderer.render(document.scene, {160, 90});

@@ -57,7 +57,7 @@ void check_pixel(const Json& e, const Scene& scene, const glm::vec3& pixel) {
 
 TEST_CASE(
     "base and shares, added as floats, are the sum of every shipped scene under every mode, model and rules",
-    "[explain][slow]") {
+    "[explain][release]") {
     Renderer renderer(1);
     const PictureSize size{47, 29};
     for (const std::string& path : test::asset_scenes()) {

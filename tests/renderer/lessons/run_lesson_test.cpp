@@ -26,7 +26,8 @@ struct Bench {
         lesson = std::get<Lesson>(read);
     }
     std::vector<Checked> checked(std::vector<Assignment> always = {}) const {
-        LessonRunner runner(1, std::move(always));
+        LessonRunner runner(1);
+        runner.set_always(std::move(always));
         const Result<std::vector<Checked>> result = check_lesson(runner, lesson);
         if (const Problem* problem = problem_of(result)) FAIL(problem->text());
         return std::get<std::vector<Checked>>(result);

@@ -13,6 +13,7 @@
 #include "renderer/shade/surface_material.h"
 #include "tests/support/catch.h"
 #include "tests/support/mistake_scenes.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 using namespace glint;
@@ -98,6 +99,7 @@ TEST_CASE("every mistake shows where it should and is inert where it should be",
 }
 
 TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][explain]") {
+    constexpr int apart = sanitized ? 7 : 2;
     Renderer renderer(2);
     for (const MistakeScenes& row : mistake_scenes())
         for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong})
@@ -112,8 +114,8 @@ TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][ex
                 scene.shading.power_table = mode == ShadingMode::Phong ? 0 : 40;
                 const Picture& picture = renderer.render(scene, mistaken_size, true);
                 int wrong = 0;
-                for (int y = 0; y < mistaken_size.height; y += 2)
-                    for (int x = 0; x < mistaken_size.width; x += 2)
+                for (int y = 0; y < mistaken_size.height; y += apart)
+                    for (int x = 0; x < mistaken_size.width; x += apart)
                         wrong += explained(renderer, picture, x, y) ? 0 : 1;
                 CAPTURE(row.name, static_cast<int>(mode), static_cast<int>(model));
                 CHECK(wrong == 0);

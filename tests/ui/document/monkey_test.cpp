@@ -10,6 +10,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 #include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
@@ -19,15 +20,10 @@ using test::HeadlessWindow;
 
 namespace {
 
-#ifdef GLINT_SANITIZED
-constexpr int events_a_run = 2'500;  // slow, and with seeds that Release does not have
-constexpr unsigned first_seed = 5;
-constexpr int scenes_exchanged = 40;
-#else
-constexpr int events_a_run = 7'500;
-constexpr unsigned first_seed = 1;
-constexpr int scenes_exchanged = 400;
-#endif
+// Under the sanitizers with seeds that Release does not have.
+constexpr int events_a_run = test::sanitized ? 2'500 : 7'500;
+constexpr unsigned first_seed = test::sanitized ? 5 : 1;
+constexpr int scenes_exchanged = test::sanitized ? 40 : 400;
 constexpr int events_before_exchange = 40;
 constexpr int events_a_scene = 250;  // then everything is undone: fewer steps than the history keeps
 

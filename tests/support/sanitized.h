@@ -1,0 +1,13 @@
+// Whether this runs under sanitizers, where all takes 5 to 20 times as long: a test of numbers looks there at
+// fewer of many pixels or sizes, since Release holds every one of them, but takes every way through the code.
+#pragma once
+
+namespace glint::test {
+
+#ifdef GLINT_SANITIZED
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+
+}  // namespace glint::test
