@@ -1,5 +1,8 @@
 // Where the picture shows another scene than the one that is edited (B, or a frozen one), what is asked of it
 // is answered of that scene, and no hand in the picture or the column edits the other.
+#include <algorithm>
+#include <vector>
+
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
@@ -335,17 +338,17 @@ TEST_CASE("a highlight is taken hold of where it is seen, and not where another 
     HeadlessWindow bench;
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;
-    const auto found = [&] {
-        int highlights = 0;
-        for (int y = size.height / 4; y < 3 * size.height / 4; y += 9)
-            for (int x = size.width / 4; x < size.width / 2 - 10; x += 9) {
-                bench.move(bench.at_pixel({x, y}));
-                highlights += bench.state.viewport.hovered_grip.kind == GripKind::Highlight ? 1 : 0;
-            }
-        return highlights;
+    const auto is_highlight = [&](glm::ivec2 pixel) {
+        bench.move(bench.at_pixel(pixel));
+        return bench.state.viewport.hovered_grip.kind == GripKind::Highlight;
     };
-    const int seen = found();
+    std::vector<glm::ivec2> seen_at;
+    for (int y = size.height / 4; y < 3 * size.height / 4; y += 5)
+        for (int x = size.width / 4; x < size.width / 2 - 10; x += 5)
+            if (is_highlight({x, y})) seen_at.emplace_back(x, y);
+    const std::ptrdiff_t seen = std::ssize(seen_at);
     CHECK(seen > 3);
+    const auto found = [&] { return std::count_if(seen_at.begin(), seen_at.end(), is_highlight); };
     bench.state.inspector.tab = InspectorTab::Grid;
     bench.state.views.grid.solo = GridCell{0, 1};
     bench.frames(3);
