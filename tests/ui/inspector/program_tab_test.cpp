@@ -140,3 +140,31 @@ TEST_CASE("a scale that would shear cannot be dragged before a rotation", "[ui][
     CHECK(bench.scene() == start);
     CHECK(test::in_column(bench, "grip of glScalef 0").y > rotate.y);
 }
+
+TEST_CASE("a scale of a call is typed from 0 on, and dragged through 0, as in its panel",
+          "[ui][window][program]") {
+    HeadlessWindow bench({1280, 1400});
+    ask_of_one_object(bench, {});
+    const auto place = [&] { return test::in_column(bench, "/objects/0/transform/scale/0"); };
+    const auto scale = [&] { return bench.scene().objects[0].transform.scale.x; };
+    const auto type = [&](const std::string& text) {
+        bench.click(place());
+        bench.frames(2);
+        for (const char letter : text) bench.type(std::string(1, letter).c_str());
+        bench.click({2, 1398});
+        bench.frames(2);
+    };
+    type("0.5");
+    CHECK(scale() == 0.5f);
+    CHECK(bench.state.notifications.list.empty());
+    const ImVec2 x = place();
+    bench.drag(x, {x.x - 100, x.y});
+    CHECK(scale() == Approx(-0.5));
+    CHECK(bench.state.notifications.list.empty());
+    bench.key(Key::Z, true);
+    CHECK(scale() == 0.5f);
+    type("0");
+    CHECK(scale() == 0.5f);
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    CHECK(bench.state.notifications.list[0].text.starts_with("0 is not possible: "));
+}
