@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/io/utf8.h"
+#include "models/memory_limit.h"
 #include "models/progress.h"
 
 namespace glint {
@@ -38,7 +39,9 @@ struct CountingIterator {
 class Builder {
   public:
     Builder(std::string_view text, const std::string& file)
-        : text_(text), file_(file), reached_(text.data()), parsed_(text.size()) {}
+        : text_(text), file_(file), reached_(text.data()), parsed_(text.size()) {
+        reckon();
+    }
 
     Json take() && { return std::move(root_); }
     [[nodiscard]] CountingIterator begin() { return {text_.data(), &reached_}; }
@@ -80,6 +83,13 @@ class Builder {
   private:
     [[nodiscard]] std::size_t place() const { return static_cast<std::size_t>(reached_ - text_.data()); }
 
+    /// Takes the share of the text and of what has been made of it. Throws Refused.
+    void reckon() {
+        constexpr std::uint64_t bytes_a_value = 96;  // of a member with its key, or of an empty object, at most
+        share_.set(memory_need(MemoryUse::Files, text_.size() + place() + bytes_a_value * count_));
+        reckoned_ = place();
+    }
+
     void understood(JsonEvent event) {
         last_ = event;
         understood_ = place();
@@ -89,6 +99,7 @@ class Builder {
     Json& put(Json v) {
         if (++count_ > max_json_values)
             fail({"", "", "too many values", fmt::format("at most {} in a scene", max_json_values)});
+        if (count_ % 1024 == 0 || place() > reckoned_ + (1 << 20)) reckon();
         parsed_.at(place());
         understood(JsonEvent::Value);
         if (open_.empty()) return root_ = std::move(v);
@@ -149,6 +160,8 @@ class Builder {
     const std::string& file_;
     const char* reached_;
     ParsedBytes parsed_;
+    MemoryShare share_;
+    std::size_t reckoned_ = 0;  // up to where
     Json root_;
     TakenApart root_taken_apart_{root_};
     std::vector<Json*> open_;             // containers around the place, outermost first
@@ -175,13 +188,15 @@ Json read_json(std::string_view text, const std::string& file) {
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)  // its end to the library
         throw ProblemFound{
             {file, "", "the byte 0x00", "text without it, which JSON never has", line_of(text, zero)}};
-    Builder builder(text, file);
     try {
+        Builder builder(text, file);
         Json::sax_parse(builder.begin(), builder.end(), &builder);  // what is wrong is thrown
+        return std::move(builder).take();
     } catch (const LoadCancelled&) {
         throw ProblemFound{{file, "", cancelled_words, ""}};
+    } catch (const Refused& refused) {
+        throw ProblemFound{memory_problem(refused, file)};
     }
-    return std::move(builder).take();
 }
 
 void take_apart(Json& document) noexcept {  // NOLINT(bugprone-exception-escape)

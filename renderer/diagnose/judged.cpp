@@ -133,7 +133,10 @@ Candidate candidate_of(const Exhibit& exhibit, const Judged& j) {
 
 }  // namespace
 
-std::uint64_t judging_memory(PictureSize size) { return (drawings_of(size) + 3) * picture_memory(size); }
+std::uint64_t judging_memory(PictureSize size) {
+    constexpr std::uint64_t beside = 5;  // both pictures, and what is kept of each of their pixels
+    return (drawings_of(size) + beside) * picture_memory(size);
+}
 
 const Judged& of_no_mistake(const std::vector<Judged>& all) {
     return *std::find_if(all.begin(), all.end(), [](const Judged& j) { return j.mistakes.empty(); });

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "models/io/file.h"
+#include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
@@ -85,6 +86,22 @@ TEST_CASE("less may always be asked for, whatever the limit has become", "[memor
     MemoryShare share(memory_need(MemoryUse::Files, 10 * mib));
     const MemoryLimit limit(2 * mib);
     CHECK_NOTHROW(share.set(memory_need(MemoryUse::Files, 9 * mib)));
+}
+
+TEST_CASE("what is built of JSON text is reckoned while it is built", "[memory]") {
+    const auto problem_with = [](const std::string& text) {
+        const MemoryLimit room(16 * mib);
+        const std::uint64_t left = memory_left();
+        const Result<Scene> scene = parse_scene(text, "large.json");
+        CHECK(memory_left() == left);
+        return problem_of(scene) == nullptr ? "" : problem_of(scene)->text();
+    };
+    std::string objects = R"({"glint": 1, "objects": [{})";
+    for (int i = 0; i < 300'000; ++i) objects += ",{}";  // 0.9 MB, of which are made 26
+    CHECK(problem_with(objects + "]}").find("large.json: this needs ") == 0);
+    const std::string name(12 * mib, 'x');
+    CHECK(problem_with(R"({"glint": 1, "about": ")" + name + "\"}").find("large.json: this needs ") == 0);
+    CHECK(problem_with(R"({"glint": 1, "about": "small"})").empty());
 }
 
 TEST_CASE("a file that does not fit into memory is refused after its first block, and its share goes",
