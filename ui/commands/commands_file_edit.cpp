@@ -172,10 +172,12 @@ std::vector<WindowCommand> edit_commands() {
          .run =
              [](UiState& s) {
                  forget_told(s.notifications);
-                 undo(s.editor);
+                 if (!take_back_awaited(s)) undo(s.editor);
              },
          .why_disabled =
-             [](const UiState& s) { return unless(s.editor.history.can_undo(), "Nothing to undo"); },
+             [](const UiState& s) {
+                 return unless(s.editor.history.can_undo() || awaits_mesh(s), "Nothing to undo");
+             },
          .id = CommandId::Undo},
         {.name = "Redo",
          .keys = {{Key::Z, ctrl, shift}, {Key::Y, ctrl}},

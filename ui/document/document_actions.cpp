@@ -206,8 +206,11 @@ bool save_as(UiState& state, const std::string& path) {
         state.pending = {};
         return false;
     }
-    const char* const awaited =
-        awaits_mesh(state) ? ", with the mesh as it was: the new one is being built" : "";
+    const char* awaited = "";
+    if (awaits_mesh(state)) {
+        awaited = ", with the mesh as it was: the new one is being built";
+        state.pending = {};  // the scene in hand is not given up before it is whole
+    }
     state.notifications.add(Tone::Done, fmt::format("Saved {}{}", state.editor.title(), awaited));
     if (const std::string mesh = missing_mesh(state.editor.document); !mesh.empty())
         state.notifications.add(

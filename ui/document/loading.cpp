@@ -60,6 +60,15 @@ void note_slow_edits(UiState& state) {
     }
 }
 
+/// Whether an object was deleted while it waited, which is no step of its own yet.
+bool is_deleted(const Editor& editor, const AwaitedMesh& awaited) {
+    const auto has_it = [&](const Scene& scene) {
+        return std::any_of(scene.objects.begin(), scene.objects.end(),
+                           [&](const Object& object) { return object.mesh == awaited.mesh_before; });
+    };
+    return awaited.mesh_before && has_it(editor.history.present()) && !has_it(editor.scene());
+}
+
 /// What nobody waits for any more (undone, deleted, changed again) is forgotten.
 void forget_unwanted(UiState& state) {
     const auto& objects = state.editor.scene().objects;
@@ -68,6 +77,9 @@ void forget_unwanted(UiState& state) {
         return awaited.mesh_before && std::none_of(objects.begin(), objects.end(), own);
     };
     auto& list = state.loading.awaited;
+    if (std::any_of(list.begin(), list.end(), [&](const auto& a) { return is_deleted(state.editor, a); }))
+        state.notifications.tell(
+            "It was deleted before its new mesh was there: undo brings it back with the old one");
     list.erase(std::remove_if(list.begin(), list.end(), unwanted), list.end());
     if (list.empty()) leave(state.loading, state.loading.meshes);
 }
@@ -280,6 +292,12 @@ bool awaits_mesh(const UiState& state) {
     const auto& list = state.loading.awaited;
     return std::any_of(list.begin(), list.end(),
                        [](const AwaitedMesh& a) { return a.mesh_before != nullptr; });
+}
+
+bool take_back_awaited(UiState& state) {
+    if (!awaits_mesh(state)) return false;
+    take_step(state.editor, state.editor.history.present());
+    return true;
 }
 
 Scene as_made(const UiState& state, Scene scene) {

@@ -181,6 +181,88 @@ TEST_CASE("a new mesh comes as one step, and until then the object shows its old
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
+TEST_CASE("of an object that is deleted before its new mesh is there it is said what undo brings back",
+          "[ui][loading]") {
+    const PrimitiveMesh slow{Primitive::Sphere, 2800};
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    const auto told = [&] {
+        const auto& list = bench.state.notifications.list;
+        for (const Notification& note : list) UNSCOPED_INFO(note.text);
+        return std::ssize(list);
+    };
+    for (const bool waits : {false, true}) {
+        if (waits) begin_mesh(bench.state, slow, 0);
+        if (waits) (void)bench.frame();
+        REQUIRE(awaits_mesh(bench.state) == waits);
+        bench.key(Key::Delete);
+        bench.frames(3);
+        CHECK(told() == (waits ? 1 : 0));
+        bench.state.notifications.list.clear();
+        INFO(bench.state.editor.history.undo_name());
+        bench.key(Key::Z, true);
+        bench.frames(2);
+        CHECK(bench.scene() == before);
+    }
+    begin_mesh(bench.state, slow, 0);
+    (void)bench.frame();
+    REQUIRE(awaits_mesh(bench.state));
+    take_document(bench.state.editor, SceneDocument{});
+    bench.frames(2);
+    CHECK(told() == 0);
+}
+
+TEST_CASE("undo while a mesh is built takes back the edit that asked for it, and no step before it",
+          "[ui][loading]") {
+    const PrimitiveMesh slow{Primitive::Sphere, 2800};
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.scene().global_ambient = glm::vec3(0.5f);
+    bench.frames(2);
+    const Scene before = bench.scene();
+    begin_mesh(bench.state, slow, 0);
+    (void)bench.frame();
+    REQUIRE(awaits_mesh(bench.state));
+    bench.key(Key::Z, true);
+    bench.frames(2);
+    bench.wait_for_loads();
+    CHECK(bench.scene() == before);
+    CHECK(bench.state.notifications.list.empty());
+    bench.key(Key::Z, true);
+    bench.frames(2);
+    CHECK(bench.scene().global_ambient != before.global_ambient);
+}
+
+TEST_CASE("who saves at the question about a scene whose mesh is being built keeps the scene",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const PrimitiveMesh slow{Primitive::Sphere, 2800};
+    HeadlessWindow bench;
+    bench.frames(2);
+    REQUIRE(save_as(bench.state, folder.path("scene.json")));
+    begin_mesh(bench.state, slow, 0);
+    (void)bench.frame();
+    bench.key(Key::N, true);
+    bench.frames(2);
+    REQUIRE(bench.state.pending.asking);
+    bench.key(Key::Enter);
+    REQUIRE(awaits_mesh(bench.state));
+    bench.frames(2);
+    CHECK(bench.scene().objects[0].source == MeshSource(slow));
+    CHECK(bench.state.editor.document.path == folder.path("scene.json"));
+    CHECK(bench.state.editor.unsaved());
+    bench.wait_for_loads();
+    bench.key(Key::N, true);
+    bench.frames(2);
+    bench.key(Key::Enter);
+    bench.frames(2);
+    CHECK(bench.state.editor.document.path.empty());
+    const auto saved = parse_scene(bytes_of(folder.path("scene.json")), "scene.json");
+    CHECK(std::get<Scene>(saved).objects[0].source == MeshSource(slow));
+}
+
 TEST_CASE("an object from a file is added when its mesh is there", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
