@@ -140,7 +140,7 @@ Result<std::vector<std::string>> lesson_files(const std::vector<std::string>& wo
         std::vector<std::string> inside;
         for (fs::directory_iterator entry(word, error), end; !error && entry != end; entry.increment(error))
             if (entry->path().extension() == ".md") inside.push_back(entry->path().generic_string());
-        if (error) return Problem{word, "", "cannot be read: " + error.message(), "a folder of lessons"};
+        if (error) return Problem{word, "", "cannot be read: " + reason(error.value()), "a folder of lessons"};
         std::sort(inside.begin(), inside.end());
         files.insert(files.end(), inside.begin(), inside.end());
     }

@@ -157,6 +157,36 @@ fs::path canonical_directory(const fs::path& directory) {
     return error ? fs::absolute(given, error).lexically_normal() : path;
 }
 
+/// Whether the path is a link to a file of another directory: it opens from there, too, where paths relative
+/// to the link lead elsewhere.
+bool leads_elsewhere(const std::string& path) {
+    const fs::path replaced = replaced_file(path);
+    return !replaced.empty() &&
+           canonical_directory(replaced.parent_path()) != canonical_directory(directory_of(path));
+}
+
+/// The scene with `changed(place)` for the directory of each mesh whose path is relative to `directory`.
+template <class Change>
+Scene with_mesh_places(Scene scene, const std::string& directory, const Change& changed) {
+    const fs::path before = canonical_directory(directory);
+    for (Object& object : scene.objects) {
+        auto* named = std::get_if<MeshFile>(&object.source);
+        if (named == nullptr || fs::path(named->path).is_absolute()) continue;
+        const fs::path place = canonical_directory((before / named->path).parent_path());
+        const fs::path path = changed(place) / fs::path(named->path).filename();
+        if (!place.empty()) named->path = path.lexically_normal().generic_string();
+    }
+    return scene;
+}
+
+/// What a file at `path` names its meshes: relative paths, or whole ones where they have to lead from two
+/// directories.
+Scene with_mesh_paths_for(Scene scene, const std::string& mesh_dir, const std::string& path) {
+    if (leads_elsewhere(path))
+        return with_mesh_places(std::move(scene), mesh_dir, [](const fs::path& place) { return place; });
+    return with_mesh_paths_from(std::move(scene), mesh_dir, directory_of(path));
+}
+
 }  // namespace
 
 std::string directory_of(const std::string& path) {
@@ -168,21 +198,15 @@ std::string path_from(const std::string& mesh_dir, const std::string& path) {
 }
 
 Scene with_mesh_paths_from(Scene scene, const std::string& old_directory, const std::string& new_directory) {
-    const fs::path before = canonical_directory(old_directory), after = canonical_directory(new_directory);
-    if (before == after) return scene;
-    for (Object& object : scene.objects) {
-        auto* named = std::get_if<MeshFile>(&object.source);
-        if (named == nullptr || fs::path(named->path).is_absolute()) continue;
-        const fs::path place = canonical_directory((before / named->path).parent_path());
-        const fs::path relative = place.lexically_relative(after) / fs::path(named->path).filename();
-        if (!place.empty()) named->path = relative.lexically_normal().generic_string();
-    }
-    return scene;
+    const fs::path after = canonical_directory(new_directory);
+    if (canonical_directory(old_directory) == after) return scene;
+    return with_mesh_places(std::move(scene), old_directory,
+                            [&after](const fs::path& place) { return place.lexically_relative(after); });
 }
 
 std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
                                const std::string& picture_path) {
-    return scene_text(with_mesh_paths_from(scene, mesh_dir, directory_of(picture_path)));
+    return scene_text(with_mesh_paths_for(scene, mesh_dir, picture_path));
 }
 
 Result<SceneDocument> open_document(const std::string& path, const std::vector<Assignment>& assignments) {
@@ -199,7 +223,7 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
     SceneDocument saved = document;
     saved.path = path;
     saved.mesh_dir = directory_of(path);
-    saved.scene = with_mesh_paths_from(std::move(saved.scene), document.mesh_dir, saved.mesh_dir);
+    saved.scene = with_mesh_paths_for(std::move(saved.scene), document.mesh_dir, path);
     const std::string text = scene_text(saved.scene);
     const Result<Scene> read_back = parse_scene(text, path);
     if (const Problem* problem = problem_of(read_back)) return *problem;

@@ -81,13 +81,13 @@ inline constexpr const char* opened_files =
                                          const std::string& new_directory);
 
 /// The scene's text as a picture at `picture_path` carries it: mesh paths relative to `mesh_dir` become
-/// relative to the picture's directory.
+/// relative to the picture's directory, or whole where `picture_path` is a link into another directory.
 [[nodiscard]] std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
                                              const std::string& picture_path);
 
 /// Writes the scene as .json beside its target and renames it into place ("-" is standard output). Mesh paths
-/// are made relative to the new place. Problems: another extension, what cannot be written, a scene that
-/// would not read back equal.
+/// are made relative to the new place, or whole where that is a link into another directory. Problems:
+/// another extension, what cannot be written, a scene that would not read back equal.
 [[nodiscard]] Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path);
 
 /// A scene of one mesh, framed, with two default lights. Precondition: the mesh has a face.

@@ -253,6 +253,30 @@ TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_do
     CHECK(problem_at("").find("has no extension") != std::string::npos);
 }
 
+TEST_CASE("a scene written through a link into another directory opens there and by the link",
+          "[scene_document]") {
+    const Place place;
+    fs::create_directories(place.path / "far/off");
+    fs::create_directories(place.path / "same");
+    place.write("deep/scene.json", two_triangles);
+    const SceneDocument document = opened(place / "deep/scene.json");
+    fs::create_symlink("../far/off/real.json", place.path / "deep/link.json");
+    place.write("far/off/real.json", two_triangles);
+    REQUIRE(problem_of(save_document(document, place / "deep/link.json")) == nullptr);
+    fs::create_symlink("../far/off/real.png", place.path / "deep/link.png");
+    place.write("far/off/real.png",
+                picture_with(carried_scene_text(document.scene, document.mesh_dir, place / "deep/link.png")));
+    for (const char* const file :
+         {"deep/link.json", "far/off/real.json", "deep/link.png", "far/off/real.png"}) {
+        CAPTURE(file);
+        CHECK(opened(place / file).scene.objects[0].mesh->face_count() == 1);
+    }
+    fs::create_symlink("there.json", place.path / "same/link.json");
+    REQUIRE(problem_of(save_document(document, place / "same/link.json")) == nullptr);
+    CHECK(std::get<MeshFile>(opened(place / "same/there.json").scene.objects[0].source).path ==
+          "../triangle.obj");
+}
+
 TEST_CASE("a scene saved in another directory still finds its meshes", "[scene_document]") {
     const Place place;
     place.write("deep/scene.json", two_triangles);
