@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t max_at_once = 5;
 constexpr double seconds_over_dialog = 10;
+constexpr int frames_to_come_back = 3;     // of a dialog that was left for that of a file
 constexpr std::size_t longest_text = 480;  // bytes: some nine lines
 
 double seconds_shown(Tone tone) {
@@ -55,10 +56,10 @@ float draw_one(const Notification& note, int index, ImVec2 low_right, float top,
     ImGui::SetNextWindowBgAlpha(0.95f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
     // What a dialog did is read in front of it, and clicks go through to it. What was said before it opened
-    // would cover its buttons.
+    // would cover its buttons; what the dialog of a file did was said just before the other one came back.
     const double left = note.since + seconds_over_dialog - ImGui::GetTime();
     const bool over_dialog = ImGui::GetTopMostPopupModal() != nullptr && left > 0 &&
-                             note.frame > GImGui->OpenPopupStack.front().OpenFrameCount;
+                             note.frame + frames_to_come_back > GImGui->OpenPopupStack.front().OpenFrameCount;
     if (over_dialog) redraw_within(left);
     ImGui::Begin(id.c_str(), nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |

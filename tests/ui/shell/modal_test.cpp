@@ -188,6 +188,35 @@ TEST_CASE("the questions about unsaved work are answered by keys", "[ui][window]
     CHECK(bench.key(Key::D).quit);
 }
 
+namespace {
+
+/// Of the window whose name has `part`, counted from the back.
+std::ptrdiff_t place_of(const std::string& part) {
+    const auto& windows = ImGui::GetCurrentContext()->Windows;
+    return std::find(windows.begin(), windows.end(), test::window_named(part)) - windows.begin();
+}
+
+}  // namespace
+
+TEST_CASE("what the dialog of a file did is said in front of the dialog that comes back",
+          "[ui][modal][notifications]") {
+    for (const bool long_before : {false, true}) {
+        HeadlessWindow bench;
+        bench.frames(2);
+        run_command(bench.state, test::command_named("Export picture…"));
+        bench.frames(3);
+        bench.state.files.ask(FilePurpose::SaveAnswers, "answers.json");
+        bench.frames(3);
+        REQUIRE(modal_of(bench.state) == Modal::Files);
+        bench.state.notifications.add(Tone::Error, "No room.");
+        if (long_before) bench.frames(10);
+        bench.state.files.open = false;
+        bench.frames(6);
+        REQUIRE(modal_of(bench.state) == Modal::Export);
+        CHECK((place_of("##note0") > place_of(ImGui::GetTopMostPopupModal()->Name)) == !long_before);
+    }
+}
+
 TEST_CASE("a notification is in front of the dialog that it comes from, and lets clicks through",
           "[ui][modal][notifications]") {
     HeadlessWindow bench;
@@ -197,15 +226,11 @@ TEST_CASE("a notification is in front of the dialog that it comes from, and lets
     REQUIRE(modal_of(bench.state) == Modal::Export);
     bench.state.notifications.add(Tone::Error, "No room.");
     bench.frames(3);
-    const auto place = [](const std::string& part) {
-        const auto& windows = ImGui::GetCurrentContext()->Windows;  // from the back to the front
-        return std::find(windows.begin(), windows.end(), test::window_named(part)) - windows.begin();
-    };
-    CHECK(place("##note0") > place(ImGui::GetTopMostPopupModal()->Name));
+    CHECK(place_of("##note0") > place_of(ImGui::GetTopMostPopupModal()->Name));
     CHECK((test::window_named("##note0")->Flags & ImGuiWindowFlags_NoMouseInputs) != 0);
     bench.state.notifications.list.back().since -= 60;  // it is read by now
     bench.frames(3);
-    CHECK(place("##note0") < place(ImGui::GetTopMostPopupModal()->Name));
+    CHECK(place_of("##note0") < place_of(ImGui::GetTopMostPopupModal()->Name));
     bench.key(Key::Escape);
     bench.frames(3);
     CHECK((test::window_named("##note0")->Flags & ImGuiWindowFlags_NoMouseInputs) == 0);

@@ -117,6 +117,9 @@ TEST_CASE("what is not a number has one reason why", "[ui][numbers]") {
         INFO(text);
         CHECK_FALSE(calculated(text, 10).problem.empty());
     }
+    for (const char* text : {"1e999", "-1e999", "2^9999"})
+        CHECK(calculated(text, 10).problem == "it has no finite value");
+    CHECK(value_of("1e-999") == 0);
     CHECK_FALSE(calculated(std::string(100'000, '('), 0).problem.empty());  // and does not exhaust the stack
 }
 

@@ -5,8 +5,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace glint {
@@ -122,7 +124,9 @@ class Calculation {
         // "inf" and "nan" are numbers to from_chars.
         if (*first != '.' && (*first < '0' || *first > '9')) return {};
         const auto [end, error] = std::from_chars(first, last, value);
-        if (error != std::errc()) return {};
+        if (error == std::errc::invalid_argument) return {};
+        if (error == std::errc::result_out_of_range)  // infinite, or nearly 0
+            value = std::strtod(std::string(first, end).c_str(), nullptr);
         rest_.remove_prefix(static_cast<std::size_t>(end - first));
         return value;
     }
