@@ -44,7 +44,7 @@ std::string verdict_line(const Diagnosis& d) {
 
 /// The colour of a pixel, as the wrong picture stores its channels.
 std::string stored_text(const DisplayChange& change, Rgb c) {
-    return text_of(change.red_blue ? Rgb{c[2], c[1], c[0]} : c);
+    return text_of(exchanged(change, c));
 }
 
 std::string candidate_lines(const Candidate& c, PictureSize size) {

@@ -28,7 +28,7 @@ std::optional<Rgb> other_background(const Exhibit& e, const ByteRanges& ranges, 
     std::optional<Rgb> ground = e.grounds[way_turned(change)];
     const std::optional<Rgb> right = right_ground(e);
     if (!ground || !right) return std::nullopt;
-    if (change.red_blue) std::swap((*ground)[0], (*ground)[2]);
+    ground = exchanged(change, *ground);
     const float near = 2 + change.scatter();
     if (static_cast<float>(distance(*ground, *right)) <= near) return std::nullopt;
     bool as_displayed = true;

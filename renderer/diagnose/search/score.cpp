@@ -175,7 +175,7 @@ std::uint64_t count_solid(const std::vector<std::uint8_t>& marked, PictureSize s
 Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, int step) {
     const ByteRanges ranges = byte_ranges(change);
     Ground ground = e.bare_grounds[way_turned(change)];
-    if (change.red_blue) std::swap(ground.levels[0], ground.levels[2]);
+    ground.levels = exchanged(change, ground.levels);
     const Expected explained(drawn.picture, &drawn.bare, ranges, change, ground);
     const Expected right(e.right, nullptr, ranges, change, ground);
     const PictureSize size = e.right.size;
@@ -201,7 +201,7 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
 PixelCounts count_unlike(const Exhibit& e, const Picture& drawn, const DisplayChange& change) {
     const ByteRanges ranges = byte_ranges(change);
     std::optional<Rgb> background = e.grounds[way_turned(change)];
-    if (background && change.red_blue) std::swap((*background)[0], (*background)[2]);
+    if (background) background = exchanged(change, *background);
     const Expected expected(drawn, nullptr, ranges, change, {});
     PixelCounts counts;
     for (int y = 0; y < drawn.size.height; ++y)
@@ -233,8 +233,7 @@ Rgb shown(const ByteRanges& ranges, Rgb drawn) {
 }
 
 Rgb mine_at(const Picture& wrong, const DisplayChange& change, int x, int y) {
-    const Rgb stored = rgb_at(wrong, changed_index(change, wrong.size, x, y));
-    return change.red_blue ? Rgb{stored[2], stored[1], stored[0]} : stored;
+    return exchanged(change, rgb_at(wrong, changed_index(change, wrong.size, x, y)));
 }
 
 }  // namespace glint
