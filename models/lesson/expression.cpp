@@ -167,7 +167,8 @@ Found found_by(const Node& node, const NamedValues& names) {
 
 JsonValue value_of(const Node& node, const NamedValues& names) {
     Found found = found_by(node, names);
-    return found.stored != nullptr ? *found.stored : std::move(found.made);
+    if (found.stored != nullptr) return *found.stored;
+    return std::move(found.made);
 }
 
 JsonValue made_by(const Node& node, const NamedValues& names) {
