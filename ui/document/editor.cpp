@@ -74,6 +74,8 @@ std::optional<Problem> take_back_invalid(Editor& editor) {
     return {};
 }
 
+void take_back_edits(Editor& editor) { take_step(editor, editor.history.present()); }
+
 std::optional<Problem> settle(Editor& editor) {
     Scene& scene = editor.scene();
     const bool missing =
@@ -82,7 +84,7 @@ std::optional<Problem> settle(Editor& editor) {
     Result<Warnings> loaded = load_meshes(scene, editor.document.path, editor.document.mesh_dir);
     const Problem* problem = problem_of(loaded);
     if (!problem) return {};
-    take_step(editor, editor.history.present());
+    take_back_edits(editor);
     return *problem;
 }
 

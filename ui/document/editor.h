@@ -120,6 +120,9 @@ void take_document(Editor& editor, SceneDocument document);
 /// recovered.
 [[nodiscard]] std::optional<Problem> take_back_invalid(Editor& editor);
 
+/// The scene is again that of the history's newest step.
+void take_back_edits(Editor& editor);
+
 /// Loads meshes that an edit left unloaded. On a problem the scene returns to the history's newest step.
 [[nodiscard]] std::optional<Problem> settle(Editor& editor);
 

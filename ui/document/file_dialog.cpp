@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "models/io/file.h"
 #include "models/mesh_formats/mesh_file.h"
@@ -117,6 +118,7 @@ std::optional<std::string> decide(FileDialog& dialog) {
     if (fs::is_directory(fs::path(dialog.folder) / dialog.name, failed)) {
         const fs::path folder = fs::path(dialog.folder) / dialog.name;
         dialog.name.clear();
+        dialog.offers_name = dialog.asks_keyboard = true;  // the name in that folder is typed next
         go_to(dialog, folder);
         return {};
     }
@@ -233,7 +235,7 @@ bool may_replace(const std::string& path, FilePurpose purpose) {
 
 void FileDialog::ask(FilePurpose asked_for, const std::string& path) {
     purpose = asked_for;
-    open = true;
+    open = offers_name = true;
     const fs::path given(path);
     name = saves(asked_for) ? given.filename().string() : "";
     go_to(*this, given.has_parent_path() ? given.parent_path() : fs::path("."));
@@ -250,9 +252,13 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     if (!begin_modal(id.c_str(), &dialog.open, 0)) return {};
     folder_line(dialog);
     bool decided = entry_list(dialog);
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(dialog.asks_keyboard, false) || ImGui::IsWindowAppearing())
+        ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-px(180));
-    if (text_field("##name", "name or path", dialog.name)) dialog.asks_overwrite = false;
+    // ImGui would go on with the selection that the field had when it was left last.
+    const int selects = dialog.offers_name ? ImGuiInputTextFlags_AutoSelectAll : 0;
+    if (text_field("##name", "name or path", dialog.name, selects)) dialog.asks_overwrite = false;
+    if (ImGui::IsItemActive()) dialog.offers_name = false;
     ImGui::SameLine();
     decided |=
         ImGui::Button(dialog.asks_overwrite ? "Replace" : say.button, {px(84), 0}) || enter_answers(enter);

@@ -40,6 +40,8 @@ struct FileDialog {
     std::string folder, name;
     std::vector<FolderEntry> entries;
     bool asks_overwrite = false;
+    bool offers_name = false;    // until the name is in hand: all of it is selected then, and typed over
+    bool asks_keyboard = false;  // for the name, when the next frame is drawn
 
     /// Opens the dialog in the folder of `path` (the working directory's, when empty) with its name filled
     /// in.

@@ -296,7 +296,7 @@ bool awaits_mesh(const UiState& state) {
 
 bool take_back_awaited(UiState& state) {
     if (!awaits_mesh(state)) return false;
-    take_step(state.editor, state.editor.history.present());
+    take_back_edits(state.editor);
     return true;
 }
 

@@ -1,6 +1,8 @@
 // The promise of docs/explain.md: what `explain` lists, added as floats in its order, is the pixel to the
 // last bit.
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "models/fields/choices.h"
@@ -39,7 +41,10 @@ Rgb added_up(const Json& at, bool clamps) {
     return sum;
 }
 
-bool same_bits(const Rgb& a, const Rgb& b) { return std::memcmp(a.data(), b.data(), sizeof a) == 0; }
+bool same_bits(const Rgb& a, const Rgb& b) {
+    using Bits = std::array<std::uint32_t, 3>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
 
 void check_pixel(const Json& e, const Scene& scene, const glm::vec3& pixel) {
     const Rgb sum = rgb_of(e["sum"]);

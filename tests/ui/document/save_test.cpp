@@ -190,6 +190,30 @@ TEST_CASE("what is saved under a name without .json gets it, and in capitals it 
     CHECK(folder.names() == std::vector<std::string>{"a.scene.json", "b.JSON", "plain.json"});
 }
 
+TEST_CASE("a name is typed over the one that is offered, whenever the dialog opens, and in each folder",
+          "[ui][save]") {
+    const TemporaryDirectory folder;
+    std::filesystem::create_directory(folder.path("deep"));
+    HeadlessWindow bench;
+    for (int i = 0; i < 3; ++i) {
+        bench.state.files.ask(FilePurpose::SaveScene, folder.path("offered.json"));
+        bench.frames(4);
+        for (const char* const letter : {"d", "e", "e", "p"}) bench.type(letter);
+        CHECK(bench.state.files.name == "deep");
+        if (i == 2) break;
+        bench.key(Key::Escape);
+        bench.frames(3);
+        CHECK_FALSE(bench.state.files.open);
+    }
+    ImGui::ClearActiveID();  // as Enter does in a window that has a keyboard
+    bench.key(Key::Enter);
+    bench.frames(4);
+    CHECK(bench.state.files.folder.ends_with("/deep"));
+    CHECK(bench.state.files.name.empty());
+    bench.type("x");
+    CHECK(bench.state.files.name == "x");
+}
+
 TEST_CASE("what was asked of one scene is not answered for another that comes in between", "[ui][save]") {
     const TemporaryDirectory folder;
     const std::string one = folder.file("one.json", scene_text(test::busy_scene()));
