@@ -31,9 +31,9 @@ if(GLINT_SANITIZE STREQUAL "thread")
   # Loops on threads that it knows, in front of oneTBB's, which it does not: tests/threads/tbb/parallel_for.h says why.
   target_include_directories(glint_options BEFORE INTERFACE ${PROJECT_SOURCE_DIR}/tests/threads)
 endif()
-# The command line and the window wait for JSON and for people; what draws is `renderer`, with Release's -O3. -O1 compiles in two
-# thirds of the time. Under the sanitizers (build type Debug) most of the time goes into compiling, which takes less than half
-# of it without optimising.
+# The command line, the window and what reads and writes texts wait for files and for people; what draws is `renderer`, with
+# Release's -O3. -O1 compiles in two thirds of the time. Under the sanitizers (build type Debug) most of the time goes into
+# compiling, which takes less than half of it without optimising.
 function(compile_quickly target)
   target_compile_options(${target} PRIVATE $<IF:$<CONFIG:Debug>,-O0,$<$<CONFIG:Release>:-O1>>)
   if(CMAKE_BUILD_TYPE STREQUAL "Debug")

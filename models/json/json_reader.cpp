@@ -85,7 +85,8 @@ class Builder {
 
     /// Takes the share of the text and of what has been made of it. Throws Refused.
     void reckon() {
-        constexpr std::uint64_t bytes_a_value = 96;  // of a member with its key, or of an empty object, at most
+        constexpr std::uint64_t bytes_a_value =
+            96;  // of a member with its key, or of an empty object, at most
         share_.set(memory_need(MemoryUse::Files, text_.size() + place() + bytes_a_value * count_));
         reckoned_ = place();
     }
@@ -161,7 +162,7 @@ class Builder {
     const char* reached_;
     ParsedBytes parsed_;
     MemoryShare share_;
-    std::size_t reckoned_ = 0;  // up to where
+    std::size_t reckoned_ = 0;  // the place in the text when the share was set last
     Json root_;
     TakenApart root_taken_apart_{root_};
     std::vector<Json*> open_;             // containers around the place, outermost first

@@ -172,7 +172,10 @@ std::vector<WindowCommand> edit_commands() {
          .run =
              [](UiState& s) {
                  forget_told(s.notifications);
-                 if (!take_back_awaited(s)) undo(s.editor);
+                 if (awaits_mesh(s))  // there is no step yet of the edit that asked for it
+                     take_back_edits(s.editor);
+                 else
+                     undo(s.editor);
              },
          .why_disabled =
              [](const UiState& s) {

@@ -294,12 +294,6 @@ bool awaits_mesh(const UiState& state) {
                        [](const AwaitedMesh& a) { return a.mesh_before != nullptr; });
 }
 
-bool take_back_awaited(UiState& state) {
-    if (!awaits_mesh(state)) return false;
-    take_back_edits(state.editor);
-    return true;
-}
-
 Scene as_made(const UiState& state, Scene scene) {
     const Scene& present = state.editor.history.present();
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {

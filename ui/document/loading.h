@@ -59,10 +59,6 @@ void poll_loads(UiState& state);
 /// Whether an object waits for its mesh: no undo step yet.
 [[nodiscard]] bool awaits_mesh(const UiState& state);
 
-/// Where an object waits for its mesh, the scene is again as before that edit, which undo has no step for yet.
-/// False where none waits.
-bool take_back_awaited(UiState& state);
-
 /// `scene`, which is the edited one or shares its objects, with the mesh that is seen for each that is still
 /// awaited: it opens again, and its picture is the one that is seen. What is saved, exported or kept
 /// meanwhile.

@@ -190,7 +190,7 @@ TEST_CASE("the questions about unsaved work are answered by keys", "[ui][window]
 
 namespace {
 
-/// Of the window whose name has `part`, counted from the back.
+/// Returns the place of the window whose name has `part`, counted from the back.
 std::ptrdiff_t place_of(const std::string& part) {
     const auto& windows = ImGui::GetCurrentContext()->Windows;
     return std::find(windows.begin(), windows.end(), test::window_named(part)) - windows.begin();
