@@ -122,10 +122,12 @@ function(add_library_with_words target sources words)
   link_first(${target})
 endfunction()
 
-# ccache where there is one. A precompiled header holds the time of its files, which ccache is to pass over.
+# ccache where there is one. A precompiled header holds the time of its files, which ccache is to pass over, and a digest of each,
+# comments too. So what is hashed is the files (CCACHE_DEPEND) and not the preprocessed text, which has no comments: a precompiled
+# header from before another comment would let what has `#pragma once` be included twice.
 find_program(GLINT_CCACHE ccache)
 if(GLINT_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${GLINT_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros ${GLINT_CCACHE})
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
   add_compile_options("$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 endif()
