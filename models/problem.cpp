@@ -97,9 +97,13 @@ std::string Problem::text() const {
         text += part;
     };
     append(": ", at);
-    append(": ", wrong);
-    if (!wanted.empty()) append("; ", "expected " + wanted);
+    append(": ", with_expected(wrong, wanted));
     return text;
+}
+
+std::string with_expected(const std::string& what, const std::string& expected) {
+    if (expected.empty()) return what;
+    return what + (what.empty() ? "" : "; ") + "expected " + expected;
 }
 
 std::string on_one_line(std::string_view raw) {

@@ -25,6 +25,9 @@ struct Problem {
     [[nodiscard]] std::string text() const;
 };
 
+/// `what; expected expected`; `what` alone where nothing was expected.
+[[nodiscard]] std::string with_expected(const std::string& what, const std::string& expected);
+
 /// A value, or the problem that kept us from it.
 template <class T> using Result = std::variant<T, Problem>;
 

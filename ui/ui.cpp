@@ -32,12 +32,12 @@ void give_tiny_corners_segments() {
     ImGui::GetDrawListSharedData()->CircleSegmentCounts[0] = IM_DRAWLIST_ARCFAST_SAMPLE_MAX;
 }
 
-/// After all that may have edited the scene, before it is drawn or kept as a step. A number stays in the hand:
-/// "0" may become "0.5", and a drag may lead through 0.
+/// After all that may have edited the scene, before it is drawn or kept as a step. A number stays in the
+/// hand: "0" may become "0.5", and a drag may lead through 0.
 void keep_scene_valid(UiState& state) {
     const std::optional<Problem> problem = take_back_invalid(state.editor);
     if (!problem) return;
-    if (number_in_hand()) return refuse_edit(problem->what + "; expected " + problem->expected);
+    if (number_in_hand()) return refuse_edit(with_expected(problem->what, problem->expected));
     let_go_of_fields();
     state.notifications.add(Tone::Warning, "Not possible: " + problem->text());
 }

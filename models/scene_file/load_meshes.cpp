@@ -24,16 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why the path of a mesh leads to no file, in the words of the scene that names it.
-std::string why_no_file(const std::string& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) return "no such file";
-    if (!fs::exists(status)) return reason(error.value());
-    if (fs::is_directory(status)) return "it is a directory";
-    return fs::is_regular_file(status) ? "" : "it is a device or a pipe";
-}
-
 /// Makes a primitive. The memory share for making it is given back before the mesh gets its own.
 Mesh made(const PrimitiveMesh& mesh) {
     const MemoryShare making(memory_need(MemoryUse::Meshes, bytes_to_make(mesh.primitive, mesh.detail)));
@@ -221,6 +211,15 @@ std::optional<Problem> too_many_triangles(const std::vector<MeshPtr>& meshes, co
 }
 
 }  // namespace
+
+std::string why_no_file(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found) return "no such file";
+    if (!fs::exists(status)) return reason(error.value());
+    if (fs::is_directory(status)) return "it is a directory";
+    return fs::is_regular_file(status) ? "" : "it is a device or a pipe";
+}
 
 Result<Warnings> load_meshes(Scene& scene, const std::string& file, const std::string& mesh_dir) {
     Loader loader(file, mesh_dir);

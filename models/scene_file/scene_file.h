@@ -58,6 +58,10 @@ struct SceneDocument {
 [[nodiscard]] Result<Warnings> load_meshes(Scene& scene, const std::string& file,
                                            const std::string& mesh_dir);
 
+/// Why no mesh can be read at `path`, in the words of the scene that names it: "no such file"; empty where a
+/// file is there.
+[[nodiscard]] std::string why_no_file(const std::string& path);
+
 /// What open_document() opens, for "expected ...".
 inline constexpr const char* opened_files =
     "a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl, .om)";

@@ -16,7 +16,7 @@ using Shortfall = std::optional<std::string>;
 
 Shortfall text_of(const Problem* problem) {
     if (problem == nullptr) return {};
-    return problem->expected.empty() ? problem->what : problem->what + "; expected " + problem->expected;
+    return with_expected(problem->what, problem->expected);
 }
 
 class Checker {

@@ -87,12 +87,12 @@ void run_command(UiState& state, const WindowCommand& command) {
 
 namespace {
 
-/// Whether a key belongs to the text that is being typed. Saving, opening and ending do what they do, as
-/// pages and F keys do.
+/// Whether a key belongs to the text that is being typed. Saving, opening, ending and finding an action do
+/// what they do, as pages and F keys do.
 bool is_for_text(KeyPress press) {
-    constexpr std::array of_files{Key::N, Key::O, Key::Q, Key::S};
+    constexpr std::array of_window{Key::K, Key::N, Key::O, Key::Q, Key::S};
     if (press.key >= Key::PageUp && press.key <= Key::F12) return false;
-    return !press.ctrl || std::find(of_files.begin(), of_files.end(), press.key) == of_files.end();
+    return !press.ctrl || std::find(of_window.begin(), of_window.end(), press.key) == of_window.end();
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ struct WindowCommand {
     bool changes_picture = false;  // it draws over or replaces the picture, where hints would be in the way
     bool quiet = false;            // it neither changes nor reveals the scene: allowed while a question waits
     const char* noun = "";         // what is on or off, where that is not the name
+    const char* words = "";        // what it is about: Ctrl+K finds it by the beginnings of these words, too
     const char* sets = "";         // what it sets of the scene, as keys_of_value() takes it
 };
 

@@ -26,7 +26,8 @@ constexpr std::array named_menus{std::pair{Menu::File, "File"}, std::pair{Menu::
 /// Undo and redo say what they would undo.
 std::string shown_name(const UiState& state, const WindowCommand& command) {
     const History& history = state.editor.history;
-    if (command.id == CommandId::Undo && history.can_undo() && !awaits_mesh(state)) return "Undo " + history.undo_name();
+    if (command.id == CommandId::Undo && history.can_undo() && !awaits_mesh(state))
+        return "Undo " + history.undo_name();
     if (command.id == CommandId::Redo && history.can_redo()) return "Redo " + history.redo_name();
     return command.name;
 }

@@ -27,7 +27,7 @@ void add_commands(Entries& entries, const UiState& state) {
         const auto on = is_on(state, command);
         entries.push_back({command.name, on ? (*on ? "Action · on" : "Action · off") : "Action",
                            keys_of(command), why_disabled(state, command),
-                           [&command](UiState& s) { run_command(s, command); }});
+                           [&command](UiState& s) { run_command(s, command); }, command.words});
     }
 }
 

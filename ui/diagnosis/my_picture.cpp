@@ -93,6 +93,7 @@ void take_picture(UiState& state, BroughtPicture picture) {
     choice.mine = mine.shown;
     choice.on = true;
     choice.shows_stored = false;
+    state.lecture.frozen.reset();  // it would stand beside a scene that is not the edited one
     set_parts(choice, {{}, {Variant::Kind::Mine, 0}});
     state.views.debug_view.set.choice.view = DebugView::Picture;
     state.inspector.tab = InspectorTab::MyPicture;

@@ -41,19 +41,33 @@ void put_views_away(UiState& state) {
     ++state.picture_serial;
 }
 
+/// Whether the picture that was drawn last shows a state of the document in hand.
+bool knows_drawn(const UiState& state) { return state.rendered_is_edited && !state.editor.before; }
+
+/// Names what take_scene_back() takes away: the document that was opened, or the mesh's file or primitive;
+/// empty where it is neither.
+std::string taken_away(const UiState& state) {
+    if (state.editor.before) return state.editor.document.path;
+    const Scene& kept = knows_drawn(state) ? state.rendered_scene : state.editor.history.present();
+    for (const Object& object : state.editor.scene().objects) {
+        const auto has_it = [&](const Object& other) { return other.source == object.source; };
+        if (std::none_of(kept.objects.begin(), kept.objects.end(), has_it)) return short_name(object.source);
+    }
+    return "";
+}
+
 /// Restores the edited scene as it was drawn last, or as the history's newest step has it. A scene that was
 /// drawn already, smaller or with less, stays.
 void take_scene_back(UiState& state) {
     Editor& editor = state.editor;
-    const bool knows_drawn = state.rendered_is_edited && !editor.before;
-    if (knows_drawn && state.rendered_scene == editor.scene()) return;
+    if (knows_drawn(state) && state.rendered_scene == editor.scene()) return;
     (void)cancel_gesture(state.viewport, editor.scene());
     if (state.persistence.autosave && state.persistence.has_copy_of(editor.scene()))
         state.persistence.autosave.reset();  // the file stays: what it holds is in no other
     if (editor.before) {
         const std::unique_ptr<Editor> before = std::move(editor.before);
         editor = std::move(*before);
-    } else if (knows_drawn) {
+    } else if (knows_drawn(state)) {
         editor.scene() = state.rendered_scene;
     } else {
         editor.scene() = editor.history.present();
@@ -87,19 +101,20 @@ void draw_what_can_be(UiState& state, PictureSize full) {
     state.rendered_is_edited = true;
 }
 
-/// The words for an exception that ends a piece of the window's work.
-void add_what_failed(UiState& state, const std::exception& error) {
+/// The words for an exception that ends a piece of the window's work, about `file` where it has a name.
+void add_what_failed(UiState& state, const std::exception& error, const std::string& file) {
     if (const auto* no_memory = dynamic_cast<const std::bad_alloc*>(&error))
-        return state.notifications.add(memory_problem(*no_memory));
+        return state.notifications.add(memory_problem(*no_memory, file));
     if (dynamic_cast<const std::length_error*>(&error) != nullptr)  // more than any machine has
-        return state.notifications.add(memory_problem(std::bad_alloc()));
+        return state.notifications.add(memory_problem(std::bad_alloc(), file));
     state.notifications.add({.file = {}, .pointer = {}, .what = error.what(), .expected = {}});
 }
 
-/// Says what failed; if there is no memory even for the words, says it in a later frame.
-void say_what_failed(UiState& state, const std::exception& error) {
+/// Says what failed, and of a scene that goes back for it what goes; if there is no memory even for the
+/// words, says it in a later frame.
+void say_what_failed(UiState& state, const std::exception& error, bool goes_back) {
     try {
-        add_what_failed(state, error);
+        add_what_failed(state, error, goes_back ? taken_away(state) : "");
     } catch (const std::bad_alloc&) {
         state.notifications.owes_no_memory = true;
     }
@@ -187,15 +202,18 @@ bool save(UiState& state) {
 
 namespace {
 
-/// The path of a mesh that the scene names and that is no file any more; empty where there is none.
-std::string missing_mesh(const SceneDocument& document) {
+/// Says of the first mesh that the scene names and that is not there any more that the scene needs it.
+void say_missing_mesh(UiState& state) {
+    const SceneDocument& document = state.editor.document;
     for (const Object& object : document.scene.objects) {
         const auto* const named = std::get_if<MeshFile>(&object.source);
-        std::error_code failed;
-        if (named != nullptr && !std::filesystem::exists(path_from(document.mesh_dir, named->path), failed))
-            return named->path;
+        if (named == nullptr) continue;
+        const std::string why = why_no_file(path_from(document.mesh_dir, named->path));
+        if (why.empty()) continue;
+        return state.notifications.add(
+            Tone::Warning,
+            fmt::format("The scene opens again when \"{}\" is there: {}", on_one_line(named->path), why));
     }
-    return "";
 }
 
 }  // namespace
@@ -212,10 +230,7 @@ bool save_as(UiState& state, const std::string& path) {
         state.pending = {};  // the scene in hand is not given up before it is whole
     }
     state.notifications.add(Tone::Done, fmt::format("Saved {}{}", state.editor.title(), awaited));
-    if (const std::string mesh = missing_mesh(state.editor.document); !mesh.empty())
-        state.notifications.add(
-            Tone::Warning,
-            fmt::format("\"{}\" is not there any more: the scene opens again when it is", on_one_line(mesh)));
+    say_missing_mesh(state);
     return true;
 }
 
@@ -233,7 +248,7 @@ void take_back(UiState& state, const std::exception& error, PictureSize full, bo
         pace.memory_divisor *= 2;
         pace.memory_wait = std::min(2 * pace.memory_wait, longest_memory_wait);
     } else {
-        say_what_failed(state, error);
+        say_what_failed(state, error, !previewed);
         pace.memory_wait = first_memory_wait;
     }
     pace.memory_tries_again = false;
@@ -252,7 +267,7 @@ void give_up_frame(UiState& state, const std::exception& error) {
     ImGui::SetCurrentFont(ImGui::GetDefaultFont());
     ImGui::ErrorCheckEndFrameRecover(nullptr);
     put_views_away(state);
-    say_what_failed(state, error);
+    say_what_failed(state, error, false);
 }
 
 }  // namespace glint

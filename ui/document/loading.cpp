@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "models/fields/choices.h"
+#include "models/json/json_pointer.h"
 #include "renderer/renderer.h"
 #include "ui/document/averaged_normals.h"
 #include "ui/document/document_actions.h"
@@ -84,6 +85,15 @@ void forget_unwanted(UiState& state) {
     if (list.empty()) leave(state.loading, state.loading.meshes);
 }
 
+/// A problem with a mesh of `scene` by the mesh's name: an object that is only to come has no place yet.
+Problem about_its_mesh(Problem problem, const Scene& scene) {
+    if (const std::optional<ListItem> object = item_in(problem.pointer, "/objects/")) {
+        problem.file = short_name(scene.objects[static_cast<std::size_t>(object->place)].source);
+        problem.pointer.clear();
+    }
+    return problem;
+}
+
 void start_meshes(UiState& state) {
     Loading& loading = state.loading;
     if (loading.meshes || loading.awaited.empty()) return;
@@ -102,7 +112,7 @@ void start_meshes(UiState& state) {
         [wanting, path = document.path, dir = document.mesh_dir](LoadProgress&) -> Result<SceneDocument> {
             Scene scene = wanting;
             Result<Warnings> loaded = load_meshes(scene, path, dir);
-            if (const Problem* problem = problem_of(loaded)) return *problem;
+            if (const Problem* problem = problem_of(loaded)) return about_its_mesh(*problem, wanting);
             return SceneDocument{std::move(scene), path, dir, std::get<Warnings>(std::move(loaded))};
         });
     loading.since = ImGui::GetTime();

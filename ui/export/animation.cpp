@@ -217,7 +217,7 @@ void poll_animation(UiState& state) {
     }
     Result<Scene> scene = scene_at(state.editor.document, animate.animation, static_cast<int>(frame));
     if (const Problem* problem = problem_of(scene)) {
-        animate.refused = problem->what + "; expected " + problem->expected;
+        animate.refused = with_expected(problem->what, problem->expected);
         animate.playing = false;
         if (!animate.open) state.notifications.add(*problem);  // a lesson plays without the panel
         return;

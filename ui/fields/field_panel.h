@@ -164,7 +164,7 @@ template <class T> [[nodiscard]] bool field_rows(T& value, const std::string& po
 template <class Item> bool keep_valid(Item& edited, const Item& before) {
     const auto found = violation_of(edited);
     if (!found) return true;
-    refuse_edit(found->what + "; expected " + found->expected);
+    refuse_edit(with_expected(found->what, found->expected));
     edited = before;
     return false;
 }

@@ -125,7 +125,7 @@ void task_fields(UiState& state, const Task& task) {
             end_motion(state);
             state.editor.edits_camera |= number.pointer.starts_with("/camera");
             if (const auto problem = set_number(scene, number.pointer, value))
-                refuse_edit(problem->what + "; expected " + problem->expected);
+                refuse_edit(with_expected(problem->what, problem->expected));
         }
         ImGui::PopID();
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/commands/command.h"
+#include "ui/document/loading.h"
 #include "ui/lessons/lesson_parts.h"
 #include "ui/lessons/prose.h"
 #include "ui/picture/draw_picture.h"
@@ -40,6 +41,7 @@ void stop_picture(UiState& state) {
     predict.mine = {};
     predict.answer.reset();
     freeze(state);
+    state.lecture.frozen = as_made(state, state.editor.scene());  // not what the mouse over a term may show
 }
 
 void reveal(UiState& state) {

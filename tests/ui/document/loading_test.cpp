@@ -1,10 +1,13 @@
 // Loads that do not hold up the window.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <future>
 #include <thread>
 
 #include "models/io/file.h"
+#include "models/memory_limit.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
@@ -345,7 +348,47 @@ TEST_CASE("who saves a scene whose mesh is gone is told that it will not open", 
     const auto told = saved();
     REQUIRE(told.size() == 2);
     CHECK(told[1].tone == Tone::Warning);
-    CHECK(told[1].text == "\"one.obj\" is not there any more: the scene opens again when it is");
+    CHECK(told[1].text == "The scene opens again when \"one.obj\" is there: no such file");
+    std::filesystem::create_directory(mesh);
+    const auto found = saved();
+    REQUIRE(found.size() == 2);
+    CHECK(found[1].text == "The scene opens again when \"one.obj\" is there: it is a directory");
+}
+
+TEST_CASE("a mesh that does not fit into memory, read or drawn, is taken away again by its name",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    std::string grid;
+    constexpr int side = 200;
+    for (int i = 0; i < side * side; ++i) grid += fmt::format("v {} {} 0\n", i % side, i / side);
+    for (int i = 0; i + side < side * side; ++i)
+        if (i % side + 1 < side)
+            grid += fmt::format("f {} {} {} {}\n", i + 1, i + 2, i + side + 2, i + side + 1);
+    const std::string path = folder.file("grid.obj", grid);
+    const std::pair<MeshSource, std::string> named[] = {{MeshFile{path}, "grid.obj"},
+                                                        {PrimitiveMesh{Primitive::Sphere, 100}, "sphere"}};
+    int of_drawing = 0;
+    for (const auto& [source, name] : named) {
+        HeadlessWindow bench;
+        bench.frames(2);
+        const Scene before = bench.scene();
+        const std::uint64_t taken = memory_limit() - memory_left();
+        for (std::uint64_t room = 1 << 20; bench.scene() == before; room += 1 << 20) {
+            set_memory_limit(taken + room);
+            bench.state.notifications.list.clear();
+            begin_mesh(bench.state, source, -1);
+            bench.wait_for_loads();
+            bench.frames(2);
+            set_memory_limit(0);
+            REQUIRE_FALSE((bench.state.notifications.list.empty() && bench.scene() == before));
+            for (const Notification& told : bench.state.notifications.list) {
+                INFO(told.text);
+                CHECK(told.text.find(name) < told.text.find(' '));
+                of_drawing += told.text.starts_with("grid.obj: this needs");  // read it is by its short name
+            }
+        }
+    }
+    CHECK(of_drawing > 0);
 }
 
 TEST_CASE("a mesh that cannot be read leaves the object as it was, and says why", "[ui][loading]") {

@@ -94,6 +94,19 @@ TEST_CASE("a dropped picture stands beside the scene, and its mistake is named a
     CHECK(bench.scene() == start);
 }
 
+TEST_CASE("a picture that is brought ends the freeze: it stands beside the scene in hand",
+          "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::F8);
+    REQUIRE(bench.state.lecture.frozen);
+    bench.scene().global_ambient = {1, 1, 1};
+    const TemporaryDirectory folder;
+    bring(bench, folder, flipped_picture(bench));
+    CHECK_FALSE(bench.state.lecture.frozen);
+    CHECK(bench.state.rendered_scene == bench.scene());
+}
+
 TEST_CASE("under the mistake that it was drawn with the scene differs from the picture nowhere",
           "[ui][window][mine]") {
     HeadlessWindow bench;

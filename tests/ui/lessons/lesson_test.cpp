@@ -145,6 +145,19 @@ TEST_CASE("a number that is none keeps the keyboard, to be mended", "[ui][window
     CHECK(ImGui::GetIO().WantTextInput);
 }
 
+TEST_CASE("Ctrl+K finds an action while an answer is being typed", "[ui][window][lesson]") {
+    LambertWindow bench;
+    bench.click(bench.control("Your answer"));
+    test::type(bench, "0.5");
+    (void)bench.key(Key::K, true);
+    bench.frames(2);
+    REQUIRE(bench.state.palette.open);
+    test::type(bench, "projector");
+    bench.frames(2);
+    CHECK(bench.state.palette.text == "projector");
+    CHECK(bench.lesson().typed == "0.5");
+}
+
 TEST_CASE("a choice is answered by its letter and Enter, and the palette opens while a question waits",
           "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});

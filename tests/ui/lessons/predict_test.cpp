@@ -74,6 +74,20 @@ TEST_CASE("Esc, the key itself and another scene give a prediction up", "[ui][wi
     bench.frames(2);
 }
 
+TEST_CASE("the picture of a prediction is that of the scene, whatever the mouse shows in its place",
+          "[ui][window][lesson]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Equation);
+    const Scene edited = bench.scene();
+    (void)test::rest_on(bench, "s  specular");
+    REQUIRE_FALSE(bench.state.rendered_scene == edited);
+    bench.key(Key::Q);
+    REQUIRE(bench.state.predict.stage == PredictStage::Change);
+    CHECK(*bench.state.lecture.frozen == edited);
+    bench.frames(2);
+    CHECK(bench.state.rendered_scene == edited);
+}
+
 TEST_CASE("a prediction begins whatever is frozen or plays", "[ui][window][lesson]") {
     HeadlessWindow bench;
     bench.frames(2);

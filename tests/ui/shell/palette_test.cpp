@@ -43,6 +43,24 @@ TEST_CASE("the palette finds a field of the scene first by the beginning of its 
     }
 }
 
+TEST_CASE("a command is found by a word about it", "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const std::string about[][2] = {{"game", "Match the target"},
+                                    {"screenshot", "Save picture…"},
+                                    {"dark", "Light theme"},
+                                    {"zebra", "Stripes over what is too bright"},
+                                    {"fullscreen", "Picture alone"},
+                                    {"gif", "Animate: turntable, numbers to and fro…"},
+                                    {"orthogr", "Perspective or parallel"}};
+    for (const auto& [text, name] : about) {
+        const auto entries = found(bench.state, text);
+        CAPTURE(text);
+        CHECK(std::any_of(entries.begin(), entries.end(),
+                          [&](const PaletteEntry& e) { return e.name == name; }));
+    }
+}
+
 TEST_CASE("the palette answers the offer to recover unsaved work", "[ui][palette]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
