@@ -40,7 +40,7 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
               const std::vector<Judged>& all, int threads) {
     const Judged& best = all.front();
     const Judged& none = of_no_mistake(all);
-    d.display = display_finding(exhibit, best.drawing.picture, best.change);
+    d.display = display_finding(exhibit, best.drawing, best.change);
     const Judged& shown = best.is_believed ? best : none;
     d.pixels = count_unlike(exhibit, shown.drawing.picture, shown.change);
     if (best.is_believed && best.is_right) {
@@ -48,7 +48,11 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         return;
     }
     d.candidates = candidates_of(exhibit, all);
-    if (!best.is_believed) return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
+    if (!best.is_believed) {  // what is shown of them is what each explains
+        std::stable_sort(d.candidates.begin(), d.candidates.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.explained > b.explained; });
+        return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
+    }
     d.verdict = Verdict::Mistake;
     d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
 }

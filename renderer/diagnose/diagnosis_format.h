@@ -15,6 +15,8 @@ namespace glint {
 /// The display finding in words, joined by "; "; empty when nothing was found.
 [[nodiscard]] std::string display_text(const DisplayFinding& display);
 
+/// "12 %"; "less than 1 %" of a share that is not 0 and would round to it.
+[[nodiscard]] std::string percent_text(double share);
 /// The share of the wrong pixels that a candidate explains, in whole per cent, rounded down: what is too few
 /// does not read as enough.
 [[nodiscard]] int explained_percent(const Candidate& candidate);

@@ -32,9 +32,8 @@ std::string verdict_line(const Diagnosis& d) {
     case Verdict::NotComparable:
         return "Not comparable: " + d.why + ".";
     case Verdict::NotInCatalogue:
-        return fmt::format(
-            "Not in the catalogue: {:.0f} % of the pixels are wrong, and no mistake explains them.",
-            100 * count_of(d.pixels, PixelKind::Surface).share());
+        return fmt::format("Not in the catalogue: {} of the pixels are wrong, and no mistake explains them.",
+                           percent_text(count_of(d.pixels, PixelKind::Surface).share()));
     case Verdict::Mistake:
         break;
     }
@@ -43,9 +42,7 @@ std::string verdict_line(const Diagnosis& d) {
 }
 
 /// The colour of a pixel, as the wrong picture stores its channels.
-std::string stored_text(const DisplayChange& change, Rgb c) {
-    return text_of(exchanged(change, c));
-}
+std::string stored_text(const DisplayChange& change, Rgb c) { return text_of(exchanged(change, c)); }
 
 std::string candidate_lines(const Candidate& c, PictureSize size) {
     const glm::ivec2 place = changed_place(c.change, size, c.pixel);
@@ -74,10 +71,10 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
     if (!d.regions.empty()) {
         const DifferenceRegion& r = d.regions.front();
         text += fmt::format(
-            "Most of it is on {}, wrong in {:.0f} % of its pixels, from {},{} to {},{}, on average {} "
+            "Most of it is on {}, wrong in {} of its pixels, from {},{} to {},{}, on average {} "
             "levels.\n",
-            on_one_line(scene.objects[static_cast<std::size_t>(r.object)].name), 100 * r.share, r.low.x,
-            r.low.y, r.high.x, r.high.y,
+            on_one_line(scene.objects[static_cast<std::size_t>(r.object)].name), percent_text(r.share),
+            r.low.x, r.low.y, r.high.x, r.high.y,
             fmt::format("({:+.0f}, {:+.0f}, {:+.0f})", r.mean[0], r.mean[1], r.mean[2]));
     }
     if (!d.terms.empty()) {
@@ -161,6 +158,10 @@ std::string display_text(const DisplayFinding& display) {
 std::string experiment_text(const std::optional<Experiment>& experiment) {
     return experiment ? "To tell them apart, " + experiment_line(*experiment)
                       : "No change that is tried tells them apart by more than a level.\n";
+}
+
+std::string percent_text(double share) {
+    return share > 0 && share < 0.005 ? "less than 1 %" : fmt::format("{:.0f} %", 100 * share);
 }
 
 int explained_percent(const Candidate& candidate) {

@@ -16,23 +16,25 @@ int distance(Rgb a, Rgb b) {
     return most;
 }
 
-/// The right picture's background; nothing where it shows none.
-std::optional<Rgb> right_ground(const Exhibit& e) {
-    const auto pixel = std::find(e.kinds.begin(), e.kinds.end(), PixelKind::Background);
-    if (pixel == e.kinds.end()) return std::nullopt;
-    return rgb_at(e.right, static_cast<std::size_t>(pixel - e.kinds.begin()));
+/// The background of a drawing; nothing where it shows none that the right picture shows, too.
+std::optional<Rgb> background_in(const Exhibit& e, const Drawing& drawn) {
+    for (std::size_t i = 0; i < e.kinds.size(); ++i)
+        if (e.kinds[i] == PixelKind::Background && (drawn.bare.empty() || drawn.bare[i] != 0))
+            return rgb_at(drawn.picture, i);
+    return std::nullopt;
 }
 
-/// The background of the wrong picture where it is neither the scene's nor what the display makes of that.
-std::optional<Rgb> other_background(const Exhibit& e, const ByteRanges& ranges, const DisplayChange& change) {
+/// The background of the wrong picture where it is neither the drawing's nor what the display makes of that.
+std::optional<Rgb> other_background(const Exhibit& e, const Drawing& drawn, const ByteRanges& ranges,
+                                    const DisplayChange& change) {
     std::optional<Rgb> ground = e.grounds[way_turned(change)];
-    const std::optional<Rgb> right = right_ground(e);
-    if (!ground || !right) return std::nullopt;
+    const std::optional<Rgb> wanted = background_in(e, drawn);
+    if (!ground || !wanted) return std::nullopt;
     ground = exchanged(change, *ground);
     const float near = 2 + change.scatter();
-    if (static_cast<float>(distance(*ground, *right)) <= near) return std::nullopt;
+    if (static_cast<float>(distance(*ground, *wanted)) <= near) return std::nullopt;
     bool as_displayed = true;
-    for (std::size_t c = 0; c < 3; ++c) as_displayed &= ranges[(*right)[c]].distance((*ground)[c]) <= near;
+    for (std::size_t c = 0; c < 3; ++c) as_displayed &= ranges[(*wanted)[c]].distance((*ground)[c]) <= near;
     if (as_displayed) return std::nullopt;
     return ground;
 }
@@ -84,15 +86,17 @@ template <class Colour> Crossings crossings(const Exhibit& e, const Colour& colo
     return found;
 }
 
-/// Whether far more silhouettes are mixed in the picture than in one with hard edges.
-bool smooth_edges(const Exhibit& e, const Picture& drawn, const DisplayChange& change) {
+/// Whether far more silhouettes are mixed in the picture than in one with hard edges, `drawn` as changed.
+bool smooth_edges(const Exhibit& e, const Picture& drawn, const ByteRanges& ranges,
+                  const DisplayChange& change) {
     constexpr std::size_t enough = 20;
     constexpr double more = 0.25;
     const auto share = [](const Crossings& c) {
         return static_cast<double>(c.between) / static_cast<double>(std::max<std::size_t>(1, c.clear));
     };
     const Crossings mine = crossings(e, [&](int x, int y) { return mine_at(e.wrong, change, x, y); });
-    const Crossings hard = crossings(e, [&](int x, int y) { return rgb_at(drawn, drawn.pixel(x, y)); });
+    const Crossings hard =
+        crossings(e, [&](int x, int y) { return shown(ranges, rgb_at(drawn, drawn.pixel(x, y))); });
     return mine.clear >= enough && share(mine) > share(hard) + more;
 }
 
@@ -167,12 +171,17 @@ void count_softened(DisplayFinding& finding, const Exhibit& e, const Picture& dr
 
 }  // namespace
 
-DisplayFinding display_finding(const Exhibit& e, const Picture& drawn, const DisplayChange& change) {
+bool has_other_background(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    return other_background(e, drawn, byte_ranges(change), change).has_value();
+}
+
+DisplayFinding display_finding(const Exhibit& e, const Drawing& drawing, const DisplayChange& change) {
+    const Picture& drawn = drawing.picture;
     const ByteRanges ranges = byte_ranges(change);
     DisplayFinding finding;
     finding.change = change;
-    finding.background = other_background(e, ranges, change);
-    finding.smooth_edges = smooth_edges(e, drawn, change);
+    finding.background = other_background(e, drawing, ranges, change);
+    finding.smooth_edges = smooth_edges(e, drawn, ranges, change);
     if (!change.soft) return finding;
     constexpr float least = 0.2f;  // of a pixel; what is left is the smoothing itself
     count_softened(finding, e, drawn);
@@ -224,7 +233,7 @@ Outline outline_of(const Exhibit& e, const DisplayChange& turned, Rgb right_back
 
 std::optional<std::string> other_outline(const Exhibit& e) {
     constexpr double most_outside = 0.02, most_inside = 0.2;
-    const std::optional<Rgb> background = right_ground(e);
+    const std::optional<Rgb> background = background_in(e, {e.right, {}});
     if (!background) return std::nullopt;
     const auto misfit = [](const Outline& o) {
         return std::max(o.outside / most_outside, o.inside / most_inside);

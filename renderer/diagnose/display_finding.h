@@ -6,8 +6,12 @@
 namespace glint {
 
 /// `drawn`: the drawing that explains the picture under `change`.
-[[nodiscard]] DisplayFinding display_finding(const Exhibit& exhibit, const Picture& drawn,
+[[nodiscard]] DisplayFinding display_finding(const Exhibit& exhibit, const Drawing& drawn,
                                              const DisplayChange& change);
+
+/// Whether the picture's background is neither the drawing's nor what the change makes of that.
+[[nodiscard]] bool has_other_background(const Exhibit& exhibit, const Drawing& drawn,
+                                        const DisplayChange& change);
 
 /// Why the picture cannot be of this scene; nothing where its outline is the scene's, or cannot be told.
 [[nodiscard]] std::optional<std::string> other_outline(const Exhibit& exhibit);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "models/scene/mistakes.h"
+#include "renderer/diagnose/display_finding.h"
 
 namespace glint {
 namespace {
@@ -27,7 +28,8 @@ constexpr double free_in_picture = 50;  // in excess_of() over a whole picture
 void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step) {
     j.change = change;
     j.score = score(exhibit, j.drawing, change, step);
-    j.cost = explanation_cost(j.score.excess, free_in_picture / step, j.mistakes.size(), change);
+    j.cost = explanation_cost(j.score.excess, free_in_picture / step, j.mistakes.size(), change) +
+             (has_other_background(exhibit, j.drawing, change) ? 1 : 0);
 }
 
 /// Judges under another change, too, and keeps the cheaper one.
@@ -116,6 +118,27 @@ bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) 
     return shows_otherwise(j.change, none.change) ? few * unlike <= all : unlike == 0;
 }
 
+/// The explanations that are worth a picture of the whole size, `count` at most. Two mistakes are looked for
+/// in a small picture, in which a gain may be another one: what needs no two is what is found without them.
+std::vector<Hypothesis> worth_drawing(const Scene& scene, const Exhibit& exhibit,
+                                      const DiagnosisOptions& options, std::size_t count,
+                                      const DiagnosisProgress& progress) {
+    constexpr std::size_t singles_pixels = 400'000, pairs_pixels = 24'000;
+    const auto likely = [&](bool pairs, std::size_t of_these, const DiagnosisProgress& told) {
+        const PictureSize at = search_size(exhibit.right.size, pairs ? pairs_pixels : singles_pixels);
+        return likely_hypotheses(scene, exhibit.wrong, exhibit.least_change.noise, at, pairs, of_these,
+                                 options.threads, told);
+    };
+    if (!options.pairs) return likely(false, count, progress);
+    std::vector<Hypothesis> found = likely(false, std::max<std::size_t>(2, count / 4), {});
+    for (Hypothesis& h : likely(true, count, progress)) {
+        const auto is_same = [&h](const Hypothesis& other) { return other.mistakes == h.mistakes; };
+        if (found.size() < count && std::none_of(found.begin(), found.end(), is_same))
+            found.push_back(std::move(h));
+    }
+    return found;
+}
+
 Candidate candidate_of(const Exhibit& exhibit, const Judged& j) {
     Candidate c;
     c.mistakes = j.mistakes;
@@ -126,8 +149,8 @@ Candidate candidate_of(const Exhibit& exhibit, const Judged& j) {
     const ByteRanges ranges = byte_ranges(j.change);
     const std::size_t pixel = exhibit.right.pixel(c.pixel.x, c.pixel.y);
     c.mine = mine_at(exhibit.wrong, j.change, c.pixel.x, c.pixel.y);
-    c.reference = shown(ranges, rgb_at(exhibit.right, pixel));
-    c.as_mistaken = shown(ranges, rgb_at(j.drawing.picture, pixel));
+    c.reference = shown_beside(ranges, rgb_at(exhibit.right, pixel), c.mine);
+    c.as_mistaken = shown_beside(ranges, rgb_at(j.drawing.picture, pixel), c.mine);
     return c;
 }
 
@@ -165,20 +188,18 @@ std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<J
 
 std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
                               const DiagnosisOptions& options) {
-    constexpr std::size_t singles_pixels = 400'000, pairs_pixels = 24'000;
     constexpr std::size_t judged_whole = 8;
     constexpr int coarse_rows = 100, most_step = 8;
     const PictureSize size = exhibit.right.size;
-    const PictureSize at = search_size(size, options.pairs ? pairs_pixels : singles_pixels);
     const std::size_t drawings = drawings_of(size);
     std::size_t tried = 0;
     const auto search_progress = [&](std::size_t done, std::size_t of) {
         tried = of;
         options.progress(done, of + drawings);
     };
-    const std::vector<Hypothesis> likely = likely_hypotheses(
-        scene, exhibit.wrong, exhibit.least_change.noise, at, options.pairs, drawings, options.threads,
-        options.progress ? DiagnosisProgress(search_progress) : DiagnosisProgress());
+    const std::vector<Hypothesis> likely =
+        worth_drawing(scene, exhibit, options, drawings,
+                      options.progress ? DiagnosisProgress(search_progress) : DiagnosisProgress());
     const int step = std::clamp(size.height / coarse_rows, 1, most_step);
     std::vector<Judged> all;
     for (std::size_t i = 0; i < std::min(drawings, likely.size()); ++i) {

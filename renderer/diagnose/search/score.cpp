@@ -8,6 +8,12 @@
 namespace glint {
 namespace {
 
+/// Visits (x, y) a pixel and those around it that the picture has.
+template <class Visit> void for_each_neighbour(PictureSize size, glm::ivec2 at, const Visit& visit) {
+    for (int y = std::max(at.y - 1, 0); y <= std::min(at.y + 1, size.height - 1); ++y)
+        for (int x = std::max(at.x - 1, 0); x <= std::min(at.x + 1, size.width - 1); ++x) visit(x, y);
+}
+
 /// The colours that a picture may show at one pixel, channels in the scene's order.
 class Expected {
   public:
@@ -36,15 +42,27 @@ class Expected {
         return expected;
     }
 
+    /// Levels between the darkest and the brightest of a pixel and its neighbours, as they were drawn:
+    /// without the room that rounding and clamping leave.
+    [[nodiscard]] float contrast_at(glm::ivec2 at, std::size_t channel) const {
+        float low = 255, high = 0;
+        for_each_neighbour(drawn_.size, at, [&](int x, int y) {
+            const float level = ranges_[drawn_.rgba[4 * drawn_.pixel(x, y) + channel]].middle;
+            low = std::min(low, level);
+            high = std::max(high, level);
+        });
+        return high - low;
+    }
+
   private:
     void widen(std::array<ByteRange, 3>& expected, int x, int y) const {
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, drawn_.size.height - 1); ++v)
-            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, drawn_.size.width - 1); ++u)
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const ByteRange near = ranges_[drawn_.rgba[4 * drawn_.pixel(u, v) + c]];
-                    expected[c].low = std::min(expected[c].low, near.low);
-                    expected[c].high = std::max(expected[c].high, near.high);
-                }
+        for_each_neighbour(drawn_.size, {x, y}, [&](int u, int v) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const ByteRange near = ranges_[drawn_.rgba[4 * drawn_.pixel(u, v) + c]];
+                expected[c].low = std::min(expected[c].low, near.low);
+                expected[c].high = std::max(expected[c].high, near.high);
+            }
+        });
     }
 
     const Picture& drawn_;
@@ -57,20 +75,19 @@ class Expected {
 
 /// Whether a softened picture would differ around a pixel, and the wrong one hardly does: between neighbours
 /// that are far apart anything finds room, but their softening leaves a share of the contrast between them.
-bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const std::array<ByteRange, 3>& explained,
-                    glm::ivec2 at) {
+bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const Expected& expected,
+                    const std::array<ByteRange, 3>& explained, glm::ivec2 at) {
     constexpr float far_apart = 48, least_share = 1.0f / 6;  // levels; of the contrast
-    const PictureSize size = e.right.size;
     for (std::size_t c = 0; c < 3; ++c) {
-        const float contrast = explained[c].high - explained[c].low;
+        if (explained[c].high - explained[c].low < far_apart) continue;
+        const float contrast = expected.contrast_at(at, c);
         if (contrast < far_apart) continue;
         int low = 255, high = 0;
-        for (int y = std::max(at.y - 1, 0); y <= std::min(at.y + 1, size.height - 1); ++y)
-            for (int x = std::max(at.x - 1, 0); x <= std::min(at.x + 1, size.width - 1); ++x) {
-                const int level = mine_at(e.wrong, change, x, y)[c];
-                low = std::min(low, level);
-                high = std::max(high, level);
-            }
+        for_each_neighbour(e.right.size, at, [&](int x, int y) {
+            const int level = mine_at(e.wrong, change, x, y)[c];
+            low = std::min(low, level);
+            high = std::max(high, level);
+        });
         if (static_cast<float>(high - low) < least_share * contrast) return true;
     }
     return false;
@@ -80,11 +97,13 @@ bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const std::ar
 bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
                Rgb mine, glm::ivec2 at, bool misses) {
     float off = 0, off_right = 0, told = 0, apart = 0, apart_right = 0;
+    bool open = false;  // it was clamped, and may have been what the wrong picture has
     for (std::size_t c = 0; c < 3; ++c) {
         const float d = explained[c].distance(mine[c]), d_right = right[c].distance(mine[c]);
         off = std::max(off, d);
         off_right = std::max(off_right, d_right);
         told += d_right - 2 * explained[c].from_middle(mine[c]);
+        open |= explained[c].off(mine[c]) < explained[c].from_middle(mine[c]);
         row.excess += double(excess_of(d));
         row.squares += double(d) * double(d);
         apart = std::max(apart, explained[c].off(mine[c]));
@@ -98,8 +117,10 @@ bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std:
     row.explained += is_wrong && !is_unlike ? 1 : 0;
     row.off += is_wrong ? double(apart) : 0;
     row.off_right += is_wrong ? double(apart_right) : 0;
-    if (told > static_cast<float>(row.told_best)) {
-        row.told_best = static_cast<int>(told);
+    constexpr float of_open = 1.0f / 1024;  // such a pixel counts where no other tells anything
+    if (open) told *= of_open;
+    if (told > row.told_best) {
+        row.told_best = told;
         row.pixel = at;
     }
     return is_unlike;
@@ -186,7 +207,7 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
         for (int x = 0; x < size.width; ++x) {
             if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
             const std::array<ByteRange, 3> expected = explained.at(x, y);
-            const bool misses = change.soft && lacks_contrast(e, change, expected, {x, y});
+            const bool misses = change.soft && lacks_contrast(e, change, explained, expected, {x, y});
             const bool is_unlike = add_pixel(rows[static_cast<std::size_t>(row)], expected, right.at(x, y),
                                              mine_at(e.wrong, change, x, y), {x, y}, misses);
             if (step == 1) unlike[size.index(x, y)] = is_unlike ? 1 : 0;
@@ -229,6 +250,13 @@ Rgb shown(const ByteRanges& ranges, Rgb drawn) {
         const long level = std::lround(ranges[drawn[c]].middle);
         colour[c] = static_cast<std::uint8_t>(std::clamp(level, 0L, 255L));
     }
+    return colour;
+}
+
+Rgb shown_beside(const ByteRanges& ranges, Rgb drawn, Rgb mine) {
+    Rgb colour = shown(ranges, drawn);
+    for (std::size_t c = 0; c < 3; ++c)
+        if (ranges[drawn[c]].off(mine[c]) == 0) colour[c] = mine[c];
     return colour;
 }
 

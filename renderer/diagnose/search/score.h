@@ -2,9 +2,9 @@
 // Judges one explanation of a wrong picture on every pixel that can be compared.
 
 #include <array>
-#include <climits>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -45,7 +45,7 @@ struct Score {
     double squares = 0;             // sum of the squares of the differences in levels, channel by channel
     double off = 0, off_right = 0;  // sums over the wrong pixels of what a drawing itself is off: the
                                     // explanation's, the right one
-    int told_best = INT_MIN;        // levels by which `pixel` speaks for the explanation
+    float told_best = -std::numeric_limits<float>::infinity();  // levels by which `pixel` speaks for it
     glm::ivec2 pixel{0};  // of the scene's picture: where the explanation is told best from the right one
 
     [[nodiscard]] double residual() const;  // RMS in levels
@@ -87,6 +87,8 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
 
 /// What the changed picture would show of a byte of the scene's, in whole levels.
 [[nodiscard]] Rgb shown(const ByteRanges& ranges, Rgb drawn);
+/// The same beside what the wrong picture has there, `mine`: of a byte that was clamped that, where it may be.
+[[nodiscard]] Rgb shown_beside(const ByteRanges& ranges, Rgb drawn, Rgb mine);
 /// The wrong picture's colour at a pixel of the scene's picture, channels in the scene's order.
 [[nodiscard]] Rgb mine_at(const Picture& wrong, const DisplayChange& change, int x, int y);
 

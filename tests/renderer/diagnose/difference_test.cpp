@@ -97,3 +97,22 @@ TEST_CASE("the deciding pixel is told as the picture has it, however it was turn
         CHECK((r == pixel[0] && g == pixel[1] && b == pixel[2]));
     }
 }
+
+TEST_CASE("of what explains too little, that comes first which explains most", "[diagnose]") {
+    const SceneDocument document = shipped("default.json");
+    SceneDocument wrong = document;
+    wrong.scene.shading.mistakes.normals_left_in_world = wrong.scene.shading.mistakes.missing_pi = true;
+    const Diagnosis d = diagnosed(document, Renderer(1).render(wrong.scene, {400, 300}));
+    REQUIRE(d.verdict == Verdict::NotInCatalogue);
+    REQUIRE(d.candidates.size() > 1);
+    CHECK(name_of(d.candidates[0].mistakes) == "missing_pi");  // one of the two
+    for (std::size_t i = 1; i < d.candidates.size(); ++i)
+        CHECK(d.candidates[i - 1].explained >= d.candidates[i].explained);
+}
+
+TEST_CASE("a share that is not none does not read as 0 %", "[diagnose]") {
+    CHECK(percent_text(0) == "0 %");
+    CHECK(percent_text(1e-6) == "less than 1 %");
+    CHECK(percent_text(0.006) == "1 %");
+    CHECK(percent_text(1) == "100 %");
+}

@@ -107,6 +107,86 @@ TEST_CASE("a gain and an encoding are found together", "[diagnose]") {
     CHECK(finding_of(srgb, right).change.encodings() == -1);
 }
 
+namespace {
+
+/// A shipped scene's picture at that exposure.
+Picture exposed(const SceneDocument& document, float exposure, PictureSize size, int samples = 1) {
+    Scene scene = document.scene;
+    scene.display.exposure = exposure;
+    Renderer renderer(1);
+    return renderer.render(scene, size, false, samples);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a gain that explains the background, too, is believed before a mistake that needs another background",
+    "[diagnose]") {
+    const SceneDocument document = shipped("red-light-on-green.json");  // two lights: half is their average
+    const Diagnosis d = diagnosed(document, exposed(document, 0.5f, {160, 120}));
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.change.gain == Approx(0.5).epsilon(0.01));
+    CHECK_FALSE(d.display.background);
+}
+
+TEST_CASE("a background that the mistake itself changes is no other background", "[diagnose]") {
+    const SceneDocument document = shipped("bulb.json");
+    Scene scene = document.scene;
+    scene.shading.mistakes.encoded_twice = true;
+    const Diagnosis d = diagnosed(document, Renderer(1).render(scene, {160, 120}));
+    REQUIRE(d.verdict == Verdict::Mistake);
+    CHECK(name_of(d.candidates[0].mistakes) == "encoded_twice");
+    CHECK_FALSE(d.display.background);
+}
+
+TEST_CASE("hard edges stay hard in a darker picture, and smooth ones need no mistake", "[diagnose]") {
+    const SceneDocument ball = shipped("default.json");
+    CHECK_FALSE(finding_of(ball, exposed(ball, 0.6f, {100, 75})).smooth_edges);
+    // Where much is clamped, what is darker was any brightness before.
+    const SceneDocument spot = shipped("light-behind-ball.json");
+    const Diagnosis d = diagnosed(spot, exposed(spot, 0.8f, {200, 150}, 4));
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.smooth_edges);
+}
+
+TEST_CASE(
+    "the pixel that decides has what the mistake shows there, also where the picture was clamped before",
+    "[diagnose]") {
+    for (const auto& [name, mistake] : {std::pair("mirror-vector.json", &Mistakes::shininess_inverted),
+                                        std::pair("spot-cone.json", &Mistakes::aim_stays_at_origin)}) {
+        CAPTURE(name);
+        SceneDocument document = shipped(name);
+        SceneDocument wrong = document;
+        wrong.scene.shading.mistakes.*mistake = true;
+        const Diagnosis d = diagnosed(document, exposed(wrong, 0.6f, {200, 150}));
+        REQUIRE(d.verdict == Verdict::Mistake);
+        const Candidate& c = d.candidates[0];
+        CHECK(c.residual < 0.01);
+        int off = 0, off_right = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            off = std::max(off, std::abs(int{c.mine[i]} - int{c.as_mistaken[i]}));
+            off_right = std::max(off_right, std::abs(int{c.mine[i]} - int{c.reference[i]}));
+        }
+        CHECK(off <= 1);
+        CHECK(off_right > 20);
+    }
+}
+
+TEST_CASE("looking for two mistakes finds what explains the picture without them", "[diagnose]") {
+    const SceneDocument document = shipped("mach-bands.json");
+    DiagnosisOptions options;
+    options.pairs = true;
+    const Diagnosis d = diagnose(document, exposed(document, 0.85f, {200, 150}), options);
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.change.gain == Approx(0.85).epsilon(0.01));
+    const SceneDocument sun = shipped("sun.json");
+    SceneDocument flipped = sun;
+    flipped.scene.shading.mistakes.some_faces_flipped = true;
+    const Diagnosis one = diagnose(sun, exposed(flipped, 0.85f, {200, 150}), options);
+    REQUIRE(one.verdict == Verdict::Mistake);
+    CHECK(name_of(one.candidates[0].mistakes) == "some_faces_flipped");
+}
+
 TEST_CASE("another background, smooth edges and half a pixel's shift are found", "[diagnose]") {
     const SceneDocument document = bright_scene();
     const Picture right = picture_under(document.scene, {});
