@@ -46,7 +46,11 @@ Outcome exercise(const ExerciseArguments& arguments) {
     const std::string text = extension == ".tex" ? exercises_tex(lesson, sheets)
                                                  : exercises_html(lesson, sheets, picture_of(runner, lesson));
     write_output(arguments.out, text);
-    return {};
+    const std::string unset = extension == ".tex" ? unset_letters(text) : "";
+    if (unset.empty()) return {};
+    return {{},
+            {fmt::format("{}: pdflatex does not set {}; xelatex or lualatex may, with a font that has them",
+                         on_one_line(arguments.out), unset)}};
 }
 
 Run declare_exercise(Options& options) {

@@ -71,7 +71,7 @@ std::string_view without_mark(std::string_view extension, const FileBlock& first
     const std::string_view text = without_byte_order_mark(first.bytes);
     const bool is_binary =
         extension == ".om" ||
-        (extension == ".stl" && (!begins_with_solid(text) || binary_stl_size(first.bytes) == first.size));
+        (extension == ".stl" && (!begins_as_text_stl(text) || binary_stl_size(first.bytes) == first.size));
     return is_binary ? first.bytes : text;
 }
 
@@ -118,7 +118,7 @@ bool begins_badly(std::string_view extension, const FileBlock& first) {
     const std::string_view bytes = without_mark(extension, first);
     if (extension == ".ply") return !bytes.starts_with("ply");
     if (extension == ".om") return !bytes.starts_with("OM");
-    if (extension == ".stl" && bytes.size() >= binary_stl_header && !begins_with_solid(bytes))
+    if (extension == ".stl" && bytes.size() >= binary_stl_header && !begins_as_text_stl(bytes))
         return binary_stl_facets(bytes) == 0 || binary_stl_size(bytes) > first.size;
     const std::size_t word = bytes.find_first_not_of(" \t\r\n\v\f");
     return word != std::string_view::npos && bytes[word] == '\0';
@@ -129,7 +129,7 @@ bool is_text_mesh(std::string_view extension, const FileBlock& first) {
     if (extension == ".om") return false;
     if (extension == ".ply") return first.bytes.find("format ascii") != std::string_view::npos;
     if (extension != ".stl") return true;
-    return begins_with_solid(without_mark(extension, first)) && binary_stl_size(first.bytes) != first.size;
+    return begins_as_text_stl(without_mark(extension, first)) && binary_stl_size(first.bytes) != first.size;
 }
 
 /// Whether the block holds nothing but zero bytes, as the holes of a file do, and more than a line of text

@@ -152,10 +152,11 @@ class AsciiStl {
 
 }  // namespace
 
-bool begins_with_solid(std::string_view bytes) {
+bool begins_as_text_stl(std::string_view bytes) {
     const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
     const std::string_view word = bytes.substr(first, 5);
-    return word == "solid" || word == "SOLID" || word == "Solid";
+    return (word == "solid" || word == "SOLID" || word == "Solid") &&
+           bytes.substr(0, binary_stl_header).find('\0') == bytes.npos;
 }
 
 std::size_t binary_stl_facets(std::string_view bytes) { return little_endian(&bytes[80], 4); }
@@ -166,10 +167,10 @@ std::size_t binary_stl_size(std::string_view bytes) {
 }
 
 Mesh read_stl(std::string_view bytes, const std::string& file) {
-    // Some binary files begin with "solid" too; the size decides.
+    // The size decides: some binary files have spaces where others have zeros.
     const std::size_t promised = binary_stl_size(bytes);
     if (bytes.size() == promised) return read_binary(bytes, file);
-    if (begins_with_solid(bytes)) return AsciiStl(bytes, file).read();
+    if (begins_as_text_stl(bytes)) return AsciiStl(bytes, file).read();
     if (promised > 0 && bytes.size() > promised) return read_binary(bytes, file);
     throw Unreadable{{file, "", "this is not an STL file, or one that ends early",
                       promised > 0

@@ -42,11 +42,12 @@ inline float little_endian_float(const char* at) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(at, 4)));
 }
 
-// Tells binary STL files from text: files of both kinds may begin with "solid".
+// Tells binary STL files from text: files of both kinds may begin with "solid". No text has a byte 0, and the
+// header of a binary file has one, in its count of facets.
 
 inline constexpr std::size_t binary_stl_header = 84, binary_stl_facet = 50;  // bytes
-/// True when the first word is "solid", "SOLID" or "Solid".
-[[nodiscard]] bool begins_with_solid(std::string_view bytes);
+/// True when the first word is "solid", "SOLID" or "Solid" and no byte of the header is 0.
+[[nodiscard]] bool begins_as_text_stl(std::string_view bytes);
 /// Returns how many facets the header promises. Precondition: there is a whole header.
 [[nodiscard]] std::size_t binary_stl_facets(std::string_view bytes);
 /// Returns how many bytes a file with this header has; 0 where there is no whole header.

@@ -10,6 +10,7 @@
 #include "models/gltf/gltf_open.h"
 #include "models/io/file.h"
 #include "models/io/png_text.h"
+#include "models/json/json_pointer.h"
 #include "models/json/json_reader.h"
 #include "models/mesh/mesh_memory.h"
 #include "models/mesh_formats/mesh_file.h"
@@ -32,6 +33,16 @@ void take_meshes(Scene& scene, const std::vector<Object>& loaded) {
     }
 }
 
+/// A problem with a mesh, which is --set's where an assignment put the mesh there, or changed a number of it.
+Problem blamed(Problem problem, const std::vector<Assignment>& assignments) {
+    const auto changed_it = [&](const Assignment& a) { return is_within(a.pointer, problem.pointer); };
+    if (problem.pointer.empty()) return problem;
+    if (is_assigned(problem.pointer, assignments) ||
+        std::any_of(assignments.begin(), assignments.end(), changed_it))
+        problem.file = "--set";
+    return problem;
+}
+
 /// Checks, then loads what the checked scene names. What an assignment put there is the assignment's fault.
 Result<SceneDocument> document_of(std::string_view text, const std::string& path,
                                   const std::vector<Assignment>& assignments,
@@ -41,11 +52,7 @@ Result<SceneDocument> document_of(std::string_view text, const std::string& path
     SceneDocument document{std::get<Scene>(std::move(parsed)), path, directory_of(path), {}};
     take_meshes(document.scene, loaded);
     Result<Warnings> warned = load_meshes(document.scene, path, document.mesh_dir);
-    if (const Problem* found = problem_of(warned)) {
-        Problem problem = *found;
-        if (!problem.pointer.empty() && is_assigned(problem.pointer, assignments)) problem.file = "--set";
-        return problem;
-    }
+    if (const Problem* problem = problem_of(warned)) return blamed(*problem, assignments);
     document.warnings = std::get<Warnings>(std::move(warned));
     return document;
 }
@@ -242,11 +249,7 @@ Result<Scene> scene_variant(const SceneDocument& document, const std::vector<Ass
     Scene scene = std::get<Scene>(std::move(parsed));
     take_meshes(scene, document.scene.objects);
     const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
-    if (const Problem* found = problem_of(warned)) {
-        Problem problem = *found;
-        if (is_assigned(problem.pointer, assignments)) problem.file = "--set";
-        return problem;
-    }
+    if (const Problem* problem = problem_of(warned)) return blamed(*problem, assignments);
     return scene;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "models/io/markup.h"
+#include "models/io/utf8.h"
 #include "renderer/lessons/page.h"
 
 namespace glint {
@@ -58,13 +59,42 @@ std::string with_indices(std::string_view text) {
     return set += text.substr(done);
 }
 
-/// Letters and signs of our texts, which LaTeX's first font encoding lacks.
+/// Letters and signs which LaTeX's first font encoding lacks.
 std::string latex_text(std::string_view text) {
-    constexpr std::array<std::array<std::string_view, 2>, 15> signs{{{"°", "\\textdegree{}"},
+    constexpr std::array<std::array<std::string_view, 2>, 44> signs{{{"°", "\\textdegree{}"},
                                                                      {"·", "\\textperiodcentered{}"},
                                                                      {"√", "\\ensuremath{\\surd}"},
                                                                      {"²", "\\ensuremath{^2}"},
                                                                      {"ⁿ", "\\ensuremath{^n}"},
+                                                                     {"α", "\\ensuremath{\\alpha}"},
+                                                                     {"β", "\\ensuremath{\\beta}"},
+                                                                     {"γ", "\\ensuremath{\\gamma}"},
+                                                                     {"δ", "\\ensuremath{\\delta}"},
+                                                                     {"ε", "\\ensuremath{\\varepsilon}"},
+                                                                     {"η", "\\ensuremath{\\eta}"},
+                                                                     {"λ", "\\ensuremath{\\lambda}"},
+                                                                     {"μ", "\\ensuremath{\\mu}"},
+                                                                     {"ρ", "\\ensuremath{\\rho}"},
+                                                                     {"τ", "\\ensuremath{\\tau}"},
+                                                                     {"φ", "\\ensuremath{\\varphi}"},
+                                                                     {"ψ", "\\ensuremath{\\psi}"},
+                                                                     {"ω", "\\ensuremath{\\omega}"},
+                                                                     {"Δ", "\\ensuremath{\\Delta}"},
+                                                                     {"Σ", "\\ensuremath{\\Sigma}"},
+                                                                     {"Φ", "\\ensuremath{\\Phi}"},
+                                                                     {"Ω", "\\ensuremath{\\Omega}"},
+                                                                     {"₀", "\\ensuremath{_0}"},
+                                                                     {"₁", "\\ensuremath{_1}"},
+                                                                     {"₂", "\\ensuremath{_2}"},
+                                                                     {"³", "\\ensuremath{^3}"},
+                                                                     {"⁴", "\\ensuremath{^4}"},
+                                                                     {"∞", "\\ensuremath{\\infty}"},
+                                                                     {"→", "\\ensuremath{\\to}"},
+                                                                     {"≈", "\\ensuremath{\\approx}"},
+                                                                     {"≠", "\\ensuremath{\\ne}"},
+                                                                     {"∠", "\\ensuremath{\\angle}"},
+                                                                     {"∥", "\\ensuremath{\\parallel}"},
+                                                                     {"±", "\\ensuremath{\\pm}"},
                                                                      {"π", "\\ensuremath{\\pi}"},
                                                                      {"θ", "\\ensuremath{\\theta}"},
                                                                      {"σ", "\\ensuremath{\\sigma}"},
@@ -189,6 +219,21 @@ std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>
         tex += "\\par\n";
     }
     return tex + "\\end{document}\n";
+}
+
+std::string unset_letters(std::string_view tex) {
+    constexpr std::string_view last_set = "\u017F";  // of the letters that T1 has
+    constexpr std::string_view marks = "\u2013\u2014\u2018\u2019\u201C\u201D\u201E";
+    std::string letters;
+    for (std::size_t at = 0; at < tex.size();) {
+        const std::string_view letter = tex.substr(at, std::max<std::size_t>(utf8_length(tex.substr(at)), 1));
+        const bool is_set = letter.size() < last_set.size() ||
+                            (letter.size() == last_set.size() && letter <= last_set) ||
+                            marks.find(letter) != marks.npos;
+        if (!is_set && letters.find(letter) == letters.npos) letters += letter;
+        at += letter.size();
+    }
+    return letters;
 }
 
 }  // namespace glint

@@ -291,8 +291,8 @@ TEST_CASE("an STL shares positions that are exactly equal, and its facet normals
         CHECK(mesh.corner_normal == std::vector<std::uint32_t>{0, 0, 0, 1, 1, 1});
         CHECK(mesh.warnings.empty());
     }
-    CHECK(read_text("m.stl", test::binary_stl() + "xx").warnings ==
-          Warnings{"data after the last facet is ignored"});
+    for (const std::string& bytes : {test::binary_stl(), named_solid})
+        CHECK(read_text("m.stl", bytes + "xx").warnings == Warnings{"data after the last facet is ignored"});
     std::string zero = ascii;
     for (std::size_t at = 0; (at = zero.find("0 0 1\n", at)) != std::string::npos;) zero[at + 4] = '0';
     CHECK(read_text("m.stl", zero).given_normals == GivenNormals::None);
@@ -312,7 +312,11 @@ TEST_CASE("a normal of an STL that is not a number or too large is none, with a 
 
 TEST_CASE("a malformed STL is answered with what was expected", "[mesh_file][stl]") {
     const std::string head = "solid s\nfacet normal 0 0 1\nouter loop\n";
+    std::string cut_solid = test::binary_stl(3);
+    cut_solid.replace(0, 5, "solid");
     check_all({
+        {"m.stl", cut_solid,
+         ": this is not an STL file, or one that ends early; expected 234 bytes for its 3 facets"},
         {"m.stl", "hello",
          ": this is not an STL file, or one that ends early; expected \"solid\", or a binary file of 84 + 50 "
          "n "

@@ -6,6 +6,7 @@
 
 #include "models/io/file.h"
 #include "models/io/png_text.h"
+#include "models/memory_limit.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
@@ -89,6 +90,19 @@ TEST_CASE("a mesh that --set names and that is not there is the fault of --set",
     place.write("s.json", R"({"glint": 1, "objects": [{}]})");
     CHECK(problem_at(place / "s.json", {{"/objects/0/mesh", R"({"file": "no.off"})"}}) ==
           "--set: /objects/0/mesh/file: cannot read \"no.off\": no such file; expected a mesh file");
+}
+
+TEST_CASE("a mesh that --set makes too large is the fault of --set", "[scene_document]") {
+    const Place place;
+    const std::string scene = place / "s.json";
+    place.write("s.json", R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 8}}]})");
+    set_memory_limit(memory_limit() - memory_left() + (1 << 20));
+    const std::string set = problem_at(scene, {{"/objects/0/mesh/detail", "300"}}),
+                      whole = problem_at(
+                          scene, {{"/objects/0", R"({"mesh": {"primitive": "knot", "detail": 300}})"}});
+    set_memory_limit(0);
+    CHECK(set.starts_with("--set: /objects/0/mesh: this needs "));
+    CHECK(whole.starts_with("--set: /objects/0/mesh: this needs "));
 }
 
 TEST_CASE("a part that a mesh's file has not is a problem at the part, and of --set where that names it",

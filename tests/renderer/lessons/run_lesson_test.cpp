@@ -281,6 +281,18 @@ closed: k / 2
     CHECK(html.find("Keys: A plate") != std::string::npos);
 }
 
+TEST_CASE("letters that LaTeX's usual fonts lack are commands, and the rest is told", "[lesson][exercise]") {
+    const Bench bench("");
+    PosedQuestion question;
+    question.question = "Is α₂ → ∞, or é “ſ” 漢漢 Ж?";
+    const std::string tex = exercises_tex(bench.lesson, {{1, {question}}});
+    CHECK(
+        tex.find(
+            "Is \\ensuremath{\\alpha}\\ensuremath{_2} \\ensuremath{\\to} \\ensuremath{\\infty}, or é “ſ”") !=
+        std::string::npos);
+    CHECK(unset_letters(tex) == "漢Ж");
+}
+
 TEST_CASE("a lesson without exercises says so", "[lesson][exercise][bad-input]") {
     const Bench bench(half);
     LessonRunner runner(1);
