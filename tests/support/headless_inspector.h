@@ -23,7 +23,7 @@ inline void ask(HeadlessWindow& bench, InspectorTab tab, glm::dvec2 share = {0.5
     bench.frames(2);
     bench.state.inspector.tab = tab;
     bench.state.viewport.probe = share;
-    bench.state.viewport.probe_size = {1280, 720};
+    bench.state.viewport.shares_of = {1280, 720};
     bench.frames(3);
 }
 

@@ -49,6 +49,7 @@ Scene with_term_alone(Scene scene, Symbol term) {
 
 void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests) {
     if (same_description(scene, state.editor.scene())) return;  // a click has just taken it
+    if (!column_has_turn(state)) return;
     state.inspector.instead = scene;
     state.inspector.instead_rests = rests;
     state.inspector.preview_name = name;

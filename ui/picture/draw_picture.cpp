@@ -93,17 +93,10 @@ Resting resting_of(const UiState& state) {
     return state.views.compare.choice.shows_stored ? Resting::Stored : Resting::Nothing;
 }
 
-/// Whether what the column shows in place of the scene comes before what is below: nothing is frozen or
-/// plays.
-bool has_turn(const UiState& state) {
-    const Resting resting = resting_of(state);
-    return resting == Resting::Nothing || resting == Resting::Stored;
-}
-
 /// What shows until the user ends it, whatever is edited.
 std::optional<OtherScene> resting_scene(const UiState& state) {
-    if (has_turn(state) && state.inspector.instead && state.inspector.instead_rests)
-        return OtherScene{*state.inspector.instead, "the cells that are shown"};
+    if (column_has_turn(state) && state.inspector.instead && state.inspector.instead_rests)
+        return OtherScene{*state.inspector.instead, "the cells that are shown", "The cells that are shown"};
     return resting_below_cells(state);
 }
 
@@ -176,7 +169,7 @@ std::optional<Scene> preview_of(const UiState& state) {
     // Under the mouse not before an edit has been drawn and explained: the numbers beside the preview are
     // those of the scene.
     const bool explains_shown = state.inspector.instead_rests || state.edited_drawn == state.editor.scene();
-    if (has_turn(state) && state.inspector.instead && explains_shown) return state.inspector.instead;
+    if (column_has_turn(state) && state.inspector.instead && explains_shown) return state.inspector.instead;
     std::optional<OtherScene> resting = resting_scene(state);
     return resting ? std::optional(std::move(resting->scene)) : std::nullopt;
 }
@@ -193,17 +186,22 @@ const Scene& asked_scene(const UiState& state) {
 std::optional<OtherScene> resting_below_cells(const UiState& state) {
     switch (resting_of(state)) {
     case Resting::Frozen:
-        return OtherScene{*state.lecture.frozen, "the frozen picture"};
+        return OtherScene{*state.lecture.frozen, "the frozen picture", "Frozen"};
     case Resting::Moment:
-        return OtherScene{*state.animate.frame, "the animation at this moment"};
+        return OtherScene{*state.animate.frame, "the animation at this moment", "Animated"};
     case Resting::Stored:
         return OtherScene{scene_under({Variant::Kind::Stored, 0}, state.editor.scene(),
                                       state.views.compare.choice.stored.get()),
-                          name_of_stored};
+                          name_of_stored, "B, stored"};
     case Resting::Nothing:
         break;
     }
     return {};
+}
+
+bool column_has_turn(const UiState& state) {
+    const Resting resting = resting_of(state);
+    return resting == Resting::Nothing || resting == Resting::Stored;
 }
 
 bool is_out_of_hand(const UiState& state) { return resting_of(state) != Resting::Nothing; }

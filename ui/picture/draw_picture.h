@@ -14,10 +14,12 @@ namespace glint {
 
 struct UiState;
 
-/// A scene that is shown in place of the edited one, and what it is called in a sentence.
+/// A scene that is shown in place of the edited one, and what it is called in a sentence and over a part of a
+/// comparison.
 struct OtherScene {
     Scene scene;
     const char* name = "";
+    const char* label = "";
 };
 
 // Keeps a drag fluent: if a full picture takes too long, smaller ones are drawn while something moves, and
@@ -88,6 +90,10 @@ inline constexpr const char* name_of_stored = "B, the stored scene";
 /// The scene that rests on the screen in place of the edited one while no cells of Light × term are kept
 /// there.
 [[nodiscard]] std::optional<OtherScene> resting_below_cells(const UiState& state);
+
+/// Whether the picture shows what the column asks it to show in place of the scene: nothing is frozen or
+/// plays.
+[[nodiscard]] bool column_has_turn(const UiState& state);
 
 /// Whether the picture shows a scene that a hand in it does not edit: a frozen one, one that plays, or B.
 [[nodiscard]] bool is_out_of_hand(const UiState& state);

@@ -191,7 +191,7 @@ PictureView picture_view(const Rect& centre, const UiState& state) {
 bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
     begin_area("##view", layout.centre);
     const PictureView view = picture_view(layout.centre, state);
-    follow_shape(state.viewport, state.editor.scene().camera.projection, view.map.size);
+    follow_shape(state, view.map.size);
     const ImVec2 high = view.end();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(layout.centre.low, layout.centre.high);  // ImGui's own leaves out some of the border

@@ -2,18 +2,30 @@
 #include <utility>
 
 #include "ui/picture/viewport.h"
+#include "ui/ui.h"
 
 namespace glint {
 
-void follow_shape(ViewportState& state, const Projection& projection, PictureSize size) {
-    const PictureSize before = std::exchange(state.probe_size, size);
+void follow_shape(UiState& state, PictureSize size) {
+    const PictureSize before = std::exchange(state.viewport.shares_of, size);
     if (before == size || before == PictureSize{0, 0}) return;
     // From shares to the plane at depth 1 and back: there the point has one place, whatever the picture's
     // shape.
+    const Projection& projection = state.editor.scene().camera.projection;
     const glm::dmat4 from = clip_from_view(projection, before), to = clip_from_view(projection, size);
     const glm::dvec2 scale(to[0][0] / from[0][0], to[1][1] / from[1][1]);
-    for (std::optional<glm::dvec2>* probe : {&state.probe, &state.probe_before})
-        if (*probe) **probe = (**probe - 0.5) * scale + 0.5;
+    const auto follow = [&scale](glm::dvec2& share) { share = (share - 0.5) * scale + 0.5; };
+    for (std::optional<glm::dvec2>* probe : {&state.viewport.probe, &state.viewport.probe_before})
+        if (*probe) follow(**probe);
+    ScopeState& scope = state.views.scope;
+    if (scope.open && !scope.armed) {  // else nothing was laid on anything yet
+        for (glm::dvec2* share : {&scope.from, &scope.to, &scope.card_at}) follow(*share);
+        scope.card_size *= scale;
+    }
+    const auto aspect = [](PictureSize of) { return double(of.width) / of.height; };
+    const glm::vec2 in_heights(scale.x * aspect(size) / aspect(before), scale.y);
+    for (PenLine& line : state.lecture.pen.lines)
+        for (glm::vec2& place : line.places) place *= in_heights;
 }
 
 void ask_about(ViewportState& state, std::optional<glm::dvec2> probe) {

@@ -233,7 +233,12 @@ bool hand_hover(ToolFrame& tool) {
 
 int hand_press(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
-    if (tool.state.lecture.frozen && state.gesture == Gesture::None) return not_taken;
+    if (tool.state.lecture.frozen && state.gesture == Gesture::None) {
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
+            tool.state.notifications.tell("The picture is frozen: " + keys_of(CommandId::Freeze) +
+                                          " lets it go on");
+        return not_taken;
+    }
     // What a lesson plays goes on until a hand comes, which may want what moves there.
     if (tool.state.animate.frame && !tool.state.animate.open &&
         ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {

@@ -34,12 +34,12 @@ struct ViewportState {
     Scene before;  // as it was when the gesture began: Esc brings it back
     std::optional<glm::dvec2> probe;         // the pixel asked about, as a share of the picture's size
     std::optional<glm::dvec2> probe_before;  // the one that was asked about before, likewise
-    PictureSize probe_size{0, 0};            // of the picture in which they are these shares
-    bool hovered = false;                    // the cursor is over the picture
-    bool asked = false;                      // a pixel was clicked in this frame
-    bool touched = false;                    // someone has used the picture: the hints go
-    double last_wheel = -1e9;                // time
-    bool wheel_goes_on = false;              // this frame's notch belongs to the one before: one view
+    PictureSize shares_of{0, 0};  // the picture in which they, and the scope's line, are these shares
+    bool hovered = false;         // the cursor is over the picture
+    bool asked = false;           // a pixel was clicked in this frame
+    bool touched = false;         // someone has used the picture: the hints go
+    double last_wheel = -1e9;     // time
+    bool wheel_goes_on = false;   // this frame's notch belongs to the one before: one view
 };
 
 /// Ends the gesture and puts the scene back to where it began. True when there was one.
@@ -61,9 +61,10 @@ void follow_effect(ViewportState& state, const ViewportFrame& frame, glm::dvec2 
 [[nodiscard]] HandNote note_of(const HeldEffect& held, const Scene& scene);
 [[nodiscard]] std::string hint_of(const HeldEffect& held);
 
-/// Keeps the pixels asked about on their points when the picture gets another shape, and so another field of
-/// view. A pixel may come to lie outside; it waits there until the picture is wide enough again.
-void follow_shape(ViewportState& state, const Projection& projection, PictureSize size);
+/// Keeps what lies over the picture on what it lies on when the picture gets another shape, and so another
+/// field of view: the pixels asked about, the scope's line and card, what the pen drew. It may come to lie
+/// outside; it waits there until the picture is wide enough again.
+void follow_shape(UiState& state, PictureSize size);
 
 /// The pixel asked about, in a picture of this size; none when it lies outside.
 [[nodiscard]] std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size);

@@ -96,7 +96,10 @@ CompareChoice read_compare(const Json& json) {
 }
 
 Json to_json(bool on) { return on; }
-Json to_json(glm::dvec2 share) { return {share.x, share.y}; }
+Json to_json(glm::dvec2 share) {  // one that waits outside of the picture comes to its edge
+    const glm::dvec2 inside = glm::clamp(share, 0.0, 1.0);
+    return {inside.x, inside.y};
+}
 Json to_json(const CompareChoice& choice) { return compare_json(choice); }
 Json to_json(const std::vector<Camera>& cameras) {
     Json all = Json::array();

@@ -35,10 +35,10 @@ Rect part_rect(const CompareChoice& choice, int part, const PictureView& view) {
 }
 
 /// Where a part's label lies: at the top of its part, in its middle.
-Rect label_rect(const CompareChoice& choice, int part, const PictureView& view) {
-    const Rect room = part_rect(choice, part, view);
+Rect label_rect(const CompareState& state, int part, const PictureView& view) {
+    const Rect room = part_rect(state.choice, part, view);
     const float left = room.low.x, right = room.high.x;
-    const std::string label = part_label(choice, static_cast<std::size_t>(part));
+    const std::string label = part_label(state, static_cast<std::size_t>(part));
     const ImVec2 text = fonts().small->CalcTextSizeA(small_text_height(), 1e9f, 0, label.c_str());
     const ImVec2 half{std::min(text.x / 2 + px(8), (right - left) / 2), text.y / 2 + px(4)};
     const ImVec2 middle{(left + right) / 2, room.low.y + px(8) + half.y};
@@ -48,7 +48,7 @@ Rect label_rect(const CompareChoice& choice, int part, const PictureView& view) 
 void find_under(CompareState& state, const PictureView& view) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (int i = 0; i < static_cast<int>(state.choice.parts.size()); ++i)
-        if (label_rect(state.choice, i, view).holds(mouse)) state.label_under = i;
+        if (label_rect(state, i, view).holds(mouse)) state.label_under = i;
     if (state.label_under >= 0 || state.choice.difference) return;
     for (int i = 0; i < static_cast<int>(state.choice.wipes.size()); ++i)
         if (std::abs((state.choice.stacked ? mouse.y : mouse.x) - line_at(state.choice, i, view)) <=
@@ -81,10 +81,10 @@ void draw_wipe(ImDrawList& list, const CompareState& state, int wipe, const Pict
 }
 
 void draw_label(ImDrawList& list, const CompareState& state, int part, const PictureView& view) {
-    const Rect rect = label_rect(state.choice, part, view);
+    const Rect rect = label_rect(state, part, view);
     badge_ground(list, rect, state.label_under == part);
     list.PushClipRect(rect.low, rect.high, true);
-    const std::string label = part_label(state.choice, static_cast<std::size_t>(part));
+    const std::string label = part_label(state, static_cast<std::size_t>(part));
     list.AddText(fonts().small, small_text_height(), rect.low + px(1) * ImVec2(8, 4), to_u32(theme().text),
                  label.c_str());
     list.PopClipRect();
@@ -162,7 +162,7 @@ std::string compare_hint(const UiState& ui) {
 void difference_caption(ImDrawList& list, const CompareState& state) {
     const CompareChoice& choice = state.choice;
     std::string what =
-        fmt::format("|{} − {}|", label_of(choice.parts.front()), label_of(choice.parts.back()));
+        fmt::format("|{} − {}|", part_label(state, 0), part_label(state, choice.parts.size() - 1));
     if (choice.gain > 1) what += fmt::format(" × {}", choice.gain);
     const std::string most = state.numbers.differing_pixels == 0
                                  ? "no pixel differs"
@@ -267,7 +267,7 @@ void compare_controls(CompareState& state) {
     if (!choice.difference) direction_buttons(choice);
     if (small_chosen_button("Difference", choice.difference)) choice.difference = !choice.difference;
     tooltip("Difference",
-            (label_of(choice.parts.front()) + " against " + label_of(choice.parts.back())).c_str(),
+            (part_label(state, 0) + " against " + part_label(state, choice.parts.size() - 1)).c_str(),
             "Red, green and blue apart, of what is displayed");
     ImGui::SameLine(0, px(4));
     if (choice.difference) difference_controls(state);

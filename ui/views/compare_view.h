@@ -83,9 +83,6 @@ struct DrawnPart {
     Variant variant;  // Edited where it is the whole picture
 };
 
-/// What stands over a part in the picture: its variant's label, or that this lacks what it shows.
-[[nodiscard]] std::string part_label(const CompareChoice& choice, std::size_t part);
-
 struct CompareState {
     CompareChoice choice;
     int dragged = -1, under = -1;                      // a wipe line
@@ -93,15 +90,19 @@ struct CompareState {
     std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
     std::vector<const Picture*> pictures;              // one a part, of the last composing
     std::vector<const Renderer*> drawn_by;
-    Picture fitted;      // CompareChoice::mine, at the size of the others
-    Picture picture;     // the composed one
-    Comparison numbers;  // of the difference
-    double ms = 0;       // that the parts took in the last composing
+    Picture fitted;            // CompareChoice::mine, at the size of the others
+    Picture picture;           // the composed one
+    Comparison numbers;        // of the difference
+    double ms = 0;             // that the parts took in the last composing
+    const char* resting = "";  // what is shown in place of the edited scene, as OtherScene::label; or empty
     // The key that shows B or takes it away, while it may still be down:
     bool b_turned = false;
     double b_since = 0;  // ImGui's time
     int b_frames = 0;    // in which it was down
 };
+
+/// What stands over a part in the picture: its variant's label, or that this lacks what it shows.
+[[nodiscard]] std::string part_label(const CompareState& state, std::size_t part);
 
 /// The picture on the screen and what drew it, from which the parts are drawn.
 struct DrawnScene {

@@ -122,6 +122,7 @@ int scope_press(ToolFrame& frame) {
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return not_taken;
     scope.hand = scope.under;
     scope.last = share_under(frame);
+    for (glm::dvec2* end : {&scope.from, &scope.to}) *end = glm::clamp(*end, 0.0, 1.0);  // where it is seen
     if (scope.hand == Hand::New) scope.from = scope.to = glm::clamp(scope.last, 0.0, 1.0);
     return ImGuiMouseButton_Left;
 }

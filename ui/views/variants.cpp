@@ -82,9 +82,11 @@ bool lacks_picture(const CompareChoice& choice, Variant variant) {
     return variant.kind == Variant::Kind::Mine && choice.mine == nullptr;
 }
 
-std::string part_label(const CompareChoice& choice, std::size_t part) {
+std::string part_label(const CompareState& state, std::size_t part) {
+    const CompareChoice& choice = state.choice;
     const Variant variant = choice.parts[part];
     if (lacks_stored(choice, variant)) return "B: none is stored";
+    if (variant.kind == Variant::Kind::Edited && state.resting[0] != '\0') return state.resting;
     return lacks_picture(choice, variant) ? "My picture: none is open" : label_of(variant);
 }
 

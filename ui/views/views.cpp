@@ -150,6 +150,7 @@ bool views_need_linear(const ViewsState& views) {
 }
 
 void update_views(UiState& state) {
+    state.views.compare.resting = state.resting ? state.resting->label : "";
     update_shown(state);
     update_scope(state.views.scope, *state.renderer, scope_reads(state));
     ask_part(state);

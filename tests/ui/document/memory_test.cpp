@@ -125,7 +125,8 @@ TEST_CASE(
         begin_persistence(bench.state, folder.path("state"));
         bench.frames(2);
         recall_views(bench.state, odd_views());
-        bench.state.views.scope.open = bench.state.views.compare.choice.on = true;
+        toggle_scope(bench.state.views.scope);
+        bench.state.views.compare.choice.on = true;
         bench.state.views.debug_view.set = {{DebugView::Depth, 0}, true};
         bench.state.views.lit.dots = bench.state.views.lit.needles = true;
         bench.key(Key::B, true);

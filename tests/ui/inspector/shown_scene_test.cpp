@@ -145,6 +145,15 @@ TEST_CASE("in a frozen picture nothing is taken hold of, and its pixel keeps the
     CHECK(bench.scene() == bench.edited);
 }
 
+TEST_CASE("a click on a frozen picture is answered", "[ui][window][lecture]") {
+    StoredWindow bench;
+    bench.key(Key::F8);
+    bench.state.notifications.list.clear();
+    bench.click(bench.at_share(0.5, 0.5));
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    CHECK(bench.state.notifications.list[0].text == "The picture is frozen: F8 lets it go on");
+}
+
 TEST_CASE("a copy and a command of a picture are of the scene that it shows", "[ui][window]") {
     const TemporaryDirectory folder;
     StoredWindow bench;

@@ -41,6 +41,27 @@ TEST_CASE("resting on a mistake draws it and leaves the scene alone; a click kee
     CHECK(bench.scene() == start);
 }
 
+TEST_CASE("over a frozen picture no mistake is named, and what ends while the mouse rests is not spoken of",
+          "[ui][window][why][lecture]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Mistakes);
+    (void)test::rest_on(bench, first_switch());
+    CHECK_FALSE(bench.state.inspector.preview_name.empty());
+    test::rest(bench);
+    bench.key(Key::F8);
+    (void)test::rest_on(bench, first_switch());
+    CHECK(bench.state.inspector.preview_name.empty());
+    REQUIRE(bench.state.asked_other);
+    bench.key(Key::F8);
+    bench.frames(3);
+    CHECK_FALSE(bench.state.asked_other);
+    CHECK_FALSE(bench.state.inspector.preview_name.empty());
+    REQUIRE(bench.state.explanation);
+    const glm::vec3 sum = bench.state.explanation->sum;
+    test::rest(bench);
+    CHECK(bench.state.explanation->sum == sum);  // it was the edited scene's
+}
+
 TEST_CASE("a preview that ends asks for the frame that draws the edited scene again", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);

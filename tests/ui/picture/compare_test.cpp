@@ -138,17 +138,42 @@ TEST_CASE("a part that lacks its scene or picture says so, and shows the scene a
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
+    const CompareState& compare = bench.state.views.compare;
     CompareChoice& choice = bench.state.views.compare.choice;
     set_parts(choice, {{}, {Variant::Kind::Stored, 0}, {Variant::Kind::Mine, 0}});
     bench.frames(2);
-    CHECK(part_label(choice, 0) == "As edited");
-    CHECK(part_label(choice, 1) == "B: none is stored");
-    CHECK(part_label(choice, 2) == "My picture: none is open");
+    CHECK(part_label(compare, 0) == "As edited");
+    CHECK(part_label(compare, 1) == "B: none is stored");
+    CHECK(part_label(compare, 2) == "My picture: none is open");
     CHECK(bench.state.displayed->rgba == bench.state.rendered->rgba);
     choice.stored = std::make_shared<const Scene>(bench.scene());
     choice.mine = std::make_shared<const Picture>(*bench.state.rendered);
-    CHECK(part_label(choice, 1) == "B, stored");
-    CHECK(part_label(choice, 2) == "My picture");
+    CHECK(part_label(compare, 1) == "B, stored");
+    CHECK(part_label(compare, 2) == "My picture");
+}
+
+TEST_CASE("a part that shows another scene than the edited one is called by it", "[ui][window][compare]") {
+    HeadlessWindow bench;
+    comparing(bench);
+    const CompareState& compare = bench.state.views.compare;
+    CompareChoice& choice = bench.state.views.compare.choice;
+    choice.stored = std::make_shared<const Scene>(bench.scene());
+    set_parts(choice, {{}, {Variant::Kind::Stored, 0}});
+    const auto label = [&] {
+        bench.frames(3);
+        return part_label(compare, 0);
+    };
+    CHECK(label() == "As edited");
+    choice.shows_stored = true;
+    CHECK(label() == "B, stored");
+    bench.key(Key::F8);
+    CHECK(label() == "Frozen");
+    bench.key(Key::F8);
+    choice.shows_stored = false;
+    bench.state.animate.animation.motion = Motion::Turntable;
+    bench.state.animate.playing = true;
+    CHECK(label() == "Animated");
+    CHECK(part_label(compare, 1) == "B, stored");
 }
 
 TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][window][compare]") {
