@@ -39,10 +39,10 @@ void bar(float share) {
 }
 
 /// Begins a panel over the picture's upper edge, in the middle, at most `widest` wide and never cut off at
-/// the window's left; end_over_picture() must follow. Returns its width.
+/// the window's sides; end_over_picture() must follow. Returns its width.
 float begin_over_picture(const char* id, float widest, const Rect& picture, ImGuiWindowFlags more = 0) {
-    const float width = std::min(widest, ImGui::GetIO().DisplaySize.x - px(20));
-    const float middle = std::max((picture.low.x + picture.high.x) / 2, width / 2);
+    const float window = ImGui::GetIO().DisplaySize.x, width = std::min(widest, window - px(20));
+    const float middle = std::clamp((picture.low.x + picture.high.x) / 2, width / 2, window - width / 2);
     ImGui::SetNextWindowPos({middle, picture.low.y + px(14)}, ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSize({width, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
@@ -122,6 +122,7 @@ void answer_copy(UiState& state, CopyAnswer answer) {
 void recovery_panel(UiState& state, const Rect& picture) {
     auto& left = state.persistence.orphans;
     if (left.empty() || state.pending.asking || state.loading.active() || is_shown_to_others(state)) return;
+    if (state.animate.open) return;  // its panel has that place
     const float width = begin_over_picture("##recovery", px(470), picture);
     ImGui::PushTextWrapPos(width - px(14));
     ImGui::TextUnformatted(

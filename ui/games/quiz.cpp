@@ -116,7 +116,7 @@ void keep_answers(UiState& state) {
 }
 
 void begin_quiz_again(QuizState& quiz) {
-    quiz.taken.assign(quiz.taken.size(), {});
+    quiz.put_away = std::exchange(quiz.taken, decltype(quiz.taken)(quiz.taken.size()));
     quiz.at = 0;
 }
 
@@ -201,6 +201,10 @@ void ways_on(QuizState& quiz) {
         ImGui::SameLine();
         if (ImGui::Button("Begin again##quiz")) begin_quiz_again(quiz);
         tooltip("Begin again", "At the first question, with nothing answered");
+    } else if (!quiz.put_away.empty()) {
+        ImGui::SameLine();
+        if (ImGui::Button("Bring them back##quiz")) quiz.taken = std::exchange(quiz.put_away, {});
+        tooltip("Bring them back", "The answers as they were before you began again");
     }
     const std::string place = quiz.at < count ? fmt::format("{} of {}", quiz.at + 1, count) : "the end";
     ImGui::SameLine((right - ImGui::CalcTextSize(place.c_str()).x) / 2);

@@ -307,6 +307,9 @@ TEST_CASE("the quiz is answered by keys, and the next window goes on with it unt
     bench.click(bench.control("Begin again"));
     CHECK(bench.state.quiz.at == 0);
     CHECK(bench.state.quiz.taken == Taken(24));
+    bench.frames(2);
+    bench.click(bench.control("Bring them back"));
+    CHECK(bench.state.quiz.taken[0] == 2u);
 }
 
 TEST_CASE("the quiz is answered in the window, and what it saves is counted by glint quiz",

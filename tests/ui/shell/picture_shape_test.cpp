@@ -3,7 +3,7 @@
 
 #include "models/scene_file/scene_file.h"
 #include "tests/support/asset_scenes.h"
-#include "tests/support/headless_window.h"
+#include "tests/support/headless_inspector.h"
 #include "ui/export/export_picture.h"
 #include "ui/picture/draw_picture.h"
 
@@ -235,4 +235,14 @@ TEST_CASE("the copy of unsaved work is not offered while the window is shown to 
         bench.key(key);
         CHECK(offers());
     }
+    bench.state.animate.open = true;  // its panel stands in the same place
+    CHECK_FALSE(offers());
+    bench.state.animate.open = false;
+    // Nor is it cut off where the column on the left leaves the picture little room.
+    ImGui::GetIO().DisplaySize = {640, 500};
+    REQUIRE(offers());
+    CHECK(lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).has_left);
+    const ImGuiWindow* const offer = test::window_named("##recovery");
+    REQUIRE(offer != nullptr);
+    CHECK(offer->Pos.x + offer->Size.x <= 640);
 }
