@@ -160,6 +160,13 @@ bool is_meant(const FuzzyMatch& match, std::string_view text) {
     return 3 * match.score >= 2 * best;
 }
 
+/// A name as files and commands write it, "spot-cone" or "lit_in_srgb", in words.
+std::string with_spaces(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '-' || c == '_'; }, ' ');
+    return text;
+}
+
 /// How well an entry fits what was typed; nothing where it does not. By its name, else with its group, else
 /// by a word about it.
 std::optional<int> fit(const PaletteEntry& entry, const std::string& text) {
@@ -182,7 +189,9 @@ std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries, const
     std::vector<int> indices;
     indices.reserve(scored.size());
     for (const auto& [score, index] : scored) indices.push_back(index);
-    return indices;
+    if (!indices.empty()) return indices;
+    const std::string words = with_spaces(text);
+    return words == text ? indices : palette_matches(entries, words);
 }
 
 std::string nearest_word(const std::vector<PaletteEntry>& entries, const std::string& text) {

@@ -13,6 +13,7 @@
 #include "ui/export/animation.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
+#include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/tabs.h"
 #include "ui/picture/handles/light_place.h"
 
@@ -114,6 +115,14 @@ void add_tabs(Entries& entries) {
              }});
 }
 
+void add_copies(Entries& entries, const UiState& state) {
+    const bool is_there = state.explanation && state.explanation->hit;
+    for (const CopyFormat& format : copy_formats())
+        entries.push_back({fmt::format("Copy the explanation as {}", format.label), "Action", "",
+                           is_there ? "" : "No pixel is picked that shows an object",
+                           [&format](UiState& s) { copy_explanation(s, format); }});
+}
+
 void add_open(Entries& entries, std::string name, std::string group, const std::string& path) {
     entries.push_back({std::move(name), std::move(group), "", "",
                        [path](UiState& s) { begin_pending(s, Pending::What::Open, path); }});
@@ -180,6 +189,7 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     add_light_choices(entries, state);
     add_items(entries, state);
     add_tabs(entries);
+    add_copies(entries, state);
     add_presets(entries, state);
     if (is_held(state))
         for (std::size_t i = of_the_scene; i < entries.size(); ++i) entries[i].refused = why_held;

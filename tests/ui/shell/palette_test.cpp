@@ -6,6 +6,7 @@
 
 #include "models/fields/choices.h"
 #include "models/fields/scene_numbers.h"
+#include "renderer/inspect/explain/explain_format.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
@@ -59,6 +60,30 @@ TEST_CASE("a command is found by a word about it", "[ui][palette]") {
         CHECK(std::any_of(entries.begin(), entries.end(),
                           [&](const PaletteEntry& e) { return e.name == name; }));
     }
+}
+
+TEST_CASE("names are found as files and commands write them", "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.state.shipped_scenes = std::string(GLINT_SOURCE_DIR) + "/assets/scenes";
+    CHECK(found(bench.state, "spot-cone").at(0).name == "Scene: spot cone");
+    CHECK(found(bench.state, "lit_in_srgb").at(0).name == "Mistake: lit in srgb");
+    CHECK(found(bench.state, "scan-line").at(0).name == "Scan-line scope");
+}
+
+TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    CHECK(found(bench.state, "latex").at(0).refused == "No pixel is picked that shows an object");
+    bench.click(
+        bench.at_pixel({bench.state.rendered->size.width / 2.0, bench.state.rendered->size.height / 2.0}));
+    bench.frames(2);
+    REQUIRE(bench.state.explanation);
+    const PaletteEntry copy = found(bench.state, "latex").at(0);
+    CHECK(copy.name == "Copy the explanation as LaTeX");
+    REQUIRE(copy.refused.empty());
+    copy.run(bench.state);
+    CHECK(std::string(ImGui::GetClipboardText()) == explain_latex(*bench.state.explanation, bench.scene()));
 }
 
 TEST_CASE("the palette answers the offer to recover unsaved work", "[ui][palette]") {

@@ -147,27 +147,18 @@ void forget_old_mark(InspectorState& inspector) {
         redraw_within(rest);
 }
 
-struct Format {
-    CopyAs as;
-    const char* label;
-    const char* what;
-};
 constexpr std::array formats{
-    Format{CopyAs::Text, "text", "As `glint explain FILE --pixel X,Y` prints it"},
-    Format{CopyAs::Json, "JSON",
-           "As `glint explain … --format json` prints it; docs/explain.md tells its keys"},
-    Format{CopyAs::Latex, "LaTeX", "As `glint explain … --format latex` prints it, for amsmath"}};
+    CopyFormat{CopyAs::Text, "text", "As `glint explain FILE --pixel X,Y` prints it"},
+    CopyFormat{CopyAs::Json, "JSON",
+               "As `glint explain … --format json` prints it; docs/explain.md tells its keys"},
+    CopyFormat{CopyAs::Latex, "LaTeX", "As `glint explain … --format latex` prints it, for amsmath"}};
 
-void copy_buttons(const Explanation& explanation, const Scene& scene) {
+void copy_buttons(const UiState& state) {
     section_heading("Copy this explanation as");
     ImGui::PushFont(fonts().small);
-    for (const Format& format : formats) {
+    for (const CopyFormat& format : formats) {
         if (&format != &formats.front()) ImGui::SameLine();
-        if (ImGui::Button(format.label)) {
-            ImGui::SetClipboardText(explained_as(format.as, explanation, scene).c_str());
-            say(fmt::format("The explanation of pixel {}, {} is on the clipboard as {}", explanation.x,
-                            explanation.y, format.label));
-        }
+        if (ImGui::Button(format.label)) copy_explanation(state, format);
         tooltip(format.label, format.what);
     }
     ImGui::PopFont();
@@ -185,6 +176,15 @@ std::string explained_as(CopyAs format, const Explanation& explanation, const Sc
         return explain_latex(explanation, scene);
     }
     return {};  // not reached
+}
+
+std::span<const CopyFormat> copy_formats() { return formats; }
+
+void copy_explanation(const UiState& state, const CopyFormat& format) {
+    const Explanation& explanation = *state.explanation;
+    ImGui::SetClipboardText(explained_as(format.as, explanation, asked_scene(state)).c_str());
+    say(fmt::format("The explanation of pixel {}, {} is on the clipboard as {}", explanation.x, explanation.y,
+                    format.label));
 }
 
 void equation_tab(UiState& state, const PictureView&) {
@@ -213,7 +213,7 @@ void equation_tab(UiState& state, const PictureView&) {
         for (std::size_t i = 0; i < point.lights.size(); ++i) light_card(state, explanation, point, i);
         if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");
     }
-    copy_buttons(explanation, asked_scene(state));
+    copy_buttons(state);
 }
 
 }  // namespace glint

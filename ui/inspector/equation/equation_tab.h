@@ -2,6 +2,7 @@
 // The equation tab shows the lighting equation at the picked pixel, with its numbers. All is read from the
 // renderer's own explanation, so that it sums to the pixel.
 
+#include <span>
 #include <string>
 
 #include "models/scene/scene.h"
@@ -40,6 +41,14 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
 bool draw_line(const EquationLine& line, Scene& scene, int channel);
 
 enum class CopyAs { Text, Json, Latex };
+struct CopyFormat {
+    CopyAs as;
+    const char* label;  // "JSON"
+    const char* what;   // a sentence about it
+};
+[[nodiscard]] std::span<const CopyFormat> copy_formats();
+/// Puts the explanation into the clipboard and says so. Precondition: there is one.
+void copy_explanation(const UiState& state, const CopyFormat& format);
 
 /// The very text that `glint explain --format …` prints for this pixel.
 [[nodiscard]] std::string explained_as(CopyAs format, const Explanation& explanation, const Scene& scene);
