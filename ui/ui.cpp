@@ -42,9 +42,11 @@ void keep_scene_valid(UiState& state) {
     state.notifications.add(Tone::Warning, "Not possible: " + problem->text());
 }
 
-/// Makes one step when nothing has the scene in hand any more.
+/// Makes one step when nothing has the scene in hand any more, or a field has it from another one.
 void remember(UiState& state, bool in_hand) {
-    if (in_hand || ImGui::IsAnyItemActive() || awaits_mesh(state)) return;
+    const ImGuiID now = GImGui->ActiveId, before = std::exchange(state.active_before, now);
+    const bool left_one = before != 0 && now != before;
+    if (((in_hand || now != 0) && !left_one) || awaits_mesh(state)) return;
     remember_step(state.editor, state.viewport.wheel_goes_on);
 }
 

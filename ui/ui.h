@@ -108,6 +108,7 @@ struct UiState {
     PlacedPicture picture_rect;          // where it lies in the window
     Scene rendered_scene;                // what `rendered` shows
     bool rendered_is_edited = false;     // that was the edited scene: no preview, none that awaits a mesh
+    ImGuiID active_before = 0;           // the control that was in hand in the frame before; 0: none
     Scene edited_drawn;                  // the edited scene as it was drawn last, whatever shows since
     std::optional<OtherScene> resting;   // on the screen in place of the edited scene, until the user ends it
     // Of the probe, in the scene that rests on the screen or in that of a comparison's part.

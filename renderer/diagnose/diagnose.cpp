@@ -48,11 +48,10 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         return;
     }
     d.candidates = candidates_of(exhibit, all);
-    if (!best.is_believed) {  // what is shown of them is what each explains
-        std::stable_sort(d.candidates.begin(), d.candidates.end(),
-                         [](const Candidate& a, const Candidate& b) { return a.explained > b.explained; });
-        return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
-    }
+    // What is shown of those that are not believed is what each explains.
+    std::stable_sort(d.candidates.begin() + (best.is_believed ? 1 : 0), d.candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.explained > b.explained; });
+    if (!best.is_believed) return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
     d.verdict = Verdict::Mistake;
     d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
 }

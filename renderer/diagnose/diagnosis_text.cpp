@@ -92,7 +92,7 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
 }
 
 /// What differs although nothing is wrong: at edges, or in too few pixels. Empty where nothing does.
-std::string still_unlike_line(const PixelCounts& counts) {
+std::string still_unlike_line(const PixelCounts& counts, float noise) {
     std::vector<std::string> kinds;
     const auto add = [&](PixelKind kind, std::string_view where) {
         const PixelCount& count = count_of(counts, kind);
@@ -102,8 +102,8 @@ std::string still_unlike_line(const PixelCounts& counts) {
     add(PixelKind::Edge, "at edges, which are not compared");
     add(PixelKind::Background, "in the background, which is not compared");
     if (kinds.empty()) return "";
-    return fmt::format("Pixels that differ by more than {} levels: {}.\n", visible_levels,
-                       fmt::join(kinds, "; "));
+    return fmt::format("Pixels that differ by more than {} levels{}: {}.\n", visible_levels,
+                       noise > 0 ? " beyond what noise explains" : "", fmt::join(kinds, "; "));
 }
 
 }  // namespace
@@ -173,7 +173,7 @@ std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
     if (d.verdict == Verdict::NotComparable) return text;
     if (const std::string display = display_text(d.display); !display.empty())
         text += "Taken away first, as no mistake of lighting: " + display + ".\n";
-    if (d.verdict == Verdict::NoMistake) text += still_unlike_line(d.pixels);
+    if (d.verdict == Verdict::NoMistake) text += still_unlike_line(d.pixels, d.display.change.noise);
     if (d.verdict == Verdict::NoMistake && d.display.softened > 0)
         text +=
             "A small highlight that is lit otherwise lies between its neighbours' colours, too: a larger "

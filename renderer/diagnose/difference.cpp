@@ -158,12 +158,8 @@ DescribedDifference describe_difference(const Renderer& renderer, const Exhibit&
     const std::vector<WrongPixel> wrong = wrong_pixels(exhibit, renderer, change, regions);
     DescribedDifference found;
     for (const auto& [object, region] : regions) found.regions.push_back(region);
-    const auto weight = [](const DifferenceRegion& r) {
-        return static_cast<double>(r.pixels) *
-               (std::abs(r.mean[0]) + std::abs(r.mean[1]) + std::abs(r.mean[2]));
-    };
     std::stable_sort(found.regions.begin(), found.regions.end(),
-                     [&](const auto& a, const auto& b) { return weight(a) > weight(b); });
+                     [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
     std::vector<Sample> samples;
     const std::size_t step = std::max<std::size_t>(1, wrong.size() / pixels);
     for (std::size_t i = step / 2; i < wrong.size(); i += step) {

@@ -32,13 +32,14 @@ void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int s
              (has_other_background(exhibit, j.drawing, change) ? 1 : 0);
 }
 
-/// Judges under another change, too, and keeps the cheaper one.
+/// Judges under another change, too, and keeps the cheaper one; of equals the one that comes nearer within
+/// what rounding leaves.
 void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step) {
     const Score score = j.score;
     const DisplayChange kept = j.change;
     const double cost = j.cost;
     judge(j, exhibit, change, step);
-    if (j.cost < cost) return;
+    if (j.cost < cost || (j.cost == cost && j.score.squares < score.squares)) return;
     j.score = score;
     j.change = kept;
     j.cost = cost;

@@ -12,8 +12,10 @@ namespace {
 /// file, of those that come with the program.
 std::string other_scene(const UiState& state, int step) {
     const std::string& path = state.editor.document.path;
-    if (const auto given = given_scene_beside(state.lecture.given_scenes, path, step)) return *given;
-    if (!path.empty() && path != "-") return scene_beside(path, step);
+    const bool has_file = !path.empty() && path != "-";
+    const std::string& place = has_file ? path : state.lecture.last_given;
+    if (const auto given = given_scene_beside(state.lecture.given_scenes, place, step)) return *given;
+    if (has_file) return scene_beside(path, step);
     const auto scenes = folder_scenes(state.shipped_scenes);
     if (state.shipped_scenes.empty() || scenes.empty()) return {};
     return step > 0 ? scenes.front() : scenes.back();

@@ -45,16 +45,19 @@ std::vector<std::string_view> words_in(std::string_view text) {
     }
 }
 
-/// Whether a word of `text` begins with `start`, capitals or not.
-bool has_word(std::string_view text, std::string_view start) {
+/// How many letters of a word of `text` are behind `start`, capitals or not; the fewest; nothing where no
+/// word begins so.
+std::optional<std::size_t> rest_of_word(std::string_view text, std::string_view start) {
     const auto same = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
     };
     const auto begins = [&](std::string_view word) {
         return word.size() >= start.size() && std::equal(start.begin(), start.end(), word.begin(), same);
     };
-    const std::vector<std::string_view> words = words_in(text);
-    return std::any_of(words.begin(), words.end(), begins);
+    std::optional<std::size_t> least;
+    for (const std::string_view word : words_in(text))
+        if (begins(word)) least = std::min(least.value_or(word.size()), word.size() - start.size());
+    return least;
 }
 
 /// Draws `name` with the letters that matched in the accent's colour.
@@ -154,10 +157,10 @@ void run_entry(UiState& state, int index) {
 }
 
 /// Letters strewn over a long name fit by chance: a match is meant if it begins words, or holds together.
-bool is_meant(const FuzzyMatch& match, std::string_view text) {
+bool is_meant(const FuzzyMatch& match, std::string_view text, int least_in_twelfths = 8) {
     int best = 0;  // what the same letters score side by side from the beginning of a word
     for (const std::string_view word : words_in(text)) best += fuzzy_match(word, word)->score;
-    return 3 * match.score >= 2 * best;
+    return 12 * match.score >= least_in_twelfths * best;
 }
 
 /// A name as files and commands write it, "spot-cone" or "lit_in_srgb", in words.
@@ -170,12 +173,14 @@ std::string with_spaces(std::string text) {
 /// How well an entry fits what was typed; nothing where it does not. By its name, else with its group, else
 /// by a word about it.
 std::optional<int> fit(const PaletteEntry& entry, const std::string& text) {
+    const auto rest = rest_of_word(entry.words, text);
+    // A whole word about it is meant more than letters that are strewn over another's name.
+    const int about = rest == 0U ? fuzzy_match(text, text)->score * 9 / 10 : 0;
     if (const auto by_name = fuzzy_match(text, entry.name); by_name && is_meant(*by_name, text))
-        return by_name->score;
+        return std::max(by_name->score, about);
     const auto with_group = fuzzy_match(text, entry.name + " " + entry.group);
-    if (with_group && is_meant(*with_group, text)) return with_group->score / 2;
-    if (has_word(entry.words, text)) return 0;
-    return {};
+    if (with_group && is_meant(*with_group, text, 10)) return std::max(with_group->score / 2, about);
+    return rest ? std::optional(about) : std::nullopt;
 }
 
 }  // namespace

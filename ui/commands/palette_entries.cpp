@@ -180,9 +180,9 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     Entries entries;
     add_commands(entries, state);
     add_answers_of_copy(entries, state);
-    add_animation(entries, state);
     add_recent(entries, state);
     const std::size_t of_the_scene = entries.size();
+    add_animation(entries, state);
     add_fields(entries, state);
     add_settings(entries, state);
     add_mistakes(entries, state);

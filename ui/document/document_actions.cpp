@@ -139,6 +139,8 @@ void take_scene(UiState& state, SceneDocument document) {
     (void)cancel_gesture(state.viewport, state.editor.scene());
     let_go_of_fields();
     take_document(state.editor, std::move(document));
+    if (given_scene_beside(state.lecture.given_scenes, state.editor.document.path, 0))
+        state.lecture.last_given = state.editor.document.path;
     state.viewport.probe.reset();
     state.viewport.probe_before.reset();
     state.viewport.pivot.reset();
@@ -219,7 +221,9 @@ void say_missing_mesh(UiState& state) {
 }  // namespace
 
 bool save_as(UiState& state, const std::string& path) {
-    if (const auto problem = save_file(state.editor, path, as_made(state, state.editor.scene()))) {
+    const Scene saved = as_made(state, state.editor.scene());
+    if (saved == state.editor.scene()) remember_step(state.editor, false);  // undo leads back to what is saved
+    if (const auto problem = save_file(state.editor, path, saved)) {
         state.notifications.add(*problem);
         state.pending = {};
         return false;

@@ -100,6 +100,7 @@ struct LectureState {
     /// The scenes of the command line, a lecture in an order of one's own: PgDn and PgUp go through these
     /// while one of them is open, else through the open scene's folder.
     std::vector<std::string> given_scenes;
+    std::string last_given;  // of these, the one that was open last: a scene without a file stands after it
 };
 
 }  // namespace glint

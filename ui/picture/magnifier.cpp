@@ -36,14 +36,19 @@ std::pair<int, std::int64_t> face_at(const Renderer& renderer, PictureSize size,
     return seen ? std::pair(seen->object, std::int64_t{seen->face}) : std::pair(-1, std::int64_t{-1});
 }
 
-void draw_number(ImDrawList& list, const PictureView& view, const Picture& shown, int x, int y) {
+/// 0 to 2'550'000. Source: Rec. 709's weights.
+int brightness(int r, int g, int b) { return 2126 * r + 7152 * g + 722 * b; }
+
+/// `numbered` has the numbers, `shown` what lies below them.
+void draw_number(ImDrawList& list, const PictureView& view, const Picture& numbered, const Picture& shown,
+                 int x, int y) {
     const std::size_t at = 4 * shown.pixel(x, y);
-    const int r = shown.rgba[at], g = shown.rgba[at + 1], b = shown.rgba[at + 2];
-    const bool light = 2126 * r + 7152 * g + 722 * b > 1'200'000;
+    const int r = numbered.rgba[at], g = numbered.rgba[at + 1], b = numbered.rgba[at + 2];
+    const bool light = brightness(shown.rgba[at], shown.rgba[at + 1], shown.rgba[at + 2]) > 1'200'000;
     const ImU32 ink = light ? IM_COL32(0, 0, 0, 210) : IM_COL32(255, 255, 255, 220);
     const bool three = view.units_per_pixel >= px(least_three) && !(r == g && g == b);
-    const std::string text = three ? fmt::format("{}\n{}\n{}", r, g, b)
-                                   : fmt::format("{}", (2126 * r + 7152 * g + 722 * b + 5000) / 10000);
+    const std::string text =
+        three ? fmt::format("{}\n{}\n{}", r, g, b) : fmt::format("{}", (brightness(r, g, b) + 5000) / 10000);
     const float height = std::min(view.units_per_pixel * (three ? 0.28f : 0.4f), small_text_height());
     const ImVec2 size = fonts().figures->CalcTextSizeA(height, 1e9f, 0, text.c_str());
     const ImVec2 low = view.to_window(glm::dvec2(x, y) + 0.5) - size / 2;
@@ -160,7 +165,8 @@ void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) 
     if (picked) draw_picked(list, view, renderer, state.rendered_scene, *picked);
     if (view.units_per_pixel < px(least_number)) return;
     for (int y = range.y0; y < range.y1; ++y)
-        for (int x = range.x0; x < range.x1; ++x) draw_number(list, view, shown, x, y);
+        for (int x = range.x0; x < range.x1; ++x)
+            draw_number(list, view, unpainted_picture(state), shown, x, y);
 }
 
 }  // namespace

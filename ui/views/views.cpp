@@ -57,6 +57,17 @@ const Picture& shown_picture(UiState& state) {
     return debug.striped;
 }
 
+}  // namespace
+
+const Picture& unpainted_picture(const UiState& state) {
+    const ViewsState& views = state.views;
+    if (views.debug_view.set.choice.view != DebugView::Picture) return *state.rendered;
+    if (state.displayed != &views.debug_view.striped) return *state.displayed;
+    return views.compare.choice.on ? views.compare.picture : *state.rendered;
+}
+
+namespace {
+
 /// Composes again when what it is made from has changed.
 void update_shown(UiState& state) {
     ViewsState& views = state.views;

@@ -75,6 +75,9 @@ void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureVie
 /// of a comparison.
 void draw_evaluations(ImDrawList& list, const std::string& text, bool compares);
 
+/// The picture on the screen without stripes and false colours: what big pixels say of it.
+[[nodiscard]] const Picture& unpainted_picture(const UiState& state);
+
 /// What the shown picture is made from, beside the drawn one; it is composed again when this changes.
 struct ShownFrom {
     CompareChoice compare;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include "renderer/diagnose/diagnose.h"
 #include "renderer/diagnose/diagnosis_format.h"
@@ -115,4 +116,37 @@ TEST_CASE("a share that is not none does not read as 0 %", "[diagnose]") {
     CHECK(percent_text(1e-6) == "less than 1 %");
     CHECK(percent_text(0.006) == "1 %");
     CHECK(percent_text(1) == "100 %");
+}
+
+TEST_CASE("most of a difference is on the object with most wrong pixels, whatever their signs",
+          "[diagnose]") {
+    const SceneDocument document = shipped("still-life.json");
+    Renderer renderer(1);
+    Picture picture = renderer.render(document.scene, {160, 90});
+    std::map<int, int> pixels;
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 160; ++x) ++pixels[renderer.object_at(x, y)];
+    // On the largest object one half brighter and one darker, on another one a few of the same sign.
+    pixels.erase(-1);
+    const auto by_count = [](const auto& a, const auto& b) { return a.second < b.second; };
+    const int large = std::max_element(pixels.begin(), pixels.end(), by_count)->first;
+    const int other =
+        std::find_if(pixels.begin(), pixels.end(), [&](const auto& p) { return p.first != large; })->first;
+    int few = 0;
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 160; ++x) {
+            const int object = renderer.object_at(x, y);
+            const bool is_one_of_few = object == other && few < 60;
+            if (object != large && !is_one_of_few) continue;
+            few += is_one_of_few;
+            const int by = is_one_of_few ? 60 : x < 80 ? 30 : -30;
+            for (std::size_t c = 0; c < 3; ++c) {
+                std::uint8_t& byte = picture.rgba[4 * picture.pixel(x, y) + c];
+                byte = static_cast<std::uint8_t>(std::clamp(int{byte} + by, 0, 255));
+            }
+        }
+    const Diagnosis d = diagnosed(document, picture);
+    REQUIRE(d.verdict == Verdict::NotInCatalogue);
+    REQUIRE(d.regions.size() > 1);
+    CHECK(d.regions[0].object == large);
 }

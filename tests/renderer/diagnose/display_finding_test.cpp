@@ -129,6 +129,15 @@ TEST_CASE(
     CHECK_FALSE(d.display.background);
 }
 
+TEST_CASE("of a gain of light and one of levels, which both are within rounding, the nearer one is told",
+          "[diagnose]") {
+    SceneDocument document = shipped("default.json");
+    document.scene.display.transfer = Transfer::Srgb;
+    const Diagnosis d = diagnosed(document, exposed(document, 1.3f, {200, 150}));
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.change.gain == Approx(1.3).epsilon(0.01));  // as a gain of levels it would be 1.13
+}
+
 TEST_CASE("a background that the mistake itself changes is no other background", "[diagnose]") {
     const SceneDocument document = shipped("bulb.json");
     Scene scene = document.scene;

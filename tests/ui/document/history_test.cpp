@@ -2,6 +2,9 @@
 #include "models/memory_limit.h"
 #include "models/mesh/mesh_memory.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
+#include "tests/support/program.h"
+#include "ui/document/document_actions.h"
 #include "ui/document/editor.h"
 
 using namespace glint;
@@ -42,6 +45,35 @@ TEST_CASE("undo and redo walk back and forth over equal scenes", "[ui]") {
     CHECK_FALSE(history.can_undo());
     for (std::size_t i = 1; i < scenes.size(); ++i) CHECK(history.redo() == scenes[i]);
     CHECK_FALSE(history.can_redo());
+}
+
+TEST_CASE("each field that is typed into is a step, and what is saved while one is typed into",
+          "[ui][window]") {
+    const TemporaryDirectory folder;
+    test::HeadlessWindow bench;
+    bench.frames(2);
+    const auto type_into = [&](const char* field, const char* text) {
+        bench.click(bench.control(field));
+        bench.type(text);
+    };
+    Scene start = bench.scene();
+    type_into("/lights/0/intensity", "2");
+    type_into("/lights/0/diffuse/0", "0.5");
+    const Scene two = bench.scene();
+    CHECK(two.lights[0].intensity == 2);
+    CHECK(two.lights[0].diffuse.x == 0.5f);
+    CHECK(save_as(bench.state, folder.path("two.json")));
+    bench.type("5");
+    bench.click({5, 5});
+    bench.frames(2);
+    CHECK(bench.scene().lights[0].diffuse.x == 0.55f);
+    bench.key(Key::Z, true);
+    CHECK(bench.scene() == two);  // as it was saved
+    bench.key(Key::Z, true);
+    CHECK(bench.scene().lights[0].diffuse == start.lights[0].diffuse);
+    CHECK(bench.scene().lights[0].intensity == 2);
+    bench.key(Key::Z, true);
+    CHECK(bench.scene() == start);
 }
 
 TEST_CASE("an edit after undo drops what was undone", "[ui]") {

@@ -9,6 +9,7 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
+#include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
 #include "ui/lessons/lesson_progress.h"
 #include "ui/lessons/prose.h"
@@ -143,6 +144,18 @@ TEST_CASE("a number that is none keeps the keyboard, to be mended", "[ui][window
     CHECK(bench.lesson().typed == "half of 1.5");
     enter();
     CHECK(ImGui::GetIO().WantTextInput);
+}
+
+TEST_CASE("Ctrl+K animates nothing while a question waits", "[ui][window][lesson]") {
+    LambertWindow bench;
+    const std::vector<PaletteEntry> all = palette_entries(bench.state);
+    int of_animation = 0;
+    for (const PaletteEntry& entry : all) {
+        if (entry.group != "Animation") continue;
+        ++of_animation;
+        CHECK(entry.refused.starts_with("First answer the lesson's question"));
+    }
+    CHECK(of_animation >= 4);
 }
 
 TEST_CASE("Ctrl+K finds an action while an answer is being typed", "[ui][window][lesson]") {

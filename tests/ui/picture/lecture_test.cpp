@@ -7,6 +7,7 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
 #include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -97,6 +98,12 @@ TEST_CASE("PgDn goes through the scenes that the program was given, in their ord
     bench.key(Key::PageUp);
     bench.wait_for_loads();
     CHECK(bench.state.editor.document.path == given[0]);
+    begin_pending(bench.state, Pending::What::New);  // a scene without a file does not end the list
+    bench.frames(2);
+    REQUIRE(bench.state.editor.document.path.empty());
+    bench.key(Key::PageDown);
+    bench.wait_for_loads();
+    CHECK(bench.state.editor.document.path == given[1]);
 }
 
 TEST_CASE("on the projector everything to be read has a contrast of 7 to 1", "[ui][lecture]") {
