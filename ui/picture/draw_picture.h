@@ -112,6 +112,11 @@ void learn_pace(UiState& state);
 
 // The room in the middle of the window: the picture, the hand on it, and what is drawn over it.
 
+/// Keeps what lies over the picture on what it lies on when the picture gets another shape, and so another
+/// field of view: the pixels asked about, the scope's line and card, what the pen drew. It may come to lie
+/// outside; it waits there until the picture is wide enough again.
+void follow_shape(UiState& state, PictureSize size);
+
 /// Where the picture goes and how large it is in real pixels.
 [[nodiscard]] PictureView picture_view(const Rect& centre, const UiState& state);
 

@@ -1,6 +1,7 @@
 // The pixel asked about, and the one before.
 #include <utility>
 
+#include "ui/picture/draw_picture.h"
 #include "ui/picture/viewport.h"
 #include "ui/ui.h"
 

@@ -61,11 +61,6 @@ void follow_effect(ViewportState& state, const ViewportFrame& frame, glm::dvec2 
 [[nodiscard]] HandNote note_of(const HeldEffect& held, const Scene& scene);
 [[nodiscard]] std::string hint_of(const HeldEffect& held);
 
-/// Keeps what lies over the picture on what it lies on when the picture gets another shape, and so another
-/// field of view: the pixels asked about, the scope's line and card, what the pen drew. It may come to lie
-/// outside; it waits there until the picture is wide enough again.
-void follow_shape(UiState& state, PictureSize size);
-
 /// The pixel asked about, in a picture of this size; none when it lies outside.
 [[nodiscard]] std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size);
 
