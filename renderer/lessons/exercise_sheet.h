@@ -43,7 +43,8 @@ inline constexpr int max_exercise_sheets = 500;
 /// The sheets and keys for LaTeX, without the picture. A letter that LaTeX's usual fonts lack is written as a
 /// command.
 [[nodiscard]] std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets);
-/// The letters of a LaTeX text, each once, at which pdflatex stops: those beyond U+017F but for dashes and quotation marks.
+/// The letters of a LaTeX text, each once, at which pdflatex stops: those beyond U+017F but for dashes and
+/// quotation marks.
 [[nodiscard]] std::string unset_letters(std::string_view tex);
 
 }  // namespace glint

@@ -222,7 +222,8 @@ void say_missing_mesh(UiState& state) {
 
 bool save_as(UiState& state, const std::string& path) {
     const Scene saved = as_made(state, state.editor.scene());
-    if (saved == state.editor.scene()) remember_step(state.editor, false);  // undo leads back to what is saved
+    if (saved == state.editor.scene())
+        remember_step(state.editor, false);  // undo leads back to what is saved
     if (const auto problem = save_file(state.editor, path, saved)) {
         state.notifications.add(*problem);
         state.pending = {};

@@ -37,9 +37,9 @@ struct QuizState {
     std::unique_ptr<Job<QuizPages>> loading;
     std::optional<QuizPages> pages;
     std::vector<std::optional<std::size_t>> taken;     // an option for each page, from 0
-    std::vector<std::optional<std::size_t>> put_away;  // as `taken`, by *Begin again*, which can be taken back
-    QuizAnswers kept;                               // as they are on the disk
-    std::size_t at = 0;                             // pages.size(): the end
+    std::vector<std::optional<std::size_t>> put_away;  // by *Begin again*, which can be taken back
+    QuizAnswers kept;                                  // as they are on the disk
+    std::size_t at = 0;                                // pages.size(): the end
     PictureSheet sheet;
 };
 

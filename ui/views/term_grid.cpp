@@ -213,7 +213,8 @@ void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size)
 void term_grid_tab(UiState& state, const PictureView& view) {
     TermGridState& grid = state.views.grid;
     if (state.lecture.frozen || state.animate.frame)
-        return wrapped_dim("While the picture is frozen, or an animation plays, no cell changes what it shows.");
+        return wrapped_dim(
+            "While the picture is frozen, or an animation plays, no cell changes what it shows.");
     const std::optional<OtherScene> other = resting_below_cells(state);
     const Scene& scene = other ? other->scene : state.editor.scene();
     if (other) small_dim(fmt::format("Of {}.", other->name));

@@ -87,7 +87,8 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
 
 /// What the changed picture would show of a byte of the scene's, in whole levels.
 [[nodiscard]] Rgb shown(const ByteRanges& ranges, Rgb drawn);
-/// The same beside what the wrong picture has there, `mine`: of a byte that was clamped that, where it may be.
+/// The same beside what the wrong picture has there, `mine`: of a byte that was clamped that, where it may
+/// be.
 [[nodiscard]] Rgb shown_beside(const ByteRanges& ranges, Rgb drawn, Rgb mine);
 /// The wrong picture's colour at a pixel of the scene's picture, channels in the scene's order.
 [[nodiscard]] Rgb mine_at(const Picture& wrong, const DisplayChange& change, int x, int y);
