@@ -80,11 +80,11 @@ TEST_CASE("over-range stripes lie over the picture that is shown and leave the d
     bench.frames(1);
     CHECK(bench.state.views.debug_view.clipped > 100);
     CHECK(bench.state.displayed->rgba != bytes);
-    CHECK(unpainted_picture(bench.state).rgba == bytes);  // what big pixels say
+    CHECK((unpainted_picture(bench.state).rgba == bytes));  // what big pixels say
     bench.state.views.debug_view.set.choice.view = DebugView::Depth;
     bench.frames(1);
     CHECK(bench.state.displayed->rgba != bytes);
-    CHECK(unpainted_picture(bench.state).rgba == bytes);
+    CHECK((unpainted_picture(bench.state).rgba == bytes));
     bench.state.views.debug_view.set.choice.view = DebugView::Picture;
     bench.frames(1);
     CHECK(bench.state.rendered->rgba == bytes);
