@@ -28,8 +28,9 @@ std::optional<Rgb> background_in(const Exhibit& e, const Drawing& drawn) {
 std::optional<Rgb> other_background(const Exhibit& e, const Drawing& drawn, const ByteRanges& ranges,
                                     const DisplayChange& change) {
     std::optional<Rgb> ground = e.grounds[way_turned(change)];
+    if (!ground) return std::nullopt;  // before all pixels are looked at for one of the drawing
     const std::optional<Rgb> wanted = background_in(e, drawn);
-    if (!ground || !wanted) return std::nullopt;
+    if (!wanted) return std::nullopt;
     ground = exchanged(change, *ground);
     const float near = 2 + change.scatter();
     if (static_cast<float>(distance(*ground, *wanted)) <= near) return std::nullopt;

@@ -11,6 +11,7 @@
 #include "models/problem.h"
 #include "ui/commands/fuzzy.h"
 #include "ui/commands/menus.h"
+#include "ui/commands/palette_rows.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
@@ -163,13 +164,6 @@ bool is_meant(const FuzzyMatch& match, std::string_view text, int least_in_twelf
     return 12 * match.score >= least_in_twelfths * best;
 }
 
-/// A name as files and commands write it, "spot-cone" or "lit_in_srgb", in words.
-std::string with_spaces(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '-' || c == '_'; }, ' ');
-    return text;
-}
-
 /// How well an entry fits what was typed; nothing where it does not. By its name, else with its group, else
 /// by a word about it.
 std::optional<int> fit(const PaletteEntry& entry, const std::string& text) {
@@ -184,6 +178,12 @@ std::optional<int> fit(const PaletteEntry& entry, const std::string& text) {
 }
 
 }  // namespace
+
+std::string with_spaces(std::string name) {
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '-' || c == '_'; }, ' ');
+    return name;
+}
 
 std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries, const std::string& text) {
     std::vector<std::pair<int, int>> scored;  // score, index

@@ -42,10 +42,7 @@ void add_switch(Entries& entries, const UiState& state, std::string name, const 
 
 void add_mistakes(Entries& entries, const UiState& state) {
     for (const MistakeName& mistake : mistake_names()) {
-        std::string name = "Mistake: " + std::string(mistake.name);
-        for (char& c : name)
-            if (c == '_') c = ' ';
-        add_switch(entries, state, name, "Mistake",
+        add_switch(entries, state, "Mistake: " + with_spaces(std::string(mistake.name)), "Mistake",
                    [flag = mistake.flag](Scene& s) -> bool& { return s.shading.mistakes.*flag; });
     }
 }
@@ -167,9 +164,7 @@ void add_scenes(Entries& entries, const UiState& state) {
     for (const FolderEntry& found : list_folder(state.shipped_scenes, FilePurpose::OpenScene)) {
         if (found.folder || lower_extension(found.name) != ".json") continue;
         const std::string path = (fs::path(state.shipped_scenes) / found.name).string();
-        std::string name = fs::path(found.name).stem().string();
-        for (char& c : name)
-            if (c == '-') c = ' ';
+        const std::string name = with_spaces(fs::path(found.name).stem().string());
         add_open(entries, fmt::format("Scene: {}", name), "Glint's scenes", path);
     }
 }

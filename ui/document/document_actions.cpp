@@ -204,7 +204,7 @@ bool save(UiState& state) {
 
 namespace {
 
-/// Says of the first mesh that the scene names and that is not there any more that the scene needs it.
+/// Warns where a mesh that the scene names is not there any more, of the first one.
 void say_missing_mesh(UiState& state) {
     const SceneDocument& document = state.editor.document;
     for (const Object& object : document.scene.objects) {

@@ -192,7 +192,7 @@ std::optional<OtherScene> resting_below_cells(const UiState& state) {
     case Resting::Stored:
         return OtherScene{scene_under({Variant::Kind::Stored, 0}, state.editor.scene(),
                                       state.views.compare.choice.stored.get()),
-                          name_of_stored, "B, stored"};
+                          name_of_stored, label_of({Variant::Kind::Stored, 0})};
     case Resting::Nothing:
         break;
     }

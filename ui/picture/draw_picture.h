@@ -2,6 +2,7 @@
 // Draws the picture when it must be drawn, as large as there is time for.
 
 #include <optional>
+#include <string>
 
 #include "models/scene/scene.h"
 #include "renderer/picture.h"
@@ -19,7 +20,7 @@ struct UiState;
 struct OtherScene {
     Scene scene;
     const char* name = "";
-    const char* label = "";
+    std::string label = "";
 };
 
 // Keeps a drag fluent: if a full picture takes too long, smaller ones are drawn while something moves, and

@@ -164,9 +164,9 @@ void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) 
     draw_edges(list, view, renderer, range);
     if (picked) draw_picked(list, view, renderer, state.rendered_scene, *picked);
     if (view.units_per_pixel < px(least_number)) return;
+    const Picture& numbered = unpainted_picture(state);
     for (int y = range.y0; y < range.y1; ++y)
-        for (int x = range.x0; x < range.x1; ++x)
-            draw_number(list, view, unpainted_picture(state), shown, x, y);
+        for (int x = range.x0; x < range.x1; ++x) draw_number(list, view, numbered, shown, x, y);
 }
 
 }  // namespace

@@ -90,11 +90,11 @@ struct CompareState {
     std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
     std::vector<const Picture*> pictures;              // one a part, of the last composing
     std::vector<const Renderer*> drawn_by;
-    Picture fitted;            // CompareChoice::mine, at the size of the others
-    Picture picture;           // the composed one
-    Comparison numbers;        // of the difference
-    double ms = 0;             // that the parts took in the last composing
-    const char* resting = "";  // what is shown in place of the edited scene, as OtherScene::label; or empty
+    Picture fitted;       // CompareChoice::mine, at the size of the others
+    Picture picture;      // the composed one
+    Comparison numbers;   // of the difference
+    double ms = 0;        // that the parts took in the last composing
+    std::string resting;  // what is shown in place of the edited scene, as OtherScene::label; or empty
     // The key that shows B or takes it away, while it may still be down:
     bool b_turned = false;
     double b_since = 0;  // ImGui's time

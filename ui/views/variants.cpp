@@ -86,7 +86,7 @@ std::string part_label(const CompareState& state, std::size_t part) {
     const CompareChoice& choice = state.choice;
     const Variant variant = choice.parts[part];
     if (lacks_stored(choice, variant)) return "B: none is stored";
-    if (variant.kind == Variant::Kind::Edited && state.resting[0] != '\0') return state.resting;
+    if (variant.kind == Variant::Kind::Edited && !state.resting.empty()) return state.resting;
     return lacks_picture(choice, variant) ? "My picture: none is open" : label_of(variant);
 }
 

@@ -161,7 +161,7 @@ bool views_need_linear(const ViewsState& views) {
 }
 
 void update_views(UiState& state) {
-    state.views.compare.resting = state.resting ? state.resting->label : "";
+    state.views.compare.resting = state.resting ? state.resting->label : std::string();
     update_shown(state);
     update_scope(state.views.scope, *state.renderer, scope_reads(state));
     ask_part(state);
