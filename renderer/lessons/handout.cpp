@@ -16,18 +16,18 @@ namespace {
 constexpr int samples = 4;
 
 /// A number for people.
-std::string number_text(double value) { return fmt::format("{:.4g}", std::abs(value) < 5e-13 ? 0.0 : value); }
+std::string four_digits(double value) { return fmt::format("{:.4g}", std::abs(value) < 5e-13 ? 0.0 : value); }
 
 std::string answer_text(const Prediction& p, const RightAnswer& right) {
     switch (p.kind) {
     case PredictionKind::Number:
-        return number_text(right.value.number()) + (p.unit.empty() ? "" : " " + p.unit);
+        return four_digits(right.value.number()) + (p.unit.empty() ? "" : " " + p.unit);
     case PredictionKind::Choice:
         return p.options[static_cast<std::size_t>(right.value.number())].text;
     case PredictionKind::Click:
     case PredictionKind::Colour: {
         std::vector<std::string> numbers;
-        for (const JsonValue& v : right.value.elements()) numbers.push_back(number_text(v.number()));
+        for (const JsonValue& v : right.value.elements()) numbers.push_back(four_digits(v.number()));
         return fmt::format("({})", fmt::join(numbers, ", "));
     }
     case PredictionKind::Sketch:

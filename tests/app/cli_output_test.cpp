@@ -25,11 +25,11 @@ const char* const ball_text = R"({"glint": 1, "objects": [{"mesh": {"primitive":
 /// then sends the signal. What wait() says, or -1 when it ended before.
 int status_when_signalled(const std::vector<std::string>& arguments, const TemporaryDirectory& out,
                           int number) {
-    std::vector<char*> words{const_cast<char*>(GLINT_PROGRAM)};
+    std::vector<char*> words{const_cast<char*>(glint_program)};
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
     pid_t child = 0;
-    REQUIRE(::posix_spawn(&child, GLINT_PROGRAM, nullptr, nullptr, words.data(), environ) == 0);
+    REQUIRE(::posix_spawn(&child, glint_program, nullptr, nullptr, words.data(), environ) == 0);
     int status = 0;
     for (;;) {
         const auto names = out.names();
@@ -70,7 +70,7 @@ TEST_CASE("a disk that is full before the last buffer is written leaves no pictu
     // The PNG has less than 4 KiB, each buffer more.
     const std::string command =
         fmt::format("ulimit -f 4; exec '{}' render '{}' -o '{}' --size 40x30 --buffers '{}' 2>'{}'",
-                    GLINT_PROGRAM, scene, out.path("a.png"), out.path(), in.path("err"));
+                    glint_program, scene, out.path("a.png"), out.path(), in.path("err"));
     const int status = std::system(("bash -c \"" + command + "\"").c_str());
     CHECK(WEXITSTATUS(status) == 1);
     CHECK(bytes_of(in.path("err")).find("cannot write") != std::string::npos);

@@ -248,39 +248,41 @@ TEST_CASE("a file that may not grow any more is an error, and no part of it stay
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights), out = directory.path("a.pfm");
     // 64 KiB at most; the picture has 900 KiB. The limit holds for the shell's children that come after it.
-    const Ended ended = run_glint({"--version"}, {},
-                                  "; (ulimit -f 64; '" GLINT_PROGRAM "' render '" + scene + "' -o '" + out +
-                                      "' --size 320x240; exit $?) 2>&1");
+    const Ended ended =
+        run_glint({"--version"}, {},
+                  fmt::format("; (ulimit -f 64; '{}' render '{}' -o '{}' --size 320x240; exit $?) 2>&1",
+                              glint_program, scene, out));
     CHECK(ended.status == 1);
     CHECK(ended.out.find("glint: error: " + out + ": cannot write: file too large") != std::string::npos);
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
 }
 
-#ifndef GLINT_SANITIZED  // they need more memory than is left here
-TEST_CASE("many threads draw where there are addresses for few of their stacks", "[cli]") {
+// Not under the sanitizers, which need more memory than is left here.
+TEST_CASE("many threads draw where there are addresses for few of their stacks", "[cli][release]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights);
     // In KiB; a thousand threads want 4 GiB for their stacks, and a heap of 64 MiB each.
     for (const char* const limit : {"150000", "200000", "300000"})
         for (const char* const threads : {"8", "64", "1000"}) {
-            const Ended ended =
-                run_glint({"--version"}, {},
-                          "; (ulimit -v " + std::string(limit) + "; '" GLINT_PROGRAM "' render '" + scene +
-                              "' -o - --size 500x500 -j " + threads + " >/dev/null; echo status $?) 2>&1");
+            const Ended ended = run_glint(
+                {"--version"}, {},
+                fmt::format("; (ulimit -v {}; '{}' render '{}' -o - --size 500x500 -j {} >/dev/null; "
+                            "echo status $?) 2>&1",
+                            limit, glint_program, scene, threads));
             INFO(limit << ", " << threads);
             CHECK(ended.out.ends_with("\nstatus 0\n"));
             CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 2);
         }
 }
 
-TEST_CASE("where there are addresses for no second stack one thread draws", "[cli]") {
+TEST_CASE("where there are addresses for no second stack one thread draws", "[cli][release]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights);
     const auto ended = [&](int limit, const char* threads) {
         return run_glint({"--version"}, {},
                          fmt::format("; (ulimit -v {}; '{}' render '{}' -o - --size 50x50 -j {} >/dev/null; "
                                      "echo status $?) 2>&1",
-                                     limit, GLINT_PROGRAM, scene, threads))
+                                     limit, glint_program, scene, threads))
             .out;
     };
     for (int limit = 24000; limit <= 42000; limit += 1500) {
@@ -288,7 +290,6 @@ TEST_CASE("where there are addresses for no second stack one thread draws", "[cl
         CHECK(ended(limit, "2") == ended(limit, "1"));
     }
 }
-#endif
 
 TEST_CASE("a failure leaves the old picture as it was", "[cli][bad-input]") {
     const TemporaryDirectory directory;

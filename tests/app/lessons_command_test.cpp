@@ -201,7 +201,7 @@ TEST_CASE("a folder without a lesson is an error, not a folder of lessons that a
 TEST_CASE("a program that has lost its lessons says where it expects them", "[cli][lesson][bad-input]") {
     const TemporaryDirectory elsewhere;
     const std::string program = elsewhere.path("glint");
-    std::filesystem::copy_file(GLINT_PROGRAM, program);
+    std::filesystem::copy_file(glint_program, program);
     for (const auto& [command, part] :
          {std::pair{"lessons", "no lessons are installed; expected assets/lessons "},
           {"quiz -o -", "no inventory is installed; expected assets/inventory.md "}}) {

@@ -21,15 +21,8 @@ class MemoryLimit {
     MemoryLimit& operator=(const MemoryLimit&) = delete;
 };
 
-// The sanitizers take all of the address space for themselves.
-#ifdef GLINT_SANITIZED
-inline constexpr bool can_limit_address_space = false;
-#else
-inline constexpr bool can_limit_address_space = true;
-#endif
-
 /// What `action` says in a process of its own that may take only so many bytes of address space more than it
-/// has; false too when that process does not end well.
+/// has; false too when that process does not end well. Not under sanitizers, which take all addresses.
 template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& action) {
     const pid_t child = fork();
     if (child == 0) {

@@ -1,7 +1,10 @@
 #include "tests/support/program.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,6 +12,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace glint {
 namespace {
@@ -24,22 +28,59 @@ std::string quoted(const std::string& word) {
     return text;
 }
 
+/// Runs it without a display and waits; what wait() says, or -1 where it could not begin. Standard output is
+/// the file `out`; the others are those of the tests where they are empty.
+int run(std::vector<std::string> words, const std::string& out, const std::string& in,
+        const std::string& err) {
+    std::vector<char*> arguments, environment;
+    for (std::string& word : words) arguments.push_back(word.data());
+    for (char** variable = environ; *variable != nullptr; ++variable)
+        if (const std::string_view name = *variable;
+            !name.starts_with("DISPLAY=") && !name.starts_with("WAYLAND_DISPLAY="))
+            environment.push_back(*variable);
+    arguments.push_back(nullptr);
+    environment.push_back(nullptr);
+    constexpr int written = O_WRONLY | O_CREAT | O_TRUNC;
+    constexpr mode_t mode = 0666;
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    if (!in.empty()) posix_spawn_file_actions_addopen(&files, 0, in.c_str(), O_RDONLY, mode);
+    posix_spawn_file_actions_addopen(&files, 1, out.c_str(), written, mode);
+    if (!err.empty()) posix_spawn_file_actions_addopen(&files, 2, err.c_str(), written, mode);
+    pid_t child = 0;
+    int status = -1;
+    if (posix_spawn(&child, arguments[0], &files, nullptr, arguments.data(), environment.data()) == 0)
+        ::waitpid(child, &status, 0);
+    posix_spawn_file_actions_destroy(&files);
+    return status;
+}
+
+/// A shell's command in which the program's own status counts, even in front of a pipe.
+std::string redirected(const std::vector<std::string>& words, const std::string& in, const std::string& err,
+                       const std::string& redirect) {
+    std::string command;
+    for (const std::string& word : words) command.append(quoted(word)).append(" ");
+    return fmt::format("set -o pipefail; {}2>{} <{} {}", command, quoted(err), quoted(in), redirect);
+}
+
 }  // namespace
+
+const char* const glint_program = GLINT_PROGRAM;
 
 Ended run_glint(const std::vector<std::string>& arguments, const std::string& input,
                 const std::string& redirect) {
     const TemporaryDirectory directory;
-    std::string words = quoted(GLINT_PROGRAM);
-    for (const std::string& argument : arguments) words.append(" ").append(quoted(argument));
-    // The command's own status, even in front of a pipe.
-    const std::string all = fmt::format("{{ env -u DISPLAY -u WAYLAND_DISPLAY {} 2>{} <{} {}; }} >{}", words,
-                                        quoted(directory.path("err")), quoted(directory.file("in", input)),
-                                        redirect, quoted(directory.path("out")));
-    const int status = std::system(("bash -o pipefail -c " + quoted(all)).c_str());
+    const std::string in = directory.file("in", input), out = directory.path("out"),
+                      err = directory.path("err");
+    std::vector<std::string> words{glint_program};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const int status = redirect.empty()
+                           ? run(words, out, in, err)
+                           : run({"/bin/bash", "-c", redirected(words, in, err, redirect)}, out, {}, {});
     Ended ended;
     ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    ended.out = bytes_of(directory.path("out"));
-    ended.err = bytes_of(directory.path("err"));
+    ended.out = bytes_of(out);
+    ended.err = bytes_of(err);
     return ended;
 }
 

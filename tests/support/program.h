@@ -6,13 +6,17 @@
 
 namespace glint {
 
+/// The path of the program that is tested.
+extern const char* const glint_program;
+
 struct Ended {
     int status = -1;  // of the exit; 128 and the signal when one ended it
     std::string out, err;
 };
 
-/// glint ARGUMENTS, in an empty display and with `input` on standard input. `redirect` is shell text behind
-/// the command, such as ">/dev/full" or "| head -c 1"; standard output is captured where it leaves it alone.
+/// The program with these arguments, in an empty display and with `input` on standard input. `redirect` is
+/// shell text behind the command, such as ">/dev/full" or "| head -c 1"; standard output is captured where it
+/// leaves it alone.
 [[nodiscard]] Ended run_glint(const std::vector<std::string>& arguments, const std::string& input = {},
                               const std::string& redirect = {});
 

@@ -4,10 +4,7 @@
 
 namespace glint::test {
 
-#ifdef GLINT_SANITIZED
-inline constexpr bool sanitized = true;
-#else
-inline constexpr bool sanitized = false;
-#endif
+// Asked for while the tests run: two build trees may share what was compiled (GLINT_COMPILED_TESTS).
+extern const bool sanitized;
 
 }  // namespace glint::test

@@ -9,6 +9,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 
 using namespace glint;
 using test::MemoryLimit;
@@ -162,7 +163,7 @@ TEST_CASE("the memory of a control group is the least of it and those around it"
 }
 
 TEST_CASE("the limit on the address space limits what may be asked for", "[memory]") {
-    if (!test::can_limit_address_space) return;
+    if (test::sanitized) return;
     const std::uint64_t here = default_memory_limit();
     CHECK(test::in_process_with_room(256 * mib, [here] { return default_memory_limit() < here; }));
 }

@@ -14,13 +14,6 @@
 #include "tests/support/catch.h"
 #include "tests/support/mesh_file_bytes.h"
 
-#ifdef GLINT_SANITIZED
-// OpenMesh's writer keeps 16 bytes to the end of the program; the leak check need not tell of them.
-extern "C" const char*
-__lsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier): the sanitizer's
-extern "C" const char* __lsan_default_suppressions() { return "leak:libOpenMeshCore"; }
-#endif
-
 using namespace glint;
 using test::check_all;
 using test::read_text;

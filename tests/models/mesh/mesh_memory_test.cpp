@@ -12,6 +12,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 
 using namespace glint;
 using test::MemoryLimit;
@@ -133,7 +134,7 @@ TEST_CASE("of a file of zeros little is read, whatever mesh its name promises", 
         CAPTURE(name, trouble);
         CHECK(trouble.starts_with(text));
     };
-    if (!test::can_limit_address_space) return;
+    if (test::sanitized) return;
     CHECK(test::in_process_with_room(512 * mib, [&] {
         const auto is = [&](const char* name, const char* text) {
             return trouble_of(sparse(directory, name, "", size)).starts_with(text);
@@ -204,7 +205,7 @@ TEST_CASE("a picture or a scene that is none is not read to its end", "[memory]"
                says(read_png(png), "cannot be read as a PNG") && says(open_document(json), "is too long");
     };
     CHECK(all());
-    if (test::can_limit_address_space) CHECK(test::in_process_with_room(256 * mib, all));
+    if (!test::sanitized) CHECK(test::in_process_with_room(256 * mib, all));
 }
 
 TEST_CASE("a picture that does not fit in memory is refused by its header", "[memory]") {

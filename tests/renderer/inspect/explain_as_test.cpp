@@ -16,7 +16,7 @@ namespace {
 constexpr PictureSize small{96, 72};
 
 int differing_pixels(const Renderer& drawn, const Renderer& other, const Scene& scene) {
-    constexpr int apart = sanitized ? 7 : 3;
+    const int apart = sanitized ? 7 : 3;
     int wrong = 0;
     for (int y = 0; y < small.height; y += apart)
         for (int x = 0; x < small.width; x += apart)

@@ -99,7 +99,7 @@ TEST_CASE("every mistake shows where it should and is inert where it should be",
 }
 
 TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][explain]") {
-    constexpr int apart = sanitized ? 7 : 2;
+    const int apart = sanitized ? 7 : 2;
     Renderer renderer(2);
     for (const MistakeScenes& row : mistake_scenes())
         for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong})

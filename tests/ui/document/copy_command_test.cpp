@@ -143,7 +143,7 @@ TEST_CASE(
     bench.frames(1);
     REQUIRE(bench.clipboard.find("glint profile ") == 0);
     const JsonValue printed =
-        JsonValue::parse(printed_by(GLINT_PROGRAM + bench.clipboard.substr(5) + " --format json")).value();
+        JsonValue::parse(printed_by(glint_program + bench.clipboard.substr(5) + " --format json")).value();
     const auto& samples = bench.state.views.scope.samples;
     const JsonValue::Elements& intensity = printed.find("intensity")->elements();
     REQUIRE(intensity.size() == samples.size());

@@ -33,7 +33,7 @@ SceneDocument opened(const std::string& path) {
 std::vector<std::uint8_t> drawn_by(const std::string& command, const TemporaryDirectory& folder) {
     const std::string bin = folder.path("bin");
     fs::create_directories(bin);
-    if (!fs::exists(bin + "/glint")) fs::create_symlink(GLINT_PROGRAM, bin + "/glint");
+    if (!fs::exists(bin + "/glint")) fs::create_symlink(glint_program, bin + "/glint");
     const std::string line = "cd '" + folder.path("") + "' && PATH='" + bin + "':$PATH && " + command;
     INFO(line);
     REQUIRE(std::system(line.c_str()) == 0);
