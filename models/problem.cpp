@@ -17,16 +17,6 @@ constexpr std::size_t text_limit = 4096 - 32;
 constexpr std::size_t part_minimum = text_limit / 4 - 8;
 constexpr std::string_view ellipsis = "…";
 
-/// True for what would move the cursor, break the line or turn its order round: C0, DEL, C1, the line and
-/// paragraph separators (U+2028 and 2029), and the marks of direction (U+202A to 202E and 2066 to 2069).
-bool is_control(std::string_view character) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
-    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7F;
-    if (character.size() == 2) return byte(0) == 0xC2 && byte(1) < 0xA0;
-    return (character >= "\xE2\x80\xA8" && character <= "\xE2\x80\xAE") ||
-           (character >= "\xE2\x81\xA6" && character <= "\xE2\x81\xA9");
-}
-
 std::string escaped(std::string_view bytes) {
     if (bytes == "\n") return "\\n";
     if (bytes == "\t") return "\\t";

@@ -197,7 +197,7 @@ std::optional<SceneNumber> number_at(const Scene& scene, const std::string& poin
 
 std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value) {
     const auto problem = [](const std::string& at, Violation found) {
-        return Problem{"--set", at, std::move(found.what), std::move(found.expected)};
+        return Problem{"", at, std::move(found.what), std::move(found.expected)};
     };
     Scene changed = scene;
     const Tokens tokens = tokens_of(pointer);

@@ -38,8 +38,8 @@ struct SceneNumber {
 
 /// Sets the number at `pointer`, as `--set` would: a light's position is divided by a new w, an object whose
 /// detail changes loses its mesh (load_meshes makes it again). Where there is no such number, or the value is
-/// out of range or breaks a condition of scene_rules.h, the scene stays as it was and the problem (file
-/// "--set") says why.
+/// out of range or breaks a condition of scene_rules.h, the scene stays as it was and the problem, which
+/// names no file, says why.
 [[nodiscard]] std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value);
 
 /// Returns SceneNumber::words of the number there; of a vector the same without the component ("eye"); else

@@ -128,6 +128,7 @@ void read_buffers(GltfDocument& document, const Chunks& chunks) {
     const Node root(document.root);
     std::vector<std::uint64_t> lengths;
     std::vector<int> own;  // index into document.own; -1: the chunk of the file
+    std::uint64_t own_bytes = 0;
     root.with("buffers", [&](const Node& list) {
         list.each(max_json_values, "buffers", [&](const Node& buffer) {
             require_object(buffer);
@@ -142,9 +143,8 @@ void read_buffers(GltfDocument& document, const Chunks& chunks) {
             if (held.size() < lengths.back())
                 buffer.fail(fmt::format("its data has {} bytes", held.size()),
                             fmt::format("{}, its byteLength", lengths.back()));
-            MemoryNeed need = memory_need(MemoryUse::Files, document.bytes.size());
-            for (const std::string& bytes : document.own) need[MemoryUse::Files] += bytes.size();
-            document.share.set(need);
+            if (!is_chunk) own_bytes += document.own.back().size();
+            document.share.set(memory_need(MemoryUse::Files, document.bytes.size() + own_bytes));
         });
     });
     for (std::size_t i = 0; i < own.size(); ++i)

@@ -61,6 +61,19 @@ std::size_t utf8_length(std::string_view text) {
     return lead.length;
 }
 
+bool is_control(std::string_view character) {
+    const char32_t c = code_point(character);
+    return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x2028 && c <= 0x202E) ||
+           (c >= 0x2066 && c <= 0x2069);
+}
+
+char32_t code_point(std::string_view character) {
+    const std::size_t length = character.size();
+    char32_t number = byte_at(character, 0) & (length == 1 ? 0x7Fu : 0xFFu >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) number = number << 6 | (byte_at(character, i) & 0x3Fu);
+    return number;
+}
+
 std::size_t first_invalid_utf8(std::string_view text) {
     std::size_t i = 0;
     while (i < text.size()) {

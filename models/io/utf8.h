@@ -24,6 +24,14 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 /// stray or missing continuation byte, an overlong form, a surrogate, a value above U+10FFFF).
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
+/// True for what would move the cursor, break the line or turn its order round: C0, DEL, C1, the line and
+/// paragraph separators (U+2028 and 2029), and the marks of direction (U+202A to 202E and 2066 to 2069).
+/// `character`: a well-formed one.
+[[nodiscard]] bool is_control(std::string_view character);
+
+/// The number of a well-formed character: 0xE9 for "é".
+[[nodiscard]] char32_t code_point(std::string_view character);
+
 /// Place of the first byte that is not part of a well-formed character; text.size() when all are.
 [[nodiscard]] std::size_t first_invalid_utf8(std::string_view text);
 

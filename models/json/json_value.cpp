@@ -222,6 +222,28 @@ std::string JsonValue::text() const {
     return text;
 }
 
+namespace {
+
+/// A short text lies in the string itself.
+std::uint64_t memory_of(const std::string& text) {
+    return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
+}
+
+}  // namespace
+
+std::uint64_t JsonValue::memory() const {
+    if (is_string()) return memory_of(string());
+    std::uint64_t bytes = 0;
+    if (const auto* elements = std::get_if<Elements>(&value_)) {
+        bytes = elements->capacity() * sizeof(JsonValue);
+        for (const JsonValue& element : *elements) bytes += element.memory();
+    } else if (const auto* members = std::get_if<Members>(&value_)) {
+        bytes = members->capacity() * sizeof(Members::value_type);
+        for (const auto& [name, value] : *members) bytes += memory_of(name) + value.memory();
+    }
+    return bytes;
+}
+
 std::string json_string(std::string_view raw) {
     std::string text = "\"";
     for (std::size_t i = 0; i < raw.size();) {
@@ -235,8 +257,8 @@ std::string json_string(std::string_view raw) {
             text += "\\n";
         else if (c == '\t')
             text += "\\t";
-        else if (static_cast<unsigned char>(c) < 0x20 || c == '\x7f')
-            text += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        else if (is_control(raw.substr(i, length)))
+            text += fmt::format("\\u{:04x}", static_cast<unsigned>(code_point(raw.substr(i, length))));
         else
             text += raw.substr(i, length);
         i += std::max<std::size_t>(1, length);

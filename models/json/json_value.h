@@ -86,6 +86,9 @@ class JsonValue {
     /// Precondition: this is an array or null, which becomes one.
     void push_back(JsonValue value);
 
+    /// Bytes that it holds beside its own size: of its texts, elements and members.
+    [[nodiscard]] std::uint64_t memory() const;
+
     /// The value on one line without spaces. Numbers have the shortest form that reads back equal; those that
     /// are not finite become null, invalid UTF-8 the replacement character.
     [[nodiscard]] std::string text() const;
@@ -99,7 +102,8 @@ class JsonValue {
     std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, Elements, Members> value_{nullptr};
 };
 
-/// A JSON string; bytes that are not UTF-8 become U+FFFD, control characters escapes.
+/// A JSON string; bytes that are not UTF-8 become U+FFFD, control characters (is_control()) escapes: what is
+/// printed commands no terminal.
 [[nodiscard]] std::string json_string(std::string_view text);
 
 /// JSON as Glint prints it, for people to read as well: an object's keys one a line, lists of plain values on

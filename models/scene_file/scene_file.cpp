@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
 #include "models/json/json_reader.h"
@@ -12,13 +11,13 @@
 namespace glint {
 namespace {
 
-std::optional<Problem> problem_in(const Json& document) {
+bool is_right(const Json& document) {
     try {
         (void)read_scene(Node(document));
-    } catch (const ProblemFound& found) {
-        return found.problem;
+    } catch (const ProblemFound&) {
+        return false;
     }
-    return std::nullopt;
+    return true;
 }
 
 /// The scene of a document with assignments. A problem is theirs when it lies in what they set, or when the
@@ -28,11 +27,13 @@ Scene read_assigned(const Json& document, const std::string& file,
     Json assigned = document;
     const TakenApart taken_apart(assigned);
     if (assigned.is_object()) apply_assignments(assigned, assignments);
-    std::optional<Problem> problem = problem_in(assigned);
-    if (!problem) return read_scene(Node(assigned));
-    const bool theirs = is_assigned(problem->pointer, assignments) || !problem_in(document);
-    problem->file = theirs ? "--set" : file;
-    throw ProblemFound{*std::move(problem)};
+    try {
+        return read_scene(Node(assigned));
+    } catch (ProblemFound& found) {
+        const bool theirs = is_assigned(found.problem.pointer, assignments) || is_right(document);
+        found.problem.file = theirs ? "--set" : file;
+        throw;
+    }
 }
 
 }  // namespace

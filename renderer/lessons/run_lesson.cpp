@@ -134,18 +134,27 @@ const JsonValue& LessonRunner::microfacets_answer(const MicrofacetOptions& optio
     const auto known = std::find_if(microfacets_.begin(), microfacets_.end(),
                                     [&](const auto& one) { return one.first == options; });
     if (known != microfacets_.end()) return known->second;
-    if (microfacets_.size() == kept) microfacets_.clear();
-    return microfacets_.emplace_back(options, microfacets_json(options)).second;
+    if (microfacets_.size() == kept) {
+        microfacets_.clear();
+        microfacets_share_.set({});
+    }
+    JsonValue answer = microfacets_json(options);
+    microfacets_share_.add(memory_need(MemoryUse::Output, answer.memory()));
+    return microfacets_.emplace_back(options, std::move(answer)).second;
 }
 
 Result<NamedValues> LessonRunner::answers(const SceneDocument& document, const Lesson& lesson,
                                           const std::vector<LessonRun>& runs) {
     NamedValues values;
     NamedPictures pictures;
+    MemoryShare share;  // of both
     for (const LessonRun& run : runs) {
-        Result<JsonValue> value = answer(document, lesson, run, pictures);
-        if (const Problem* problem = problem_of(value)) return *problem;
-        values[run.name] = std::get<JsonValue>(std::move(value));
+        Result<JsonValue> answered = answer(document, lesson, run, pictures);
+        if (const Problem* problem = problem_of(answered)) return *problem;
+        JsonValue& value = values[run.name] = std::get<JsonValue>(std::move(answered));
+        share.add(memory_need(MemoryUse::Output, value.memory()));
+        if (const auto made = pictures.find(run.name); made != pictures.end())
+            share.add(memory_need(MemoryUse::Pixels, made->second.rgba.size()));
     }
     return values;
 }

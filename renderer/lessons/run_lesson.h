@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/lesson/lesson.h"
+#include "models/memory_limit.h"
 #include "renderer/inspect/reflectance/microfacets.h"
 #include "renderer/renderer.h"
 
@@ -59,6 +60,7 @@ class LessonRunner {
     Renderer renderer_;
     SceneDocument opened_;
     std::vector<std::pair<MicrofacetOptions, JsonValue>> microfacets_;
+    MemoryShare microfacets_share_;
 };
 
 /// The right answer of a prediction on that scene: a number; the number of an option, from 0; a pixel; a

@@ -255,7 +255,8 @@ std::string Identifiers::of(const std::string& name, const std::string& otherwis
 
 std::string Identifiers::once(const std::string& base) {
     std::string unique = base;
-    for (int i = 2; !taken_.insert(unique).second; ++i) unique = fmt::format("{}_{}", base, i);
+    for (int& i = next_.try_emplace(base, 2).first->second; !taken_.insert(unique).second; ++i)
+        unique = fmt::format("{}_{}", base, i);
     return unique;
 }
 

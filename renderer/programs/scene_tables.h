@@ -25,6 +25,7 @@ class Identifiers {
 
   private:
     Flags taken_;
+    std::map<std::string, int> next_;  // the number after a base that is used
 };
 
 /// A number as the scene file writes it, without ".0"; a vector as the language lists one.

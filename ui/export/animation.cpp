@@ -242,7 +242,7 @@ Result<Scene> scene_at(const SceneDocument& document, const Animation& animation
     const bool is_count = number && number->count;
     if (const auto problem =
             set_number(scene, animation.pointer, is_count ? number->count->nearest(value) : value))
-        return Problem{"", problem->pointer, problem->what, problem->expected};  // not of an option --set
+        return *problem;
     const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
     if (const Problem* problem = problem_of(warned)) return *problem;
     return scene;

@@ -172,7 +172,8 @@ std::optional<Problem> why_no_folder(const std::string& folder) {
     if (folder.empty())
         return Problem{"", "", "neither $XDG_STATE_HOME nor $HOME is set to an absolute path", expected};
     std::error_code failed;
-    fs::create_directories(folder, failed);
+    // A copy of unsaved work must not be readable by whom the scene's file keeps out.
+    if (fs::create_directories(folder, failed)) fs::permissions(folder, fs::perms::owner_all, failed);
     if (failed) return Problem{folder, "", "cannot be made: " + failed.message(), expected};
     return {};
 }

@@ -11,7 +11,7 @@ namespace glint {
 
 // An explanation as JSON; docs/explain.md says what each field is.
 
-/// All of an explanation; as text it ends with a newline.
+/// All of an explanation; as text it ends with a newline. Throws Refused where it does not fit into memory.
 [[nodiscard]] JsonValue explanation_json(const Explanation& explanation);
 [[nodiscard]] std::string explain_json(const Explanation& explanation);
 

@@ -1,5 +1,8 @@
+#include <utility>
+
 #include "models/fields/choices.h"
 #include "models/json/json_of_vector.h"
+#include "models/memory_limit.h"
 #include "renderer/inspect/explain/explain_format.h"
 
 namespace glint {
@@ -45,10 +48,15 @@ void add_place(Json& json, const ExplainedPoint& at) {
     json["view"] = json_of(at.view);
 }
 
-void add_terms(Json& json, const ExplainedPoint& at) {
+/// `share` takes what the lights need: of thousands with many samples each that is gigabytes.
+void add_terms(Json& json, const ExplainedPoint& at, MemoryShare& share) {
     json["base"] = json_of(at.base);
-    json["lights"] = Json::array();
-    for (const ExplainedLight& light : at.lights) json["lights"].push_back(json_of(light));
+    Json& lights = json["lights"] = Json::array();
+    for (const ExplainedLight& light : at.lights) {
+        Json one = json_of(light);
+        share.add(memory_need(MemoryUse::Output, sizeof(Json) + one.memory()));
+        lights.push_back(std::move(one));
+    }
     json["emission"] = json_of(at.emission);
     json["global_ambient"] = json_of(at.global_ambient);
     if (!at.cool_to_warm.used) return;
@@ -60,16 +68,16 @@ void add_terms(Json& json, const ExplainedPoint& at) {
                             {"color", json_of(tone.color)}};
 }
 
-Json json_of(const ExplainedCorner& corner) {
+Json json_of(const ExplainedCorner& corner, MemoryShare& share) {
     Json json;
     json["weight"] = corner.weight;
     add_place(json, corner.at);
-    add_terms(json, corner.at);
+    add_terms(json, corner.at, share);
     json["sum"] = json_of(corner.at.sum);
     return json;
 }
 
-void add_hit(Json& json, const Explanation& e) {
+void add_hit(Json& json, const Explanation& e, MemoryShare& share) {
     json["object"] = e.object;
     json["object_index"] = e.object_index;
     json["face"] = e.face;
@@ -85,20 +93,21 @@ void add_hit(Json& json, const Explanation& e) {
     json["reflection"] = name_of(e.reflection);
     add_place(json, e.at);
     if (!e.lit_per_corner) {
-        add_terms(json, e.at);
+        add_terms(json, e.at, share);
         return;
     }
     json["corners"] = Json::array();
-    for (const ExplainedCorner& corner : e.corners) json["corners"].push_back(json_of(corner));
+    for (const ExplainedCorner& corner : e.corners) json["corners"].push_back(json_of(corner, share));
 }
 
 }  // namespace
 
 JsonValue explanation_json(const Explanation& e) {
+    MemoryShare share;
     Json json;
     json["pixel"] = {e.x, e.y};
     json["hit"] = e.hit;
-    if (e.hit) add_hit(json, e);
+    if (e.hit) add_hit(json, e, share);
     if (e.stroke.coverage > 0)
         json["stroke"] = {{"coverage", e.stroke.coverage},
                           {"color", json_of(e.stroke.color)},

@@ -64,5 +64,15 @@ TEST_CASE("numbers are equal by their value and stay as they are in text", "[jso
     const auto large = JsonValue::parse("18446744073709551615");
     REQUIRE(large);
     CHECK(large->number() == 18446744073709551615.0);
+    CHECK(JsonValue("short").memory() == 0);
+    CHECK(JsonValue(std::string(1000, 'x')).memory() == 1001);
+    CHECK(JsonValue(std::vector<int>(1000)).memory() == 1000 * sizeof(JsonValue));
+    CHECK(JsonValue({{"a name that is long for a name", std::vector<int>(10)}}).memory() >
+          10 * sizeof(JsonValue) + 30);
     CHECK(JsonValue("\xff").text() == "\"\xEF\xBF\xBD\"");
+    // U+001B, 007F, 009B, 00A0, 2027, 2028, 202E, 202F, 2065 to 2069, 206A
+    CHECK(JsonValue("\x1b\x7f\xC2\x9B\xC2\xA0\xE2\x80\xA7\xE2\x80\xA8\xE2\x80\xAE\xE2\x80\xAF").text() ==
+          "\"\\u001b\\u007f\\u009b\xC2\xA0\xE2\x80\xA7\\u2028\\u202e\xE2\x80\xAF\"");
+    CHECK(JsonValue("\xE2\x81\xA5\xE2\x81\xA6\xE2\x81\xA9\xE2\x81\xAA\xF0\x9F\x98\x80").text() ==
+          "\"\xE2\x81\xA5\\u2066\\u2069\xE2\x81\xAA\xF0\x9F\x98\x80\"");
 }

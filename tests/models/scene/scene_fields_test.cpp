@@ -173,7 +173,7 @@ TEST_CASE("a number that the scene has not cannot be set", "[fields]") {
         INFO(pointer);
         const std::optional<Problem> problem = set_number(scene, pointer, 1);
         REQUIRE(problem);
-        CHECK(problem->file == "--set");
+        CHECK(problem->file.empty());  // the window calls it too
         CHECK(scene == before);
     }
 }

@@ -1,6 +1,7 @@
-// What telling of a mesh needs is reckoned before it is taken.
+// What telling of a mesh or of a pixel needs is reckoned before it is taken.
 #include "models/mesh/topology.h"
 #include "renderer/inspect/answers/answers.h"
+#include "renderer/inspect/explain/explain_format.h"
 #include "renderer/programs/mesh_text.h"
 #include "tests/support/catch.h"
 #include "tests/support/memory_helpers.h"
@@ -33,4 +34,28 @@ TEST_CASE("the text of a mesh is made only where there is memory for it, and is 
         const test::MemoryLimit limit(reckoned - 1);
         CHECK_THROWS_AS((void)mesh_text(ball, {}, share), Refused);
     }
+}
+
+TEST_CASE("the JSON of a pixel under many lights is made only where there is memory for it",
+          "[memory][explain]") {
+    ExplainedLight light;
+    light.samples.resize(64);
+    Explanation of_one, of_many;
+    of_one.hit = of_many.hit = true;
+    of_one.at.lights = {light};
+    of_many.at.lights.assign(100, light);
+    const std::uint64_t one = explanation_json(of_one).memory(), all = explanation_json(of_many).memory();
+    CHECK(one > 64 * 20 * sizeof(JsonValue));  // 18 members of a sample, and what those hold
+    CHECK(all > 90 * one);
+    {
+        const test::MemoryLimit limit(all);
+        CHECK_NOTHROW((void)explanation_json(of_many));
+    }
+    const test::MemoryLimit limit(all / 2);
+    CHECK_NOTHROW((void)explanation_json(of_one));
+    CHECK_THROWS_AS((void)explanation_json(of_many), Refused);
+    of_many.lit_per_corner = true;
+    of_many.corners.resize(1);
+    of_many.corners[0].at = of_many.at;
+    CHECK_THROWS_AS((void)explanation_json(of_many), Refused);
 }

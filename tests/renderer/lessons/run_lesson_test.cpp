@@ -1,9 +1,11 @@
 // What a lesson's runs answer, what a prediction is judged by, hand-outs and exercises.
 #include "renderer/lessons/run_lesson.h"
 
+#include "renderer/inspect/answers/reflectance_answers.h"
 #include "renderer/lessons/check_lesson.h"
 #include "renderer/lessons/handout.h"
 #include "tests/support/catch.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
 
 using namespace glint;
@@ -313,4 +315,33 @@ TEST_CASE("a picture on paper does not tell the answer, the one for the key does
     CHECK(picture(bench.page(true)) == picture(lit.page(true)));
     CHECK(picture(bench.page(false)) == picture(dark.page(false)));
     CHECK(picture(lit.page(false)) != picture(dark.page(false)));
+}
+
+TEST_CASE("what a lesson's runs answer is kept only where there is memory for it", "[lesson][memory]") {
+    const auto of_runs = [](int count) {
+        std::string block = "```claim\nsays: Facets.\n";
+        for (int i = 0; i < count; ++i)
+            block += "m" + std::to_string(i) + " = microfacets --rays " + std::to_string(20000 + i) + "\n";
+        return block + "check: 1 = 1\n```\n";
+    };
+    MicrofacetOptions options;
+    options.rays = 20000;
+    const std::uint64_t one = microfacets_json(options).memory();
+    const Bench few(of_runs(2)), many(of_runs(4));
+    const test::MemoryLimit limit(6 * one);  // each answer is held twice: for the claim, and for the next one
+    CHECK(few.problem().empty());
+    CHECK_THROWS_AS(many.problem(), Refused);
+}
+
+TEST_CASE("the pictures of a lesson's runs are kept only where there is memory for them",
+          "[lesson][memory]") {
+    const auto of_runs = [](int count) {
+        std::string block = "```claim\nsays: Pictures.\n";
+        for (int i = 0; i < count; ++i) block += "p" + std::to_string(i) + " = render --size 1000x1000\n";
+        return block + "check: 1 = 1\n```\n";
+    };
+    const Bench one(of_runs(1)), many(of_runs(30));
+    const test::MemoryLimit limit(std::uint64_t{100} << 20);  // of 30 pictures: 114 MiB
+    CHECK(one.problem().empty());
+    CHECK_THROWS_AS(many.problem(), Refused);
 }

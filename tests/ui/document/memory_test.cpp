@@ -154,6 +154,24 @@ TEST_CASE(
     CHECK(bench.state.views.compare.choice.stored);
 }
 
+TEST_CASE("the folder that the window makes is for its owner alone; one that is there stays as it is",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const auto rights = [&](const char* name) {
+        return std::filesystem::status(folder.path(name)).permissions() & std::filesystem::perms::all;
+    };
+    std::filesystem::create_directory(folder.path("shared"));
+    std::filesystem::permissions(folder.path("shared"), std::filesystem::perms(0755));
+    for (const char* const name : {"own", "shared"}) {
+        HeadlessWindow bench;
+        begin_persistence(bench.state, folder.path(name));
+        bench.frames(2);
+        end_persistence(bench.state);
+    }
+    CHECK(rights("own") == std::filesystem::perms(0700));
+    CHECK(rights("shared") == std::filesystem::perms(0755));
+}
+
 TEST_CASE("of remembered views only what makes sense is taken", "[ui][memory]") {
     const auto views = [](const std::string& text) {
         return read_preferences("{\"view\": " + text + "}").views;
