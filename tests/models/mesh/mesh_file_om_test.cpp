@@ -79,7 +79,8 @@ TEST_CASE("faces that OpenMesh has marked as deleted are not part of an OM's mes
     };
     OpenMesh::PolyMesh_ArrayKernelT<Traits> strip;
     std::vector<OpenMesh::VertexHandle> v;
-    for (int i = 0; i < 8; ++i) v.push_back(strip.add_vertex({float(i / 2), float(i % 2), 0}));
+    for (int x = 0; x < 4; ++x)
+        for (int y = 0; y < 2; ++y) v.push_back(strip.add_vertex({float(x), float(y), 0}));
     for (std::size_t i = 0; i < 6; i += 2) strip.add_face(v[i], v[i + 2], v[i + 3], v[i + 1]);
     strip.delete_face(strip.face_handle(1), false);
     using OpenMesh::IO::Options;
