@@ -88,11 +88,8 @@ function(precompile target)
 endfunction()
 # The files of a folder, with those of the folders in it, as one, where nobody changes a single one of them: what they include
 # and instantiate is compiled once, in a third of the time. Names in anonymous namespaces are then those of a folder. The preset
-# `edit` compiles each file alone. A folder lies two below the root, among the tests three. Small ones
-# behind TOGETHER, as "one,another", are one, too: each file costs two seconds of its own. That is for tests: a function of an anonymous
-# namespace may be a better match for a neighbour's call than the one that is meant.
+# `edit` compiles each file alone. A folder lies two below the root, among the tests three.
 function(compile_by_folder target)
-  cmake_parse_arguments(PARSE_ARGV 1 folders "" "" TOGETHER)
   if(GLINT_FOLDERS_AS_ONE)
     get_target_property(sources ${target} SOURCES)
     foreach(source ${sources})
@@ -101,12 +98,6 @@ function(compile_by_folder target)
         get_filename_component(folder ${folder} DIRECTORY)
         file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
         string(REGEX MATCH "^(tests/)?[^/]+(/[^/]+)?" folder "${folder}")
-        get_filename_component(name ${folder} NAME)
-        foreach(together ${folders_TOGETHER})
-          if(",${together}," MATCHES ",${name},")
-            string(REGEX REPLACE "[^/]+$" "${together}" folder "${folder}")
-          endif()
-        endforeach()
         string(MAKE_C_IDENTIFIER "${folder}" folder)
         set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
       endif()

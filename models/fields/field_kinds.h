@@ -80,7 +80,7 @@ struct Count {
         return x >= low && x <= high && x == static_cast<int>(x) &&
                (is_allowed == nullptr || is_allowed(static_cast<int>(x)));
     }
-    /// The number nearest to x that it contains; of two equally near the larger. Precondition: x is no NaN.
+    /// The number nearest to x that it contains; of two equally near the larger. Precondition: x is not NaN.
     [[nodiscard]] int nearest(double x) const {
         const int middle = static_cast<int>(std::lround(std::clamp(x, double(low), double(high))));
         for (int away = 0; away <= high - low; ++away)

@@ -125,6 +125,11 @@ void append(std::string& text, const JsonValue& json, std::size_t indent) {
     }
 }
 
+/// A short text lies in the string itself.
+std::uint64_t memory_of(const std::string& text) {
+    return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
+}
+
 }  // namespace
 
 /// The variant's own copy is not used: where every alternative moves without throwing, libstdc++ 12 treats a
@@ -221,15 +226,6 @@ std::string JsonValue::text() const {
     text += is_array() ? ']' : '}';
     return text;
 }
-
-namespace {
-
-/// A short text lies in the string itself.
-std::uint64_t memory_of(const std::string& text) {
-    return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
-}
-
-}  // namespace
 
 std::uint64_t JsonValue::memory() const {
     if (is_string()) return memory_of(string());

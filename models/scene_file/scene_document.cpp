@@ -83,7 +83,7 @@ void take_fitted_size(SceneDocument& document, const std::string& png) {
     if (problem_of(text) != nullptr) return;
     document.fitted_to = fitted_size_of(std::get<std::string>(text));
     if (!document.fitted_to)
-        document.warnings.push_back(fmt::format("{}: its chunk {} is no size, and is ignored",
+        document.warnings.push_back(fmt::format("{}: its chunk {} is not a size, and is ignored",
                                                 on_one_line(document.path), png_field_keyword));
 }
 

@@ -150,7 +150,7 @@ glm::dvec2 shift_step(const Exhibit& e, const Levels& levels, const DisplayChang
 
 /// In pixels; zero where it cannot be told.
 glm::vec2 fitted_shift(const Exhibit& e, const Levels& levels, const DisplayChange& change) {
-    constexpr int steps = 4;        // each from where the one before has led: a picture is no plane
+    constexpr int steps = 4;        // each from where the one before has led: a picture is not a plane
     constexpr double farthest = 4;  // pixels
     glm::dvec2 shift(0);
     for (int i = 0; i < steps; ++i) {

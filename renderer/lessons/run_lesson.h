@@ -59,8 +59,12 @@ class LessonRunner {
     std::vector<Assignment> always_;
     Renderer renderer_;
     SceneDocument opened_;
-    std::vector<std::pair<MicrofacetOptions, JsonValue>> microfacets_;
-    MemoryShare microfacets_share_;
+    struct KeptMicrofacets {
+        MicrofacetOptions options;
+        JsonValue answer;
+        MemoryShare share;
+    };
+    std::vector<KeptMicrofacets> microfacets_;
 };
 
 /// The right answer of a prediction on that scene: a number; the number of an option, from 0; a pixel; a

@@ -25,7 +25,7 @@ class Identifiers {
 
   private:
     Flags taken_;
-    std::map<std::string, int> next_;  // the number after a base that is used
+    std::map<std::string, int> next_;  // of each base: the number to try next
 };
 
 /// A number as the scene file writes it, without ".0"; a vector as the language lists one.

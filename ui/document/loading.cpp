@@ -61,7 +61,7 @@ void note_slow_edits(UiState& state) {
     }
 }
 
-/// Whether an object was deleted while it waited, which is no step of its own yet.
+/// Returns whether an object was deleted while it waited, which is not a step of its own yet.
 bool is_deleted(const Editor& editor, const AwaitedMesh& awaited) {
     const auto has_it = [&](const Scene& scene) {
         return std::any_of(scene.objects.begin(), scene.objects.end(),

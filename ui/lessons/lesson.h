@@ -76,7 +76,7 @@ void page_lesson(UiState& state, int steps);
 /// Begins the lesson at its first station again, with nothing answered.
 void begin_again(UiState& state);
 
-/// Why what is given to the open question is no answer yet; empty where it is one.
+/// Says why what is given to the open question is not an answer yet; empty where it is one.
 [[nodiscard]] std::string why_no_answer(const LessonState& lesson);
 /// Whether what is given to the open question is an answer.
 [[nodiscard]] bool can_lock(const LessonState& lesson);

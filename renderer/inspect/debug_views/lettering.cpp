@@ -35,13 +35,7 @@ std::string font_path() {
 /// Takes the first character off `text` and returns it.
 char32_t take_character(std::string_view& text) {
     const std::size_t length = utf8_length(text);
-    const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    char32_t c = 0xFFFD;
-    if (length == 1) c = byte(0);
-    if (length == 2) c = (byte(0) & 0x1Fu) << 6 | (byte(1) & 0x3Fu);
-    if (length == 3) c = (byte(0) & 0x0Fu) << 12 | (byte(1) & 0x3Fu) << 6 | (byte(2) & 0x3Fu);
-    if (length == 4)
-        c = (byte(0) & 0x07u) << 18 | (byte(1) & 0x3Fu) << 12 | (byte(2) & 0x3Fu) << 6 | (byte(3) & 0x3Fu);
+    const char32_t c = length == 0 ? U'\uFFFD' : code_point(text.substr(0, length));
     text.remove_prefix(length == 0 ? 1 : length);
     return c;
 }

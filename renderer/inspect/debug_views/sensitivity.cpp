@@ -97,7 +97,7 @@ struct Slope {
     bool is_fixed = false, one_sided = false, is_none = true;
 };
 
-/// Whether both are the same to the last bit, or are no numbers where the other is none.
+/// Returns whether both are the same to the last bit, or are NaN in the same components.
 bool is_same(const glm::dvec3& a, const glm::dvec3& b) {
     for (int c = 0; c < 3; ++c)
         if (!(a[c] == b[c] || (std::isnan(a[c]) && std::isnan(b[c])))) return false;

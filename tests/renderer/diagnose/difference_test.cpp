@@ -46,7 +46,7 @@ TEST_CASE("the wrong pixels of a difference are those of its regions, whatever w
     const PictureSize size{160, 90};
     Renderer renderer(1);
     const Picture right = renderer.render(document.scene, size);
-    SECTION("a light that is dimmed is no gain") {
+    SECTION("a light that is dimmed is not a gain") {
         Scene dimmed = document.scene;
         dimmed.lights[0].intensity *= 0.6f;
         const Diagnosis d = diagnosed(document, renderer.render(dimmed, size));

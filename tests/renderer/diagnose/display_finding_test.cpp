@@ -138,7 +138,7 @@ TEST_CASE("of a gain of light and one of levels, which both are within rounding,
     CHECK(d.display.change.gain == Approx(1.3).epsilon(0.01));  // as a gain of levels it would be 1.13
 }
 
-TEST_CASE("a background that the mistake itself changes is no other background", "[diagnose]") {
+TEST_CASE("a background that the mistake itself changes is not another background", "[diagnose]") {
     const SceneDocument document = shipped("bulb.json");
     Scene scene = document.scene;
     scene.shading.mistakes.encoded_twice = true;

@@ -156,7 +156,7 @@ TEST_CASE("sensitivity: a number that is the w of a position says so", "[sensiti
     CHECK(w == std::vector<std::string>{"/lights/0/position/3"});
 }
 
-TEST_CASE("sensitivity: a pixel that is no number is moved by no number that leaves it so", "[sensitivity]") {
+TEST_CASE("sensitivity: no number of the scene moves a pixel that is NaN and stays so", "[sensitivity]") {
     SceneDocument document = balls();
     document.scene.shading.reflection = Reflection::Phong;
     document.scene.shading.mistakes.power_zero_is_nan = true;

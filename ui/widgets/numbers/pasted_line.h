@@ -4,7 +4,7 @@
 namespace glint {
 
 /// Text fields leave out the line breaks of what is pasted: of a table's column they would make one number.
-/// While this lives a break within the text is a space, with which it is no number, and that is said.
+/// While this lives a break within the text is a space, with which it is not a number, and that is said.
 class PasteInOneLine {
   public:
     PasteInOneLine();

@@ -23,11 +23,7 @@ std::string private_character(unsigned code) {
 
 /// The code of a character of that area; 0 for all others. Precondition: well-formed.
 unsigned private_code(std::string_view character) {
-    if (character.size() != private_length) return 0;
-    const auto bits = [&](std::size_t i, unsigned mask) {
-        return static_cast<unsigned>(static_cast<unsigned char>(character[i])) & mask;
-    };
-    const unsigned code = bits(0, 0x0F) << 12 | bits(1, 0x3F) << 6 | bits(2, 0x3F);
+    const unsigned code = code_point(character);
     return code >= first_private && code <= last_private ? code : 0;
 }
 
