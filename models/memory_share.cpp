@@ -16,7 +16,7 @@ constexpr std::array<const char*, memory_uses> use_words{"the files that are rea
                                                          "the vertices and normals of the objects",
                                                          "the triangles in the tiles of the picture",
                                                          "the pixels and samples of the picture",
-                                                         "the file that is written"};
+                                                         "the output"};
 
 /// The sum of all current shares.
 struct Ledger {

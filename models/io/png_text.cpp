@@ -7,7 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <optional>
+
+#include "models/memory_limit.h"
 
 namespace glint {
 namespace {
@@ -38,22 +41,30 @@ std::optional<Chunk> take_chunk(std::string_view& rest) {
 }
 
 /// Inflates `deflated`; nothing when it is damaged or its text is longer than `max_bytes`. A few bytes can
-/// inflate to a thousand times as many, so memory is taken only as text arrives.
+/// inflate to a thousand times as many, so memory is taken only as text arrives. Throws Refused.
 std::optional<std::string> inflated(std::string_view deflated, std::size_t max_bytes) {
     z_stream stream{};
     if (inflateInit(&stream) != Z_OK) return std::nullopt;
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(deflated.data()));  // zlib only reads it
     stream.avail_in = static_cast<uInt>(deflated.size());
+    const std::unique_ptr<z_stream, int (*)(z_stream*)> owner(&stream, inflateEnd);
     std::string text;
+    MemoryShare share;
     std::array<Bytef, 1 << 14> block{};
     int status = Z_OK;
     while (status == Z_OK && text.size() <= max_bytes) {
         stream.next_out = block.data();
         stream.avail_out = static_cast<uInt>(block.size());
         status = inflate(&stream, Z_NO_FLUSH);
-        text.append(reinterpret_cast<const char*>(block.data()), block.size() - stream.avail_out);
+        const std::string_view more(reinterpret_cast<const char*>(block.data()),
+                                    block.size() - stream.avail_out);
+        if (more.size() > text.capacity() - text.size()) {
+            const std::size_t room = 2 * (text.size() + more.size());
+            share.set(memory_need(MemoryUse::Files, text.capacity() + room));  // both, while it moves
+            text.reserve(room);
+        }
+        text.append(more);
     }
-    inflateEnd(&stream);
     if (status != Z_STREAM_END || text.size() > max_bytes) return std::nullopt;
     return text;
 }

@@ -31,7 +31,7 @@ using Row = std::array<std::string, columns.size()>;
 Row row_of(const DiagnosedPicture& p) {
     const Diagnosis& d = p.diagnosis;
     Row row;
-    row[0] = p.name;
+    row[0] = on_one_line(p.name);
     row[1] = verdict_text(d.verdict);
     if (!d.candidates.empty() && d.verdict == Verdict::Mistake) {
         const Candidate& c = d.candidates.front();

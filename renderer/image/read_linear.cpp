@@ -90,7 +90,7 @@ void require_short_channel_lists(std::string_view bytes) {
     for (std::size_t at = begin; at < bytes.size();) {
         const std::size_t name_end = bytes.find('\0', at);
         if (name_end == at) {  // a part's heading ends, and behind the last one all of them
-            if (!has_parts || bytes[at + 1 < bytes.size() ? at + 1 : at] == '\0') return;
+            if (!has_parts || bytes.substr(at + 1).starts_with('\0')) return;
             ++at;
             continue;
         }
@@ -104,10 +104,10 @@ void require_short_channel_lists(std::string_view bytes) {
     }
 }
 
-/// Throws where the header is not sound or claims more than the file holds. The library's part that reads
-/// pixels allocates all that is claimed, gigabytes for a file of 300 bytes, before it sees that it is
-/// missing; this part does not.
-void require_sound_heading(const std::string& bytes) {
+/// Returns how many rows are packed together, in tiles 0. Throws where the header is not sound or claims more
+/// than the file holds. The library's part that reads pixels allocates all that is claimed, gigabytes for a
+/// file of 300 bytes, before it sees that it is missing; this part does not.
+int sound_rows_of_block(const std::string& bytes) {
     exr_context_initializer_t source = EXR_DEFAULT_CONTEXT_INITIALIZER;
     source.user_data = const_cast<std::string*>(&bytes);                              // it is only read
     source.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};  // else it prints
@@ -125,8 +125,34 @@ void require_sound_heading(const std::string& bytes) {
     source.max_image_width = source.max_image_height = max_picture_side;
     exr_context_t context = nullptr;
     const exr_result_t result = exr_start_read(&context, "picture", &source);
+    std::int32_t rows = 0;
+    if (result == EXR_ERR_SUCCESS && exr_get_scanlines_per_chunk(context, 0, &rows) != EXR_ERR_SUCCESS)
+        rows = 0;
     exr_finish(&context);
     if (result != EXR_ERR_SUCCESS) throw std::runtime_error(exr_get_default_error_message(result));
+    return rows;
+}
+
+/// Throws where a block of the picture, or a tile of its largest level, is not where the file says, which
+/// else is seen when the memory of all pixels is filled.
+void require_all_blocks(Imf::InputFile& file, int rows) {
+    const Imath::Box2i window = file.header().dataWindow();
+    const char* block = nullptr;
+    int size = 0;
+    if (rows > 0) {
+        for (std::int64_t y = window.min.y; y <= window.max.y; y += rows) {
+            int first = static_cast<int>(y);
+            file.rawPixelData(first, block, size);
+        }
+        return;
+    }
+    const Imf::TileDescription& tile = file.header().tileDescription();
+    const std::int64_t across = (1LL + window.max.x - window.min.x + tile.xSize - 1) / tile.xSize;
+    const std::int64_t down = (1LL + window.max.y - window.min.y + tile.ySize - 1) / tile.ySize;
+    for (std::int64_t i = 0; i < across * down; ++i) {
+        int x = static_cast<int>(i % across), y = static_cast<int>(i / across), level_x = 0, level_y = 0;
+        file.rawTileData(x, y, level_x, level_y, block, size);
+    }
 }
 
 /// What an EXR's display window shows of the pixels that its data window holds: a renderer may store those
@@ -148,7 +174,7 @@ Picture displayed_part(Picture stored, const Imath::Box2i& data, const Imath::Bo
 /// Throws what the library throws for a file that is not whole.
 Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path) {
     require_short_channel_lists(bytes);
-    require_sound_heading(bytes);
+    const int rows = sound_rows_of_block(bytes);
     ExrSource source(bytes);
     Imf::InputFile file(source, 0);
     const Imath::Box2i window = file.header().dataWindow(), display = file.header().displayWindow();
@@ -169,6 +195,7 @@ Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path
             channel != nullptr && (channel->xSampling != 1 || channel->ySampling != 1))
             return Problem{path, "", fmt::format("has not every pixel in its channel {}", name),
                            "channels that are not subsampled"};
+    require_all_blocks(file, rows);
     Picture picture = empty_linear(width, height);
     const std::size_t pixel = 3 * sizeof(float), row = pixel * static_cast<std::size_t>(width);
     const auto before =

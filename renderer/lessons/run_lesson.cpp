@@ -132,15 +132,13 @@ Result<JsonValue> LessonRunner::answer(const SceneDocument& document, const Less
 const JsonValue& LessonRunner::microfacets_answer(const MicrofacetOptions& options) {
     constexpr std::size_t kept = 8;  // more than a lesson has
     const auto known = std::find_if(microfacets_.begin(), microfacets_.end(),
-                                    [&](const auto& one) { return one.first == options; });
-    if (known != microfacets_.end()) return known->second;
-    if (microfacets_.size() == kept) {
-        microfacets_.clear();
-        microfacets_share_.set({});
-    }
+                                    [&](const auto& one) { return one.options == options; });
+    if (known != microfacets_.end()) return known->answer;
+    if (microfacets_.size() == kept) microfacets_.clear();
     JsonValue answer = microfacets_json(options);
-    microfacets_share_.add(memory_need(MemoryUse::Output, answer.memory()));
-    return microfacets_.emplace_back(options, std::move(answer)).second;
+    MemoryShare share(memory_need(MemoryUse::Output, answer.memory()));
+    microfacets_.push_back({options, std::move(answer), std::move(share)});
+    return microfacets_.back().answer;
 }
 
 Result<NamedValues> LessonRunner::answers(const SceneDocument& document, const Lesson& lesson,
@@ -149,12 +147,16 @@ Result<NamedValues> LessonRunner::answers(const SceneDocument& document, const L
     NamedPictures pictures;
     MemoryShare share;  // of both
     for (const LessonRun& run : runs) {
-        Result<JsonValue> answered = answer(document, lesson, run, pictures);
-        if (const Problem* problem = problem_of(answered)) return *problem;
-        JsonValue& value = values[run.name] = std::get<JsonValue>(std::move(answered));
-        share.add(memory_need(MemoryUse::Output, value.memory()));
-        if (const auto made = pictures.find(run.name); made != pictures.end())
-            share.add(memory_need(MemoryUse::Pixels, made->second.rgba.size()));
+        try {
+            Result<JsonValue> answered = answer(document, lesson, run, pictures);
+            if (const Problem* problem = problem_of(answered)) return *problem;
+            JsonValue& value = values[run.name] = std::get<JsonValue>(std::move(answered));
+            share.add(memory_need(MemoryUse::Output, value.memory()));
+            if (const auto made = pictures.find(run.name); made != pictures.end())
+                share.add(memory_need(MemoryUse::Pixels, made->second.rgba.size()));
+        } catch (const Refused& refused) {
+            return in_lesson(memory_problem(refused), lesson, run.line);
+        }
     }
     return values;
 }

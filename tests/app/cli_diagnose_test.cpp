@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "models/problem.h"
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
@@ -171,11 +172,12 @@ TEST_CASE("glint diagnose tells of many pictures in a table", "[cli][diagnose]")
     const Files files;
     const std::string right = files.drawn("right.png", {});
     const std::string wrong =
-        files.drawn("wrong, one.png", {"--set", "/shading/mistakes/normals_flipped=true"});
+        files.drawn("wrong, \x1b[2Jone.png", {"--set", "/shading/mistakes/normals_flipped=true"});
     const Ended csv = run_glint({"diagnose", files.scene, right, wrong, "--format", "csv"});
     REQUIRE(csv.status == 0);
     CHECK(csv.out.starts_with("picture,verdict,mistake,also,explained,residual,display,experiment,why\n" +
-                              right + ",no mistake,,,,,,,\n\"" + wrong + "\",mistake,normals_flipped,"));
+                              right + ",no mistake,,,,,,,\n\"" + on_one_line(wrong) +
+                              "\",mistake,normals_flipped,"));
     CHECK(std::count(csv.out.begin(), csv.out.end(), '\n') == 3);
     const json answers =
         json::parse(run_glint({"diagnose", files.scene, right, wrong, "--format", "json"}).out);
@@ -185,7 +187,7 @@ TEST_CASE("glint diagnose tells of many pictures in a table", "[cli][diagnose]")
     CHECK(answers[1]["answer"]["candidates"][0]["name"] == "normals_flipped");
     const Ended text = run_glint({"diagnose", files.scene, right, wrong});
     CHECK(text.out.starts_with(right + "\nNo mistake: "));
-    CHECK(text.out.find("\n\n" + wrong + "\nMistake: normals_flipped.") != std::string::npos);
+    CHECK(text.out.find("\n\n" + on_one_line(wrong) + "\nMistake: normals_flipped.") != std::string::npos);
 }
 
 TEST_CASE("glint diagnose writes a page that needs nothing else", "[cli][diagnose]") {

@@ -47,10 +47,13 @@ JsonValue info_json(const Mesh& mesh) {
 JsonValue info_json(const Scene& scene, PictureSize size) {
     Json objects = Json::array();
     std::map<const Mesh*, Json> meshes;  // each is looked at once, however many objects share it
+    MemoryShare share;
     for (const Object& object : scene.objects) {
         const auto [mesh, is_new] = meshes.try_emplace(object.mesh.get());
         if (is_new) mesh->second = info_json(*object.mesh);
-        objects.push_back({{"name", object.name}, {"mesh", mesh->second}});
+        Json one{{"name", object.name}, {"mesh", mesh->second}};
+        share.add(memory_need(MemoryUse::Output, 2 * (sizeof(Json) + one.memory())));  // and for its text
+        objects.push_back(std::move(one));
     }
     return {{"lights", scene.lights.size()},
             {"objects", objects},

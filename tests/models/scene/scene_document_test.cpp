@@ -10,6 +10,7 @@
 #include "models/scene_file/scene_file.h"
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
 
 using namespace glint;
@@ -224,7 +225,8 @@ TEST_CASE("a size that a picture claims to be fitted to and is none is told of a
         const auto& document = std::get<SceneDocument>(opened);
         CHECK(document.fitted_to.has_value() == is_size);
         CHECK(document.warnings ==
-              (is_size ? Warnings{} : Warnings{file + ": its chunk glint-field is no size, and is ignored"}));
+              (is_size ? Warnings{}
+                       : Warnings{file + ": its chunk glint-field is not a size, and is ignored"}));
     }
 }
 
@@ -245,6 +247,27 @@ TEST_CASE("text is taken up to the bytes asked for and no more, compressed or no
         CHECK(std::get<std::string>(png_text(png, png_scene_keyword, 12, "p.png")) == text);
         CHECK(problem_of(png_text(png, png_scene_keyword, 11, "p.png")) != nullptr);
     }
+}
+
+TEST_CASE("the scene that a picture has packed is unpacked only where there is memory for it",
+          "[scene_document][memory]") {
+    const std::string text(std::size_t{8} << 20, ' ');
+    std::string deflated(std::size_t{1} << 16, ' ');
+    uLongf length = deflated.size();
+    REQUIRE(compress(reinterpret_cast<Bytef*>(deflated.data()), &length,
+                     reinterpret_cast<const Bytef*>(text.data()), text.size()) == Z_OK);
+    deflated.resize(length);
+    const std::string chunk =
+        "iTXt" + std::string(png_scene_keyword) + '\0' + '\1' + std::string(3, '\0') + deflated;
+    const std::string png = "\x89PNG\r\n\x1a\n" + chunk_of(chunk);
+    {
+        const test::MemoryLimit limit(4 * text.size());
+        const auto unpacked = png_text(png, png_scene_keyword, text.size(), "p.png");
+        REQUIRE(problem_of(unpacked) == nullptr);
+        CHECK((std::get<std::string>(unpacked) == text));
+    }
+    const test::MemoryLimit limit(text.size());
+    CHECK_THROWS_AS((void)png_text(png, png_scene_keyword, text.size(), "p.png"), Refused);
 }
 
 TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_document]") {

@@ -20,6 +20,19 @@ TEST_CASE("the edges of a mesh are counted only where there is memory for them",
     CHECK_THROWS_AS((void)info_json(*ball.mesh), Refused);
 }
 
+TEST_CASE("what many objects hold is told only where there is memory for it", "[memory]") {
+    Scene scene;
+    scene.objects.assign(1000, test::object_of(test::primitive(Primitive::Cube, 1)));
+    const std::uint64_t needed = info_json(scene, {8, 6}).memory();
+    CHECK(needed > 1000 * 20 * sizeof(JsonValue));  // 16 members of an object, and what those hold
+    {
+        const test::MemoryLimit limit(2 * needed);  // with the text
+        CHECK_NOTHROW((void)info_json(scene, {8, 6}));
+    }
+    const test::MemoryLimit limit(needed);
+    CHECK_THROWS_AS((void)info_json(scene, {8, 6}), Refused);
+}
+
 TEST_CASE("the text of a mesh is made only where there is memory for it, and is no longer than was reckoned",
           "[memory][programs]") {
     for (const int detail : {3, 40, 200}) {

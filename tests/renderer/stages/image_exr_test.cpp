@@ -5,12 +5,16 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfTiledOutputFile.h>
 
+#include <cstdint>
 #include <cstring>
 
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 
 using namespace glint;
 
@@ -47,6 +51,21 @@ std::string file_with(const TemporaryDirectory& directory,
     file.setFrameBuffer(frame);
     file.writePixels(4);
     return path;
+}
+
+/// The file with another place for one of its blocks, where nothing is. The table of their places ends where
+/// the first one stands.
+std::string without_block(std::string exr, std::size_t block, std::size_t blocks) {
+    const auto place_at = [&exr](std::size_t at) {
+        std::uint64_t place = 0;
+        std::memcpy(&place, exr.data() + at, sizeof place);
+        return place;
+    };
+    std::size_t table = 0;
+    while (table < 1000 && place_at(table) != table + blocks * sizeof(std::uint64_t)) ++table;
+    REQUIRE(table < 1000);
+    exr.replace(table + block * sizeof(std::uint64_t), 4, "\xff\xff\xff\x7f");
+    return exr;
 }
 
 }  // namespace
@@ -129,5 +148,59 @@ TEST_CASE("an EXR shows its display window, whatever part of it the file holds",
                     all && (expected == 0 || picture.linear[3 * picture.pixel(x, y) + 2] == expected + 0.5f);
             }
         CHECK(all);
+    }
+}
+
+TEST_CASE("an EXR of which a block is missing is refused before there is memory for its pixels",
+          "[image][bad-input]") {
+    if (test::sanitized) return;
+    constexpr int side = 2048;  // 48 MiB of numbers, and packed 200 KB
+    Picture black{{side, side}, {}, {}};
+    black.linear.resize(3 * black.size.pixels());
+    const std::string whole = exr_bytes(black, 1);
+    constexpr std::size_t blocks = side / 16;  // of ZIP
+    const TemporaryDirectory directory;
+    for (const std::string& damaged : {without_block(whole, 0, blocks), whole.substr(0, whole.size() - 99)}) {
+        const std::string path = directory.file("a.exr", damaged);
+        CAPTURE(damaged.size());
+        CHECK(test::in_process_with_room(std::uint64_t{32} << 20, [&path] {
+            const auto read = read_exr(path);
+            const Problem* problem = problem_of(read);
+            return problem != nullptr && problem->what.find("cannot be read as an OpenEXR") == 0;
+        }));
+    }
+}
+
+TEST_CASE("an EXR may be in tiles, each of which has to be there", "[image][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string path = directory.path("tiles.exr");
+    std::vector<float> stored;
+    for (int i = 0; i < 3 * 5 * 3; ++i) stored.push_back(static_cast<float>(i) / 4);
+    // 3 x 2 tiles of 2 x 2, and one each of 2 x 1 and of 1 x 1.
+    for (const auto& [levels, tiles] :
+         {std::pair{Imf::ONE_LEVEL, std::size_t{6}}, std::pair{Imf::MIPMAP_LEVELS, std::size_t{8}}}) {
+        Imf::Header header(5, 3);
+        for (const char* const name : {"R", "G", "B"})
+            header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        header.setTileDescription(Imf::TileDescription(2, 2, levels));
+        {
+            Imf::FrameBuffer frame;
+            for (std::size_t c = 0; c < 3; ++c)
+                frame.insert(std::string(1, "RGB"[c]),
+                             Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(stored.data() + c), 12, 60));
+            Imf::TiledOutputFile file(path.c_str(), header);
+            file.setFrameBuffer(frame);
+            for (int level = 0; level < file.numLevels(); ++level)
+                file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
+        }
+        const auto read = read_exr(path);
+        REQUIRE(problem_of(read) == nullptr);
+        CHECK(std::get<Picture>(read).linear == stored);
+        const std::string whole = bytes_of(path);
+        for (std::size_t tile = 0; tile < 6; ++tile) {
+            CAPTURE(tiles, tile);
+            CHECK(problem_of(read_exr(directory.file("a.exr", without_block(whole, tile, tiles)))) !=
+                  nullptr);
+        }
     }
 }
