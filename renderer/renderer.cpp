@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <string>
 
 #include "models/fields/choices.h"
 #include "models/memory_limit.h"
 #include "models/problem.h"
+#include "models/warning_list.h"
 #include "renderer/drawing_memory.h"
 #include "renderer/inspect/explain/explain.h"
 #include "renderer/kernels/instruction_set.h"
@@ -81,15 +83,13 @@ struct Renderer::Kept {
     }
 
     void collect_warnings(const Scene& scene) {
-        warnings.clear();
-        const auto add = [this](const std::string& w) {
-            if (std::find(warnings.begin(), warnings.end(), w) == warnings.end()) warnings.push_back(w);
-        };
+        WarningList of_normals;
         for (std::size_t o = 0; o < scene.objects.size(); ++o)
             for (const std::string& w : stages.surface.normals[o].of_mesh->warnings)
-                add(source_name(scene.objects[o].source) + ": " + w);
+                of_normals.add(source_name(scene.objects[o].source) + ": " + w);
+        warnings = of_normals.take();
         if ((scene.npr.silhouettes || scene.npr.creases) && scene.npr.stroke_width_px > max_stroke_width_px)
-            add("a stroke wider than 100 pixels is drawn 100 pixels wide");
+            warnings.emplace_back("a stroke wider than 100 pixels is drawn 100 pixels wide");
         if (scene.shading.rules != Rules::OpenGL2) return;
         const auto clamped = std::count_if(scene.objects.begin(), scene.objects.end(), [](const Object& o) {
             return o.material.shininess > opengl_max_shininess;

@@ -101,7 +101,8 @@ Outcome check(const CheckArguments& arguments) {
     MemoryShare share;
     const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene, share);
     const PictureSize size = buffers.front().picture.size;
-    share.set(memory_need(MemoryUse::Pixels, buffers_memory(size, buffers.size() + buffers_at_once(size))));
+    const std::size_t at_once = buffers_at_once(size, buffers.size());
+    share.set(memory_need(MemoryUse::Pixels, buffers_memory(size, buffers.size() + at_once)));
     const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads);
     if (found.compared == 0)
         throw Failure{ExitStatus::Impossible,

@@ -6,6 +6,7 @@
 #include "app/commands/command.h"
 #include "app/progress.h"
 #include "models/json/json_value.h"
+#include "models/memory_limit.h"
 #include "renderer/inspect/debug_views/sensitivity.h"
 #include "renderer/inspect/explain/explain_format.h"
 #include "renderer/renderer.h"
@@ -60,6 +61,7 @@ Outcome explain(const ExplainArguments& arguments) {
 
     Renderer renderer(arguments.scene.threads);
     (void)renderer.render(document.scene, arguments.size);
+    const MemoryShare share(memory_need(MemoryUse::Output, explanation_memory(document.scene)));
     const Explanation explanation = renderer.explain(pixel.x, pixel.y);
     Outcome outcome{formatted(explanation, document.scene, arguments.format), document.warnings,
                     ExitStatus::Done};

@@ -9,6 +9,7 @@
 #include "app/progress.h"
 #include "models/io/file.h"
 #include "models/json/json_value.h"
+#include "models/problem.h"
 #include "renderer/lessons/check_lesson.h"
 #include "renderer/lessons/handout.h"
 
@@ -37,7 +38,9 @@ template <class Part> std::size_t count_of(const Lesson& lesson) {
 
 std::string list_text(const std::vector<Lesson>& lessons) {
     std::string text;
-    for (const Lesson& l : lessons) text += fmt::format("{:<28}{}\n{:28}{}\n", l.name, l.title, "", l.topic);
+    for (const Lesson& l : lessons)
+        text += fmt::format("{:<28}{}\n{:28}{}\n", on_one_line(l.name), on_one_line(l.title), "",
+                            on_one_line(l.topic));
     return text;
 }
 
@@ -72,8 +75,8 @@ std::string check_text(const std::vector<CheckedLesson>& lessons) {
             ++all;
             held += item.holds;
             if (!item.holds)
-                text += fmt::format("{}:{}: {}: {}\n    {}\n", lesson.path, item.line, name_of(item.kind),
-                                    item.says, item.why);
+                text += fmt::format("{}:{}: {}: {}\n    {}\n", on_one_line(lesson.path), item.line,
+                                    name_of(item.kind), on_one_line(item.says), on_one_line(item.why));
         }
     return text + fmt::format("{} of {} hold\n", held, all);
 }

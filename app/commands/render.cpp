@@ -45,10 +45,11 @@ PictureFormat buffer_format(PictureFormat format) {
 }
 
 /// Asked for before anything is drawn, which may take long.
-MemoryShare share_of_output(const RenderArguments& arguments, PictureFormat format) {
+MemoryShare share_of_output(const RenderArguments& arguments, const Scene& scene, PictureFormat format) {
     const PictureSize size = arguments.size;
-    const std::uint64_t buffers =
-        arguments.buffers.empty() ? 0 : buffers_memory(size, buffers_at_once(size)) + exr_memory(size);
+    std::uint64_t buffers = 0;
+    if (!arguments.buffers.empty())
+        buffers = buffers_memory(size, buffers_at_once(size, buffer_names(scene).size())) + exr_memory(size);
     return MemoryShare(memory_need(MemoryUse::Output, file_memory(format, arguments.size) + buffers));
 }
 
@@ -127,7 +128,7 @@ Outcome render(const RenderArguments& arguments) {
     require_apart(arguments, document.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
-    const MemoryShare share = share_of_output(arguments, format);
+    const MemoryShare share = share_of_output(arguments, document.scene, format);
     Renderer renderer(arguments.scene.threads);
     const Picture& picture =
         renderer.render(document.scene, arguments.size, is_linear(format), arguments.samples);

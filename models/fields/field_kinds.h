@@ -63,7 +63,9 @@ struct Homogeneous {
     [[nodiscard]] constexpr bool is_direction() const { return kind == LightKind::Directional; }
 };
 struct Switch {};
-struct Text {};
+struct Text {
+    std::size_t max_characters = 0;  // 0: as many as the text of a scene may have
+};
 /// A path of a mesh file, as written in the scene file.
 struct Path {};
 /// One of the rows of `choices<E>`.

@@ -63,7 +63,8 @@ template <Of<AreaShape> A, class Visit> void fields(A& a, Visit&& visit) {
 }
 
 template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
-    visit(Row{"name", "Name", "What the light is called"}.undone_as("Rename {}"), Text{}, l.name);
+    visit(Row{"name", "Name", "What the light is called"}.undone_as("Rename {}"), Text{max_name_characters},
+          l.name);
     visit(Row{"type", "Type", "Kind of light"}.undone_as("Type of {}"), OneOf{}, l.kind);
     visit(Row{"space", "Space",
               "Coordinates of its position, aim and edges: they stay with the scene or move with the viewer"},
@@ -168,7 +169,8 @@ template <Of<Material> M, class Visit> void fields(M& m, Visit&& visit) {
 }
 
 template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
-    visit(Row{"name", "Name", "What the object is called"}.undone_as("Rename {}"), Text{}, o.name);
+    visit(Row{"name", "Name", "What the object is called"}.undone_as("Rename {}"), Text{max_name_characters},
+          o.name);
     visit(Row{"visible", "Shown", "Whether it is drawn"}.omitted_by_default(), Switch{}, o.visible);
     visit(Row{"mesh", "Mesh", "The shape: a primitive, or a file"}.undone_as("Mesh of {}"), OneMesh{},
           o.source);

@@ -220,6 +220,29 @@ std::vector<std::size_t> first_parts_of(const Json& root) {
     return first;
 }
 
+/// Which accessors of vertices several primitives name. What is malformed is left to where it is read.
+std::set<GltfVertexKey> shared_vertices_of(const Json& root) {
+    std::set<GltfVertexKey> named, shared;
+    const auto accessor = [](const Json& attributes, const char* name) -> std::uint64_t {
+        const auto found = attributes.find(name);
+        return found != attributes.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() + 1 : 0;
+    };
+    const auto meshes = root.find("meshes");
+    if (meshes == root.end() || !meshes->is_array()) return shared;
+    for (const Json& mesh : *meshes) {
+        const auto primitives = mesh.is_object() ? mesh.find("primitives") : mesh.end();
+        if (primitives == mesh.end() || !primitives->is_array()) continue;
+        for (const Json& primitive : *primitives) {
+            const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
+            if (attributes == primitive.end() || !attributes->is_object()) continue;
+            const std::uint64_t positions = accessor(*attributes, "POSITION");
+            const GltfVertexKey key{positions - 1, accessor(*attributes, "NORMAL")};
+            if (positions > 0 && !named.insert(key).second) shared.insert(key);
+        }
+    }
+    return shared;
+}
+
 }  // namespace
 
 Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
@@ -239,6 +262,7 @@ Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
         document->is_quantized = is_quantized(root);
         read_buffers(*document, chunks);
         document->first_parts = first_parts_of(document->root);
+        document->shared_vertices = shared_vertices_of(document->root);
         return GltfFile(document);
     } catch (ProblemFound& found) {
         found.problem.file = path;

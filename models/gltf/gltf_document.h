@@ -6,15 +6,27 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "models/json/json_node.h"
 #include "models/memory_limit.h"
 
 namespace glint {
+
+/// Two accessors: of the positions, and of the normals; the second is 0 where there are none, else one more.
+using GltfVertexKey = std::pair<std::uint64_t, std::uint64_t>;
+/// The vertices of two accessors; those at one point share a place.
+struct GltfVertices {
+    std::vector<glm::vec3> places, normals;
+    std::vector<std::uint32_t> place_of;  // of each vertex, in `places`
+    MemoryShare share;
+};
 
 struct GltfDocument {
     GltfDocument() = default;  // NOLINT(bugprone-exception-escape): a Json of null throws nothing
@@ -30,6 +42,9 @@ struct GltfDocument {
     // #meshes + 1: the number of each mesh's first primitive, counted through all, and how many there are.
     std::vector<std::size_t> first_parts;
     MemoryShare share;
+    // What several primitives name is read once, with the first of them: not by two threads at a time.
+    std::set<GltfVertexKey> shared_vertices;
+    mutable std::map<GltfVertexKey, GltfVertices> kept_vertices;
 };
 
 /// Returns the whole number of a key, from 0 to `most`, or `otherwise` where the key is missing. Fails for

@@ -10,6 +10,7 @@
 
 #include "models/fields/scene_rules.h"
 #include "models/gltf/gltf_document.h"
+#include "models/gltf/gltf_nodes.h"
 #include "models/mesh/normals.h"
 
 namespace glint {
@@ -186,7 +187,7 @@ glm::vec3 target_of(const glm::vec3& eye, const glm::dvec3& ahead, double distan
 
 Light light_from(const Node& node, const std::string& name, const glm::dmat4& placed, LightSpace space) {
     Light light;
-    read(node, "name", light.name);
+    read_name(node, light.name);
     if (!name.empty()) light.name = name;
     std::string type;
     read(node, "type", type);

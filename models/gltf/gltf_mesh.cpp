@@ -92,6 +92,39 @@ std::vector<glm::vec3> vectors(const GltfDocument& document, const Node& root, c
     return all;
 }
 
+GltfVertices read_vertices(const GltfDocument& document, const Node& root, const Node& attributes) {
+    GltfVertices read;
+    const std::vector<glm::vec3> vertices = vectors(document, root, attributes, "POSITION");
+    if (attributes.has("NORMAL")) {
+        read.normals = vectors(document, root, attributes, "NORMAL");
+        if (read.normals.size() != vertices.size())
+            attributes.fail(fmt::format("it has {} normals", read.normals.size()),
+                            fmt::format("{}, one a vertex", vertices.size()));
+    }
+    Places shared;
+    read.place_of.reserve(vertices.size());
+    for (const glm::vec3& v : vertices) read.place_of.push_back(shared.index_of(v, read.places));
+    return read;
+}
+
+/// The vertices of a primitive. What other primitives name, too, is kept in the document; else it is put into
+/// `own`.
+const GltfVertices& vertices_of(const GltfDocument& document, const Node& root, const Node& attributes,
+                                GltfVertices& own) {
+    constexpr double most = 4294967295.0;
+    const bool has_normals = attributes.has("NORMAL");
+    const GltfVertexKey key{whole(attributes, "POSITION", most),
+                            has_normals ? whole(attributes, "NORMAL", most) + 1 : 0};
+    const auto kept = document.kept_vertices.find(key);
+    if (kept != document.kept_vertices.end()) return kept->second;
+    own = read_vertices(document, root, attributes);
+    if (!document.shared_vertices.contains(key)) return own;
+    own.share.set(
+        memory_need(MemoryUse::Meshes, sizeof(glm::vec3) * (own.places.size() + own.normals.size()) +
+                                           sizeof(std::uint32_t) * own.place_of.size()));
+    return document.kept_vertices.emplace(key, std::move(own)).first->second;
+}
+
 void read_primitive(const GltfDocument& document, const Node& root, const Node& primitive, Mesh& mesh) {
     const PrimitiveMode mode = mode_of(primitive);
     if (mode == PrimitiveMode::None) primitive.fail("it is made of points or lines", "one with triangles");
@@ -101,23 +134,18 @@ void read_primitive(const GltfDocument& document, const Node& root, const Node& 
             if (is_sparse(root, attributes, attribute))
                 attributes.fail(fmt::format("its {} is a sparse accessor", attribute),
                                 "one with all numbers");
-        const std::vector<glm::vec3> vertices = vectors(document, root, attributes, "POSITION");
-        if (attributes.has("NORMAL")) {
-            mesh.normals = vectors(document, root, attributes, "NORMAL");
-            if (mesh.normals.size() != vertices.size())
-                attributes.fail(fmt::format("it has {} normals", mesh.normals.size()),
-                                fmt::format("{}, one a vertex", vertices.size()));
-            mesh.given_normals = GivenNormals::File;
-        }
-        Places shared;
-        std::vector<std::uint32_t> position;
-        position.reserve(vertices.size());
-        for (const glm::vec3& v : vertices) position.push_back(shared.index_of(v, mesh.positions));
+        GltfVertices own;
+        const GltfVertices& vertices = vertices_of(document, root, attributes, own);
+        const bool is_own = &vertices == &own;
+        if (!is_own) require_memory(memory_need(MemoryUse::Meshes, vertices.share.need().total()));
+        mesh.positions = is_own ? std::move(own.places) : vertices.places;
+        mesh.normals = is_own ? std::move(own.normals) : vertices.normals;
+        if (attributes.has("NORMAL")) mesh.given_normals = GivenNormals::File;
         mesh.first_corner.push_back(0);
-        const Triangles triangles(document, root, primitive, vertices.size());
+        const Triangles triangles(document, root, primitive, vertices.place_of.size());
         const std::size_t left = triangles.each(mode, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
             for (const std::uint32_t v : {a, b, c}) {
-                mesh.corner_position.push_back(position[v]);
+                mesh.corner_position.push_back(vertices.place_of[v]);
                 if (!mesh.normals.empty()) mesh.corner_normal.push_back(v);
             }
             close_face(mesh, document.path);

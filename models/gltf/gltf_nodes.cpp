@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/json/json_node.h"
+#include "models/scene/scene.h"
 
 namespace glint {
 
@@ -21,6 +22,11 @@ std::uint64_t node_number(const Node& at) {
     if (!(x >= 0 && x <= 4294967295.0) || x != std::floor(x))
         at.fail("it is not the number of a node", "a whole number");
     return static_cast<std::uint64_t>(x);
+}
+
+void read_name(const Node& named, std::string& to) {
+    read(named, "name", to);
+    require_short(named, "name", max_name_characters);
 }
 
 glm::dmat4 local_of(const Node& node) {

@@ -15,6 +15,9 @@ namespace glint {
 /// The number that an element of a list of nodes holds; it may be of no node.
 [[nodiscard]] std::uint64_t node_number(const Node& at);
 
+/// Reads what the file calls a node, a mesh or a light, of as many characters as a scene's names may have.
+void read_name(const Node& named, std::string& to);
+
 /// The matrix of a node, from its own coordinates to its parent's. Fails for what the specification forbids:
 /// a matrix beside T, R or S, another bottom row than 0 0 0 1, a quaternion of length 0.
 [[nodiscard]] glm::dmat4 local_of(const Node& node);

@@ -11,6 +11,7 @@
 #include "models/progress.h"
 #include "models/scene_file/default_lights.h"
 #include "models/scene_file/scene_file.h"
+#include "models/warning_list.h"
 
 namespace glint {
 namespace {
@@ -91,9 +92,11 @@ Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& pa
         if (scene.objects.empty()) return nothing_drawn(content.objects_left_out, path);
         const Result<std::monostate> loaded = load_parts(std::get<GltfFile>(file), scene);
         if (const Problem* problem = problem_of(loaded)) return *problem;
+        WarningList of_meshes;
         for (const Object& object : scene.objects)
             for (const std::string& warning : object.mesh->warnings)
-                content.warnings.push_back(fmt::format("{}: {}", object.name, warning));
+                of_meshes.add(fmt::format("{}: {}", object.name, warning));
+        for (std::string& warning : of_meshes.take()) content.warnings.push_back(std::move(warning));
         const glm::dvec3 middle = middle_of(scene);
         if (content.has_camera) {
             // The target is moved to the objects' distance, so that turning the camera turns it round them.

@@ -87,7 +87,7 @@ class SceneReader {
             std::optional<glm::dmat4> view;
             if (at.view) view = *at.view * local;
             std::string name;
-            glint::read(node, "name", name);
+            read_name(node, name);
             if (node.has("camera")) add_camera(node, world, view);
             if (node.has("skin")) ++left_.skins;
             if (node.has("mesh")) add_mesh(node, name, world);
@@ -105,7 +105,7 @@ class SceneReader {
             require_object(mesh);
             const std::uint64_t index = whole(node, "mesh", 4294967295.0);
             std::string mesh_name;
-            glint::read(mesh, "name", mesh_name);
+            read_name(mesh, mesh_name);
             auto part = static_cast<int>(first_parts_[index]);
             mesh.with("primitives", [&](const Node& primitives) {
                 // Many nodes may show a mesh of many primitives of which none becomes an object.

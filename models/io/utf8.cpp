@@ -1,5 +1,7 @@
 #include "models/io/utf8.h"
 
+#include <algorithm>
+
 namespace glint {
 namespace {
 
@@ -72,6 +74,19 @@ char32_t code_point(std::string_view character) {
     char32_t number = byte_at(character, 0) & (length == 1 ? 0x7Fu : 0xFFu >> (length + 1));
     for (std::size_t i = 1; i < length; ++i) number = number << 6 | (byte_at(character, i) & 0x3Fu);
     return number;
+}
+
+std::string_view first_characters(std::string_view text, std::size_t count) {
+    std::size_t at = 0;
+    for (; count > 0 && at < text.size(); --count)
+        at += std::max<std::size_t>(utf8_length(text.substr(at)), 1);
+    return text.substr(0, at);
+}
+
+std::size_t count_characters(std::string_view text) {
+    std::size_t count = 0;
+    for (; !text.empty(); ++count) text.remove_prefix(first_characters(text, 1).size());
+    return count;
 }
 
 std::size_t first_invalid_utf8(std::string_view text) {

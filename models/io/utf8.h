@@ -24,6 +24,11 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 /// stray or missing continuation byte, an overlong form, a surrogate, a value above U+10FFFF).
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
+/// Returns how many characters the text has; a byte that begins none counts as one.
+[[nodiscard]] std::size_t count_characters(std::string_view text);
+/// The first `count` characters of the text; all of it where it has fewer.
+[[nodiscard]] std::string_view first_characters(std::string_view text, std::size_t count);
+
 /// True for what would move the cursor, break the line or turn its order round: C0, DEL, C1, the line and
 /// paragraph separators (U+2028 and 2029), and the marks of direction (U+202A to 202E and 2066 to 2069).
 /// `character`: a well-formed one.

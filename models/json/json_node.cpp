@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "models/io/utf8.h"
+
 namespace glint {
 namespace {
 
@@ -95,6 +97,14 @@ void read(const Node& object, std::string_view key, bool& to) {
 
 void read(const Node& object, std::string_view key, std::string& to) {
     object.with(key, [&to](const Node& node) { to = text(node); });
+}
+
+void require_short(const Node& object, std::string_view key, std::size_t max_characters) {
+    object.with(key, [max_characters](const Node& node) {
+        const std::size_t count = count_characters(text(node));
+        if (count > max_characters)
+            node.fail(fmt::format("has {} characters", count), fmt::format("at most {}", max_characters));
+    });
 }
 
 void read(const Node& object, std::string_view key, float& to, const Range& range) {

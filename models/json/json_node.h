@@ -62,6 +62,8 @@ class Node {
 /// Each of these reads the value of a key into `to`, and leaves it when the key is not there.
 void read(const Node& object, std::string_view key, bool& to);
 void read(const Node& object, std::string_view key, std::string& to);
+/// Fails where the string of that key has more characters.
+void require_short(const Node& object, std::string_view key, std::size_t max_characters);
 void read(const Node& object, std::string_view key, float& to, const Range& range = any_number);
 void read(const Node& object, std::string_view key, glm::vec3& to, const Range& range = any_number);
 

@@ -125,9 +125,11 @@ class Builder {
     bool open(Json&& container, JsonEvent event) {
         if (open_.size() == max_json_depth)
             fail({"", "", "nested too deep", fmt::format("at most {} deep", max_json_depth)});
+        const bool in_object = !open_.empty() && open_.back()->is_object();
         Json& made =
             put(std::move(container));  // before anything is put into it, so that it stays where it is
-        open_keys_.push_back(key_);
+        // In an array the key is one that was read long ago, and may be as long as the text.
+        open_keys_.push_back(in_object ? key_ : std::string());
         open_.push_back(&made);
         understood(event);
         return true;

@@ -5,6 +5,7 @@
 
 #include "models/json/json_reader.h"
 #include "models/lesson/expression_node.h"
+#include "models/memory_limit.h"
 
 namespace glint {
 namespace {
@@ -12,10 +13,28 @@ namespace {
 using Node = ExpressionNode;
 using Kind = ExpressionKind;
 
-JsonValue value_of(const Node& node, const NamedValues& names);
+/// A value that stands among the names or in the expression, or else one that was made: an explanation is not
+/// copied for one number of it.
+struct Found {
+    const JsonValue* stored = nullptr;
+    JsonValue made;
+
+    [[nodiscard]] const JsonValue& value() const { return stored != nullptr ? *stored : made; }
+    [[nodiscard]] JsonValue take() && {
+        if (stored != nullptr) return *stored;
+        return std::move(made);
+    }
+    /// `part`, which is within this value.
+    [[nodiscard]] Found only(const JsonValue& part) const {
+        return stored != nullptr ? Found{&part, {}} : Found{nullptr, part};
+    }
+};
+
+Found found_by(const Node& node, const NamedValues& names);
 
 bool truth_of(const Node& node, const NamedValues& names) {
-    const JsonValue value = value_of(node, names);
+    const Found found = found_by(node, names);
+    const JsonValue& value = found.value();
     if (!value.is_boolean())
         throw ExpressionProblem{shortened(value.text()) + " is neither true nor false", "a condition"};
     return value.boolean();
@@ -112,7 +131,7 @@ bool differ(const JsonValue& a, const JsonValue& b, double tolerance) {
 /// What stands behind "within"; 0 where nothing does.
 double tolerance_of(const Node& comparison, const NamedValues& names) {
     if (comparison.parts.size() < 3) return 0;
-    const double tolerance = as_number(value_of(comparison.parts[2], names));
+    const double tolerance = as_number(found_by(comparison.parts[2], names).value());
     if (tolerance < 0)
         throw ExpressionProblem{"has the tolerance " + JsonValue(tolerance).text(), "0 or more"};
     return tolerance;
@@ -120,7 +139,8 @@ double tolerance_of(const Node& comparison, const NamedValues& names) {
 
 JsonValue comparison_of(const Node& node, const NamedValues& names) {
     const double tolerance = tolerance_of(node, names);
-    const JsonValue a = value_of(node.parts[0], names), b = value_of(node.parts[1], names);
+    const Found first = found_by(node.parts[0], names), second = found_by(node.parts[1], names);
+    const JsonValue &a = first.value(), &b = second.value();
     const auto is_plain = [](const JsonValue& v) { return v.is_string() || v.is_boolean(); };
     if (is_plain(a) || is_plain(b)) {
         if (node.word != "=" && node.word != "!=")
@@ -139,19 +159,6 @@ const JsonValue& named_value(const Node& node, const NamedValues& names) {
                             known.empty() ? "a run above it" : in_quotes(nearest(node.word, known))};
 }
 
-/// A value that stands among the names or in the expression, or else one that was made: an explanation is not
-/// copied for one number of it.
-struct Found {
-    const JsonValue* stored = nullptr;
-    JsonValue made;
-
-    [[nodiscard]] const JsonValue& value() const { return stored != nullptr ? *stored : made; }
-    /// `part`, which is within this value.
-    [[nodiscard]] Found only(const JsonValue& part) const {
-        return stored != nullptr ? Found{&part, {}} : Found{nullptr, part};
-    }
-};
-
 JsonValue made_by(const Node& node, const NamedValues& names);
 
 Found found_by(const Node& node, const NamedValues& names) {
@@ -160,15 +167,21 @@ Found found_by(const Node& node, const NamedValues& names) {
     if (node.kind != Kind::Member && node.kind != Kind::Element) return {nullptr, made_by(node, names)};
     const Found whole = found_by(node.parts[0], names);
     if (node.kind == Kind::Element)
-        return whole.only(element_of(whole.value(), value_of(node.parts[1], names)));
+        return whole.only(element_of(whole.value(), found_by(node.parts[1], names).value()));
     if (whole.value().is_array()) return {nullptr, members_of(whole.value(), node.word)};
     return whole.only(member_of(whole.value(), node.word));
 }
 
-JsonValue value_of(const Node& node, const NamedValues& names) {
-    Found found = found_by(node, names);
-    if (found.stored != nullptr) return *found.stored;
-    return std::move(found.made);
+/// The values of the parts, copied. Throws Refused: they may name an answer of megabytes many times.
+std::vector<JsonValue> part_values(const std::vector<Node>& parts, const NamedValues& names) {
+    std::vector<JsonValue> values;
+    MemoryShare share;
+    for (const Node& part : parts) {
+        Found found = found_by(part, names);
+        share.add(memory_need(MemoryUse::Output, sizeof(JsonValue) + found.value().memory()));
+        values.push_back(std::move(found).take());
+    }
+    return values;
 }
 
 JsonValue made_by(const Node& node, const NamedValues& names) {
@@ -179,9 +192,11 @@ JsonValue made_by(const Node& node, const NamedValues& names) {
     case Kind::Element:
         break;  // found_by
     case Kind::Negate:
-        return combined(0.0, value_of(node.parts[0], names), [](double a, double b) { return a - b; });
+        return combined(0.0, found_by(node.parts[0], names).value(),
+                        [](double a, double b) { return a - b; });
     case Kind::Arithmetic:
-        return arithmetic_of(node.word[0], value_of(node.parts[0], names), value_of(node.parts[1], names));
+        return arithmetic_of(node.word[0], found_by(node.parts[0], names).value(),
+                             found_by(node.parts[1], names).value());
     case Kind::Compare:
         return comparison_of(node, names);
     case Kind::And:
@@ -194,8 +209,7 @@ JsonValue made_by(const Node& node, const NamedValues& names) {
     case Kind::Call:
         break;
     }
-    std::vector<JsonValue> values;
-    for (const Node& part : node.parts) values.push_back(value_of(part, names));
+    std::vector<JsonValue> values = part_values(node.parts, names);
     return node.kind == Kind::List ? JsonValue(std::move(values)) : call_function(node.word, values);
 }
 
@@ -225,9 +239,12 @@ void require_tolerances(const ExpressionNode& node) {
 
 Result<JsonValue> Expression::value(const NamedValues& names) const {
     try {
-        if (root_) return value_of(*root_, names);
+        if (root_) return found_by(*root_, names).take();
         return Problem{"", "", "the expression is empty", "a value"};
     } catch (const ExpressionProblem& problem) {
+        return Problem{"", "", in_quotes(text_) + ": " + problem.what, problem.expected};
+    } catch (const Refused& refused) {
+        const Problem problem = memory_problem(refused);
         return Problem{"", "", in_quotes(text_) + ": " + problem.what, problem.expected};
     }
 }
@@ -264,12 +281,14 @@ std::string Expression::with_values(const NamedValues& names) const {
     try {
         const Node& part = first_false(*root_, names);
         if (part.kind != Kind::Compare) return text_;
-        std::string text = shortened(value_of(part.parts[0], names).text()) + " " + part.word + " " +
-                           shortened(value_of(part.parts[1], names).text());
-        if (part.parts.size() > 2) text += " within " + value_of(part.parts[2], names).text();
+        const auto shown = [&](std::size_t i) { return found_by(part.parts[i], names).value().text(); };
+        std::string text = shortened(shown(0)) + " " + part.word + " " + shortened(shown(1));
+        if (part.parts.size() > 2) text += " within " + shown(2);
         return text;
     } catch (const ExpressionProblem& problem) {
         return problem.what;
+    } catch (const Refused& refused) {
+        return memory_problem(refused).what;
     }
 }
 

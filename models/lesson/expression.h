@@ -28,7 +28,8 @@ class Expression {
     [[nodiscard]] static Result<Expression> parse(std::string_view text);
 
     /// A problem where a name is not among `names`, a member is missing, or an operation does not fit what it
-    /// is given. A division by zero and the like give NaN, for which every comparison is false.
+    /// is given, or where there is not enough memory for the lists that it makes. A division by zero and the
+    /// like give NaN, for which every comparison is false.
     [[nodiscard]] Result<JsonValue> value(const NamedValues& names) const;
     /// The value of a condition; a problem where it is neither true nor false.
     [[nodiscard]] Result<bool> holds(const NamedValues& names) const;

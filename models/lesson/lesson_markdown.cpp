@@ -12,6 +12,8 @@ namespace glint {
 namespace {
 
 constexpr int max_nesting = 16;
+// Each stretch of a link's text holds the address, and a reference gives one to as many links as there are.
+constexpr std::size_t max_address = 2048, max_addresses = std::size_t{4} << 20;
 
 /// Decodes the HTML entities that people write in lessons; others stay as they are.
 std::string entity_text(std::string_view entity) {
@@ -20,6 +22,10 @@ std::string entity_text(std::string_view entity) {
     for (const auto& [name, text] : known)
         if (name == entity) return std::string(text);
     return std::string(entity);
+}
+
+bool same_style(const ProseSpan& a, const ProseSpan& b) {
+    return a.strong == b.strong && a.emphasis == b.emphasis && a.code == b.code && a.link == b.link;
 }
 
 std::string_view text_of(const MD_ATTRIBUTE& attribute) {
@@ -104,7 +110,10 @@ class Collector {
             style_.code = begins;
             break;
         case MD_SPAN_A:
-            style_.link = begins ? text_of(static_cast<const MD_SPAN_A_DETAIL*>(detail)->href) : "";
+            style_.link.clear();
+            if (begins)
+                style_.link =
+                    text_of(static_cast<const MD_SPAN_A_DETAIL*>(detail)->href).substr(0, max_address + 1);
             break;
         default:  // a picture is its words
             break;
@@ -114,6 +123,8 @@ class Collector {
     void text(MD_TEXTTYPE type, std::string_view piece) {
         note(piece.data());
         if (!open_) return;
+        if (style_.link.size() > max_address)
+            fail_at(line_, "the address of a link is too long", "at most 2048 bytes");
         switch (type) {
         case MD_TEXT_NULLCHAR:
             return add("\ufffd");
@@ -149,12 +160,12 @@ class Collector {
     }
     void add(std::string_view piece) {
         std::vector<ProseSpan>& spans = open_->spans;
-        ProseSpan next = style_;
-        const auto same_style = [&](ProseSpan last) {
-            last.text.clear();
-            return last == next;
-        };
-        if (spans.empty() || !same_style(spans.back())) spans.push_back(std::move(next));
+        if (spans.empty() || !same_style(spans.back(), style_)) {
+            addresses_ += style_.link.size();
+            if (addresses_ > max_addresses)
+                fail_at(line_, "the addresses of the links are too long", "at most 4 MiB in all");
+            spans.push_back(style_);
+        }
         spans.back().text += piece;
     }
     std::string open_text() const {
@@ -191,7 +202,7 @@ class Collector {
     }
 
     std::string_view text_;
-    std::size_t counted_ = 0, blocks_ = 0;
+    std::size_t counted_ = 0, blocks_ = 0, addresses_ = 0;
     int line_ = 1, open_line_ = 1, code_line_ = 1, depth_ = 0, quotes_ = 0;
     std::vector<int> next_number_;
     std::vector<std::string> code_info_;

@@ -16,8 +16,10 @@ bool RepeatedCorners::comes_back(const Mesh& mesh, const std::vector<std::uint32
     for (std::size_t i = 0; i < vertices_.size(); ++i)
         sides_.emplace_back(vertices_[i], vertices_[(i + 1) % vertices_.size()]);
     std::sort(sides_.begin(), sides_.end());
-    for (; twin != sorted_.end(); twin = std::adjacent_find(twin + 1, sorted_.end()))
+    while (twin != sorted_.end()) {
         if (!ends_bridge(*twin)) return true;
+        twin = std::adjacent_find(std::upper_bound(twin, sorted_.end(), *twin), sorted_.end());
+    }
     return false;
 }
 

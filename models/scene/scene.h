@@ -85,6 +85,9 @@ struct Display {
 
 /// The most lights and objects of a scene file.
 inline constexpr std::size_t max_lights = 4096, max_objects = 10'000;
+/// The most characters of the name of a light or an object. Explanations, programs and parts of a glTF file
+/// repeat names many times.
+inline constexpr std::size_t max_name_characters = 1000;
 
 struct Scene {
     std::string about;

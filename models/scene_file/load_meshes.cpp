@@ -18,6 +18,7 @@
 #include "models/mesh_formats/mesh_file.h"
 #include "models/progress.h"
 #include "models/scene_file/scene_file.h"
+#include "models/warning_list.h"
 
 namespace glint {
 namespace {
@@ -108,8 +109,7 @@ class Loader {
         known = std::get<MeshPtr>(std::move(made));
         for (const std::string& warning : known->warnings) {
             const std::string line = named != nullptr ? named->path + ": " + warning : warning;
-            if (std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end())
-                warnings_.push_back(line);
+            warnings_.add(line);
         }
         return known;
     }
@@ -146,7 +146,7 @@ class Loader {
         }
         return {};
     }
-    Warnings take_warnings() { return std::move(warnings_); }
+    Warnings take_warnings() { return warnings_.take(); }
 
   private:
     /// The mesh as it is read or made.
@@ -194,7 +194,7 @@ class Loader {
     GltfFiles gltf_files_;
     std::map<MeshKey, MeshPtr> known_;
     std::map<std::string, GivenKey> key_of_path_;  // each is asked for once
-    Warnings warnings_;
+    WarningList warnings_;
 };
 
 /// `meshes`: one an object.

@@ -60,7 +60,10 @@ class Reader {
   public:
     explicit Reader(const Node& object) : object_(object) {}
 
-    void operator()(const Row& row, const Text&, std::string& to) const { read(object_, row.key, to); }
+    void operator()(const Row& row, const Text& kind, std::string& to) const {
+        read(object_, row.key, to);
+        if (kind.max_characters > 0) require_short(object_, row.key, kind.max_characters);
+    }
     void operator()(const Row& row, const Switch&, bool& to) const { read(object_, row.key, to); }
     void operator()(const Row& row, const Real& real, float& to) const {
         read(object_, row.key, to, real.range);

@@ -26,9 +26,12 @@ constexpr std::size_t max_png_bytes = std::size_t{4} << 30;  // 16384 x 16384 pi
 
 /// Meshes that are loaded are shared where their source stays.
 void take_meshes(Scene& scene, const std::vector<Object>& loaded) {
-    for (Object& object : scene.objects) {
-        const auto same = std::find_if(loaded.begin(), loaded.end(),
-                                       [&](const Object& o) { return o.source == object.source; });
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        Object& object = scene.objects[i];
+        const auto has_it = [&](const Object& o) { return o.source == object.source; };
+        const auto same = i < loaded.size() && has_it(loaded[i])  // as nearly always
+                              ? loaded.begin() + static_cast<std::ptrdiff_t>(i)
+                              : std::find_if(loaded.begin(), loaded.end(), has_it);
         if (same != loaded.end()) object.mesh = same->mesh;
     }
 }

@@ -38,7 +38,11 @@ template <class V> Schema numbers_json(const V& v, int size) {
     return list;
 }
 
-Described described(const Text&, const std::string& s) { return {{{"type", "string"}}, s}; }
+Described described(const Text& kind, const std::string& s) {
+    Schema schema{{"type", "string"}};
+    if (kind.max_characters > 0) schema["maxLength"] = kind.max_characters;
+    return {std::move(schema), s};
+}
 Described described(const Path&, const std::string&) {
     return {{{"type", "string"}, {"minLength", 1}, {"not", {{"pattern", "\\u0000"}}}}};
 }

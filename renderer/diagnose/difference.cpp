@@ -80,27 +80,27 @@ TermValues terms_at(const Renderer& renderer, glm::ivec2 pixel) {
 
 /// One channel of a wrong pixel, in linear light. Terms add up there, so levels are converted back to it.
 struct Sample {
+    glm::ivec2 at{0};
+    int channel = 0;
     double difference = 0;
-    std::map<std::pair<std::string, int>, double> terms;
 };
 
 /// The channels of a wrong pixel that are not clamped.
-void add_samples(std::vector<Sample>& samples, const WrongPixel& pixel, Rgb right, const TermValues& terms,
-                 const Display& display) {
+std::vector<Sample> samples_of(const WrongPixel& pixel, Rgb right, const Display& display) {
     constexpr double white = 254.5;
     const Code code = display.transfer == Transfer::Srgb ? Code::Decoded : Code::Same;
     const auto linear = [&](double level) {
         const double shown = double(coded(code, static_cast<float>(std::clamp(level / 255, 0.0, 1.0))));
         return shown / double(display.exposure);
     };
+    std::vector<Sample> samples;
     for (int c = 0; c < 3; ++c) {
         const auto k = static_cast<std::size_t>(c);
         const double mine = double(right[k]) + pixel.difference[k];
         if (mine <= 0 || mine > white || double(right[k]) > white) continue;
-        Sample sample{linear(mine) - linear(double(right[k])), {}};
-        for (const auto& [name, value] : terms) sample.terms[name] = value[c];
-        samples.push_back(std::move(sample));
+        samples.push_back({pixel.at, c, linear(mine) - linear(double(right[k]))});
     }
+    return samples;
 }
 
 /// Sums of a least-squares fit of the difference by each term alone.
@@ -111,13 +111,13 @@ struct Fits {
     std::map<std::pair<std::string, int>, Sums> of;
     double energy = 0;  // of the difference
 
-    explicit Fits(const std::vector<Sample>& samples) {
-        for (const Sample& s : samples) {
-            energy += s.difference * s.difference;
-            for (const auto& [name, value] : s.terms) {
-                of[name].product += s.difference * value;
-                of[name].square += value * value;
-            }
+    /// `terms`: of the sample's pixel.
+    void add(const Sample& s, const TermValues& terms) {
+        energy += s.difference * s.difference;
+        for (const auto& [name, value] : terms) {
+            Sums& sums = of[name];
+            sums.product += s.difference * value[s.channel];
+            sums.square += value[s.channel] * value[s.channel];
         }
     }
 };
@@ -137,13 +137,16 @@ std::vector<DifferenceTerm> likely_terms(const Fits& fits) {
     return terms;
 }
 
-/// Of the samples, how many the likeliest term leaves as they are: 1 where there is no such term.
-double share_left(const std::vector<Sample>& samples, const std::vector<DifferenceTerm>& terms) {
+/// Of the samples, how many the likeliest term leaves as they are: 1 where there is no such term. The terms
+/// of a pixel are asked for again: those of all pixels, under thousands of lights, would take gigabytes.
+double share_left(const Renderer& renderer, const std::vector<Sample>& samples,
+                  const std::vector<DifferenceTerm>& terms) {
     if (terms.empty()) return 1;
     constexpr double near = 0.1;  // of the difference
     const DifferenceTerm& term = terms.front();
     const auto left = std::count_if(samples.begin(), samples.end(), [&](const Sample& s) {
-        const double explained = (term.factor - 1) * s.terms.at({term.term, term.light});
+        const glm::dvec3 value = terms_at(renderer, s.at).at({term.term, term.light});
+        const double explained = (term.factor - 1) * value[s.channel];
         return std::abs(s.difference - explained) > near * std::abs(s.difference);
     });
     return static_cast<double>(left) / static_cast<double>(samples.size());
@@ -161,14 +164,19 @@ DescribedDifference describe_difference(const Renderer& renderer, const Exhibit&
     std::stable_sort(found.regions.begin(), found.regions.end(),
                      [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
     std::vector<Sample> samples;
+    Fits fits;
     const std::size_t step = std::max<std::size_t>(1, wrong.size() / pixels);
     for (std::size_t i = step / 2; i < wrong.size(); i += step) {
         const glm::ivec2 at = wrong[i].at;
-        add_samples(samples, wrong[i], rgb_at(exhibit.right, exhibit.right.pixel(at.x, at.y)),
-                    terms_at(renderer, at), display);
+        const TermValues terms = terms_at(renderer, at);
+        for (const Sample& s :
+             samples_of(wrong[i], rgb_at(exhibit.right, exhibit.right.pixel(at.x, at.y)), display)) {
+            fits.add(s, terms);
+            samples.push_back(s);
+        }
     }
-    found.terms = likely_terms(Fits(samples));
-    found.pixels_left = share_left(samples, found.terms) * static_cast<double>(wrong.size());
+    found.terms = likely_terms(fits);
+    found.pixels_left = share_left(renderer, samples, found.terms) * static_cast<double>(wrong.size());
     return found;
 }
 

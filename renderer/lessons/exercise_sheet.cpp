@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <set>
 #include <string_view>
+#include <utility>
 
 #include "models/io/markup.h"
 #include "models/io/utf8.h"
+#include "models/memory_limit.h"
 #include "renderer/lessons/page.h"
 
 namespace glint {
@@ -105,11 +109,16 @@ std::string latex_text(std::string_view text) {
                                                                      {"…", "\\dots{}"},
                                                                      {"–", "--"},
                                                                      {"½", "\\ensuremath{\\frac12}"}}};
-    std::string escaped = with_indices(latex_escaped(text));
-    for (const auto& [sign, command] : signs)
-        for (std::size_t at = escaped.find(sign); at != escaped.npos; at = escaped.find(sign, at))
-            escaped.replace(at, sign.size(), command);
-    return escaped;
+    const std::string escaped = with_indices(latex_escaped(text));
+    std::string set;
+    for (std::size_t at = 0; at < escaped.size();) {
+        const std::string_view letter = first_characters(std::string_view(escaped).substr(at), 1);
+        const auto* const found =
+            std::find_if(signs.begin(), signs.end(), [&](const auto& sign) { return sign[0] == letter; });
+        set += letter.size() == 1 || found == signs.end() ? letter : (*found)[1];
+        at += letter.size();
+    }
+    return set;
 }
 
 }  // namespace
@@ -149,6 +158,7 @@ Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const L
     const Result<SceneDocument> opened = runner.open(lesson);
     if (const Problem* problem = problem_of(opened)) return *problem;
     std::vector<ExerciseSheet> sheets;
+    MemoryShare share;  // of them
     for (int i = 0; i < count; ++i) {
         ExerciseSheet sheet{seed + static_cast<std::uint64_t>(i), {}};
         for (const LessonStep& step : lesson.steps) {
@@ -162,6 +172,9 @@ Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const L
                     pose(runner, std::get<SceneDocument>(set), lesson, *exercise, sheet.seed);
                 if (const Problem* problem = problem_of(posed)) return *problem;
                 sheet.questions.push_back(std::get<PosedQuestion>(std::move(posed)));
+                const PosedQuestion& q = sheet.questions.back();
+                share.add(memory_need(MemoryUse::Output,
+                                      sizeof(PosedQuestion) + q.question.size() + q.unit.size()));
             }
         }
         if (sheet.questions.empty())
@@ -173,7 +186,7 @@ Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const L
 
 std::string exercises_html(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets,
                            const std::string& picture) {
-    std::string body;
+    PageText body;
     for (const ExerciseSheet& sheet : sheets) {
         body += fmt::format(
             "<section class=\"paper\"><p class=\"topic\">Sheet {} · {}</p>\n<h1>{}</h1>\n"
@@ -193,11 +206,13 @@ std::string exercises_html(const Lesson& lesson, const std::vector<ExerciseSheet
             body += fmt::format("<li>{}</li>", html_escaped(answer_text(q)));
         body += "</ol></td></tr>\n";
     }
-    return page_html("Exercises: " + lesson.title, body + "</table></section>\n");
+    body += "</table></section>\n";
+    return page_html("Exercises: " + lesson.title, body.text());
 }
 
 std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets) {
-    std::string tex =
+    PageText tex;
+    tex +=
         "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n"
         "\\usepackage{amsmath,textcomp}\n\\setlength{\\parindent}{0pt}\n\\begin{document}\n";
     const std::string title = latex_text(lesson.title);
@@ -218,22 +233,25 @@ std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>
             tex += fmt::format("\\quad {}. {}", i + 1, latex_text(answer_text(sheet.questions[i])));
         tex += "\\par\n";
     }
-    return tex + "\\end{document}\n";
+    tex += "\\end{document}\n";
+    return std::move(tex).take();
 }
 
 std::string unset_letters(std::string_view tex) {
     constexpr std::string_view last_set = "\u017F";  // of the letters that T1 has
     constexpr std::string_view marks = "\u2013\u2014\u2018\u2019\u201C\u201D\u201E";
-    std::string letters;
+    constexpr std::size_t most_told = 20;
+    std::set<std::string_view> unset;
+    std::string told;
     for (std::size_t at = 0; at < tex.size();) {
-        const std::string_view letter = tex.substr(at, std::max<std::size_t>(utf8_length(tex.substr(at)), 1));
+        const std::string_view letter = first_characters(tex.substr(at), 1);
         const bool is_set = letter.size() < last_set.size() ||
                             (letter.size() == last_set.size() && letter <= last_set) ||
                             marks.find(letter) != marks.npos;
-        if (!is_set && letters.find(letter) == letters.npos) letters += letter;
+        if (!is_set && unset.insert(letter).second && unset.size() <= most_told) told += letter;
         at += letter.size();
     }
-    return letters;
+    return unset.size() > most_told ? fmt::format("{} and {} more", told, unset.size() - most_told) : told;
 }
 
 }  // namespace glint

@@ -32,7 +32,7 @@ struct ExerciseSheet {
 inline constexpr int max_exercise_sheets = 500;
 
 /// One sheet for each of `count` seeds from `seed` on, with all exercises of the lesson. A problem where it
-/// has none.
+/// has none. Throws Refused where they do not fit in memory, as the two below do.
 [[nodiscard]] Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const Lesson& lesson,
                                                                  std::uint64_t seed, int count);
 
@@ -44,7 +44,7 @@ inline constexpr int max_exercise_sheets = 500;
 /// command.
 [[nodiscard]] std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets);
 /// The letters of a LaTeX text, each once, at which pdflatex stops: those beyond U+017F but for dashes and
-/// quotation marks.
+/// quotation marks. The first 20 of them, and how many more there are: "漢Ж…鐵 and 7 more".
 [[nodiscard]] std::string unset_letters(std::string_view tex);
 
 }  // namespace glint

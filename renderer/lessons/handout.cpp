@@ -67,11 +67,11 @@ class Handout {
     Result<std::string> made() {
         const Result<SceneDocument> opened = runner_.open(lesson_);
         if (const Problem* problem = problem_of(opened)) return *problem;
-        html_ = fmt::format("<p class=\"topic\">{}</p>\n<h1>{}</h1>\n", html_escaped(lesson_.topic),
-                            html_escaped(lesson_.title));
+        html_ += fmt::format("<p class=\"topic\">{}</p>\n<h1>{}</h1>\n", html_escaped(lesson_.topic),
+                             html_escaped(lesson_.title));
         for (const LessonStep& step : lesson_.steps)
             if (!add_step(step, std::get<SceneDocument>(opened))) return *problem_;
-        return page_html(lesson_.title, html_);
+        return page_html(lesson_.title, html_.text());
     }
 
   private:
@@ -167,7 +167,7 @@ class Handout {
     const Lesson& lesson_;
     bool key_;
     bool told_ = true;  // whether the text that follows may be read before the answer
-    std::string html_;
+    PageText html_;
     SceneDocument document_;
     std::optional<Scene> shown_;
     std::optional<Problem> problem_;

@@ -93,11 +93,13 @@ class Lists {
 }  // namespace
 
 std::string page_html(std::string_view title, std::string_view body) {
-    return fmt::format(
+    constexpr std::string_view end = "</body></html>\n";
+    std::string page = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width\"><title>{}</title><style>{}</style></head>\n<body>\n{}</body></"
-        "html>\n",
-        html_escaped(title), style, body);
+        "content=\"width=device-width\"><title>{}</title><style>{}</style></head>\n<body>\n",
+        html_escaped(title), style);
+    page.reserve(page.size() + body.size() + end.size());  // it may be large: it is copied once
+    return page.append(body).append(end);
 }
 
 std::string prose_html(const std::vector<ProseBlock>& blocks) {

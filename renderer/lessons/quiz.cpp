@@ -111,8 +111,9 @@ std::vector<std::size_t> taken(const std::vector<QuizAnswers>& all, std::size_t 
 Result<std::string> quiz_html(LessonRunner& runner, const Lesson& lesson, bool key) {
     const Result<SceneDocument> opened = runner.open(lesson);
     if (const Problem* problem = problem_of(opened)) return *problem;
-    std::string body = fmt::format("<p class=\"topic\">{}</p>\n<h1>{}</h1>\n", html_escaped(lesson.topic),
-                                   html_escaped(lesson.title));
+    PageText body;
+    body += fmt::format("<p class=\"topic\">{}</p>\n<h1>{}</h1>\n", html_escaped(lesson.topic),
+                        html_escaped(lesson.title));
     std::size_t number = 0;
     for (const LessonStep& step : lesson.steps) {
         if (!step.title.empty()) body += fmt::format("<h2>{}</h2>\n", html_escaped(step.title));
@@ -143,7 +144,7 @@ Result<std::string> quiz_html(LessonRunner& runner, const Lesson& lesson, bool k
     }
     if (number == 0) return Problem{lesson.path, "", "there is no question", "a block \"predict choice\""};
     if (!key) body += saving;
-    return page_html(lesson.title, body);
+    return page_html(lesson.title, body.text());
 }
 
 JsonValue answers_json(const Lesson& lesson, const QuizAnswers& answers) {

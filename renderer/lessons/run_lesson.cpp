@@ -105,9 +105,11 @@ Result<JsonValue> LessonRunner::answer(const SceneDocument& document, const Less
     if (const Problem* problem = problem_of(changed)) return *problem;
     const Scene& scene = std::get<SceneDocument>(changed).scene;
     switch (run.kind) {
-    case RunKind::Explain:
+    case RunKind::Explain: {
+        const MemoryShare share(memory_need(MemoryUse::Output, explanation_memory(scene)));
         (void)renderer_.render(scene, size);
         return explanation_json(renderer_.explain(run.from.x, run.from.y));
+    }
     case RunKind::Render:
         pictures[run.name] = renderer_.render(scene, size);
         return stats_json(renderer_, size);

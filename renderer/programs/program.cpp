@@ -70,10 +70,11 @@ std::optional<Need> lacking_in(Language language, const Scene& scene) {
 /// Names for a comment of any language: no control characters, no sign that continues a line or ends a
 /// comment.
 std::string for_comment(const std::string& text) {
-    std::string out = on_one_line(text);
-    std::replace(out.begin(), out.end(), '\\', '/');
-    for (std::size_t at = out.find("??"); at != out.npos; at = out.find("??", at))
-        out.insert(at + 1, " ");  // a C compiler takes "??/" for a backslash
+    std::string out;
+    for (const char c : on_one_line(text)) {
+        if (c == '?' && out.ends_with('?')) out += ' ';  // a C compiler takes "??/" for a backslash
+        out += c == '\\' ? '/' : c;
+    }
     return out;
 }
 

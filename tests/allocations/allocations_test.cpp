@@ -1,5 +1,10 @@
 // A frame of a drag works in the memory of the frame before: nothing of ours is allocated. Counted in
 // operator new itself, for all threads; the tasks of the thread library do not come from there.
+#include <fmt/format.h>
+
+#include <string>
+
+#include "models/gltf/gltf.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
 #include "tests/allocations/counted_new.h"
@@ -84,4 +89,39 @@ TEST_CASE("nor does one through an object that the near plane cuts", "[allocatio
     scene.objects.push_back(scene.objects.front());
     scene.objects.back().transform.translate.x = 0.5f;
     CHECK(allocations_of_a_camera_drag(scene) == 0);
+}
+
+TEST_CASE("what a text of JSON takes on the way is in proportion to it, however long a key before many lists",
+          "[allocations][bad-input]") {
+    std::string text = "{\"" + std::string(100'000, 'k') + "\": [[]";
+    for (int i = 0; i < 10'000; ++i) text += ",[]";
+    const std::int64_t before = all_bytes;
+    CHECK(std::holds_alternative<Problem>(parse_scene(text + "]}", "s.json")));  // there is no such key
+    const std::int64_t taken = all_bytes - before;
+    CHECK(taken < 50 * std::int64_t(text.size()));
+}
+
+TEST_CASE("vertices that many primitives of a glTF file share are read once", "[allocations][bad-input]") {
+    constexpr std::size_t vertices = 50'000, bytes = 12 * vertices;  // all vertices at one place
+    constexpr int primitives = 200;
+    std::string json = R"({"asset": {"version": "2.0"}, "meshes": [{"primitives": [)";
+    for (int i = 0; i < primitives; ++i)
+        json += std::string(i == 0 ? "" : ",") + R"({"attributes": {"POSITION": 0}, "indices": 1})";
+    json += fmt::format(R"(]}}],
+      "accessors": [{{"bufferView": 0, "componentType": 5126, "count": {}, "type": "VEC3"}},
+                    {{"bufferView": 1, "componentType": 5121, "count": 3, "type": "SCALAR"}}],
+      "bufferViews": [{{"buffer": 0, "byteLength": {}}}, {{"buffer": 1, "byteLength": 3}}],
+      "buffers": [{{"byteLength": {}, "uri": "data:application/octet-stream;base64,{}"}},
+                  {{"byteLength": 3, "uri": "data:application/octet-stream;base64,AAEC"}}]}})",
+                        vertices, bytes, bytes, std::string(bytes / 3 * 4, 'A'));
+    const auto read = GltfFile::parse(json, "t.gltf");
+    REQUIRE(std::holds_alternative<GltfFile>(read));
+    const auto& file = std::get<GltfFile>(read);
+    const std::int64_t before = all_bytes;
+    for (int part = 0; part < primitives; ++part) {
+        const auto mesh = file.mesh(part);
+        REQUIRE(std::holds_alternative<Mesh>(mesh));
+    }
+    const std::int64_t taken = all_bytes - before;
+    CHECK(taken < 10 * std::int64_t(bytes));
 }

@@ -11,7 +11,7 @@
 #include <new>
 
 inline std::atomic<long> allocations{0};
-inline std::atomic<std::int64_t> bytes_held{0}, max_bytes_held{0};
+inline std::atomic<std::int64_t> bytes_held{0}, max_bytes_held{0}, all_bytes{0};
 
 /// Which allocations fail: the one with that number, counted down (0: now; negative: none), and from then on
 /// all of `large_bytes` and more.
@@ -30,6 +30,7 @@ inline void* counted(std::size_t bytes, std::size_t alignment) {
     void* memory = std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
     if (!memory) throw std::bad_alloc();
     const auto size = static_cast<std::int64_t>(malloc_usable_size(memory));
+    all_bytes += size;
     const std::int64_t held = bytes_held += size;
     for (std::int64_t most = max_bytes_held;
          held > most && !max_bytes_held.compare_exchange_weak(most, held);) {

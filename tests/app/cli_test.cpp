@@ -131,6 +131,30 @@ TEST_CASE("an explanation's terms add up to the pixel of the picture, to the las
     }
 }
 
+TEST_CASE(
+    "a pixel under very many samples of lights is not explained where that needs more memory than there may "
+    "be",
+    "[cli][explain][memory]") {
+    std::string lights = R"({"type": "area", "position": [0, 3, 0], "area": {"samples": 64}})";
+    for (int i = 1; i < 256; ++i)
+        lights += R"(, {"type": "area", "position": [0, 3, 0], "area": {"samples": 64}})";
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file(
+        "s.json",
+        R"({"glint": 1, "shading": {"mode": "gouraud"}, "objects": [{"mesh": {"primitive": "cube"}}], "lights": [)" +
+            lights + "]}");
+    const std::vector<std::string> explain{"explain", scene, "--pixel", "4,4", "--size", "8x8", "--memory"};
+    const auto with = [&](const char* memory) {
+        std::vector<std::string> all = explain;
+        all.emplace_back(memory);
+        return run_glint(all);
+    };
+    CHECK(with("128M").status == 0);
+    const Ended refused = with("16M");
+    CHECK(refused.status == 1);
+    CHECK(refused.err.find("it for the output; expected at most 16.0 MiB") != std::string::npos);
+}
+
 TEST_CASE("a name with line breaks and escape sequences stays one harmless line of an explanation",
           "[cli][explain]") {
     const char* const scene = R"({"glint": 1, "lights": [{"name": "a\n\u001b[31mb"}],

@@ -211,3 +211,21 @@ TEST_CASE("a program that has lost its lessons says where it expects them", "[cl
         CHECK(ended.out.find("glint: error: " + std::string(part)) != std::string::npos);
     }
 }
+
+TEST_CASE("a lesson's words command no terminal", "[cli][lesson][bad-input]") {
+    const TemporaryDirectory directory;
+    (void)directory.file("ball.json", ball_scene);
+    const std::string path = directory.file(
+        "l\x1b[31m.md",
+        "# T\x1b[31mred\n\n```lesson\ntopic: x\x1b]0;own\x07\xC2\x9B\nscene: ball.json\nsize: 32x32\n```\n\n"
+        "```claim\nsays: a\x1b[2Jb\ncheck: \"\x1b\" = \"2\"\n```\n");
+    const std::string listed = run_glint({"lessons", path}).out,
+                      checked = run_glint({"lessons", "--check", path}).out;
+    CHECK(listed.find("l\\x1b[31m") == 0);
+    CHECK(listed.find("T\\x1b[31mred") != std::string::npos);
+    CHECK(listed.find("x\\x1b]0;own\\x07\\xc2\\x9b") != std::string::npos);
+    CHECK(checked.find("l\\x1b[31m.md:9: claim: a\\x1b[2Jb\n    ") != std::string::npos);
+    for (const std::string& out : {listed, checked})
+        for (const char* const control : {"\x1b", "\x07", "\xC2\x9B"})
+            CHECK(out.find(control) == std::string::npos);
+}

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string_view>
+#include <unordered_set>
 
 #include "models/fields/choices.h"
 #include "models/io/utf8.h"
@@ -79,18 +81,18 @@ Selection valid_selection(const Selection& selection, const Scene& scene) {
 }
 
 std::string free_name(const std::string& wanted, const Scene& scene) {
-    const auto taken = [&scene](const std::string& name) {
-        const auto same = [&name](const auto& item) { return item.name == name; };
-        return std::any_of(scene.lights.begin(), scene.lights.end(), same) ||
-               std::any_of(scene.objects.begin(), scene.objects.end(), same);
-    };
-    if (!taken(wanted)) return wanted;
+    std::unordered_set<std::string_view> taken;
+    for (const Light& light : scene.lights) taken.insert(light.name);
+    for (const Object& object : scene.objects) taken.insert(object.name);
+    if (!taken.contains(wanted)) return wanted;
     // "Bulb 2" is followed by "Bulb 3", not by "Bulb 2 2".
     const std::size_t digits = wanted.find_last_not_of("0123456789");
     const bool numbered = digits != std::string::npos && digits + 1 < wanted.size() && wanted[digits] == ' ';
-    const std::string base = numbered ? wanted.substr(0, digits) : wanted;
+    constexpr std::size_t number_room = 8;
+    const std::string stem = numbered ? wanted.substr(0, digits) : wanted;
+    const std::string_view base = first_characters(stem, max_name_characters - number_room);
     for (int i = 2;; ++i)
-        if (std::string name = fmt::format("{} {}", base, i); !taken(name)) return name;
+        if (std::string name = fmt::format("{} {}", base, i); !taken.contains(name)) return name;
 }
 
 std::string short_name(const MeshSource& source) {

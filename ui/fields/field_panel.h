@@ -19,9 +19,9 @@
 namespace glint {
 
 // One control a kind; `initial` is what the field returns to.
-inline bool draw_field(const Row& row, const Text&, std::string& value, const std::string&,
+inline bool draw_field(const Row& row, const Text& kind, std::string& value, const std::string&,
                        const Help& help) {
-    return name_field(row.label, value, help);
+    return name_field(row.label, value, kind.max_characters, help);
 }
 bool draw_field(const Row& row, const Switch& kind, bool& value, bool initial, const Help& help);
 inline bool draw_field(const Row& row, const Real& kind, float& value, float initial, const Help& help) {

@@ -131,11 +131,12 @@ bool switch_field(const char* label, bool& value, const Help& help) {
     return changed;
 }
 
-bool name_field(const char* label, std::string& name, const Help& help) {
+bool name_field(const char* label, std::string& name, std::size_t max_characters, const Help& help) {
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(label_cell(label));
     const bool changed = text_field("##name", "", name);
     if (changed) name = with_invalid_replaced(name);  // a scene file is UTF-8, what is pasted need not be
+    if (changed && max_characters > 0) name = first_characters(name, max_characters);
     const bool is_cut = ImGui::CalcTextSize(name.c_str()).x > ImGui::GetItemRectSize().x - px(12);
     tooltip(label, help.what, is_cut ? name : "", help.pointer);
     ImGui::PopID();

@@ -38,7 +38,8 @@ struct Help {
 /// Linear RGB, each >= 0, with a swatch that opens a picker and presets.
 [[nodiscard]] bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help);
 [[nodiscard]] bool switch_field(const char* label, bool& value, const Help& help);
-[[nodiscard]] bool name_field(const char* label, std::string& name, const Help& help);
+[[nodiscard]] bool name_field(const char* label, std::string& name, std::size_t max_characters,
+                              const Help& help);
 
 /// The index chosen, `chosen` when nothing changed. As a drop-down, alone or in a row, or as joined buttons.
 [[nodiscard]] int drop_down(const char* label, int chosen, std::span<const Choice> options, const Help& help);

@@ -110,9 +110,9 @@ std::vector<std::string> buffer_names(const Scene& scene) {
     return names;
 }
 
-std::size_t buffers_at_once(PictureSize size) {
-    constexpr std::uint64_t fewest = 12, room = std::uint64_t{64} << 20;
-    return static_cast<std::size_t>(std::max(fewest, room / buffers_memory(size, 1)));
+std::size_t buffers_at_once(PictureSize size, std::size_t all) {
+    constexpr std::uint64_t fewest = 12, most_times = 8, room = std::uint64_t{64} << 20;
+    return std::max({fewest, room / buffers_memory(size, 1), (all + most_times - 1) / most_times});
 }
 
 std::uint64_t buffers_memory(PictureSize size, std::size_t buffers) {
@@ -145,7 +145,7 @@ std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& sc
 void visit_pixel_buffers(const Renderer& renderer, const Scene& scene, PictureSize size,
                          const std::vector<std::string>& names,
                          const std::function<bool(const PixelBuffer&)>& visit) {
-    const std::size_t at_once = buffers_at_once(size);
+    const std::size_t at_once = buffers_at_once(size, names.size());
     for (std::size_t from = 0; from < names.size(); from += at_once) {
         const auto first = names.begin() + static_cast<std::ptrdiff_t>(from);
         const std::vector<std::string> some(

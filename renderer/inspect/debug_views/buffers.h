@@ -36,9 +36,10 @@ struct PixelBuffer {
 [[nodiscard]] std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& scene,
                                                      PictureSize size, const std::vector<std::string>& names);
 
-/// So many are computed at a time, and each pixel is explained once each time: those of a large picture take
-/// about as much memory as drawing it, those of a small one 64 MiB at most.
-[[nodiscard]] std::size_t buffers_at_once(PictureSize size);
+/// Of `all` buffers so many are computed at a time, and each pixel is explained once each time: a dozen, as
+/// many as have room in 64 MiB, or an eighth of them, so that the time does not grow with the square of the
+/// lights.
+[[nodiscard]] std::size_t buffers_at_once(PictureSize size, std::size_t all);
 /// Calls visit() with the buffers `names`, some of buffer_names() and in that order, until it returns false.
 void visit_pixel_buffers(const Renderer& renderer, const Scene& scene, PictureSize size,
                          const std::vector<std::string>& names,

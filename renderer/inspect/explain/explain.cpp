@@ -162,6 +162,14 @@ Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
 
 }  // namespace
 
+std::uint64_t explanation_memory(const Scene& scene) {
+    constexpr std::uint64_t bytes_of_text = 200;  // that a light is written in
+    // Where corners are lit, those of one interpolation stand beside the ones that are kept.
+    const ShadingMode mode = scene.shading.mode;
+    const std::uint64_t points = mode == ShadingMode::Gouraud || mode == ShadingMode::Flat ? 2 * 3 : 1;
+    return points * light_sources(scene).size() * (sizeof(ExplainedLight) + bytes_of_text);
+}
+
 Explanation explain_pixel(const KeptStages& kept, int x, int y) {
     return explain_stages(
         {kept.scene, kept.geometry, kept.visibility, kept.surface, kept.strokes, kept.lighting}, x, y);

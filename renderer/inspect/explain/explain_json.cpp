@@ -13,9 +13,9 @@ using glint::json_of;  // beside those below
 
 Json json_of(const InBothFrames& v) { return {{"camera", json_of(v.camera)}, {"world", json_of(v.world)}}; }
 
-Json json_of(const ExplainedLight& light) {
+Json json_of(const ExplainedLight& light, const std::string& name) {
     Json json;
-    json["name"] = light.name;
+    json["name"] = name;
     json["index"] = light.index;
     if (light.samples.empty()) {  // an area light has these for each sample
         json["l"] = json_of(light.l);
@@ -37,7 +37,7 @@ Json json_of(const ExplainedLight& light) {
     if (light.samples.empty()) json["share"] = json_of(light.share);
     if (!light.samples.empty()) {
         json["samples"] = Json::array();
-        for (const ExplainedLight& sample : light.samples) json["samples"].push_back(json_of(sample));
+        for (const ExplainedLight& sample : light.samples) json["samples"].push_back(json_of(sample, name));
     }
     return json;
 }
@@ -53,7 +53,7 @@ void add_terms(Json& json, const ExplainedPoint& at, MemoryShare& share) {
     json["base"] = json_of(at.base);
     Json& lights = json["lights"] = Json::array();
     for (const ExplainedLight& light : at.lights) {
-        Json one = json_of(light);
+        Json one = json_of(light, light.name);
         share.add(memory_need(MemoryUse::Output, sizeof(Json) + one.memory()));
         lights.push_back(std::move(one));
     }

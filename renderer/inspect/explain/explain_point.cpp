@@ -44,10 +44,10 @@ ExplainedFacets explain_facets(const LightTerms<float>& t, const LightJob& job, 
     return {f.d, f.g, at.n_dot_v, to_glm(f.f)};
 }
 
-/// Puts the samples of an area light under one entry that holds their sums.
-void join_samples(ExplainedLight& joined, const ExplainedLight& sample) {
+/// Puts the samples of an area light under one entry that holds their sums, and its name.
+void join_samples(ExplainedLight& joined, const std::string& name, const ExplainedLight& sample) {
     if (joined.samples.empty()) {
-        joined.name = sample.name;
+        joined.name = name;
         joined.index = sample.index;
         joined.falloff = 0;
     }
@@ -82,14 +82,15 @@ ExplainedPoint explain_point(const Lighting& lighting, const LightJob& job, cons
         ExplainedLight light = explain_light(t, source, frames);
         light.share = to_glm(share);
         if (job.model == Reflection::CookTorrance) light.facets = explain_facets(t, job, at);
-        light.name = lighting.lights[static_cast<std::size_t>(source.light)].name;
+        const std::string& name = lighting.lights[static_cast<std::size_t>(source.light)].name;
         if (!source.is_patch) {
-            e.lights.push_back(light);
+            light.name = name;
+            e.lights.push_back(std::move(light));
             return;
         }
         if (e.lights.empty() || e.lights.back().index != source.light || e.lights.back().samples.empty())
             e.lights.emplace_back();
-        join_samples(e.lights.back(), light);
+        join_samples(e.lights.back(), name, light);
     }));
     return e;
 }

@@ -27,7 +27,7 @@ struct ExplainedFacets {
 
 /// What one light (or one sample of an area light) does at one point, as it enters the sum.
 struct ExplainedLight {
-    std::string name;
+    std::string name;      // empty in the samples of an area light
     int index = 0;         // in Scene::lights
     InBothFrames l, r, h;  // unit: towards the light; l mirrored at n; halfway between l and v
     float n_dot_l = 0;     // not clamped: negative means the light is behind the surface
@@ -116,5 +116,9 @@ struct Explanation {
     glm::vec3 displayed{0};  // after exposure, transfer and clamp, 0 to 1
     std::array<int, 3> byte{};
 };
+
+/// What explaining a pixel of the scene takes at most, and its text: bytes. Under the samples of thousands of
+/// area lights that is a gigabyte.
+[[nodiscard]] std::uint64_t explanation_memory(const Scene& scene);
 
 }  // namespace glint

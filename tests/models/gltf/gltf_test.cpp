@@ -171,6 +171,51 @@ TEST_CASE("parts are counted through all meshes, those without primitives too", 
         CHECK(std::get<MeshFile>(document.scene.objects[o].source).part == parts[o]);
 }
 
+TEST_CASE("primitives that share their vertices are the meshes that they are with vertices of their own",
+          "[gltf]") {
+    // Of the corners (0,0,0) (1,0,0) (0,1,0), which are the normals, too: the first triangle as they come,
+    // the second by indices, the other way round.
+    const auto text = [](int positions, int normals) {
+        return fmt::format(R"({{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}],
+      "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "NORMAL": 1}}}},
+         {{"attributes": {{"POSITION": {}, "NORMAL": {}}}, "indices": 4}},
+         {{"attributes": {{"POSITION": 0}}}}, {{"attributes": {{"POSITION": 0}}}}]}}],
+      "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                    {{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                    {{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                    {{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                    {{"bufferView": 1, "componentType": 5121, "count": 3, "type": "SCALAR"}}],
+      "bufferViews": [{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": 36, "byteLength": 3}}],
+      "buffers": [{{"byteLength": 39, "uri":
+      "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAgEA"}}]}})",
+                           positions, normals);
+    };
+    const auto shared = GltfFile::parse(text(0, 1), "t.gltf"), own = GltfFile::parse(text(2, 3), "t.gltf");
+    REQUIRE(problem_of(shared) == nullptr);
+    REQUIRE(problem_of(own) == nullptr);
+    for (const int part : {1, 2, 0, 1, 3}) {
+        const auto a = std::get<GltfFile>(shared).mesh(part), b = std::get<GltfFile>(own).mesh(part);
+        REQUIRE(problem_of(a) == nullptr);
+        REQUIRE(problem_of(b) == nullptr);
+        CHECK(std::get<Mesh>(a).positions == std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+        CHECK(std::get<Mesh>(a).positions == std::get<Mesh>(b).positions);
+        CHECK(std::get<Mesh>(a).normals == std::get<Mesh>(b).normals);
+        CHECK(std::get<Mesh>(a).normals.size() == (part >= 2 ? 0 : 3));
+        CHECK(std::get<Mesh>(a).corner_position ==
+              (part == 1 ? std::vector<std::uint32_t>{2, 1, 0} : std::vector<std::uint32_t>{0, 1, 2}));
+    }
+}
+
+TEST_CASE("a node, a mesh or a light of glTF has no longer name than a scene's may be", "[gltf]") {
+    const std::string name(1001, 'n');
+    CHECK(gltf_triangle::error_of(
+              gltf_triangle::changed(R"({"mesh": 0})", R"({"mesh": 0, "name": ")" + name + "\"}")) ==
+          "t.gltf: /nodes/0/name: has 1001 characters; expected at most 1000");
+    CHECK(gltf_triangle::error_of(
+              gltf_triangle::changed(R"({"primitives")", R"({"name": ")" + name + R"(", "primitives")")) ==
+          "t.gltf: /meshes/0/name: has 1001 characters; expected at most 1000");
+}
+
 TEST_CASE("nodes that show a mesh of very many lines end in one line", "[gltf]") {
     std::string lines = R"({"attributes": {"POSITION": 0}, "mode": 1})", nodes = R"({"mesh": 0})",
                 numbers = "0";

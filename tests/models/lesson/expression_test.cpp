@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tests/support/catch.h"
+#include "tests/support/memory_helpers.h"
 
 using namespace glint;
 
@@ -205,4 +206,22 @@ TEST_CASE("a tolerance below 0 is refused, as it is read where it is a number, e
     CHECK(value_of("1 = 1 within 0") == JsonValue(true));
     CHECK(value_of("1 = 2 within 1/0") == JsonValue(true));
     CHECK(value_of("1 = 1.5 within a.n") == JsonValue(true));
+}
+
+TEST_CASE("an expression that makes more of an answer than fits in memory is a problem", "[lesson][memory]") {
+    constexpr std::size_t mebibyte = std::size_t{1} << 20;
+    const NamedValues answer{{"e", JsonValue{{"text", std::string(mebibyte, 'x')}}}};
+    std::string many = "e";
+    for (int i = 1; i < 20; ++i) many += ",e";
+    const auto held = [&](const std::string& list) {
+        return std::get<Expression>(Expression::parse("count([" + list + "]) = 2")).holds(answer);
+    };
+    const test::MemoryLimit limit(4 * mebibyte);
+    const Result<bool> two = held("e,e"), twenty = held(many);
+    REQUIRE(problem_of(two) == nullptr);
+    CHECK(std::get<bool>(two));
+    REQUIRE(problem_of(twenty) != nullptr);
+    CHECK(problem_of(twenty)->what.find("\"count([e,e") == 0);
+    CHECK(problem_of(twenty)->what.find(": this needs ") != std::string::npos);
+    CHECK(memory_left() == 4 * mebibyte);
 }

@@ -302,3 +302,23 @@ TEST_CASE("no file that anyone makes as a lesson ends the program", "[lesson][fu
     }
     CHECK(read_well > 20);
 }
+
+TEST_CASE("the address of a link has a length, and so have those of all links together",
+          "[lesson][bad-input]") {
+    const std::string head = "# T\n\n```lesson\ntopic: x\nscene: s.json\n```\n\nSome *text*.\n\n";
+    const auto problem_with_link = [&](const std::string& text) {
+        const Result<Lesson> lesson = parse_lesson(head + text, "l.md");
+        return problem_of(lesson) == nullptr ? "" : problem_of(lesson)->text();
+    };
+    const auto address = [](std::size_t size) { return "http://" + std::string(size - 7, 'x'); };
+    const std::string longest = "[an *emphasised* link](" + address(2048) + ")";
+    CHECK(problem_with_link(longest).empty());
+    const std::string too_long = "l.md:11: the address of a link is too long; expected at most 2048 bytes";
+    CHECK(problem_with_link("Before\n[*a* link](" + address(2049) + ")") == too_long);
+    CHECK(problem_with_link("Before\n[a] [link][a]\n\n[a]: " + address(2049)) == too_long);
+    std::string many;
+    for (int i = 0; i < 3000; ++i) many += "[a] ";
+    CHECK(problem_with_link(many + "\n\n[a]: " + address(1000)).empty());
+    CHECK(problem_with_link(many + "\n\n[a]: " + address(2000)) ==
+          "l.md:10: the addresses of the links are too long; expected at most 4 MiB in all");
+}

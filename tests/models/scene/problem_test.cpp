@@ -1,6 +1,7 @@
 #include "models/problem.h"
 
 #include "models/io/utf8.h"
+#include "models/warning_list.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -52,6 +53,20 @@ TEST_CASE("a long problem is cut to fit 4096 bytes and keeps what was expected",
         CHECK(text.substr(text.size() - 19) == "; expected a number");
         CHECK(text.size() > 3900);
     }
+}
+
+TEST_CASE("of warnings each is said once, and those above a hundred are counted", "[problem]") {
+    WarningList list;
+    for (int i = 0; i < 250; ++i)
+        for (int twice = 0; twice < 2; ++twice) list.add("warning " + std::to_string(i));
+    const Warnings all = list.take();
+    REQUIRE(all.size() == 101);
+    CHECK(all[0] == "warning 0");
+    CHECK(all[99] == "warning 99");
+    CHECK(all[100] == "150 more warnings of this kind");
+    CHECK(list.take().empty());
+    for (int i = 0; i < 100; ++i) list.add("warning " + std::to_string(i));
+    CHECK(list.take().size() == 100);
 }
 
 TEST_CASE("nearest finds the name that was meant", "[problem]") {

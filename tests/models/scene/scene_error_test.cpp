@@ -263,6 +263,20 @@ TEST_CASE("an object outside its rules is a problem at its pointer", "[scene_err
     });
 }
 
+TEST_CASE("a name of more than 1000 characters is a problem, whatever bytes they have", "[scene_error]") {
+    for (const std::string list : {"lights", "objects"})
+        for (const std::string character : {"n", "\u00E9"}) {
+            std::string name;
+            for (int i = 0; i < 1000; ++i) name += character;
+            const auto with_name = [&](const std::string& text) {
+                return line_of("{\"glint\": 1, \"" + list + "\": [{\"name\": \"" + text + "\"}]}");
+            };
+            CHECK(with_name(name) == "no problem");
+            CHECK(with_name(name + "n") ==
+                  "s: /" + list + "/0/name: has 1001 characters; expected at most 1000");
+        }
+}
+
 TEST_CASE("shading, npr and display outside their rules are problems at their pointers", "[scene_error]") {
     check_members({
         {R"("global_ambient": [0, 0, -1])", "/global_ambient/2: -1 is out of range; expected 0 to 1e30"},

@@ -1,8 +1,10 @@
 // What telling of a mesh or of a pixel needs is reckoned before it is taken.
 #include "models/mesh/topology.h"
 #include "renderer/inspect/answers/answers.h"
+#include "renderer/inspect/debug_views/buffers.h"
 #include "renderer/inspect/explain/explain_format.h"
 #include "renderer/programs/mesh_text.h"
+#include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/memory_helpers.h"
 #include "tests/support/scenes.h"
@@ -52,12 +54,17 @@ TEST_CASE("the text of a mesh is made only where there is memory for it, and is 
 TEST_CASE("the JSON of a pixel under many lights is made only where there is memory for it",
           "[memory][explain]") {
     ExplainedLight light;
+    light.name = "Window";
     light.samples.resize(64);
     Explanation of_one, of_many;
     of_one.hit = of_many.hit = true;
     of_one.at.lights = {light};
     of_many.at.lights.assign(100, light);
     const std::uint64_t one = explanation_json(of_one).memory(), all = explanation_json(of_many).memory();
+    const std::string text = explanation_json(of_one).text();
+    std::size_t names = 0;
+    for (std::size_t at = text.find("Window"); at != text.npos; at = text.find("Window", at + 1)) ++names;
+    CHECK(names == 65);                        // each sample has it, too
     CHECK(one > 64 * 20 * sizeof(JsonValue));  // 18 members of a sample, and what those hold
     CHECK(all > 90 * one);
     {
@@ -71,4 +78,52 @@ TEST_CASE("the JSON of a pixel under many lights is made only where there is mem
     of_many.corners.resize(1);
     of_many.corners[0].at = of_many.at;
     CHECK_THROWS_AS((void)explanation_json(of_many), Refused);
+}
+
+TEST_CASE("explaining a pixel under the samples of many lights takes what is reckoned at most",
+          "[memory][explain]") {
+    Scene scene;
+    scene.objects = {test::object_of(test::primitive(Primitive::Plane, 1))};
+    scene.objects[0].transform.rotate_deg = {90, 0, 0};
+    Light light;
+    light.name = "Window";
+    light.kind = LightKind::Area;
+    light.area.samples = 64;
+    light.position = {0, 0, 3, 1};
+    scene.lights.assign(50, light);
+    Renderer renderer(1);
+    for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Flat}) {
+        scene.shading.mode = mode;
+        (void)renderer.render(scene, {16, 16});
+        const Explanation e = renderer.explain(8, 8);
+        std::size_t points = 0, samples = 0;
+        const auto count = [&](const ExplainedPoint& at) {
+            ++points;
+            for (const ExplainedLight& l : at.lights) {
+                CHECK(l.name == "Window");
+                for (const ExplainedLight& sample : l.samples) {
+                    ++samples;
+                    CHECK(sample.name.empty());  // 64 more of a long one would be held
+                }
+            }
+        };
+        if (!e.lit_per_corner) count(e.at);
+        for (const ExplainedCorner& corner : e.corners) count(corner.at);
+        CAPTURE(points);
+        CHECK(samples == points * 50 * 64);
+        const std::uint64_t listed = samples * sizeof(ExplainedLight) + explain_text(e, scene).size();
+        CHECK(explanation_memory(scene) >= listed);
+        CHECK(explanation_memory(scene) < 10 * listed);
+    }
+}
+
+TEST_CASE("each pixel is explained at most eight times for all buffers, however many lights they tell of",
+          "[memory][buffers]") {
+    for (const PictureSize size : {PictureSize{1, 1}, PictureSize{640, 480}, PictureSize{16384, 16384}})
+        for (const std::size_t all : {1, 12, 13, 96, 97, 1000, 32000}) {
+            const std::size_t at_once = buffers_at_once(size, all);
+            CAPTURE(size.width, all, at_once);
+            CHECK((all + at_once - 1) / at_once <= 8);
+            CHECK(at_once <= std::max<std::size_t>(12 + all / 8, (64 << 20) / (12 * size.pixels())));
+        }
 }

@@ -293,6 +293,25 @@ TEST_CASE("letters that LaTeX's usual fonts lack are commands, and the rest is t
             "Is \\ensuremath{\\alpha}\\ensuremath{_2} \\ensuremath{\\to} \\ensuremath{\\infty}, or é “ſ”") !=
         std::string::npos);
     CHECK(unset_letters(tex) == "漢Ж");
+    const std::string alphabet = "абвгдежзийклмнопрстуфхцчшщъыьэюя";
+    CHECK(unset_letters(alphabet + alphabet) == "абвгдежзийклмнопрсту and 12 more");
+}
+
+TEST_CASE("exercises are written only where there is memory for all sheets", "[lesson][exercise][memory]") {
+    const Bench bench("```exercise\nvary: k = 1, 2\nquestion: " + std::string(20'000, '&') +
+                      "\nanswer: k\ntolerance: 1\n```\n");
+    LessonRunner runner(1);
+    const auto sheets = exercise_sheets(runner, bench.lesson, 1, 40);
+    REQUIRE(problem_of(sheets) == nullptr);
+    const auto& all = std::get<std::vector<ExerciseSheet>>(sheets);
+    const std::vector<ExerciseSheet> few(all.begin(), all.begin() + 2);
+    const test::MemoryLimit limit(700'000);  // the questions of all sheets alone: 800,000
+    CHECK_THROWS_AS(exercise_sheets(runner, bench.lesson, 1, 40), Refused);
+    CHECK(exercises_html(bench.lesson, few, "").size() > 200'000);
+    CHECK(exercises_tex(bench.lesson, few).size() > 80'000);
+    CHECK_THROWS_AS(exercises_html(bench.lesson, all, ""), Refused);
+    CHECK_THROWS_AS(exercises_tex(bench.lesson, all), Refused);
+    CHECK_THROWS_AS(exercises_html(bench.lesson, few, std::string(200'000, 'x')), Refused);
 }
 
 TEST_CASE("a lesson without exercises says so", "[lesson][exercise][bad-input]") {

@@ -49,3 +49,18 @@ TEST_CASE("a new object stands to the right of all that is there", "[ui][edit]")
     REQUIRE(added == 1);
     CHECK(scene.objects[1].transform.translate.x > 6);
 }
+
+TEST_CASE("the copy of what has as long a name as may be has one that a scene file may hold", "[ui][edit]") {
+    Scene scene;
+    std::string name;
+    for (std::size_t i = 0; i < max_name_characters; ++i) name += "é";
+    scene.lights.emplace_back().name = name;
+    for (int copies = 0; copies < 12; ++copies) {
+        Selection selection{Selection::Kind::Light, copies};
+        duplicate(scene, selection);
+        CHECK(scene.lights.back().name.ends_with("é " + std::to_string(copies + 2)));
+    }
+    const Result<Scene> read = parse_scene(scene_text(scene), "s.json");
+    REQUIRE(problem_of(read) == nullptr);
+    CHECK(same_description(std::get<Scene>(read), scene));
+}
