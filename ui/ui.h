@@ -26,6 +26,7 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/mistake_pictures.h"
 #include "ui/inspector/outside_view.h"
+#include "ui/inspector/program/program_state.h"
 #include "ui/inspector/sensitivity.h"
 #include "ui/lecture/examples.h"
 #include "ui/lecture/lecture.h"
@@ -44,9 +45,9 @@ namespace glint {
 
 /// What waits for the answer to "save changes?".
 struct Pending {
-    enum class What { Nothing, New, Open, Recover, Match, Page, Quit };
+    enum class What { Nothing, New, Open, Recover, Match, Page, Student, Again, Station, Quit };
     What what = What::Nothing;
-    std::string path;          // to open; of the copy to take up; the seed of a match
+    std::string path;          // to open; of the copy to take up; the seed of a match; pages to turn
     std::size_t left_out = 0;  // files that were dropped with that one
     bool asking = false;       // the question is on the screen; else the changes are being saved
 };
@@ -71,6 +72,7 @@ struct UiState {
     LayoutState layout;
     InspectorState inspector;  // tab and switches
     SensitivityState sensitivity;
+    ProgramState program;
     MistakePictures mistake_pictures;
     HighlightShareState highlight_share;  // of the selected object
     ViewsState views;                     // how the picture is looked at

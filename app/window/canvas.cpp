@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "app/window/gl.h"
+#include "ui/shell/short_lists.h"
 
 namespace glint {
 
@@ -110,6 +112,7 @@ void Canvas::draw_picture(const Picture* picture, const PixelRect& to, const Pix
 void Canvas::draw(const ImDrawData& data, const PixelRect& within, float dots_per_unit) {
     std::vector<std::pair<ImDrawCmd*, ImVec4>> clips;  // as they were
     std::vector<ImDrawList*> lists;
+    std::vector<std::unique_ptr<ImDrawList>> made;
     for (int i = 0; i < data.CmdListsCount; ++i) {
         bool seen = false;
         for (ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) {
@@ -118,7 +121,15 @@ void Canvas::draw(const ImDrawData& data, const PixelRect& within, float dots_pe
             command.ClipRect = part.is_empty() ? ImVec4() : clip_of(part, dots_per_unit);
             seen = seen || !part.is_empty();
         }
-        if (seen) lists.push_back(data.CmdLists[i]);
+        if (!seen) continue;
+        if (!counts_from_further_on(*data.CmdLists[i])) {
+            lists.push_back(data.CmdLists[i]);
+            continue;
+        }
+        for (std::unique_ptr<ImDrawList>& list : short_lists(*data.CmdLists[i])) {
+            lists.push_back(list.get());
+            made.push_back(std::move(list));
+        }
     }
     ImDrawData part = data;
     part.CmdLists = lists.data();

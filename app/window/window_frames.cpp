@@ -25,6 +25,7 @@ WindowFrames::WindowFrames(GLFWwindow* window, UiState& state, void (*display_go
     ImGui::GetIO().IniFilename = nullptr;
     collect_input(window, input_);
     ready_ = ImGui_ImplGlfw_InitForOpenGL(window, true) && ImGui_ImplOpenGL3_Init("#version 130");
+    ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // by Canvas, where GL has none
     if (ready_) clipboard_.serve_imgui();
     if (ready_ && gl().complete) canvas_ = std::make_unique<Canvas>();
     files_ = find_fonts();

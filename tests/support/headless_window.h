@@ -42,6 +42,7 @@ class HeadlessWindow {
         context_ = ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as the program's window
         io.DisplaySize = size;
         io.DeltaTime = 1.0f / 60;
         apply_theme(dark_theme(), 1);

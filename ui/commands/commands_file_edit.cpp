@@ -196,7 +196,11 @@ std::vector<WindowCommand> edit_commands() {
                  redo(s.editor);
              },
          .why_disabled =
-             [](const UiState& s) { return unless(s.editor.history.can_redo(), "Nothing to redo"); },
+             [](const UiState& s) {
+                 if (!s.editor.history.can_redo()) return std::string("Nothing to redo");
+                 // There is no step yet of what was edited meanwhile: it would be lost.
+                 return unless(!awaits_mesh(s), "A mesh is being built: wait for it, or Esc");
+             },
          .id = CommandId::Redo},
         {.name = "Duplicate",
          .keys = {{Key::D, ctrl}},

@@ -25,6 +25,14 @@ bool starts_word(std::string_view text, std::size_t at) {
     return is_letter(text[at]) && (at == 0 || !is_letter(text[at - 1]));
 }
 
+/// Whether the letters occur in that order: most texts are left out so, before anything is laid out.
+bool occurs(std::string_view word, std::string_view text) {
+    std::size_t next = 0;
+    for (std::size_t at = 0; at < text.size() && next < word.size(); ++at)
+        next += is_typed(word[next], text, at) ? 1 : 0;
+    return next == word.size();
+}
+
 /// The best way to lay `word` over `text`: best[i][j] is the score of word[0..i] with word[i] on text[j].
 class Alignment {
   public:
@@ -82,7 +90,7 @@ std::optional<FuzzyMatch> fuzzy_match(std::string_view query, std::string_view t
         const std::string_view word = query.substr(0, end);
         query.remove_prefix(std::min(end + 1, query.size()));
         if (word.empty()) continue;
-        const auto found = text.empty() ? std::nullopt : Alignment(word, text).match();
+        const auto found = occurs(word, text) ? Alignment(word, text).match() : std::nullopt;
         if (!found) return {};
         whole.score += 64 * found->score;  // what the length takes off only decides between equals
         whole.bytes.insert(whole.bytes.end(), found->bytes.begin(), found->bytes.end());

@@ -1,11 +1,14 @@
 #pragma once
 // The menus, the sheet of keys and the palette, which are filled from the table of commands.
 
+#include <imgui.h>
+
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "ui/document/scene_edit.h"
+#include "ui/widgets/kept.h"
 
 namespace glint {
 
@@ -21,13 +24,23 @@ struct PaletteEntry {
     std::string words = "";  // what it is about: found by the beginnings of these words, after all names
 };
 
+/// What matches a text, best first, and the text whose letters are marked: the nearest word, where nothing
+/// is called as it was typed.
+struct PaletteFound {
+    std::vector<int> matches;  // of the entries
+    std::string marked;
+};
+
 struct PaletteState {
     bool open = false;
     bool takes_keyboard = false;  // in the next frame: it appears, or Enter took the keyboard from its text
     std::string text;
-    int chosen = 0;  // of those that match
+    int chosen = -1;  // of those that match; -1: none, until something is typed or an arrow key pressed
     std::vector<PaletteEntry> entries;
-    ItemCounts made_for;  // of the scene: entries name its lights and objects by number
+    ItemCounts made_for;                    // of the scene: entries name its lights and objects by number
+    Kept<std::string, PaletteFound> found;  // of these entries, by the text
+    bool has_keyboard = false;              // its text, since the frame before
+    std::vector<ImWchar> typed_ahead;       // until then
 };
 
 /// Draws the menus; called between ImGui::BeginMenuBar() and EndMenuBar().

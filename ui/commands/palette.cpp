@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "models/problem.h"
+#include "ui/commands/command.h"
 #include "ui/commands/fuzzy.h"
 #include "ui/commands/menus.h"
 #include "ui/commands/palette_rows.h"
@@ -113,41 +114,61 @@ bool entry_row(const PaletteEntry& entry, const std::string& text, bool chosen, 
 bool move_choice(PaletteState& state, const UiInput& input, int count) {
     bool decided = false;
     for (const KeyPress& press : input.presses) {
-        if (press.key == Key::Up) --state.chosen;
+        // From no entry, Up goes to the last one as from the first.
+        if (press.key == Key::Up) state.chosen = std::max(state.chosen, 0) - 1;
         if (press.key == Key::Down) ++state.chosen;
         if (press.key == Key::Enter) decided = !state.takes_keyboard;
+        if (count > 0 && (press.key == Key::Up || press.key == Key::Down))
+            state.chosen = (state.chosen + count) % count;
     }
-    if (count > 0) state.chosen = (state.chosen % count + count) % count;
-    return decided && count > 0;
+    state.chosen = std::min(state.chosen, count - 1);
+    return decided && state.chosen >= 0;
+}
+
+PaletteFound find(const std::vector<PaletteEntry>& entries, const std::string& text) {
+    PaletteFound found{palette_matches(entries, text), text};
+    if (!found.matches.empty()) return found;
+    found.marked = nearest_word(entries, text);
+    if (!found.marked.empty()) found.matches = palette_matches(entries, found.marked);
+    return found;
+}
+
+void nothing_found(const std::string& text, const std::string& nearest) {
+    const std::string nothing = fmt::format("Nothing is called “{}”", text);
+    wrapped_dim(nearest.empty() ? nothing + ": commands, fields and scenes are found here"
+                                : fmt::format("{}. Nearest is “{}”:", nothing, nearest));
+}
+
+/// Draws the rows in sight, and the chosen one where it shall be brought there. The index of the one that was
+/// clicked, or -1.
+int entry_rows(const PaletteState& state, const PaletteFound& found, bool shows_chosen) {
+    int clicked = -1;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, px(1)});
+    ImGuiListClipper rows;
+    rows.Begin(static_cast<int>(found.matches.size()), ImGui::GetFrameHeight() + px(1));
+    if (shows_chosen) rows.ForceDisplayRangeByIndices(state.chosen, state.chosen + 1);
+    while (rows.Step())
+        for (int i = rows.DisplayStart; i < rows.DisplayEnd; ++i) {
+            const int index = found.matches[static_cast<std::size_t>(i)];
+            const PaletteEntry& entry = state.entries[static_cast<std::size_t>(index)];
+            if (entry_row(entry, found.marked, i == state.chosen, i)) clicked = index;
+            if (shows_chosen && i == state.chosen) ImGui::SetScrollHereY(0.5f);
+        }
+    ImGui::PopStyleVar();
+    return clicked;
 }
 
 /// The index of the entry that was decided upon, or -1.
 int entry_list(PaletteState& state, const UiInput& input) {
-    std::vector<int> matches = palette_matches(state.entries, state.text);
-    std::string shown = state.text;  // whose letters are marked
-    if (matches.empty()) {
-        shown = nearest_word(state.entries, state.text);
-        if (!shown.empty()) matches = palette_matches(state.entries, shown);
-        const std::string nothing = fmt::format("Nothing is called “{}”", state.text);
-        wrapped_dim(shown.empty() ? nothing + ": commands, fields and scenes are found here"
-                                  : fmt::format("{}. Nearest is “{}”:", nothing, shown));
-    }
+    const PaletteFound& found = state.found.of(state.text, [&] { return find(state.entries, state.text); });
+    if (found.marked != state.text) nothing_found(state.text, found.marked);
     const int before = state.chosen;
-    int decided = -1;
-    if (move_choice(state, input, static_cast<int>(matches.size())))
-        decided = matches[static_cast<std::size_t>(state.chosen)];
-    const float line = ImGui::GetFrameHeight() + px(1);
-    ImGui::BeginChild("##entries", {0, rows_shown * line});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, px(1)});
-    for (std::size_t i = 0; i < matches.size(); ++i) {
-        const bool chosen = static_cast<int>(i) == state.chosen;
-        const PaletteEntry& entry = state.entries[static_cast<std::size_t>(matches[i])];
-        if (entry_row(entry, shown, chosen, static_cast<int>(i))) decided = matches[i];
-        if (chosen && state.chosen != before) ImGui::SetScrollHereY(0.5f);
-    }
-    ImGui::PopStyleVar();
+    const bool entered = move_choice(state, input, static_cast<int>(found.matches.size()));
+    ImGui::BeginChild("##entries", {0, rows_shown * (ImGui::GetFrameHeight() + px(1))});
+    const int clicked = entry_rows(state, found, state.chosen >= 0 && state.chosen != before);
     ImGui::EndChild();
-    return decided;
+    if (clicked >= 0 || !entered) return clicked;
+    return found.matches[static_cast<std::size_t>(state.chosen)];
 }
 
 void run_entry(UiState& state, int index) {
@@ -209,15 +230,39 @@ std::string nearest_word(const std::vector<PaletteEntry>& entries, const std::st
     return shared_letters(text, best) >= (text.size() + 1) / 2 ? best : std::string();
 }
 
+namespace {
+
+/// ImGui gives a field the keyboard two frames after it was asked for, and drops what is typed until then: it
+/// is kept and typed when the field has the keyboard. Of letters that came with other keys before the one
+/// that opens the list it is not known where they belong.
+void type_ahead(PaletteState& state, const UiInput& input) {
+    ImVector<ImWchar>& queue = ImGui::GetIO().InputQueueCharacters;
+    std::vector<ImWchar>& ahead = state.typed_ahead;
+    if (state.has_keyboard) {
+        for (std::size_t i = 0; i < ahead.size(); ++i) queue.insert(queue.begin() + i, ahead[i]);
+        return ahead.clear();
+    }
+    const auto opens = std::find_if(input.presses.begin(), input.presses.end(), [](KeyPress press) {
+        return text_of(press) == keys_of(CommandId::Palette);
+    });
+    if (opens == input.presses.begin() || opens == input.presses.end())
+        ahead.insert(ahead.end(), queue.begin(), queue.end());
+}
+
+}  // namespace
+
 void open_palette(UiState& state) {
-    state.palette = {true, true, "", 0, palette_entries(state), item_counts(state.editor.scene())};
+    state.palette = {};
+    state.palette.open = state.palette.takes_keyboard = true;
+    state.palette.entries = palette_entries(state);
+    state.palette.made_for = item_counts(state.editor.scene());
 }
 
 void palette(UiState& state, const UiInput& input) {
     PaletteState& palette = state.palette;
     if (!palette.open) return;
     if (const ItemCounts now = item_counts(state.editor.scene()); now != palette.made_for)
-        palette.entries = palette_entries(state), palette.made_for = now;
+        palette.entries = palette_entries(state), palette.made_for = now, palette.found.forget();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float width = std::min(px(560), window.x - px(20));
     ImGui::SetNextWindowPos({(window.x - width) / 2, std::min(px(90), window.y / 8)});
@@ -230,7 +275,10 @@ void palette(UiState& state, const UiInput& input) {
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav);
     if (palette.takes_keyboard) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
-    if (text_field("##text", "What would you like to do?", palette.text)) palette.chosen = 0;
+    type_ahead(palette, input);
+    if (text_field("##text", "What would you like to do?", palette.text, 0, longest_search))
+        palette.chosen = palette.text.empty() ? -1 : 0;
+    palette.has_keyboard = ImGui::IsItemActive();
     const int decided = entry_list(palette, input);
     const bool left = !palette.takes_keyboard && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     const bool entered = std::any_of(input.presses.begin(), input.presses.end(),

@@ -112,12 +112,20 @@ void add_tabs(Entries& entries) {
              }});
 }
 
-void add_copies(Entries& entries, const UiState& state) {
+std::string why_no_copy(const UiState& state) {
     const bool is_there = state.explanation && state.explanation->hit;
+    return is_there ? "" : "No pixel is picked that shows an object";
+}
+
+void add_copies(Entries& entries, const UiState& state) {
     for (const CopyFormat& format : copy_formats())
         entries.push_back({fmt::format("Copy the explanation as {}", format.label), "Action", "",
-                           is_there ? "" : "No pixel is picked that shows an object",
-                           [&format](UiState& s) { copy_explanation(s, format); }});
+                           why_no_copy(state), [&format](UiState& s) {
+                               // Since the entry was made the pixel may have gone.
+                               const std::string refused = why_no_copy(s);
+                               if (!refused.empty()) return s.notifications.add(Tone::Warning, refused);
+                               copy_explanation(s, format);
+                           }});
 }
 
 void add_open(Entries& entries, std::string name, std::string group, const std::string& path) {

@@ -28,7 +28,7 @@ constexpr double first_memory_wait = 1, longest_memory_wait = 60;  // seconds un
 void put_views_away(UiState& state) {
     ViewsState& views = state.views;
     views.compare.choice.on = views.compare.choice.shows_stored = false;
-    views.compare.renderers.clear();
+    forget_parts(views.compare);
     views.debug_view.set = {};
     views.debug_view.painter.reset();
     views.scope.open = false;
@@ -163,7 +163,7 @@ void finish_pending(UiState& state) {
     if (now.what == Pending::What::Recover) recover_autosave(state, now.path);
     if (now.what == Pending::What::Open) begin_open(state, now.path);
     if (now.left_out > 0) state.notifications.add(Tone::Warning, only_first_of_several);
-    if (now.what == Pending::What::Page) turn_page(state, std::atoi(now.path.c_str()));
+    finish_in_lesson(state, now);
     if (now.what == Pending::What::Match) begin_match(state, std::strtoull(now.path.c_str(), nullptr, 10));
 }
 

@@ -98,11 +98,15 @@ struct Editor {
     [[nodiscard]] bool unsaved() const {
         return !same_but_camera(document.scene, saved) || history.edited_camera() != saved_edited_camera;
     }
-    /// File name for titles; "New scene" when there is none.
+    /// file_title() its path.
     [[nodiscard]] std::string title() const;
     /// True when saving needs no question: the document is a scene file already.
     [[nodiscard]] bool has_scene_file() const;
 };
+
+/// The name of a file for titles and questions; "New scene" when there is none. On one line and at most 80
+/// characters long: a path that anyone may have written does not push away what stands below it.
+[[nodiscard]] std::string file_title(const std::string& path);
 
 /// Puts a document in hand, with a fresh history; `before` keeps what was.
 void take_document(Editor& editor, SceneDocument document);

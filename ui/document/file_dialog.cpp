@@ -159,35 +159,45 @@ const char* nothing_words(FilePurpose purpose) {
     return "";  // not reached
 }
 
+/// What a click or two on an entry asked for.
+struct Clicked {
+    std::string enter_folder;
+    bool decided = false;
+};
+
+void entry_row(FileDialog& dialog, const FolderEntry& entry, Clicked& clicked) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeight();
+    const std::string label = whole_label("      " + entry.name);
+    if (ImGui::Selectable(label.c_str(), entry.name == dialog.name, ImGuiSelectableFlags_AllowDoubleClick)) {
+        const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+        if (entry.folder && twice) clicked.enter_folder = entry.name;
+        if (!entry.folder || !saves(dialog.purpose)) dialog.name = entry.name;
+        dialog.asks_overwrite = false;
+        clicked.decided |= twice && !entry.folder;
+    }
+    draw_icon(*ImGui::GetWindowDrawList(), entry.folder ? Icon::Folder : Icon::File,
+              {low.x + 0.6f * line, low.y + line / 2}, 0.8f * line, to_u32(theme().dim_text));
+}
+
 /// Draws the list of entries. True when a file was double-clicked.
 bool entry_list(FileDialog& dialog) {
-    bool decided = false;
-    std::string enter_folder;
+    Clicked clicked;
     const float below =
         ImGui::GetFrameHeight() + ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().ItemSpacing.y;
     ImGui::BeginChild("##entries", {0, -below}, true);
-    const float line = ImGui::GetTextLineHeight();
-    for (const FolderEntry& entry : dialog.entries) {
-        const ImVec2 low = ImGui::GetCursorScreenPos();
-        const std::string label = whole_label("      " + entry.name);
-        if (ImGui::Selectable(label.c_str(), entry.name == dialog.name,
-                              ImGuiSelectableFlags_AllowDoubleClick)) {
-            const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-            if (entry.folder && twice) enter_folder = entry.name;
-            if (!entry.folder || !saves(dialog.purpose)) dialog.name = entry.name;
-            dialog.asks_overwrite = false;
-            decided |= twice && !entry.folder;
-        }
-        draw_icon(*ImGui::GetWindowDrawList(), entry.folder ? Icon::Folder : Icon::File,
-                  {low.x + 0.6f * line, low.y + line / 2}, 0.8f * line, to_u32(theme().dim_text));
-    }
+    ImGuiListClipper in_sight;  // a folder may hold tens of thousands
+    in_sight.Begin(static_cast<int>(dialog.entries.size()));
+    while (in_sight.Step())
+        for (int i = in_sight.DisplayStart; i < in_sight.DisplayEnd; ++i)
+            entry_row(dialog, dialog.entries[static_cast<std::size_t>(i)], clicked);
     if (dialog.entries.empty()) dim_text(nothing_words(dialog.purpose));
     ImGui::EndChild();
-    if (!enter_folder.empty()) {
+    if (!clicked.enter_folder.empty()) {
         dialog.name.clear();
-        go_to(dialog, fs::path(dialog.folder) / enter_folder);
+        go_to(dialog, fs::path(dialog.folder) / clicked.enter_folder);
     }
-    return decided;
+    return clicked.decided;
 }
 
 }  // namespace

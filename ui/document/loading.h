@@ -37,10 +37,14 @@ struct Loading {
     std::optional<SceneDocument> loaded;  // whole, and waiting for the answer to "save changes?"
     std::unique_ptr<LoadJob> meshes;      // of `awaited`
     std::vector<AwaitedMesh> awaited;
+    std::vector<Object> known;  // the edited scene's as poll_loads() left them, by which it tells what an
+                                // object was that an edit left without its mesh
     std::vector<std::unique_ptr<LoadJob>> left;  // cancelled, and not ended yet
     double since = 0;                            // ImGui's time when the newest of them began
 
     [[nodiscard]] bool active() const { return document || meshes; }
+    /// Cancels a job, whose thread may go on for a while. Nothing where there is none.
+    void leave(std::unique_ptr<LoadJob>& job);
 };
 
 /// Begins to open a file; what was being opened is cancelled.
@@ -55,8 +59,10 @@ void begin_mesh(UiState& state, const MeshSource& source, int index);
 /// Takes finished loads, once a frame, before anything is drawn. Meshes that an edit left unloaded are made
 /// at once if that is quick, else loading begins. A problem is a notification, and the scene stays.
 void poll_loads(UiState& state);
+/// Does of it what is about meshes: ui/document/awaited_meshes.cpp.
+void poll_meshes(UiState& state);
 
-/// Whether an object waits for its mesh: no undo step yet.
+/// Whether an object waits for its mesh, or will from the next frame on: no undo step yet.
 [[nodiscard]] bool awaits_mesh(const UiState& state);
 
 /// `scene`, which is the edited one or shares its objects, with the mesh that is seen for each that is still
@@ -68,6 +74,8 @@ void poll_loads(UiState& state);
 
 /// Ends all loads; the scene is as before them.
 void cancel_loads(UiState& state);
+/// Ends those of meshes: each object is again what its mesh was made of.
+void give_up_meshes(UiState& state);
 
 /// Draws the bar that says what is being loaded, over the middle of the picture's upper edge.
 void loading_panel(UiState& state, const Rect& picture);

@@ -88,7 +88,7 @@ void loading_panel(UiState& state, const Rect& picture) {
     if (ImGui::GetTime() - state.loading.since < shown_after) return;
     const float width = begin_over_picture("##loading", px(400), picture, ImGuiWindowFlags_NoNav);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(job->name().c_str());
+    ImGui::TextUnformatted(file_title(job->name()).c_str());
     ImGui::SameLine(width - px(90));
     const bool cancelled = ImGui::Button("Cancel", {px(80), 0});
     tooltip("Cancel", "The scene stays as it is");

@@ -30,24 +30,23 @@ constexpr int max_frames = 2000;
 constexpr int numbers_listed = 7;
 
 /// "Bulb: intensity"
-std::string words_for(const Scene& scene, const std::string& pointer) {
-    const NamedNumber named = named_number(pointer, scene);
-    return fmt::format("{}: {}", named.owner, named.what);
+std::string words_for(const Scene& scene, const SceneNumber& number) {
+    return fmt::format("{}: {}", owner_of(number.pointer, scene), number.words);
 }
 
-/// The numbers that have an effect and match what was typed, best first.
-std::vector<SceneNumber> matching(const Scene& scene, const std::string& text) {
+/// The pointers of the numbers that have an effect and match what was typed, best first.
+std::vector<std::string> matching(const Scene& scene, const std::string& text) {
     const std::vector<SceneNumber> numbers = numbers_of(scene);
     std::vector<std::pair<int, std::size_t>> scored;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (!numbers[i].applies) continue;
-        if (const auto match = fuzzy_match(text, words_for(scene, numbers[i].pointer)))
+        if (const auto match = fuzzy_match(text, words_for(scene, numbers[i])))
             scored.emplace_back(-match->score, i);
     }
     std::sort(scored.begin(), scored.end());
-    std::vector<SceneNumber> found;
+    std::vector<std::string> found;
     for (const auto& [score, i] : scored) {
-        found.push_back(numbers[i]);
+        found.push_back(numbers[i].pointer);
         if (found.size() == numbers_listed) break;
     }
     return found;
@@ -58,10 +57,10 @@ void forget_number_that_is_gone(UiState& state) {
     AnimateState& animate = state.animate;
     if (animate.animation.pointer.empty()) return;
     const Scene& scene = state.editor.scene();
-    const bool is_there = number_at(scene, animate.animation.pointer).has_value();
-    const std::string words = is_there ? words_for(scene, animate.animation.pointer) : "";
+    const std::optional<SceneNumber> number = number_at(scene, animate.animation.pointer);
+    const std::string words = number ? words_for(scene, *number) : "";
     if (animate.number.empty()) animate.number = words;
-    if (is_there && words == animate.number) return;
+    if (number && words == animate.number) return;
     forget_number(state);
 }
 
@@ -72,30 +71,45 @@ double other_end(const SceneNumber& number) {
     return number.count ? number.count->nearest(far) : far;
 }
 
+/// As matching(): of thousands of objects it takes longer than a frame has.
+const std::vector<std::string>& found_numbers(AnimateState& animate, const Scene& scene) {
+    if (animate.searched != animate.search) animate.found.forget();
+    animate.searched = animate.search;
+    const auto find = [&] { return matching(scene, animate.search); };
+    if (animate.found.value() == nullptr) return animate.found.of(scene, find);
+    update_at_rest(animate.found, scene, find);
+    return *animate.found.value();
+}
+
+/// A row of the list; it is taken by a click, or when it is `entered`.
+void offer_number(AnimateState& animate, const Scene& scene, const SceneNumber& number, bool entered) {
+    Animation& animation = animate.animation;
+    const std::string words = words_for(scene, number);
+    const std::string label =
+        fmt::format("{}  =  {:.5g}##{}", whole_label(words), number.value, number.pointer);
+    const bool clicked = ImGui::Selectable(label.c_str(), number.pointer == animation.pointer);
+    tooltip(whole_label(words).c_str(), number.help, "", number.pointer);
+    if (!clicked && !entered) return;
+    animation.pointer = number.pointer;
+    animate.number = words;
+    animation.from = number.value;
+    animation.to = other_end(number);
+    animate.began = ImGui::GetTime();
+}
+
 void choose_number(AnimateState& animate, const Scene& scene) {
     Animation& animation = animate.animation;
     ImGui::SetNextItemWidth(label_cell("Number"));
     if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered = text_field("##search", "a part of its name: roughness …", animate.search,
-                                    ImGuiInputTextFlags_EnterReturnsTrue);
+                                    ImGuiInputTextFlags_EnterReturnsTrue, longest_search);
     tooltip("Number", "What goes to and fro; Enter takes the first");
-    const auto found = matching(scene, animate.search);
+    const std::vector<std::string>& found = found_numbers(animate, scene);
     if (found.empty() && !animate.search.empty())
         wrapped_dim(fmt::format("No number of the scene is called “{}”", animate.search));
-    for (const SceneNumber& number : found) {
-        const std::string words = words_for(scene, number.pointer);
-        const std::string label =
-            fmt::format("{}  =  {:.5g}##{}", whole_label(words), number.value, number.pointer);
-        const bool chosen = ImGui::Selectable(label.c_str(), number.pointer == animation.pointer) ||
-                            (entered && &number == &found.front());
-        tooltip(whole_label(words).c_str(), number.help, "", number.pointer);
-        if (!chosen) continue;
-        animation.pointer = number.pointer;
-        animate.number = words;
-        animation.from = number.value;
-        animation.to = other_end(number);
-        animate.began = ImGui::GetTime();
-    }
+    for (const std::string& pointer : found)
+        if (const auto number = number_at(scene, pointer))  // while the mouse drags, it may have gone
+            offer_number(animate, scene, *number, entered && &pointer == &found.front());
     if (animation.pointer.empty()) return;
     ImGui::Separator();
     const Real ends{.format = "%.4g"};

@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "models/fields/choice.h"
 #include "models/scene_file/scene_file.h"
 #include "ui/document/job.h"
+#include "ui/widgets/kept.h"
 
 namespace glint {
 
@@ -48,6 +50,8 @@ struct AnimateState {
     Animation animation;
     std::string search;       // for the number that shall move
     bool takes_keys = false;  // the search shall get the keyboard
+    std::string searched;     // that search was the last, and these the pointers that it found, best first
+    Kept<Scene, std::vector<std::string>> found;
     std::string number;  // Animation::pointer in words when it was chosen: "Bulb: intensity"; empty: not yet
     int frames_a_second = 25;               // 1 to 50: GIF counts hundredths of a second
     double began = 0;                       // ImGui's time at frame 0

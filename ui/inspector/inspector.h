@@ -11,6 +11,7 @@
 #include "models/scene/scene.h"
 #include "renderer/inspect/explain/explanation.h"
 #include "renderer/inspect/explain/quantity.h"
+#include "ui/inspector/blocks_in_sight.h"
 #include "ui/widgets/kept.h"
 #include "ui/widgets/theme.h"
 
@@ -65,6 +66,7 @@ struct InspectorState {
     bool instead_rests = false;  // it stays when the mouse goes: cells of the grid that were left out
     std::string preview_name;    // over it; or empty
     std::optional<MarkedQuantity> marked;  // shown in the equation for a moment
+    BlocksInSight cards{10};               // of the equation, one a light
 };
 
 struct UiState;

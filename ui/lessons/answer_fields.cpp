@@ -208,6 +208,36 @@ void answer_fields(UiState& state, const StationQuestion& question) {
     if (skipped) reveal_unanswered(state);
 }
 
+std::string why_no_answer(const LessonState& lesson) {
+    const auto open = open_question(lesson);
+    if (!open) return "Nothing is asked";
+    const Prediction& question = *lesson.station().questions[*open].asks;
+    const bool is_number = question.kind == PredictionKind::Number;
+    if (is_number ? lesson.typed.empty() : lesson.chosen == JsonValue()) return "Answer first";
+    if (is_number) return calculated(lesson.typed, 0).problem;
+    if (question.kind != PredictionKind::Sketch) return {};
+    const JsonValue::Elements& values = lesson.chosen.elements();
+    const bool whole =
+        values.size() == sketch_length(question) &&
+        std::all_of(values.begin(), values.end(), [](const JsonValue& v) { return v.is_number(); });
+    return whole ? "" : "The curve has gaps: draw it from A, at the left edge, to B, at the right one";
+}
+
+bool can_lock(const LessonState& lesson) { return why_no_answer(lesson).empty(); }
+
+bool answer_by_key(UiState& state, KeyPress press) {
+    LessonState& lesson = state.lesson;
+    const auto open = open_question(lesson);
+    if (!open || lesson.lecturer) return false;
+    if (press == KeyPress{Key::Enter} && can_lock(lesson)) {
+        lock_in(state);
+        return true;
+    }
+    const auto option = option_of_key(press, lesson.station().questions[*open].asks->options.size());
+    if (option) lesson.chosen = JsonValue(*option);
+    return option.has_value();
+}
+
 void revealed_answer(UiState& state, const StationQuestion& question, const GivenAnswer& given) {
     const Prediction& asks = *question.asks;
     revealed_value(state.lesson, question, given);

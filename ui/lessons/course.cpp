@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "models/io/file.h"
+#include "models/progress.h"
 
 namespace glint {
 namespace {
@@ -43,6 +44,23 @@ class Cutter {
     std::vector<Station>& stations_;
     std::size_t step_ = 0;
 };
+
+/// Bytes of a text that stand outside of it.
+std::uint64_t bytes_of(const std::string& text) {
+    return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
+}
+
+/// Bytes that a scene holds beside its own size and its meshes, which are shared and count for themselves.
+std::uint64_t bytes_of(const Scene& scene) {
+    std::uint64_t bytes = bytes_of(scene.about) + scene.lights.capacity() * sizeof(Light) +
+                          scene.objects.capacity() * sizeof(Object);
+    for (const Light& light : scene.lights) bytes += bytes_of(light.name);
+    for (const Object& object : scene.objects) {
+        bytes += bytes_of(object.name);
+        if (const auto* file = std::get_if<MeshFile>(&object.source)) bytes += bytes_of(file->path);
+    }
+    return bytes;
+}
 
 /// The station's scenes and answers. `step`: its step's scene.
 std::optional<Problem> make_ready(Station& station, const Lesson& lesson, const SceneDocument& step,
@@ -90,11 +108,14 @@ Result<std::shared_ptr<const Course>> open_course(const std::string& path) {
     course->document = std::get<SceneDocument>(std::move(opened));
     course->stations = stations_of(lesson);
     for (Station& station : course->stations) {
+        if (load_cancelled()) return Problem{path, "", cancelled_words, ""};
         const LessonStep& step = lesson.steps[station.step];
         const Result<SceneDocument> set = LessonRunner::with(course->document, step.set, lesson, step.line);
         if (const Problem* problem = problem_of(set)) return *problem;
         if (const auto problem = make_ready(station, lesson, std::get<SceneDocument>(set), runner))
             return *problem;
+        course->scenes.add(
+            memory_need(MemoryUse::Objects, bytes_of(station.asked) + bytes_of(station.revealed)));
     }
     course->document.scene = course->stations.front().asked;
     course->document.path.clear();

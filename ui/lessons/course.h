@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "models/lesson/lesson.h"
+#include "models/memory_limit.h"
 #include "renderer/lessons/run_lesson.h"
 
 namespace glint {
@@ -41,10 +42,12 @@ struct Course {
     Lesson lesson;
     SceneDocument document;  // the lesson's scene with its meshes, and no path: nothing is saved over it
     std::vector<Station> stations;  // at least one; they point into `lesson`
+    MemoryShare scenes;             // of the stations
 };
 
 /// Reads the lesson's file, loads its scene, and runs what its questions ask for. What is wrong is one line
-/// with the number of its line. Throws Refused and std::bad_alloc, as LessonRunner does.
+/// with the number of its line. Ends early when this thread's load is cancelled (models/progress.h). Throws
+/// Refused and std::bad_alloc, as LessonRunner does.
 [[nodiscard]] Result<std::shared_ptr<const Course>> open_course(const std::string& path);
 
 /// Whether a path names a lesson: it ends in .md.

@@ -1,6 +1,7 @@
 #include "ui/lessons/lesson.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 #include "ui/document/document_actions.h"
@@ -22,6 +23,7 @@ void set_scene(UiState& state, const Scene& scene) {
     Editor& editor = state.editor;
     (void)cancel_gesture(state.viewport, editor.scene());
     let_go_of_fields();
+    give_up_meshes(state);  // the step that goes before has the meshes that are seen
     remember_step(editor, false);
     editor.scene() = scene;
     state.sensitivity.forget();
@@ -93,9 +95,12 @@ void arrive(UiState& state) {
         set_scene(state, lesson.station().asked);
 }
 
-/// What was saved under a name is somebody's work; the lesson's scene, however it was explored, is not.
-bool has_own_file_unsaved(const UiState& state) {
-    return !state.editor.document.path.empty() && state.editor.unsaved();
+/// Does it at once, or after the question whether to save: what was saved under a name is somebody's work;
+/// the lesson's scene, however it was explored, is not.
+void ask_first(UiState& state, Pending::What what, const std::string& path = {}) {
+    if (!state.editor.document.path.empty() && state.editor.unsaved())
+        return begin_pending(state, what, path);
+    finish_in_lesson(state, {.what = what, .path = path});
 }
 
 }  // namespace
@@ -147,14 +152,17 @@ std::optional<std::size_t> open_question(const LessonState& lesson) {
 
 bool is_held(const UiState& state) { return open_question(state.lesson).has_value(); }
 
-void go_on(UiState& state, int steps) {
-    if (has_own_file_unsaved(state)) return begin_pending(state, Pending::What::Page, std::to_string(steps));
-    turn_page(state, steps);
+void go_on(UiState& state, int steps) { ask_first(state, Pending::What::Page, std::to_string(steps)); }
+
+void page_lesson(UiState& state, int steps) {
+    if (state.lesson.lecturer && steps > 0 && open_question(state.lesson)) return reveal_unanswered(state);
+    go_on(state, steps);
 }
+
+namespace {
 
 void turn_page(UiState& state, int steps) {
     LessonState& lesson = state.lesson;
-    if (!lesson.course) return;
     const auto wanted = static_cast<std::ptrdiff_t>(lesson.progress.station) + steps;
     if (wanted < 0) return state.notifications.tell("This is where the lesson begins");
     if (wanted >= std::ssize(lesson.course->stations))
@@ -163,58 +171,46 @@ void turn_page(UiState& state, int steps) {
     arrive(state);
 }
 
-void page_lesson(UiState& state, int steps) {
-    if (state.lesson.lecturer && steps > 0 && open_question(state.lesson)) return reveal_unanswered(state);
-    go_on(state, steps);
-}
-
-void switch_lecturer(UiState& state) {
+void become_student(UiState& state) {
     LessonState& lesson = state.lesson;
-    keep_progress(state);
-    lesson.lecturer = !lesson.lecturer;
-    if (lesson.lecturer) {
-        lesson.written = lesson.progress;  // to come back to
-        return;
-    }
+    lesson.lecturer = false;
     const std::size_t station = lesson.progress.station;
     lesson.progress = lesson.written;
     lesson.progress.station = station;
     arrive(state);
 }
 
-void begin_again(UiState& state) {
+void restart(UiState& state) {
     state.lesson.progress = fresh_progress(*state.lesson.course);
     arrive(state);
 }
 
-std::string why_no_answer(const LessonState& lesson) {
-    const auto open = open_question(lesson);
-    if (!open) return "Nothing is asked";
-    const Prediction& question = *lesson.station().questions[*open].asks;
-    const bool is_number = question.kind == PredictionKind::Number;
-    if (is_number ? lesson.typed.empty() : lesson.chosen == JsonValue()) return "Answer first";
-    if (is_number) return calculated(lesson.typed, 0).problem;
-    if (question.kind != PredictionKind::Sketch) return {};
-    const JsonValue::Elements& values = lesson.chosen.elements();
-    const bool whole =
-        values.size() == sketch_length(question) &&
-        std::all_of(values.begin(), values.end(), [](const JsonValue& v) { return v.is_number(); });
-    return whole ? "" : "The curve has gaps: draw it from A, at the left edge, to B, at the right one";
+void restore_scene(UiState& state) {
+    LessonState& lesson = state.lesson;
+    state.animate.playing = false;
+    set_scene(state, open_question(lesson) ? lesson.station().asked : lesson.station().revealed);
 }
 
-bool can_lock(const LessonState& lesson) { return why_no_answer(lesson).empty(); }
+}  // namespace
 
-bool answer_by_key(UiState& state, KeyPress press) {
+void switch_lecturer(UiState& state) {
     LessonState& lesson = state.lesson;
-    const auto open = open_question(lesson);
-    if (!open || lesson.lecturer) return false;
-    if (press == KeyPress{Key::Enter} && can_lock(lesson)) {
-        lock_in(state);
-        return true;
-    }
-    const auto option = option_of_key(press, lesson.station().questions[*open].asks->options.size());
-    if (option) lesson.chosen = JsonValue(*option);
-    return option.has_value();
+    if (lesson.lecturer) return ask_first(state, Pending::What::Student);
+    keep_progress(state);
+    lesson.lecturer = true;
+    lesson.written = lesson.progress;  // to come back to
+}
+
+void begin_again(UiState& state) { ask_first(state, Pending::What::Again); }
+
+void back_to_scene(UiState& state) { ask_first(state, Pending::What::Station); }
+
+void finish_in_lesson(UiState& state, const Pending& now) {
+    if (!state.lesson.course) return;
+    if (now.what == Pending::What::Page) turn_page(state, std::atoi(now.path.c_str()));
+    if (now.what == Pending::What::Student) become_student(state);
+    if (now.what == Pending::What::Again) restart(state);
+    if (now.what == Pending::What::Station) restore_scene(state);
 }
 
 void lock_in(UiState& state) {
@@ -232,12 +228,6 @@ void reveal_unanswered(UiState& state) {
     for (GivenAnswer& given : state.lesson.given()) given.skipped |= !given.locked;
     forget_input(state.lesson);
     show_reveal(state);
-}
-
-void back_to_scene(UiState& state) {
-    LessonState& lesson = state.lesson;
-    state.animate.playing = false;
-    set_scene(state, open_question(lesson) ? lesson.station().asked : lesson.station().revealed);
 }
 
 bool has_strayed(const UiState& state) {

@@ -17,14 +17,16 @@
 
 namespace glint {
 
+struct Pending;
 struct UiState;
 struct PictureView;
 
-/// Which tasks of a station the scene `of` fulfils.
+/// Which tasks of a course's station the scene `of` fulfils.
 struct WatchedTasks {
+    std::shared_ptr<const Course> course;
     Scene of;
     std::size_t station = 0;
-    std::vector<bool> done;  // in the order of the station's tasks
+    std::vector<bool> done;  // in the order of the station's tasks; empty where it cannot be told
 };
 
 struct LessonState {
@@ -42,7 +44,8 @@ struct LessonState {
     JsonValue chosen;                      // of all other kinds; null: none yet
     std::optional<glm::dvec2> sketched;    // where the hand was on a sketch: (number of the value, value)
     std::unique_ptr<LessonRunner> runner;  // of `watching`: it keeps what it drew
-    std::unique_ptr<Job<WatchedTasks>> watching;
+    std::unique_ptr<Job<std::vector<bool>>> watching;
+    WatchedTasks asked_of;                // what `watching` is about: the lesson may be another by then
     std::optional<WatchedTasks> watched;  // the last answer
     CourseProgress written;               // as the file has it
 
@@ -66,15 +69,19 @@ void leave_lesson(UiState& state);
 [[nodiscard]] bool is_held(const UiState& state);
 inline constexpr const char* why_held = "First answer the lesson's question";
 
-/// Goes `steps` stations on, or back if negative, and shows the scene there. At the ends it says so. Asks
-/// first where the scene in hand was saved under a name and has changes that were not.
+// What puts a scene of the lesson in hand asks first where the one in hand was saved under a name and has
+// changes that were not.
+
+/// Goes `steps` stations on, or back if negative, and shows the scene there. At the ends it says so.
 void go_on(UiState& state, int steps);
-/// Goes without asking.
-void turn_page(UiState& state, int steps);
 /// Does what PgDn and PgUp do; for a lecturer, PgDn first shows an open answer.
 void page_lesson(UiState& state, int steps);
 /// Begins the lesson at its first station again, with nothing answered.
 void begin_again(UiState& state);
+/// Restores the lesson's scene of this station, as one step to undo.
+void back_to_scene(UiState& state);
+/// Does what waited for the answer to that question; nothing where it is not the lesson's.
+void finish_in_lesson(UiState& state, const Pending& now);
 
 /// Says why what is given to the open question is not an answer yet; empty where it is one.
 [[nodiscard]] std::string why_no_answer(const LessonState& lesson);
@@ -87,8 +94,6 @@ bool answer_by_key(UiState& state, KeyPress press);
 void lock_in(UiState& state);
 /// Shows all answers of the station; what was not locked in counts as not answered.
 void reveal_unanswered(UiState& state);
-/// Restores the lesson's scene of this station, as one step to undo.
-void back_to_scene(UiState& state);
 /// Whether the scene differs from the lesson's here; a changed view counts too.
 [[nodiscard]] bool has_strayed(const UiState& state);
 

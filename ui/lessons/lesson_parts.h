@@ -39,7 +39,8 @@ void revealed_answer(UiState& state, const StationQuestion& question, const Give
 /// What somebody has answered, in one line, while it is not revealed yet.
 [[nodiscard]] std::string given_words(const Prediction& question, const GivenAnswer& given);
 
-/// Switches the lecturer's mode: what was shown in it does not count as seen by a student.
+/// Switches the lecturer's mode: what was shown in it does not count as seen by a student. Asks first, as
+/// go_on() does.
 void switch_lecturer(UiState& state);
 
 /// Something to do: its words, its controls, and whether it is done.

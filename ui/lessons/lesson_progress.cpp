@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "models/io/file.h"
+#include "models/io/utf8.h"
 #include "ui/preferences/autosave.h"
 #include "ui/ui.h"
 
@@ -55,6 +56,39 @@ const JsonValue::Elements& list_in(const JsonValue& json, const char* name) {
     return (found == nullptr ? nothing : *found).elements();
 }
 
+/// The records as the file has them; empty where there is no file.
+Result<JsonValue> read_records(const UiState& state) {
+    const std::string file = file_of(state);
+    std::error_code failed;
+    if (!fs::exists(file, failed) && !failed) return JsonValue::object();
+    const Result<std::string> text = read_file(file, longest_file);
+    if (const Problem* problem = problem_of(text)) return *problem;
+    JsonValue read = JsonValue::parse(std::get<std::string>(text)).value_or(JsonValue());
+    if (!read.is_object()) return Problem{file, "", "does not hold what Glint wrote", "JSON, or no file"};
+    return read;
+}
+
+/// Writes the records, unless they could not be read again.
+Result<std::monostate> write_records(const UiState& state, const JsonValue& records) {
+    const std::string text = json_text(records);
+    if (text.size() > longest_file) return Problem{file_of(state), "", "is full", "at most 1 MiB"};
+    return write_file_at_once(file_of(state), text);
+}
+
+/// The record of the lesson goes into the file, beside all others. What cannot be read is not written over.
+Result<std::monostate> keep_record(const UiState& state) {
+    const LessonState& lesson = state.lesson;
+    Result<JsonValue> read = read_records(state);
+    if (const Problem* problem = problem_of(read)) return *problem;
+    const Course& course = *lesson.course;
+    auto& records = std::get<JsonValue>(read);
+    JsonValue& record = records[record_key(lesson.folder, course.lesson.path)];
+    const std::optional<CourseProgress> kept = read_progress(record, course);
+    record =
+        progress_json(course, kept ? with_changes(*kept, lesson.written, lesson.progress) : lesson.progress);
+    return write_records(state, records);
+}
+
 }  // namespace
 
 std::string record_key(const std::string& folder, const std::string& path) {
@@ -62,9 +96,9 @@ std::string record_key(const std::string& folder, const std::string& path) {
     const fs::path file(path);
     if (!folder.empty() &&
         fs::equivalent(file.parent_path().empty() ? "." : file.parent_path(), folder, failed))
-        return file.stem().string();
+        return escaped_bytes(file.stem().string());
     const fs::path whole = fs::absolute(file, failed).lexically_normal();
-    return failed ? path : whole.string();
+    return escaped_bytes(failed ? path : whole.string());
 }
 
 JsonValue progress_json(const Course& course, const CourseProgress& progress) {
@@ -116,10 +150,8 @@ std::optional<LessonRecord> read_record(const JsonValue& json) {
 
 JsonValue lesson_records(const UiState& state) {
     if (state.persistence.folder.empty()) return JsonValue::object();
-    const Result<std::string> text = read_file(file_of(state), longest_file);
-    if (problem_of(text) != nullptr) return JsonValue::object();
-    JsonValue read = JsonValue::parse(std::get<std::string>(text)).value_or(JsonValue());
-    return read.is_object() ? read : JsonValue::object();
+    Result<JsonValue> read = read_records(state);
+    return problem_of(read) == nullptr ? std::get<JsonValue>(std::move(read)) : JsonValue::object();
 }
 
 CourseProgress recall_progress(const UiState& state, const Course& course) {
@@ -148,13 +180,7 @@ void keep_progress(UiState& state, double patience) {
     if (!can_keep(state, answers)) return;
     const FolderLock lock(state.persistence.folder, patience);
     if (!lock.held()) return redraw_within(ask_again);
-    const Course& course = *lesson.course;
-    JsonValue records = lesson_records(state);
-    JsonValue& record = records[record_key(lesson.folder, course.lesson.path)];
-    const std::optional<CourseProgress> kept = read_progress(record, course);
-    record =
-        progress_json(course, kept ? with_changes(*kept, lesson.written, lesson.progress) : lesson.progress);
-    const Result<std::monostate> written = write_file_at_once(file_of(state), json_text(records));
+    const Result<std::monostate> written = keep_record(state);
     if (const Problem* problem = problem_of(written)) tell_not_kept(state, answers, *problem);
     lesson.written = lesson.progress;
 }

@@ -18,7 +18,8 @@ struct LessonRecord {
     CourseScore score;
 };
 
-/// Returns the key of a lesson's record: its name if it comes with the program, else its absolute path.
+/// Returns the key of a lesson's record, as UTF-8: its name if it comes with the program, else its absolute
+/// path.
 [[nodiscard]] std::string record_key(const std::string& folder, const std::string& path);
 
 /// Writes as JSON which station is open, the score, and every answer.
@@ -27,7 +28,7 @@ struct LessonRecord {
 [[nodiscard]] std::optional<CourseProgress> read_progress(const JsonValue& json, const Course& course);
 [[nodiscard]] std::optional<LessonRecord> read_record(const JsonValue& json);
 
-/// The records of all lessons, by their keys.
+/// The records of all lessons, by their keys; none where they cannot be read.
 [[nodiscard]] JsonValue lesson_records(const UiState& state);
 
 /// What is remembered of the lesson, else a fresh beginning.

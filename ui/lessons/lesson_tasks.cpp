@@ -25,41 +25,41 @@ std::vector<const Task*> tasks_of(const Station& station) {
 }
 
 /// `runner` is the caller's until the job has ended.
-Result<WatchedTasks> watched(const std::shared_ptr<const Course>& course, std::size_t station,
-                             LessonRunner& runner, const Scene& scene) {
-    WatchedTasks watched{scene, station, {}};
-    SceneDocument document = course->document;
-    document.scene = scene;
-    for (const Task* task : tasks_of(course->stations[station])) {
-        const Result<NamedValues> values = runner.answers(document, course->lesson, task->runs);
+Result<std::vector<bool>> done_tasks(const WatchedTasks& asked, LessonRunner& runner) {
+    std::vector<bool> all_done;
+    SceneDocument document = asked.course->document;
+    document.scene = asked.of;
+    for (const Task* task : tasks_of(asked.course->stations[asked.station])) {
+        const Result<NamedValues> values = runner.answers(document, asked.course->lesson, task->runs);
         if (const Problem* problem = problem_of(values)) return *problem;
         const Result<bool> done = task->done.holds(std::get<NamedValues>(values));
         // What cannot be asked of this scene, as of a light that was deleted, is not done.
         const bool* holds = std::get_if<bool>(&done);
-        watched.done.push_back(holds != nullptr && *holds);
+        all_done.push_back(holds != nullptr && *holds);
     }
-    return watched;
+    return all_done;
 }
 
 void begin_watching(UiState& state) {
     LessonState& lesson = state.lesson;
     if (!lesson.runner) lesson.runner = std::make_unique<LessonRunner>(1);
-    lesson.watching = std::make_unique<Job<WatchedTasks>>(
-        lesson.course->lesson.title,
-        [course = lesson.course, station = lesson.progress.station, runner = lesson.runner.get(),
-         scene = state.editor.scene()](LoadProgress&) { return watched(course, station, *runner, scene); });
+    lesson.asked_of = {lesson.course, state.editor.scene(), lesson.progress.station, {}};
+    lesson.watching = std::make_unique<Job<std::vector<bool>>>(
+        lesson.course->lesson.title, [asked = lesson.asked_of, runner = lesson.runner.get()](LoadProgress&) {
+            return done_tasks(asked, *runner);
+        });
 }
 
 void take_watched(UiState& state) {
     LessonState& lesson = state.lesson;
-    Result<WatchedTasks> result = lesson.watching->take();
+    Result<std::vector<bool>> result = lesson.watching->take();
     lesson.watching.reset();
-    if (problem_of(result) != nullptr) {  // the scene is not one that the condition can be asked of
-        lesson.watched = WatchedTasks{state.editor.scene(), lesson.progress.station, {}};
-        return;
-    }
-    lesson.watched = std::get<WatchedTasks>(std::move(result));
-    if (!lesson.course || lesson.watched->station != lesson.progress.station) return;
+    WatchedTasks asked = std::exchange(lesson.asked_of, {});
+    if (asked.course != lesson.course) return;  // one lesson's tasks are not those of the next
+    // A problem: the scene is not one that the condition can be asked of.
+    if (problem_of(result) == nullptr) asked.done = std::get<std::vector<bool>>(std::move(result));
+    lesson.watched = std::move(asked);
+    if (lesson.watched->station != lesson.progress.station) return;
     std::vector<bool>& done = lesson.progress.tasks[lesson.progress.station];
     for (std::size_t i = 0; i < std::min(done.size(), lesson.watched->done.size()); ++i)
         done[i] = done[i] || lesson.watched->done[i];

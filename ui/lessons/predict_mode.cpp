@@ -32,14 +32,21 @@ void show_edited_alone(UiState& state) {
     state.lecture.frozen.reset();
 }
 
+/// From the picked pixel on, if it has a colour now; else one is asked for.
+void begin_prediction(UiState& state) {
+    show_edited_alone(state);
+    state.predict = {};
+    state.predict.stage = PredictStage::Pick;
+    redraw_within(0);  // poll_prediction() goes on
+}
+
+/// Precondition: the picked pixel is explained, of the edited scene.
 void stop_picture(UiState& state) {
     show_edited_alone(state);
     PredictState& predict = state.predict;
     predict.stage = PredictStage::Change;
     predict.probe = state.viewport.probe;
     predict.before = state.explanation->byte;
-    predict.mine = {};
-    predict.answer.reset();
     freeze(state);
     state.lecture.frozen = as_made(state, state.editor.scene());  // not what the mouse over a term may show
 }
@@ -90,7 +97,8 @@ void revealed_panel(UiState& state) {
         coloured(theme().accent, off < 0.5 ? "Exactly." : "Close enough: " + words + ".");
     else
         warning_text(words + ".");
-    if (main_button("Again")) stop_picture(state);
+    if (main_button("Again")) begin_prediction(state);
+    tooltip("Predict again", "The picture stands still for another change");
     ImGui::SameLine(0, px(12));
     if (ImGui::Button("Close")) end_prediction(state);
     ImGui::Separator();
@@ -102,11 +110,7 @@ void switch_prediction(UiState& state) {
     if (state.predict.stage != PredictStage::Off) return end_prediction(state);
     state.layout.right = state.left_shows_inspector = true;
     state.layout.hides_columns = false;
-    show_edited_alone(state);
-    if (is_explained(state) && state.viewport.probe)
-        stop_picture(state);
-    else
-        state.predict.stage = PredictStage::Pick;
+    begin_prediction(state);
 }
 
 void end_prediction(UiState& state) {

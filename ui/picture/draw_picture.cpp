@@ -212,7 +212,6 @@ const Scene& shown_scene(const UiState& state) {
 
 void draw_picture(UiState& state, const PictureView& view) {
     poll_loads(state);
-    if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
     state.resting = resting_scene(state);
     const std::optional<Scene> preview = preview_of(state);
     const Scene& shown = preview ? *preview : state.editor.scene();

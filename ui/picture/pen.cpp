@@ -1,4 +1,8 @@
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <span>
 #include <utility>
 
 #include "ui/lecture/lecture.h"
@@ -14,7 +18,8 @@ namespace {
 
 constexpr float line_width = 3.5f;           // logical pixels
 constexpr double least_step = 1.5;           // pixels between places of a line
-constexpr std::size_t max_places = 200'000;  // of all lines together
+constexpr std::size_t max_places = 100'000;  // of all lines together
+constexpr std::size_t drawn_at_once = 4000;  // places: an index of ImGui tells 65,536 corners apart
 
 glm::vec2 to_place(glm::dvec2 pixel, const PictureView& view) {
     const double height = view.map.size.height;
@@ -26,11 +31,19 @@ ImVec2 to_window(glm::vec2 place, const PictureView& view) {
     return view.to_window({view.map.size.width / 2.0 + place.x * height, height / 2 + place.y * height});
 }
 
-/// False where the pen has drawn as much as it may.
-bool begin_line(PenState& pen, glm::vec2 place) {
+/// Whether the pen has drawn as much as it may; then it says so.
+bool is_used_up(UiState& state) {
     std::size_t places = 0;
-    for (const PenLine& line : pen.lines) places += line.places.size();
-    if (places > max_places) return false;
+    for (const PenLine& line : state.lecture.pen.lines) places += line.places.size();
+    if (places < max_places) return false;
+    state.notifications.tell(fmt::format("The pen has drawn as much as the picture holds: {} wipes it clean",
+                                         keys_of(CommandId::WipePen)));
+    return true;
+}
+
+bool begin_line(UiState& state, glm::vec2 place) {
+    if (is_used_up(state)) return false;
+    PenState& pen = state.lecture.pen;
     pen.lines.push_back({{place}, pen.colour});
     return true;
 }
@@ -44,7 +57,7 @@ bool pen_hover(ToolFrame& frame) {
 
 int pen_press(ToolFrame& frame) {
     const bool begins = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
-                        begin_line(frame.state.lecture.pen, to_place(frame.pixel, frame.view));
+                        begin_line(frame.state, to_place(frame.pixel, frame.view));
     return begins ? ImGuiMouseButton_Left : not_taken;
 }
 
@@ -53,9 +66,19 @@ bool pen_drag(ToolFrame& frame) {
     if (!pen.on || pen.lines.empty()) return false;
     auto& places = pen.lines.back().places;
     const glm::vec2 place = to_place(frame.pixel, frame.view);
-    if (glm::distance(place, places.back()) * float(frame.view.map.size.height) >= float(least_step))
-        places.push_back(place);
+    const float step = glm::distance(place, places.back()) * float(frame.view.map.size.height);
+    if (step < float(least_step)) return true;
+    if (is_used_up(frame.state)) return false;
+    places.push_back(place);
     return true;
+}
+
+/// Draws a line's first places; the next piece begins where this one ends.
+void draw_piece(ImDrawList& list, std::span<const glm::vec2> places, ImU32 colour, const PictureView& view) {
+    std::vector<ImVec2> corners;
+    for (const glm::vec2 place : places.first(std::min(places.size(), drawn_at_once)))
+        corners.push_back(to_window(place, view));
+    cased_outline(list, corners, colour, line_width, false);
 }
 
 bool put_pen_away(UiState& state) { return std::exchange(state.lecture.pen.on, false); }
@@ -77,12 +100,10 @@ ImVec4 pen_colour(int index) {
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view) {
     for (const PenLine& line : pen.lines) {
         const ImU32 colour = to_u32(pen_colour(line.colour));
-        std::vector<ImVec2> places;
-        for (const glm::vec2 place : line.places) places.push_back(to_window(place, view));
-        if (places.size() == 1)
-            rimmed_disc(list, places[0], 0.75f * line_width, colour);
-        else
-            cased_outline(list, places, colour, line_width, false);
+        if (line.places.size() == 1)
+            rimmed_disc(list, to_window(line.places[0], view), 0.75f * line_width, colour);
+        for (std::size_t first = 0; first + 1 < line.places.size(); first += drawn_at_once - 1)
+            draw_piece(list, std::span(line.places).subspan(first), colour, view);
     }
 }
 

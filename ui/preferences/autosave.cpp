@@ -19,6 +19,7 @@
 #include "models/io/file.h"
 #include "models/io/utf8.h"
 #include "models/json/json_value.h"
+#include "ui/document/editor.h"
 
 namespace glint {
 
@@ -156,10 +157,8 @@ std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder) {
         if (::stat(path.c_str(), &status) != 0) continue;
         const auto copy = read_copy(path);
         if (!copy) continue;
-        const std::string name = fs::path(copy->path).filename().string();
-        found.emplace_back(status.st_mtime,
-                           OrphanedAutosave{std::move(*lock), name.empty() ? "New scene" : name,
-                                            time_words(status.st_mtime)});
+        found.emplace_back(status.st_mtime, OrphanedAutosave{std::move(*lock), file_title(copy->path),
+                                                             time_words(status.st_mtime)});
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<OrphanedAutosave> copies;

@@ -43,7 +43,7 @@ class AutosaveLock {
 /// A copy that a window left behind, with its lock now ours.
 struct OrphanedAutosave {
     AutosaveLock lock;
-    std::string title;  // of the document: a file's name, or "New scene"
+    std::string title;  // of the document: file_title() its path
     std::string when;   // "14:05", or "3 May, 14:05": when it was written
 };
 

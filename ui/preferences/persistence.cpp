@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <new>
+#include <system_error>
 #include <utility>
 
 #include "models/io/file.h"
@@ -137,19 +138,32 @@ bool has_autosave_name(Persistence& memory) {
     return memory.autosave.has_value();
 }
 
+/// Begins to write the copy on a thread of its own, as writing waits for the disk. Why that cannot be.
+/// Precondition: it has a name.
+std::optional<Problem> begin_writing(Persistence& memory, SceneDocument document) {
+    const std::string path = memory.autosave->path();
+    Scene scene = document.scene;
+    try {
+        memory.autosave_writing =
+            std::async(std::launch::async, [document = std::move(document), folder = memory.folder, path] {
+                return write_file_at_once(path, autosave_text(document, folder));
+            });
+    } catch (const std::system_error& error) {
+        return Problem{path, "", "no thread can write it: " + error.code().message(), ""};
+    }
+    memory.autosaved_scene = std::move(scene);
+    return {};
+}
+
 void write_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     memory.autosaved_at = ImGui::GetTime();
-    if (!has_autosave_name(memory))
-        return tell_failed_autosave(state, {memory.folder, "", "cannot be written", "a folder of your own"});
-    SceneDocument document = document_as_made(state);
-    memory.autosaved_scene = document.scene;
-    // Writing waits for the disk: not here.
-    memory.autosave_writing =
-        std::async(std::launch::async,
-                   [document = std::move(document), folder = memory.folder, path = memory.autosave->path()] {
-                       return write_file_at_once(path, autosave_text(document, folder));
-                   });
+    std::optional<Problem> failed =
+        has_autosave_name(memory) ? begin_writing(memory, document_as_made(state))
+                                  : Problem{memory.folder, "", "cannot be written", "a folder of your own"};
+    if (!failed) return;
+    tell_failed_autosave(state, *failed);
+    redraw_within(seconds_between_copies);
 }
 
 void note_autosave(UiState& state) {

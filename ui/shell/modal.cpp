@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
@@ -84,15 +86,23 @@ void save_picture(UiState& state, const std::string& path) {
                             fmt::format("Saved {}", std::filesystem::path(path).filename().string()));
 }
 
+/// The path is kept absolute: saving makes it relative.
+void use_mesh(UiState& state, const std::string& path) {
+    const int object = std::exchange(state.mesh_for_object, -1);
+    std::error_code failed;
+    const std::filesystem::path whole = std::filesystem::absolute(path, failed);
+    if (failed)  // the folder that the program was started in is gone
+        return state.notifications.add(
+            Problem{path, "", "cannot be made absolute: " + failed.message(), "a path from the root"});
+    begin_mesh(state, MeshFile{whole.string()}, object);
+}
+
 void use_file(UiState& state, const std::string& path) {
     switch (state.files.purpose) {
     case FilePurpose::OpenScene:
         return begin_pending(state, Pending::What::Open, path);
     case FilePurpose::OpenMesh:
-        // The path is kept absolute: saving makes it relative.
-        begin_mesh(state, MeshFile{std::filesystem::absolute(path).string()}, state.mesh_for_object);
-        state.mesh_for_object = -1;
-        return;
+        return use_mesh(state, path);
     case FilePurpose::MyPicture:
         return bring_picture(state, path);
     case FilePurpose::SavePicture:

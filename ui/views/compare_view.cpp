@@ -93,6 +93,14 @@ const Picture& compose(CompareState& state, const DrawnScene& drawn) {
     return state.picture;
 }
 
+void forget_parts(CompareState& state) {
+    state.drawn_by.clear();
+    state.pictures.clear();
+    state.renderers.clear();
+    state.fitted = {};
+    state.picture = {};
+}
+
 int part_of(const CompareState& state, glm::ivec2 pixel, PictureSize size) {
     if (!state.choice.on || state.choice.difference || state.picture.size != size) return -1;
     return part_at(state.choice, state.choice.stacked ? pixel.y : pixel.x, length_of(state.choice, size));

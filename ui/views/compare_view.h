@@ -123,6 +123,9 @@ struct DrawnScene {
 /// first against the last part and fills `numbers`. Linear colours are composed if `drawn` has them.
 const Picture& compose(CompareState& state, const DrawnScene& drawn);
 
+/// Gives up the composed picture and whatever drew it: no pixel is of a part until it is composed again.
+void forget_parts(CompareState& state);
+
 /// The part in which pixel (x, y) of the composed picture lies; -1 when no parts are shown.
 [[nodiscard]] int part_of(const CompareState& state, glm::ivec2 pixel, PictureSize size);
 

@@ -21,6 +21,11 @@ constexpr int max_rows = 64;     // of the sheet: lights beyond have no picture
 constexpr int cell_width = 84;   // pixels
 constexpr double budget_ms = 8;  // of a frame, for small pictures
 
+/// Its place among grid_cells().
+std::size_t index_of(GridCell cell) {
+    return static_cast<std::size_t>(cell.light < 0 ? cell.term : 2 + 3 * cell.light + cell.term);
+}
+
 bool is_among(const std::vector<GridCell>& cells, GridCell cell) {
     return std::find(cells.begin(), cells.end(), cell) != cells.end();
 }
@@ -63,8 +68,7 @@ void toggle_muted(TermGridState& grid, GridCell cell) {
 
 /// The gain of a cell that is drawn; else 1.
 int gain_shown(const TermGridState& grid, GridCell cell) {
-    const std::vector<GridCell> cells = grid_cells(*grid.drawn_of);
-    const auto at = static_cast<std::size_t>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
+    const std::size_t at = index_of(cell);
     return at < grid.gains.size() ? grid.gains[at] : 1;
 }
 
@@ -133,6 +137,19 @@ void column_headings(float width, float gap) {
     ImGui::PopFont();
 }
 
+/// Draws the cells of a light, or those without one (-1), below their heading. The one that is pointed at.
+std::optional<GridCell> cell_row(TermGridState& grid, const Scene& scene, int light) {
+    const float gap = px(4), width = (ImGui::GetContentRegionAvail().x - px(10)) / 3;
+    if (light == 0) column_headings(width, gap);
+    row_heading(scene, light);
+    std::optional<GridCell> pointed;
+    for (int term = 0; term < (light < 0 ? 2 : 3); ++term) {
+        if (term > 0) ImGui::SameLine(0, gap);
+        if (cell_button(grid, {light, term}, width)) pointed = GridCell{light, term};
+    }
+    return pointed;
+}
+
 void sum_note(const Scene& scene) {
     if (scene.npr.cool_to_warm) return warning_text("Cool to warm: the tones take the place of the sum.");
     if (scene.shading.mistakes.clamp_each_light)
@@ -153,14 +170,17 @@ std::vector<GridCell> grid_cells(const Scene& scene) {
 
 Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown) {
     Scene s = scene;
-    if (!is_among(shown, {-1, 0}))
+    std::vector<bool> is_shown(2 + 3 * s.lights.size());
+    for (const GridCell cell : shown)
+        if (index_of(cell) < is_shown.size()) is_shown[index_of(cell)] = true;
+    if (!is_shown[0])
         for (Object& object : s.objects) object.material.emission = glm::vec3(0);
-    if (!is_among(shown, {-1, 1})) s.global_ambient = glm::vec3(0);
+    if (!is_shown[1]) s.global_ambient = glm::vec3(0);
     for (int i = 0; i < static_cast<int>(s.lights.size()); ++i) {
         Light& light = s.lights[static_cast<std::size_t>(i)];
-        if (!is_among(shown, {i, 0})) light.ambient = glm::vec3(0);
-        if (!is_among(shown, {i, 1})) light.diffuse = glm::vec3(0);
-        if (!is_among(shown, {i, 2})) light.specular = glm::vec3(0);
+        if (!is_shown[index_of({i, 0})]) light.ambient = glm::vec3(0);
+        if (!is_shown[index_of({i, 1})]) light.diffuse = glm::vec3(0);
+        if (!is_shown[index_of({i, 2})]) light.specular = glm::vec3(0);
     }
     return s;
 }
@@ -220,26 +240,18 @@ void term_grid_tab(UiState& state, const PictureView& view) {
     if (other) small_dim(fmt::format("Of {}.", other->name));
     update_term_grid(grid, scene, view.map.size);
     sum_note(scene);
-    const float gap = px(4), width = (ImGui::GetContentRegionAvail().x - px(10)) / 3;
     std::optional<GridCell> pointed;
-    int row = -2;
-    for (const GridCell cell : grid_cells(scene)) {
-        if (cell.light != row) {
-            row = cell.light;
-            if (row == 0) column_headings(width, gap);
-            row_heading(scene, row);
-        } else {
-            ImGui::SameLine(0, gap);
-        }
-        if (cell_button(grid, cell, width)) pointed = cell;
-    }
+    grid.rows.draw(static_cast<int>(scene.lights.size()) + 1, [&](int row) {
+        if (const auto cell = cell_row(grid, scene, row - 1)) pointed = cell;
+    });
     std::vector<GridCell> shown;
     std::optional<GridCell> alone = grid.solo;
     if (alone && alone->light >= static_cast<int>(scene.lights.size())) alone.reset();  // B may have fewer
     if (pointed) alone = pointed;
+    if (!alone && grid.muted.empty()) return;
     for (const GridCell cell : grid_cells(scene))
         if (alone ? cell == *alone : !is_among(grid.muted, cell)) shown.push_back(cell);
-    if (alone || !grid.muted.empty()) show_instead(state, with_cells(scene, shown), "", !pointed);
+    show_instead(state, with_cells(scene, shown), "", !pointed);
 }
 
 }  // namespace glint

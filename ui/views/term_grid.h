@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/renderer.h"
+#include "ui/inspector/blocks_in_sight.h"
 #include "ui/widgets/picture_sheet.h"
 
 namespace glint {
@@ -46,6 +47,7 @@ struct TermGridState {
     std::optional<Scene> drawn_of;
     std::size_t next = 0;  // cell to draw; #cells: all are drawn
     std::unique_ptr<Renderer> renderer;
+    BlocksInSight rows{5};
 };
 
 /// Draws the next few small pictures when the scene's are not drawn yet. `size`: of the large picture.

@@ -1,4 +1,6 @@
 // What outlives the window.
+#include <pthread.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -48,6 +50,24 @@ void copy_again(HeadlessWindow& bench, float intensity) {
     bench.frames(3);
     while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
 }
+
+/// While it lives no thread can begin: there is no room for such a stack.
+class NoThreads {
+  public:
+    NoThreads() {
+        REQUIRE(pthread_getattr_default_np(&before_) == 0);
+        pthread_attr_t huge;
+        REQUIRE(pthread_attr_init(&huge) == 0);
+        REQUIRE(pthread_attr_setstacksize(&huge, std::size_t{1} << 47) == 0);
+        REQUIRE(pthread_setattr_default_np(&huge) == 0);
+    }
+    ~NoThreads() { (void)pthread_setattr_default_np(&before_); }
+    NoThreads(const NoThreads&) = delete;
+    NoThreads& operator=(const NoThreads&) = delete;
+
+  private:
+    pthread_attr_t before_;
+};
 
 /// Nothing of it as on the first day.
 ViewPreferences odd_views() {
@@ -324,6 +344,26 @@ TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][m
     std::filesystem::create_directory(copy);
     copy_again(bench, 1.5f);
     CHECK(notes_with(bench, "No copy") == 1);
+}
+
+TEST_CASE("a copy that no thread can write is said once, and tried again", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
+    bench.frames(2);
+    edit_and_wait(bench, 0.25f);
+    {
+        const NoThreads none;
+        copy_again(bench, 0.6875f);
+        CHECK(notes_with(bench, "No copy") == 1);
+        bench.state.persistence.autosaved_at = -1e9;
+        bench.frames(3);
+    }
+    CHECK(notes_with(bench, "") == 1);
+    bench.state.persistence.autosaved_at = -1e9;
+    bench.frames(3);  // nothing was edited
+    while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
+    CHECK(bytes_of(bench.state.persistence.autosave->path()).find("0.6875") != std::string::npos);
 }
 
 TEST_CASE("no copy for want of a folder is said too", "[ui][memory]") {

@@ -287,3 +287,23 @@ TEST_CASE("an example is not saved over: not through a link to it, and not by it
     CHECK(intensity_in(folder.path("mine.json")) == 0.75f);
     CHECK(bytes_of(example) == text);
 }
+
+TEST_CASE("a copy's file of a hostile name leaves room for the panel's buttons", "[ui][memory]") {
+    for (const std::string& name : {std::string(60, '\n'), std::string(200'000, 'x')}) {
+        const TemporaryDirectory folder;
+        (void)folder.file("1.autosave",
+                          json_text({{"path", "/" + name + ".json"}, {"scene", JsonValue{{"glint", 1}}}}));
+        HeadlessWindow bench({1280, 800});
+        begin_persistence(bench.state, folder.path());
+        bench.frames(3);
+        REQUIRE(bench.state.persistence.orphans.size() == 1);
+        (void)bench.control("Recover");  // in sight
+        bench.state.editor.document.path = "/" + name + ".json";
+        for (const std::string& title : {bench.state.editor.title(), bench.frame().title}) {
+            CHECK(title.find('\n') == std::string::npos);
+            CHECK(title.size() < 120);
+        }
+        bench.click(bench.control("Not now"));
+        CHECK(bench.state.persistence.orphans.empty());
+    }
+}

@@ -314,6 +314,28 @@ TEST_CASE("what was explored is put back to the lesson's scene, and undo brings 
     CHECK(bench.scene().lights[0].intensity == 0.25f);
 }
 
+TEST_CASE("undo leads from the next page to the meshes that were seen, and not to one that was awaited",
+          "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    const std::string mesh = folder.file("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    LambertWindow bench;
+    bench.answer("0.5");
+    const std::vector<Object> seen = bench.scene().objects;
+    begin_mesh(bench.state, MeshFile{mesh}, 0);
+    begin_mesh(bench.state, MeshFile{mesh}, -1);
+    bench.frames(1);
+    REQUIRE(awaits_mesh(bench.state));
+    begin_pending(bench.state, Pending::What::Page, "1");
+    finish_pending(bench.state);
+    bench.wait_for_loads();
+    CHECK(bench.scene() == bench.lesson().station().asked);
+    bench.lesson().given()[0].skipped = true;
+    bench.frames(2);
+    bench.key(Key::Z, true);
+    bench.frames(2);
+    CHECK(bench.scene().objects == seen);
+}
+
 TEST_CASE("the next page's scene belongs to no file, and one's own is asked about before it goes",
           "[ui][window][lesson]") {
     const TemporaryDirectory folder;

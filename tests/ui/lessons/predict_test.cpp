@@ -55,6 +55,38 @@ TEST_CASE("a picked pixel stands still while the scene changes, and shows then w
     (void)bench.control("It was");
 }
 
+TEST_CASE("a prediction that begins again asks for a pixel where the one before is gone",
+          "[ui][window][lesson]") {
+    PredictWindow bench;
+    bench.click(bench.control("Lock the colour in"));
+    bench.frames(4);
+    REQUIRE(bench.state.predict.answer);
+    const bool gone = GENERATE(true, false);
+    if (gone) ask_about(bench.state.viewport, {});
+    bench.frames(2);
+    bench.click(bench.control("Predict again"));
+    bench.frames(2);
+    CHECK(bench.state.predict.stage == (gone ? PredictStage::Pick : PredictStage::Change));
+    CHECK(bench.state.lecture.frozen.has_value() == !gone);
+    CHECK(bench.state.predict.mine == JsonValue());
+}
+
+TEST_CASE("what a pixel was before is the edited scene's colour, not that of a part that showed there",
+          "[ui][window][lesson]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    bench.compare({variant_of(Reflection::None), {}});
+    const PictureSize size = bench.state.rendered->size;
+    bench.click(bench.at_pixel({size.width * 0.47, size.height / 2.0}));
+    bench.frames(2);
+    REQUIRE(bench.state.explanation);
+    const Explanation& asked = *bench.state.explanation;
+    const auto edited = bench.state.renderer->explain(asked.x, asked.y).byte;
+    REQUIRE_FALSE(asked.byte == edited);
+    bench.key(Key::Q);
+    CHECK(bench.state.predict.before == edited);
+}
+
 TEST_CASE("Esc, the key itself and another scene give a prediction up", "[ui][window][lesson]") {
     PredictWindow bench;
     bench.scene().lights.clear();

@@ -1,7 +1,10 @@
 // Comparing: every part is the full picture of its setting, column by column and byte by byte.
+#include <stdexcept>
+
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -62,6 +65,30 @@ TEST_CASE("each part of a comparison equals the full picture of its mode", "[ui]
     bench.key(Key::C);
     bench.frames(1);
     CHECK(bench.state.displayed == bench.state.rendered);
+}
+
+TEST_CASE("after a frame that failed a comparison begins afresh, with the mouse over one of its parts",
+          "[ui][window][compare]") {
+    HeadlessWindow bench;
+    comparing(bench);
+    const CompareState& compare = bench.state.views.compare;
+    const PictureSize size = bench.state.rendered->size;
+    const glm::ivec2 middle{size.width / 2, size.height / 2};
+    REQUIRE(part_renderer(compare, middle, size) != bench.state.renderer.get());
+    bench.move(bench.at_pixel(middle));
+    REQUIRE(bench.state.viewport.main_light);
+    ImGui::NewFrame();
+    give_up_frame(bench.state, std::runtime_error("no luck"));
+    ImGui::Render();
+    REQUIRE_FALSE(compare.choice.on);
+    bench.state.views.compare.choice.on = true;
+    CHECK(part_renderer(compare, middle, size) == nullptr);  // what drew it is gone
+    CHECK(drawn_parts(compare, *bench.state.renderer, size).size() == 1);
+    bench.state.views.compare.choice.on = false;
+    bench.key(Key::C);
+    bench.frames(1);
+    check_three(bench);
+    CHECK(bench.state.viewport.main_light);
 }
 
 TEST_CASE("a dragged wipe line moves the parts' border to the hand and draws no scene again",

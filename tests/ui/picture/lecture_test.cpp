@@ -1,6 +1,9 @@
 // What the window does for a lecture.
 #include "ui/lecture/lecture.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "models/io/file.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
@@ -11,6 +14,26 @@
 
 using namespace glint;
 using test::HeadlessWindow;
+
+namespace {
+
+/// The most corners that commands which count from the same place may have to tell apart, with 16 bits.
+unsigned most_corners() {
+    unsigned most = 0;
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        unsigned end = static_cast<unsigned>(data.CmdLists[i]->VtxBuffer.Size), first = end;
+        for (const ImDrawCmd* c = data.CmdLists[i]->CmdBuffer.end();
+             c != data.CmdLists[i]->CmdBuffer.begin();) {
+            --c;
+            if (c->VtxOffset != first) end = std::exchange(first, c->VtxOffset);
+            if (end > first) most = std::max(most, end - first);
+        }
+    }
+    return most;
+}
+
+}  // namespace
 
 TEST_CASE("names are ordered as a person would count them", "[ui][lecture]") {
     const std::vector<std::string> ordered{"1",        "2",         "10",    "Step 2", "step 10",
@@ -206,4 +229,29 @@ TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
     CHECK(bench.state.lecture.wedge.rows[0].seen == 0);
     bench.key(Key::Escape);
     CHECK_FALSE(bench.state.lecture.wedge.open);
+}
+
+TEST_CASE("the pen draws lines of any length, up to what the picture holds", "[ui][lecture]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::W);
+    PenState& pen = bench.state.lecture.pen;
+    pen.lines.push_back({});
+    for (int i = 0; i < 18'000; ++i)
+        pen.lines[0].places.emplace_back(0.001f * float(i % 300), 0.00001f * float(i));
+    bench.frames(2);
+    CHECK(most_corners() <= 1 << 16);
+    const auto last = [&] {
+        return bench.state.notifications.list.empty() ? "" : bench.state.notifications.list.back().text;
+    };
+    bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({300, 200}));
+    CHECK(pen.lines.size() == 2);
+    CHECK(last().find("as much as") == std::string::npos);
+    pen.lines[0].places.resize(99'998 - pen.lines[1].places.size());
+    bench.drag(bench.at_pixel({100, 200}), bench.at_pixel({300, 300}));
+    REQUIRE(pen.lines.size() == 3);
+    CHECK(pen.lines[2].places.size() == 2);
+    CHECK(last() == "The pen has drawn as much as the picture holds: Shift+W wipes it clean");
+    bench.drag(bench.at_pixel({100, 200}), bench.at_pixel({300, 300}));
+    CHECK(pen.lines.size() == 3);
 }

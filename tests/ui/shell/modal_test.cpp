@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
 
 #include "tests/support/catch.h"
@@ -115,6 +116,32 @@ TEST_CASE("of several files it is said that one is opened when it is, and not wh
     bench.state.editor.saved = bench.scene();
     (void)bench.frame(drop);
     CHECK(says_so());
+}
+
+TEST_CASE("a mesh of a path that cannot be made absolute is refused in one line, and the views stay",
+          "[ui][modal]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::C);
+    bench.frames(2);
+    bench.state.files.ask(FilePurpose::OpenMesh, "");
+    bench.state.files.folder = "rel";
+    bench.state.files.name = "x.obj";  // before its field has the keyboard
+    bench.frames(2);
+    bench.state.notifications.list.clear();
+    const std::filesystem::path here = std::filesystem::current_path();
+    std::filesystem::create_directory(folder.path("gone"));
+    std::filesystem::current_path(folder.path("gone"));
+    std::filesystem::remove(folder.path("gone"));
+    bench.key(Key::Enter);
+    std::filesystem::current_path(here);
+    bench.frames(2);
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    CHECK(bench.state.notifications.list[0].text ==
+          "rel/x.obj: cannot be made absolute: No such file or directory; expected a path from the root");
+    CHECK(bench.state.views.compare.choice.on);
+    CHECK_FALSE(bench.state.loading.active());
 }
 
 TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][modal]") {

@@ -8,7 +8,7 @@
 #include "models/fields/scene_numbers.h"
 #include "renderer/inspect/explain/explain_format.h"
 #include "tests/support/catch.h"
-#include "tests/support/headless_window.h"
+#include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
 #include "ui/commands/menus.h"
 #include "ui/inspector/tabs.h"
@@ -84,6 +84,14 @@ TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palett
     REQUIRE(copy.refused.empty());
     copy.run(bench.state);
     CHECK(std::string(ImGui::GetClipboardText()) == explain_latex(*bench.state.explanation, bench.scene()));
+    // The entry outlives the pixel.
+    ask_about(bench.state.viewport, {});
+    bench.frames(2);
+    REQUIRE_FALSE(bench.state.explanation);
+    ImGui::SetClipboardText("mine");
+    copy.run(bench.state);
+    CHECK(std::string(ImGui::GetClipboardText()) == "mine");
+    CHECK(bench.state.notifications.list.back().text == "No pixel is picked that shows an object");
 }
 
 TEST_CASE("the palette answers the offer to recover unsaved work", "[ui][palette]") {
@@ -345,4 +353,83 @@ TEST_CASE("the palette leads to every tab of the column", "[ui][palette]") {
         CHECK(bench.state.inspector.tab == info.tab);
         CHECK(bench.state.layout.right);
     }
+}
+
+TEST_CASE("with nothing typed Enter runs nothing, until an arrow key chose an entry",
+          "[ui][palette][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.scene().lights[0].name = "Mine";
+    bench.frames(2);
+    (void)bench.key(Key::K, true);
+    bench.frames(2);
+    (void)bench.key(Key::Enter);
+    bench.frames(3);
+    CHECK(bench.state.palette.open);
+    CHECK(bench.state.pending.what == Pending::What::Nothing);
+    (void)bench.key(Key::Down);
+    CHECK(bench.state.palette.chosen == 0);
+    (void)bench.key(Key::Enter);
+    CHECK_FALSE(bench.state.palette.open);
+}
+
+TEST_CASE("letters that come with Ctrl+K in one frame are typed into the list", "[ui][palette][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto type = [](const char* letters) {
+        for (; *letters != 0; ++letters) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*letters));
+    };
+    type("gou");
+    (void)bench.key(Key::K, true);
+    type("raud sha");
+    bench.frames(2);
+    CHECK(bench.state.palette.text == "gouraud sha");
+    (void)bench.key(Key::K, true);  // while it is open
+    type("d");
+    bench.frames(2);
+    CHECK(bench.state.palette.text == "gouraud shad");
+    (void)bench.key(Key::Enter);
+    CHECK(bench.scene().shading.mode == ShadingMode::Gouraud);
+    bench.frames(2);
+    UiInput input;  // the letter was another command
+    input.presses = {{Key::S}, {Key::K, true}};
+    type("s");
+    (void)bench.frame(input);
+    bench.frames(2);
+    CHECK(bench.state.palette.open);
+    CHECK(bench.state.palette.text.empty());
+}
+
+TEST_CASE("the arrow keys go round the whole list of the palette, which follows them",
+          "[ui][palette][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    (void)bench.key(Key::K, true);
+    bench.frames(2);
+    const ImGuiWindow* list = test::window_named("##entries");
+    REQUIRE(list != nullptr);
+    CHECK(list->ScrollMax.y > 1000);
+    (void)bench.key(Key::Up);
+    bench.frames(2);
+    CHECK(bench.state.palette.chosen + 1 == int(bench.state.palette.entries.size()));
+    CHECK(list->Scroll.y == list->ScrollMax.y);
+    (void)bench.key(Key::Down);
+    bench.frames(2);
+    CHECK(bench.state.palette.chosen == 0);
+    CHECK(list->Scroll.y == 0);
+}
+
+TEST_CASE("the palette is searched again when its entries change", "[ui][palette][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    (void)bench.key(Key::K, true);
+    bench.frames(1);
+    bench.type("select lamp");
+    bench.scene().lights.push_back(Light{});
+    bench.scene().lights.back().name = "Lamp";
+    bench.frames(1);
+    (void)bench.key(Key::Enter);
+    bench.frames(1);
+    CHECK(bench.state.editor.selection ==
+          Selection{Selection::Kind::Light, int(bench.scene().lights.size()) - 1});
 }

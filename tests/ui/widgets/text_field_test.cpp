@@ -121,3 +121,38 @@ TEST_CASE("a scene is saved beside a mesh whose name has an emoji or a byte that
         CHECK(folder.names() == std::vector<std::string>{name});
     }
 }
+
+TEST_CASE("a search takes as much of what is pasted as fits, whole characters of it",
+          "[ui][window][widgets]") {
+    TypingWindow bench;
+    bench.state.palette = {};
+    (void)bench.key(Key::K, true);
+    bench.frames(2);
+    const std::string& text = bench.state.palette.text;
+    std::string long_text;
+    for (int i = 0; i < 200'000; ++i) long_text += "e \xC3\xA9";
+    bench.clipboard = "x" + long_text;  // the last é would end at 101
+    bench.tap(v_key, true);
+    CHECK(text == bench.clipboard.substr(0, 99));
+    bench.type("yz");
+    CHECK(text == bench.clipboard.substr(0, 99) + "y");
+    bench.tap(a_key, true);
+    bench.clipboard = long_text;  // in place of all
+    bench.tap(v_key, true);
+    CHECK(text == long_text.substr(0, 100));
+    bench.tap(a_key, true);
+    bench.type("gou");
+    bench.clipboard = "raud" + long_text;
+    bench.tap(v_key, true);
+    CHECK(text == "gou" + bench.clipboard.substr(0, 97));
+}
+
+TEST_CASE("the search for a number to animate takes no more than a search may be long",
+          "[ui][window][widgets][animate]") {
+    TypingWindow bench;
+    begin_animation(bench.state, Motion::PingPong);
+    bench.frames(4);
+    bench.clipboard = std::string(100'000, 'e');
+    bench.tap(v_key, true);
+    CHECK(bench.state.animate.search == std::string(100, 'e'));
+}

@@ -123,6 +123,18 @@ void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint&
     }
 }
 
+void light_cards(UiState& state, const Explanation& explanation, const ExplainedPoint& point) {
+    const auto& lights = point.lights;
+    const auto& marked = state.inspector.marked;
+    const auto wanted = std::find_if(lights.begin(), lights.end(), [&](const ExplainedLight& light) {
+        return marked && marked->light == light.index;
+    });
+    state.inspector.cards.draw(
+        static_cast<int>(lights.size()),
+        [&](int i) { light_card(state, explanation, point, static_cast<std::size_t>(i)); },
+        static_cast<int>(wanted - lights.begin()));
+}
+
 void mistakes_note(const Scene& scene) {
     if (const int on = mistakes_on(scene.shading.mistakes); on > 0)
         warning_text(
@@ -210,7 +222,7 @@ void equation_tab(UiState& state, const PictureView&) {
         against_phong(state, explanation);
         const ExplainedPoint& point = asked_point(state.inspector, explanation);
         unlit(state, explanation, point);
-        for (std::size_t i = 0; i < point.lights.size(); ++i) light_card(state, explanation, point, i);
+        light_cards(state, explanation, point);
         if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");
     }
     copy_buttons(state);

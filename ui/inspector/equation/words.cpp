@@ -98,27 +98,41 @@ int index_of_part(const std::string& part) {
     return error == std::errc() && end == part.data() + part.size() ? index : -1;
 }
 
+struct Owner {
+    std::string name;
+    Selection selection;
+};
+
+/// Whose number a pointer of these parts, one or more, leads to.
+Owner owner_at(const std::vector<std::string>& parts, const Scene& scene) {
+    const std::string& section = parts[0];
+    const int index = parts.size() > 1 ? index_of_part(parts[1]) : -1;
+    const auto at = static_cast<std::size_t>(index);  // -1 becomes the largest
+    if (section == "lights" && at < scene.lights.size())
+        return {scene.lights[at].name, {Selection::Kind::Light, index}};
+    if (section == "objects" && at < scene.objects.size())
+        return {scene.objects[at].name, {Selection::Kind::Object, index}};
+    if (section == "camera") return {"Camera", {Selection::Kind::Camera, 0}};
+    if (section == "display") return {"Display", {Selection::Kind::Display, 0}};
+    if (section == "npr") return {"Strokes and tones", {Selection::Kind::Shading, 0}};
+    return {"Scene", {Selection::Kind::Shading, 0}};
+}
+
 }  // namespace
+
+std::string owner_of(const std::string& pointer, const Scene& scene) {
+    const std::vector<std::string> parts = parts_of(pointer);
+    return parts.empty() ? pointer : owner_at(parts, scene).name;
+}
 
 NamedNumber named_number(const std::string& pointer, const Scene& scene) {
     const std::vector<std::string> parts = parts_of(pointer);
     if (parts.empty()) return {pointer, "", {Selection::Kind::Camera, 0}};
-    const std::string& section = parts[0];
-    const int index = parts.size() > 1 ? index_of_part(parts[1]) : -1;
-    const auto at = static_cast<std::size_t>(index);  // -1 becomes the largest
-    const auto named = [&](const std::string& owner, Selection::Kind kind, int item = 0) {
-        const bool is_item = kind == Selection::Kind::Light || kind == Selection::Kind::Object;
-        const bool is_whole = is_item && parts.size() == 2;
-        return NamedNumber{owner, is_whole ? "" : words_of_pointer(scene, pointer), {kind, item}};
-    };
-    if (section == "lights" && at < scene.lights.size())
-        return named(scene.lights[at].name, Selection::Kind::Light, index);
-    if (section == "objects" && at < scene.objects.size())
-        return named(scene.objects[at].name, Selection::Kind::Object, index);
-    if (section == "camera") return named("Camera", Selection::Kind::Camera);
-    if (section == "display") return named("Display", Selection::Kind::Display);
-    if (section == "npr") return named("Strokes and tones", Selection::Kind::Shading);
-    return named("Scene", Selection::Kind::Shading);
+    const Owner owner = owner_at(parts, scene);
+    const bool is_item =
+        owner.selection.kind == Selection::Kind::Light || owner.selection.kind == Selection::Kind::Object;
+    const bool is_whole = is_item && parts.size() == 2;
+    return {owner.name, is_whole ? "" : words_of_pointer(scene, pointer), owner.selection};
 }
 
 NumberHandle number_handle(Scene& scene, const std::string& pointer) {

@@ -36,6 +36,8 @@ struct NamedNumber {
     Selection selection;
 };
 
+/// Names what a pointer leads into: NamedNumber::owner.
+[[nodiscard]] std::string owner_of(const std::string& pointer, const Scene& scene);
 /// Names a number of this scene, or a whole object. Pointers into nothing keep their text.
 [[nodiscard]] NamedNumber named_number(const std::string& pointer, const Scene& scene);
 

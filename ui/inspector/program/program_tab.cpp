@@ -15,7 +15,7 @@
 #include "ui/inspector/equation/number_handle.h"
 #include "ui/inspector/equation/text_line.h"
 #include "ui/inspector/mistake_row.h"
-#include "ui/inspector/program/transform_lines.h"
+#include "ui/inspector/program/program_state.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/named_controls.h"
@@ -214,41 +214,76 @@ void copy_button(UiState& state, const std::vector<GlCallGroup>& groups) {
     tooltip("Copy all calls", "A whole program, to be compiled: glint code FILE --language gl1 -o FOLDER");
 }
 
+WrittenCalls written_calls(const Scene& scene) {
+    WrittenCalls calls{scene, {}, {}};
+    for (Object& object : calls.scene.objects) {
+        calls.transforms.push_back(
+            written_transform(static_cast<int>(calls.transforms.size()), object.transform));
+        object.transform = calls.transforms.back().numbers;
+    }
+    calls.groups = gl_calls(calls.scene);
+    for (GlCallGroup& group : calls.groups)
+        if (const auto object = item_in(group.about, "/objects/"))
+            put_in_order(group.calls, calls.transforms[static_cast<std::size_t>(object->place)].order);
+    return calls;
+}
+
+/// The place of the first that is so; their number where none is.
+template <class T, class Is> int index_of(const std::vector<T>& all, Is is) {
+    return static_cast<int>(std::find_if(all.begin(), all.end(), is) - all.begin());
+}
+
+/// The camera's calls, and the lights' places before and after gluLookAt(), which is drawn even out of sight:
+/// a light's place is dragged past it.
+void draw_places(UiState& state, const std::vector<GlCall>& calls, const PictureView& view) {
+    state.program.places.draw(
+        static_cast<int>(calls.size()),
+        [&](int i) { (void)draw_call(state, state.editor.scene(), calls[static_cast<std::size_t>(i)]); },
+        index_of(calls, [](const GlCall& call) { return call.is_look_at; }));
+    note_fitted(state.editor.scene().camera, view.map.size);
+    wrong_space_notes(state);
+}
+
+/// Draws a group; of an object the transform as it is written now, when that has changed.
+std::optional<WrittenTransform> draw_group(UiState& state, Scene& written_scene, const WrittenCalls& calls,
+                                           const GlCallGroup& group, const PictureView& view) {
+    if (!fold(whole_label(group.title).c_str(), is_open_at_first(state, group))) return {};
+    const std::optional<ListItem> object = item_in(group.about, "/objects/");
+    if (object) {
+        WrittenTransform written = calls.transforms[static_cast<std::size_t>(object->place)];
+        const bool changed = draw_object(state, written_scene, object->place, written, group.calls);
+        return changed ? std::optional(written) : std::nullopt;
+    }
+    if (group.about.empty())
+        draw_places(state, group.calls, view);
+    else
+        for (const GlCall& call : group.calls) (void)draw_call(state, state.editor.scene(), call);
+    return {};
+}
+
 }  // namespace
 
 void program_tab(UiState& state, const PictureView& view) {
-    Scene written_scene = state.editor.scene();
-    std::vector<WrittenTransform> written;
-    for (Object& object : written_scene.objects) {
-        written.push_back(written_transform(static_cast<int>(written.size()), object.transform));
-        object.transform = written.back().numbers;
-    }
-    std::vector<GlCallGroup> groups = gl_calls(written_scene);
-    for (GlCallGroup& group : groups)
-        if (const auto object = item_in(group.about, "/objects/"))
-            put_in_order(group.calls, written[static_cast<std::size_t>(object->place)].order);
-    copy_button(state, groups);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        const std::optional<ListItem> object = item_in(groups[i].about, "/objects/");
-        bool changed = false;
-        ImGui::PushID(static_cast<int>(i));
-        if (fold(whole_label(groups[i].title).c_str(), is_open_at_first(state, groups[i]))) {
-            if (object)
-                changed = draw_object(state, written_scene, object->place,
-                                      written[static_cast<std::size_t>(object->place)], groups[i].calls);
-            else
-                for (const GlCall& call : groups[i].calls) (void)draw_call(state, state.editor.scene(), call);
-            if (groups[i].about.empty()) {
-                note_fitted(state.editor.scene().camera, view.map.size);
-                wrong_space_notes(state);
-            }
-        }
+    ProgramState& program = state.program;
+    const WrittenCalls& calls =
+        program.calls.of(state.editor.scene(), [&] { return written_calls(state.editor.scene()); });
+    Scene written_scene = calls.scene;
+    copy_button(state, calls.groups);
+    bool any_changed = false;
+    const auto draw = [&](int i) {
+        const GlCallGroup& group = calls.groups[static_cast<std::size_t>(i)];
+        ImGui::PushID(i);
+        const auto changed = draw_group(state, written_scene, calls, group, view);
         ImGui::PopID();
-        if (changed) {
-            const auto index = static_cast<std::size_t>(object->place);
-            keep_written(object->place, written[index], state.editor.scene().objects[index].transform);
-        }
-    }
+        if (!changed) return;
+        const int object = item_in(group.about, "/objects/")->place;
+        keep_written(object, *changed,
+                     state.editor.scene().objects[static_cast<std::size_t>(object)].transform);
+        any_changed = true;
+    };
+    program.groups.draw(static_cast<int>(calls.groups.size()), draw,
+                        index_of(calls.groups, [](const GlCallGroup& group) { return group.about.empty(); }));
+    if (any_changed) program.calls.forget();
 }
 
 }  // namespace glint

@@ -1,10 +1,11 @@
 #include "ui/widgets/text/text_field.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "models/io/utf8.h"
@@ -46,12 +47,31 @@ std::string stand_in(std::string_view piece) {
 // The clipboard's functions under those of the field, while one is drawn.
 const char* (*clipboard_text)(void*) = nullptr;
 void (*set_clipboard_text)(void*, const char*) = nullptr;
+std::size_t longest_held = any_length;  // by that field
+
+/// As many whole characters as `room` bytes hold. Precondition: well-formed.
+std::string cut_off(std::string text, std::size_t room) {
+    if (text.size() <= room) return text;
+    while (room > 0 && continues_character(text[room])) --room;
+    text.resize(room);
+    return text;
+}
+
+/// The bytes that the field in hand has left, what is selected not counted: a paste takes its place.
+std::size_t room_in_hand() {
+    const ImGuiInputTextState& hand = ImGui::GetCurrentContext()->InputTextState;
+    const auto [first, last] = std::minmax({hand.GetSelectionStart(), hand.GetSelectionEnd()});
+    const ImWchar* const letters = hand.TextW.Data;
+    const int kept = hand.CurLenA - ImTextCountUtf8BytesFromStr(letters + first, letters + last);
+    return longest_held - std::min(longest_held, static_cast<std::size_t>(std::max(kept, 0)));
+}
 
 const char* pasted(void* data) {
     const char* const text = clipboard_text != nullptr ? clipboard_text(data) : nullptr;
     if (text == nullptr) return nullptr;
     static std::string held;
     held = held_in_field(text);
+    if (longest_held != any_length) held = cut_off(std::move(held), room_in_hand());
     return held.c_str();
 }
 
@@ -61,8 +81,9 @@ void copied(void* data, const char* held) {
 
 class FieldsClipboard {
   public:
-    FieldsClipboard() {
+    explicit FieldsClipboard(std::size_t longest) {
         ImGuiIO& io = ImGui::GetIO();
+        longest_held = longest;
         clipboard_text = io.GetClipboardTextFn, set_clipboard_text = io.SetClipboardTextFn;
         io.GetClipboardTextFn = pasted, io.SetClipboardTextFn = copied;
     }
@@ -73,6 +94,15 @@ class FieldsClipboard {
     FieldsClipboard(const FieldsClipboard&) = delete;
     FieldsClipboard& operator=(const FieldsClipboard&) = delete;
 };
+
+/// A field that holds no more than `longest` bytes, however much is typed or pasted.
+bool short_field(const char* label, const char* hint, std::string& held, int flags, std::size_t longest) {
+    held = cut_off(std::move(held), longest);
+    held.resize(longest + 1);  // with the zero at the end
+    const bool told = ImGui::InputTextWithHint(label, hint, held.data(), held.size(), flags);
+    held.resize(std::min(held.find('\0'), longest));
+    return told;
+}
 
 }  // namespace
 
@@ -102,11 +132,12 @@ std::string taken_from_field(std::string_view held) {
     return text;
 }
 
-bool text_field(const char* label, const char* hint, std::string& text, int flags) {
-    const FieldsClipboard clipboard;
+bool text_field(const char* label, const char* hint, std::string& text, int flags, std::size_t longest) {
+    const FieldsClipboard clipboard(longest);
     std::string held = held_in_field(text);
     const std::string before = held;
-    const bool told = ImGui::InputTextWithHint(label, hint, &held, flags);
+    const bool told = longest == any_length ? ImGui::InputTextWithHint(label, hint, &held, flags)
+                                            : short_field(label, hint, held, flags, longest);
     if (held != before) text = taken_from_field(held);
     return told;
 }

@@ -1,0 +1,246 @@
+// A mesh that takes time to make, and what is done with the scene meanwhile.
+#include <future>
+#include <thread>
+
+#include "models/memory_limit.h"
+#include "models/mesh/mesh_memory.h"
+#include "models/scene_file/scene_file.h"
+#include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
+#include "tests/support/program.h"
+#include "ui/document/document_actions.h"
+#include "ui/document/loading.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+const PrimitiveMesh slow_ball{Primitive::Sphere, 8, 0, 6};
+
+Object primitive_object(const char* name, Primitive primitive) {
+    Object object;
+    object.name = name;
+    object.source = PrimitiveMesh{primitive, 4};
+    return object;
+}
+
+Scene with_meshes_of(const std::vector<MeshSource>& sources) {
+    Scene scene;
+    for (const MeshSource& source : sources) {
+        Object object;
+        object.source = source;
+        object.mesh = share_mesh(make_primitive(Primitive::Sphere, 5));
+        scene.objects.push_back(object);
+    }
+    return scene;
+}
+
+/// In place of the load of all that is awaited: ends when it is let go, with whatever a test wants.
+class HeldLoad {
+  public:
+    HeldLoad(HeadlessWindow& bench, const Result<SceneDocument>& result) : bench_(bench) {
+        bench.state.loading.meshes =
+            std::make_unique<LoadJob>("slow", [opened = open_.get_future().share(), result](LoadProgress&) {
+                opened.wait();
+                return result;
+            });
+        (void)bench.frame();
+    }
+    ~HeldLoad() {
+        if (!is_open_) open_.set_value();
+    }
+    HeldLoad(const HeldLoad&) = delete;
+    HeldLoad& operator=(const HeldLoad&) = delete;
+
+    void end() {
+        open_.set_value();
+        is_open_ = true;
+        while (!bench_.state.loading.meshes->done()) std::this_thread::yield();
+    }
+
+  private:
+    HeadlessWindow& bench_;
+    std::promise<void> open_;
+    bool is_open_ = false;
+};
+
+void begin_orbit(HeadlessWindow& bench) {
+    bench.move(bench.at_pixel({20, 200}));
+    bench.button(true);
+    bench.move(bench.at_pixel({90, 230}));
+    REQUIRE(bench.state.viewport.gesture == Gesture::Orbit);
+}
+
+}  // namespace
+
+TEST_CASE("an object that waits for a mesh keeps its own, whatever goes or comes before it in the list",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const bool deletes = GENERATE(true, false);
+    CAPTURE(deletes);
+    HeadlessWindow bench;
+    Scene& scene = bench.scene();
+    scene.objects = {primitive_object("Aaa", Primitive::Teapot), primitive_object("Bbb", Primitive::Cube),
+                     primitive_object("Ccc", Primitive::Sphere)};
+    bench.frames(2);
+    const std::vector<Object> before = scene.objects;
+    begin_mesh(bench.state, slow_ball, 2);
+    const HeldLoad load(bench, SceneDocument{});
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.key(deletes ? Key::Delete : Key::D, !deletes);
+    const std::size_t b = deletes ? 0 : 2;
+    REQUIRE(scene.objects[b].name == "Bbb");
+    const auto saved_as_made = [&] {
+        REQUIRE(save_as(bench.state, folder.path("saved.json")));
+        const auto saved =
+            std::get<Scene>(parse_scene(bytes_of(folder.path("saved.json")), "saved.json")).objects;
+        CHECK(saved[b].source == before[1].source);
+        CHECK(saved[b + 1].source == before[2].source);
+    };
+    for (const int subdivide : {7, 6}) {  // changed again before it came
+        begin_mesh(bench.state, PrimitiveMesh{Primitive::Cube, 4, 0, subdivide}, static_cast<int>(b));
+        saved_as_made();
+        bench.frames(2);
+        CHECK(scene.objects[b].mesh == before[1].mesh);
+        CHECK(scene.objects[b + 1].mesh == before[2].mesh);
+        saved_as_made();
+    }
+    bench.key(Key::Escape);
+    CHECK(scene.objects[b] == before[1]);
+    CHECK(scene.objects[b + 1] == before[2]);
+}
+
+TEST_CASE("Esc during a drag takes the drag back, and not the mesh that came meanwhile", "[ui][loading]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    const Scene come = with_meshes_of({slow_ball});
+    begin_mesh(bench.state, slow_ball, 0);
+    HeldLoad load(bench, SceneDocument{come, {}, {}, {}});
+    begin_orbit(bench);
+    load.end();
+    bench.frames(2);
+    REQUIRE_FALSE(bench.scene().camera == before.camera);
+    bench.key(Key::Escape);
+    bench.button(false);
+    bench.frames(3);
+    CHECK(bench.scene().camera == before.camera);
+    CHECK(bench.scene().objects[0].source == MeshSource(slow_ball));
+    CHECK(bench.scene().objects[0].mesh == come.objects[0].mesh);
+    CHECK_FALSE(bench.state.loading.active());
+    CHECK(bench.state.editor.history.undo_name() == "Mesh of Ball");
+}
+
+TEST_CASE("Esc during a drag does not take away the object whose mesh came meanwhile", "[ui][loading]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    begin_mesh(bench.state, slow_ball, -1);
+    HeldLoad load(bench, SceneDocument{with_meshes_of({slow_ball}), {}, {}, {}});
+    begin_orbit(bench);
+    load.end();
+    bench.frames(2);
+    bench.key(Key::Escape);
+    bench.button(false);
+    bench.frames(3);
+    REQUIRE(bench.scene().objects.size() == 2);
+    CHECK(bench.scene().objects[1].source == MeshSource(slow_ball));
+}
+
+TEST_CASE("Esc during a drag does not ask again for a mesh that failed meanwhile", "[ui][loading]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    begin_mesh(bench.state, slow_ball, 0);
+    HeldLoad load(bench, Problem{"ball", "", "is too large", ""});
+    begin_orbit(bench);
+    load.end();
+    bench.frames(2);
+    bench.key(Key::Escape);
+    bench.button(false);
+    bench.frames(3);
+    CHECK(bench.scene() == before);
+    CHECK(bench.state.notifications.list.size() == 1);
+}
+
+TEST_CASE("a scene that comes back, as the next one cannot be drawn, waits for no mesh", "[ui][loading]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    begin_mesh(bench.state, slow_ball, 0);
+    const HeldLoad load(bench, SceneDocument{});
+    SceneDocument next = first_scene();
+    next.path = "next.json";
+    next.scene.objects[0].mesh = share_mesh(make_primitive(Primitive::Sphere, 400));
+    bench.state.loading.scene_then = bench.scene();
+    bench.state.loading.document =
+        std::make_unique<LoadJob>("next.json", [next](LoadProgress&) { return next; });
+    while (!bench.state.loading.document->done()) std::this_thread::yield();
+    set_memory_limit(memory_limit() - memory_left() + (1 << 20));
+    (void)bench.frame();
+    set_memory_limit(0);
+    CHECK(bench.state.editor.document.path.empty());
+    CHECK(bench.scene() == before);
+    CHECK_FALSE(awaits_mesh(bench.state));
+}
+
+TEST_CASE("redo waits for a mesh that is being built, and loses nothing that was edited meanwhile",
+          "[ui][loading]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.scene().shading.mode = ShadingMode::Flat;
+    bench.frames(2);
+    bench.key(Key::Z, true);
+    bench.frames(2);
+    const Scene before = bench.scene();
+    const WindowCommand& redo_it = command(CommandId::Redo);
+    begin_mesh(bench.state, slow_ball, 0);
+    const HeldLoad load(bench, SceneDocument{});
+    bench.scene().lights[0].intensity = 0.25f;
+    bench.frames(2);
+    const Scene edited = bench.scene();
+    CHECK(why_disabled(bench.state, redo_it) == "A mesh is being built: wait for it, or Esc");
+    bench.key(Key::Y, true);
+    bench.frames(2);
+    CHECK(bench.scene() == edited);
+    bench.scene().lights[0].intensity = before.lights[0].intensity;
+    bench.key(Key::Escape);
+    bench.frames(2);
+    CHECK(why_disabled(bench.state, redo_it).empty());
+    bench.key(Key::Y, true);
+    bench.frames(2);
+    CHECK(bench.scene().shading.mode == ShadingMode::Flat);
+}
+
+TEST_CASE("a mesh that is chosen in the dialog is a step when it is there, and none where it cannot be read",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    (void)folder.file("good.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    (void)folder.file("bad.obj", "f 1 2 3\n");
+    for (const char* const name : {"bad.obj", "good.obj"}) {
+        CAPTURE(name);
+        HeadlessWindow bench;
+        bench.frames(2);
+        const Scene before = bench.scene();
+        bench.state.mesh_for_object = 0;
+        bench.state.files.ask(FilePurpose::OpenMesh, "");
+        bench.state.files.folder = folder.path();
+        bench.state.files.name = name;  // before its field has the keyboard
+        bench.frames(2);
+        bench.key(Key::Enter);
+        REQUIRE_FALSE(bench.state.files.open);
+        CHECK(bench.scene().objects[0].source == MeshSource(MeshFile{folder.path(name)}));
+        CHECK_FALSE(bench.state.editor.history.can_undo());
+        bench.wait_for_loads();
+        bench.frames(3);
+        if (name == std::string("good.obj")) {
+            CHECK(bench.state.editor.history.undo_name() == "Mesh of Ball");
+            bench.key(Key::Z, true);
+        } else {
+            CHECK(bench.state.notifications.list.size() == 1);
+        }
+        bench.frames(2);
+        CHECK(bench.scene() == before);
+        CHECK_FALSE(bench.state.editor.history.can_undo());
+    }
+}

@@ -1,0 +1,159 @@
+// What a lesson must not lose or mix up: work that was saved under a name, progress, tasks.
+#include <algorithm>
+
+#include "models/io/file.h"
+#include "tests/support/lesson_window.h"
+#include "tests/support/program.h"
+#include "ui/document/document_actions.h"
+#include "ui/lessons/lesson_progress.h"
+#include "ui/preferences/persistence.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// A lesson of one's own, about the scene of LessonFolder.
+std::string small_lesson(const std::string& steps) {
+    return "# Mine\n\n```lesson\ntopic: Own\nscene: ball.json\nsize: 32x32\n```\n\n" + steps;
+}
+const char* const two_steps = "## One\n\nLook.\n\n## Two\n\nLook again.\n";
+
+struct LessonFolder : TemporaryDirectory {
+    LessonFolder() { (void)file("ball.json", R"({"glint": 1, "objects": [{"name": "Ball"}]})"); }
+};
+
+/// A window at a lesson whose scene was saved under a name, and changed since.
+struct OwnWorkWindow : HeadlessWindow {
+    OwnWorkWindow() : HeadlessWindow({1280, 1000}) {
+        frames(2);
+        test::drop(*this, folder.file("l.md", small_lesson("Look.\n")));
+        REQUIRE(state.lesson.course);
+    }
+    void save_and_change() {
+        REQUIRE_FALSE(save_file(state.editor, path, scene()));
+        scene().global_ambient = glm::vec3(0.75f);
+        frames(2);
+    }
+    void check_asks_first() {
+        frames(2);
+        REQUIRE(state.pending.asking);
+        CHECK(scene().global_ambient == glm::vec3(0.75f));
+        CHECK(state.editor.document.path == path);
+        finish_pending(state);  // Don't save
+        frames(2);
+        CHECK(scene() == state.lesson.station().revealed);
+        CHECK(state.editor.document.path.empty());
+    }
+    LessonFolder folder;
+    std::string path = folder.path("mine.json");
+};
+
+bool is_told(const HeadlessWindow& bench, const std::string& part) {
+    const auto& list = bench.state.notifications.list;
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Notification& n) { return n.text.find(part) != std::string::npos; });
+}
+
+}  // namespace
+
+TEST_CASE("a lesson asks before work that was saved under a name goes, whatever puts its scene back",
+          "[ui][window][lesson]") {
+    OwnWorkWindow bench;
+    SECTION("the way back to its scene") {
+        bench.save_and_change();
+        bench.click(bench.control("Back to the lesson's scene"));
+        bench.check_asks_first();
+    }
+    SECTION("its beginning") {
+        bench.save_and_change();
+        bench.click(bench.control("Begin again"));
+        bench.check_asks_first();
+    }
+    SECTION("the end of a lecture") {
+        bench.click(bench.control("Lecturer"));
+        bench.save_and_change();
+        bench.click(bench.control("Lecturer"));
+        bench.frames(2);
+        CHECK(bench.state.lesson.lecturer);
+        bench.check_asks_first();
+        CHECK_FALSE(bench.state.lesson.lecturer);
+    }
+}
+
+TEST_CASE("a lesson puts its scene back unasked where nobody has saved the one in hand",
+          "[ui][window][lesson]") {
+    OwnWorkWindow bench;
+    bench.scene().global_ambient = glm::vec3(0.75f);
+    bench.frames(2);
+    bench.click(bench.control("Begin again"));
+    CHECK_FALSE(bench.state.pending.asking);
+    CHECK(bench.scene() == bench.state.lesson.station().revealed);
+}
+
+TEST_CASE("progress is kept of lessons whose names are not UTF-8, of each its own", "[ui][window][lesson]") {
+    const LessonFolder folder;
+    const std::string first = folder.file("caf\xE9.md", small_lesson(two_steps)),
+                      second = folder.file("caf\xE8.md", small_lesson(two_steps));
+    const auto station_of = [&](const std::string& path, int pages) {
+        HeadlessWindow bench;
+        begin_persistence(bench.state, folder.path("state"));
+        bench.frames(2);
+        test::drop(bench, path);
+        REQUIRE(bench.state.lesson.course);
+        for (; pages > 0; --pages) (void)bench.key(Key::PageDown);
+        bench.frames(2);
+        return bench.state.lesson.progress.station;
+    };
+    CHECK(station_of(first, 1) == 1);
+    CHECK(station_of(second, 0) == 0);
+    CHECK(station_of(first, 0) == 1);
+}
+
+TEST_CASE("a file of progress that cannot be read, or that is full, stays as it is, and that is told",
+          "[ui][window][lesson]") {
+    constexpr std::size_t longest = std::size_t{1} << 20;
+    const std::string head = "{\"x\": \"", tail = "\"}";
+    const auto of_size = [&](std::size_t size) {
+        return head + std::string(size - head.size() - tail.size(), 'x') + tail;
+    };
+    for (const std::string& kept :
+         {std::string("{\"05-lambert\": {\"at\": 3},}"), of_size(longest + 1), of_size(longest - 20)}) {
+        const LessonFolder folder;
+        const std::string file = folder.file("lessons.json", kept);
+        HeadlessWindow bench;
+        begin_persistence(bench.state, folder.path());
+        bench.frames(2);
+        test::drop(bench, folder.file("l.md", small_lesson(two_steps)));
+        (void)bench.key(Key::PageDown);
+        bench.frames(2);
+        REQUIRE(bench.state.lesson.progress.station == 1);
+        CHECK(bytes_of(file) == kept);
+        CHECK(is_told(bench, "What is answered and done here cannot be remembered: "));
+    }
+}
+
+TEST_CASE("what was asked of one lesson's scene does no task of the next lesson", "[ui][window][lesson]") {
+    const LessonFolder folder;
+    const auto with_task = [&](const char* name, const char* done) {
+        return folder.file(name,
+                           small_lesson("```try\ndrag: the light\ndone: " + std::string(done) + "\n```\n"));
+    };
+    const std::string undone = with_task("b.md", "1 = 2");
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    const auto next = std::get<std::shared_ptr<const Course>>(open_course(undone));
+    test::drop(bench, with_task("a.md", "1 = 1"));
+    LessonState& lesson = bench.state.lesson;
+    REQUIRE(lesson.course);
+    test::wait_for_tasks(bench);
+    CHECK(lesson.progress.tasks[0][0]);
+    bench.scene().global_ambient = glm::vec3(0.75f);
+    do (void)bench.frame();
+    while (!lesson.watching);
+    take_scene(bench.state, next->document);
+    begin_lesson(bench.state, next);
+    test::wait_for_tasks(bench);
+    CHECK_FALSE(lesson.progress.tasks[0][0]);
+    CHECK(lesson.watched->course == next);
+}

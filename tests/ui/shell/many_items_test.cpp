@@ -1,0 +1,139 @@
+// Scenes and folders of very many items: what is out of sight costs no frame its time, and is still there.
+#include <algorithm>
+#include <string>
+
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+constexpr int many = 300;
+
+/// So many lights on one triangle, each with a name of its own.
+Scene scene_of_lights(int count) {
+    Scene scene;
+    scene.camera.eye = {0, 0, 4};
+    scene.objects = {test::object_of(test::primitive(Primitive::Cube, 1))};
+    scene.shading.mode = ShadingMode::Flat;
+    for (int i = 0; i < count; ++i) {
+        Light light;
+        light.name = "Lamp " + std::to_string(i);
+        light.position = {0, 0, 5, 1};
+        scene.lights.push_back(light);
+    }
+    return scene;
+}
+
+/// The tab asked of the middle of such a scene.
+struct ManyWindow : HeadlessWindow {
+    ManyWindow(const Scene& shown, InspectorTab tab) {
+        state.editor.history.reset(shown);
+        scene() = shown;
+        test::ask(*this, tab);
+    }
+    [[nodiscard]] auto controls_named(const std::string& name) const {
+        return std::count_if(controls().begin(), controls().end(),
+                             [&](const NamedControl& control) { return control.name == name; });
+    }
+    void scroll_to_end() {
+        move(test::right_column(*this).middle());
+        for (int i = 0; i < 3; ++i) {  // heights that were guessed are known then
+            ImGui::GetIO().MouseWheel = -1e5f;
+            (void)frame();
+            ImGui::GetIO().MouseWheel = 0;
+            frames(2);
+        }
+    }
+};
+
+int corners_drawn() { return ImGui::GetDrawData()->TotalVtxCount; }
+
+}  // namespace
+
+TEST_CASE("a folder of thirty thousand files is listed, and only its rows in sight are drawn",
+          "[ui][window][many]") {
+    HeadlessWindow bench;
+    bench.state.files.ask(FilePurpose::OpenMesh, "");
+    bench.state.files.entries.clear();
+    bench.frames(2);
+    const int empty = corners_drawn();
+    for (int i = 0; i < 30'000; ++i)
+        bench.state.files.entries.push_back({"mesh" + std::to_string(i) + ".obj", false});
+    bench.frames(2);
+    CHECK(corners_drawn() < empty + 20'000);
+    const ImGuiWindow* list = test::window_named("##entries");
+    REQUIRE(list != nullptr);
+    bench.move({list->Pos.x + 40, list->Pos.y + 40});
+    ImGui::GetIO().MouseWheel = -1e6f;
+    (void)bench.frame();
+    ImGui::GetIO().MouseWheel = 0;
+    bench.frames(1);
+    bench.click({list->Pos.x + 40, list->Pos.y + list->Size.y - ImGui::GetStyle().WindowPadding.y - 6});
+    CHECK(bench.state.files.name == "mesh29999.obj");
+}
+
+TEST_CASE("the equation lays out the cards of the lights in sight, and all can be scrolled to",
+          "[ui][window][many]") {
+    ManyWindow bench(scene_of_lights(many), InspectorTab::Equation);
+    REQUIRE(bench.state.explanation);
+    REQUIRE(bench.state.explanation->corners.at(0).at.lights.size() == many);
+    CHECK(bench.controls_named("angle n·l") > 1);
+    CHECK(bench.controls_named("angle n·l") < 40);
+    bench.scroll_to_end();
+    CHECK(bench.controls_named("angle n·l") < 40);
+    (void)test::in_column(bench, "/lights/299/falloff/constant");
+    // A number that a lesson leads to is brought into sight from anywhere.
+    bench.state.inspector.marked = {Quantity::Falloff, 100, ImGui::GetTime() + 1, ImGui::GetTime() + 1};
+    bench.frames(4);
+    (void)test::in_column(bench, "/lights/100/falloff/constant");
+}
+
+TEST_CASE("a number that is dragged out of sight stays in hand", "[ui][window][many]") {
+    ManyWindow bench(scene_of_lights(many), InspectorTab::Equation);
+    const ImVec2 at = test::in_column(bench, "/lights/0/falloff/constant");
+    bench.move(at);
+    bench.button(true);
+    ImGui::GetIO().MouseWheel = -1e5f;
+    (void)bench.frame();
+    ImGui::GetIO().MouseWheel = 0;
+    bench.frames(2);
+    const float before = bench.scene().lights[0].falloff.constant;
+    bench.move(at + ImVec2(60, 0));
+    bench.frames(1);
+    CHECK(bench.scene().lights[0].falloff.constant != before);
+    bench.button(false);
+}
+
+TEST_CASE("light by term draws the rows in sight, and all can be scrolled to", "[ui][window][many]") {
+    ManyWindow bench(scene_of_lights(many), InspectorTab::Grid);
+    CHECK(bench.controls_named("diffuse") < 40);
+    bench.scroll_to_end();
+    CHECK(bench.controls_named("diffuse") < 40);
+    bench.click(HeadlessWindow::middle_of(
+        bench.area_of("specular", {test::right_column(bench).middle(), test::right_column(bench).high})));
+    REQUIRE(bench.state.views.grid.solo);
+    CHECK(bench.state.views.grid.solo->term == 2);
+    CHECK(bench.state.views.grid.solo->light > many - 10);
+}
+
+TEST_CASE("the program of many objects and lights is written in sight, and all of it can be scrolled to",
+          "[ui][window][many]") {
+    constexpr int each = 150;
+    Scene scene = scene_of_lights(each);
+    scene.objects.resize(each, scene.objects[0]);
+    for (int i = 0; i < each; ++i) scene.objects[std::size_t(i)].name = "Thing " + std::to_string(i);
+    ManyWindow bench(scene, InspectorTab::Program);
+    const auto of_program = [&] { return bench.controls().size(); };
+    CHECK(of_program() < 600);
+    bench.scroll_to_end();
+    CHECK(of_program() < 600);
+    bench.click(test::in_column(bench, "Thing 149"));
+    bench.frames(2);
+    bench.scroll_to_end();
+    (void)test::in_column(bench, "/objects/149/transform/translate/0");
+    CHECK(bench.state.inspector.look_at_y < 0);  // far above, and known
+}

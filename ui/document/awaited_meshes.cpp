@@ -1,0 +1,247 @@
+// Meshes that an edit asks for: made at once if that is quick, else loaded while the window goes on.
+#include <algorithm>
+#include <utility>
+
+#include "models/fields/choices.h"
+#include "models/json/json_pointer.h"
+#include "ui/document/averaged_normals.h"
+#include "ui/document/loading.h"
+#include "ui/ui.h"
+
+namespace glint {
+namespace {
+
+using Objects = std::vector<Object>;
+
+bool waits(const Object& object, const AwaitedMesh& awaited) {
+    return awaited.mesh_before && object.source == awaited.wanted && object.mesh == awaited.mesh_before;
+}
+
+/// Of what the object's mesh was made, which is not its source while it waits for another.
+MeshSource made_of(const Object& object, const std::vector<AwaitedMesh>& awaited) {
+    const auto own = [&object](const AwaitedMesh& a) { return waits(object, a); };
+    const auto found = std::find_if(awaited.begin(), awaited.end(), own);
+    return found == awaited.end() ? object.source : found->before;
+}
+
+bool is_quick(const MeshSource& source) {
+    const auto* primitive = std::get_if<PrimitiveMesh>(&source);
+    return primitive != nullptr && is_quick(*primitive);
+}
+
+/// Whether an edit left the object without its mesh, and that takes more than a few milliseconds.
+bool is_slow_edit(const Object& object) { return !object.mesh && !is_quick(object.source); }
+
+/// Returns what objects[index], whose source was edited since, is in `known`: all else of it is as it was.
+/// Null where that cannot be told, as others came or went in the same moment.
+const Object* before_edit(const Objects& known, const Objects& objects, std::size_t index) {
+    const int place = place_in(objects, known, static_cast<int>(index));
+    if (place < 0 || place >= std::ssize(known)) return nullptr;
+    const Object& before = known[static_cast<std::size_t>(place)];
+    Object edited = objects[index];
+    edited.source = before.source;
+    edited.mesh = before.mesh;
+    return before.mesh && edited == before ? &before : nullptr;
+}
+
+/// The mesh of the same source in the scene or in the newest step; null when there is none.
+MeshPtr known_mesh(const Scene& scene, const Scene& present, const MeshSource& source,
+                   const std::vector<AwaitedMesh>& awaited) {
+    for (const Scene* known : {&scene, &present})
+        for (const Object& object : known->objects) {
+            const auto own = [&object](const AwaitedMesh& a) { return waits(object, a); };
+            if (object.mesh && object.source == source && std::none_of(awaited.begin(), awaited.end(), own))
+                return object.mesh;
+        }
+    return nullptr;
+}
+
+/// Edits that left an object without its mesh: the object keeps the old one until the new one is there.
+void note_slow_edits(UiState& state) {
+    Scene& scene = state.editor.scene();
+    Loading& loading = state.loading;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        Object& object = scene.objects[i];
+        if (!is_slow_edit(object)) continue;
+        object.mesh = known_mesh(scene, state.editor.history.present(), object.source, loading.awaited);
+        if (object.mesh) continue;
+        const Object* before = before_edit(loading.known, scene.objects, i);
+        if (before == nullptr) continue;
+        object.mesh = before->mesh;
+        loading.awaited.push_back({object.source, made_of(*before, loading.awaited), before->mesh});
+    }
+}
+
+/// Returns whether an object was deleted while it waited, which is not a step of its own yet.
+bool is_deleted(const Editor& editor, const AwaitedMesh& awaited) {
+    const auto has_it = [&](const Scene& scene) {
+        return std::any_of(scene.objects.begin(), scene.objects.end(),
+                           [&](const Object& object) { return object.mesh == awaited.mesh_before; });
+    };
+    return awaited.mesh_before && has_it(editor.history.present()) && !has_it(editor.scene());
+}
+
+/// What nobody waits for any more (undone, deleted, changed again) is forgotten.
+void forget_unwanted(UiState& state) {
+    const auto& objects = state.editor.scene().objects;
+    const auto unwanted = [&objects](const AwaitedMesh& awaited) {
+        const auto own = [&awaited](const Object& object) { return waits(object, awaited); };
+        return awaited.mesh_before && std::none_of(objects.begin(), objects.end(), own);
+    };
+    auto& list = state.loading.awaited;
+    if (std::any_of(list.begin(), list.end(), [&](const auto& a) { return is_deleted(state.editor, a); }))
+        state.notifications.tell(
+            "It was deleted before its new mesh was there: undo brings it back with the old one");
+    list.erase(std::remove_if(list.begin(), list.end(), unwanted), list.end());
+    if (list.empty()) state.loading.leave(state.loading.meshes);
+}
+
+/// A problem with a mesh of `scene` by the mesh's name: an object that is only to come has no place yet.
+Problem about_its_mesh(Problem problem, const Scene& scene) {
+    if (const std::optional<ListItem> object = item_in(problem.pointer, "/objects/")) {
+        problem.file = short_name(scene.objects[static_cast<std::size_t>(object->place)].source);
+        problem.pointer.clear();
+    }
+    return problem;
+}
+
+void start_meshes(UiState& state) {
+    Loading& loading = state.loading;
+    if (loading.meshes || loading.awaited.empty()) return;
+    Scene wanting = state.editor.scene();
+    for (const AwaitedMesh& awaited : loading.awaited) {
+        for (Object& object : wanting.objects)
+            if (waits(object, awaited)) object.mesh = nullptr;
+        if (awaited.mesh_before) continue;
+        Object fresh;
+        fresh.source = awaited.wanted;
+        wanting.objects.push_back(fresh);
+    }
+    const SceneDocument& document = state.editor.document;
+    loading.meshes = std::make_unique<LoadJob>(
+        short_name(loading.awaited.front().wanted),
+        [wanting, path = document.path, dir = document.mesh_dir](LoadProgress&) -> Result<SceneDocument> {
+            Scene scene = wanting;
+            Result<Warnings> loaded = load_meshes(scene, path, dir);
+            if (const Problem* problem = problem_of(loaded)) return about_its_mesh(*problem, wanting);
+            return SceneDocument{std::move(scene), path, dir, std::get<Warnings>(std::move(loaded))};
+        });
+    loading.since = ImGui::GetTime();
+}
+
+/// The new mesh for the objects that wait for it; a new object where none does.
+void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) {
+    Editor& editor = state.editor;
+    for (Object& object : editor.scene().objects)
+        if (waits(object, awaited)) object.mesh = mesh;
+    if (awaited.mesh_before) return;
+    if (const auto index = add_object(editor.scene(), awaited.wanted)) {
+        editor.scene().objects[static_cast<std::size_t>(*index)].mesh = mesh;
+        editor.selection = {Selection::Kind::Object, *index};
+    }
+}
+
+/// Whether only the fineness of a mesh was edited: its panel has words of its own beside the sliders, and a
+/// drag brings many such edits.
+bool is_another_fineness(const AwaitedMesh& awaited) {
+    return awaited.mesh_before && as_given(awaited.wanted) == as_given(awaited.before);
+}
+
+/// Whether the meshes can be taken. Not while the picture is dragged: Esc brings the scene back that was
+/// there when the drag began, and what had come since would be lost.
+bool meshes_have_come(const UiState& state) {
+    const std::unique_ptr<LoadJob>& job = state.loading.meshes;
+    return job && job->done() && state.viewport.gesture == Gesture::None;
+}
+
+}  // namespace
+
+void poll_meshes(UiState& state) {
+    note_slow_edits(state);
+    forget_unwanted(state);
+    Loading& loading = state.loading;
+    if (meshes_have_come(state)) {
+        const Result<SceneDocument> result = loading.meshes->take();
+        loading.meshes.reset();
+        if (const Problem* problem = problem_of(result)) {
+            state.notifications.add(*problem);
+            give_up_meshes(state);
+        } else {
+            const auto& loaded = std::get<SceneDocument>(result);
+            auto& list = loading.awaited;
+            if (!std::all_of(list.begin(), list.end(), is_another_fineness))
+                state.notifications.add(loaded.warnings);
+            const auto come = [&](const AwaitedMesh& awaited) {
+                for (const Object& object : loaded.scene.objects)
+                    if (object.source == awaited.wanted && object.mesh != awaited.mesh_before) {
+                        give_mesh(state, awaited, object.mesh);
+                        if (!is_another_fineness(awaited)) say_averaged(state, object);
+                        return true;
+                    }
+                return false;  // wanted only since the load began
+            };
+            list.erase(std::remove_if(list.begin(), list.end(), come), list.end());
+        }
+    }
+    start_meshes(state);
+    if (const auto problem = settle(state.editor)) state.notifications.add(*problem);
+    if (loading.known != state.editor.scene().objects) loading.known = state.editor.scene().objects;
+}
+
+void give_up_meshes(UiState& state) {
+    Loading& loading = state.loading;
+    Scene made = as_made(state, state.editor.scene());
+    state.editor.scene() = std::move(made);
+    for (Object& object : loading.known) object.source = made_of(object, loading.awaited);
+    loading.awaited.clear();
+    loading.leave(loading.meshes);
+}
+
+bool is_quick(const PrimitiveMesh& mesh) {
+    if (mesh.decimate > 0 || mesh.subdivide > 3) return false;
+    // Triangles go with the square of the detail; a largest one has about 8 million
+    // (models/primitives/primitives.cpp).
+    const int most = info_of(mesh.primitive).max_detail >> (mesh.subdivide > 0 ? mesh.subdivide + 1 : 0);
+    if (mesh.primitive == Primitive::Icosphere)
+        return mesh.detail + mesh.subdivide <= 6;  // there with its power of 4
+    return most <= 8 || mesh.detail <= most / 6;
+}
+
+void begin_mesh(UiState& state, const MeshSource& source, int index) {
+    auto& objects = state.editor.scene().objects;
+    if (index >= 0 && static_cast<std::size_t>(index) < objects.size()) {
+        Object& object = objects[static_cast<std::size_t>(index)];
+        object.source = source;
+        object.mesh = nullptr;
+    } else {
+        state.loading.awaited.push_back({source, source, nullptr});
+    }
+}
+
+bool awaits_mesh(const UiState& state) {
+    const auto& list = state.loading.awaited;
+    const auto& objects = state.editor.scene().objects;
+    return std::any_of(list.begin(), list.end(),
+                       [](const AwaitedMesh& a) { return a.mesh_before != nullptr; }) ||
+           std::any_of(objects.begin(), objects.end(), is_slow_edit);
+}
+
+Scene as_made(const UiState& state, Scene scene) {
+    const Objects& known = state.loading.known;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        Object& object = scene.objects[i];
+        // Edited in this very frame, it will be awaited in the next.
+        if (const Object* before = is_slow_edit(object) ? before_edit(known, scene.objects, i) : nullptr)
+            object = *before;
+        object.source = made_of(object, state.loading.awaited);
+    }
+    return scene;
+}
+
+SceneDocument document_as_made(const UiState& state) {
+    SceneDocument document = state.editor.document;
+    document.scene = as_made(state, std::move(document.scene));
+    return document;
+}
+
+}  // namespace glint

@@ -1,0 +1,26 @@
+#pragma once
+// What the window remembers of the tab "Program" from frame to frame.
+
+#include <vector>
+
+#include "models/scene/scene.h"
+#include "renderer/programs/gl_calls.h"
+#include "ui/inspector/blocks_in_sight.h"
+#include "ui/inspector/program/transform_lines.h"
+#include "ui/widgets/kept.h"
+
+namespace glint {
+
+/// A scene's calls as they are written in the tab.
+struct WrittenCalls {
+    Scene scene;  // with the transforms' numbers as they are written
+    std::vector<WrittenTransform> transforms;
+    std::vector<GlCallGroup> groups;
+};
+
+struct ProgramState {
+    Kept<Scene, WrittenCalls> calls;     // of thousands of objects they take as long as a second
+    BlocksInSight groups{1}, places{1};  // the groups; the calls of the one with the lights' places
+};
+
+}  // namespace glint
