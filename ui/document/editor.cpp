@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <string_view>
 #include <utility>
 
 #include "models/fields/scene_rules.h"
 #include "models/io/file.h"
-#include "models/io/utf8.h"
 #include "models/mesh/mesh_memory.h"
 
 namespace glint {
@@ -27,15 +25,6 @@ void take_step(Editor& editor, const Scene& scene, bool forward = false) {
 }
 
 }  // namespace
-
-std::string file_title(const std::string& path) {
-    constexpr std::size_t longest = 80;
-    const std::string name = std::filesystem::path(path).filename().string();
-    if (name.empty()) return "New scene";
-    const std::string shown = on_one_line(first_characters(name, longest + 1));
-    const std::string_view cut = first_characters(shown, longest);
-    return std::string(cut) + (cut.size() < shown.size() ? "…" : "");
-}
 
 std::string Editor::title() const { return file_title(document.path); }
 
