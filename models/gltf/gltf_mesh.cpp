@@ -136,10 +136,14 @@ void read_primitive(const GltfDocument& document, const Node& root, const Node& 
                                 "one with all numbers");
         GltfVertices own;
         const GltfVertices& vertices = vertices_of(document, root, attributes, own);
-        const bool is_own = &vertices == &own;
-        if (!is_own) require_memory(memory_need(MemoryUse::Meshes, vertices.share.need().total()));
-        mesh.positions = is_own ? std::move(own.places) : vertices.places;
-        mesh.normals = is_own ? std::move(own.normals) : vertices.normals;
+        if (&vertices == &own) {
+            mesh.positions = std::move(own.places);
+            mesh.normals = std::move(own.normals);
+        } else {
+            require_memory(memory_need(MemoryUse::Meshes, vertices.share.need().total()));
+            mesh.positions = vertices.places;
+            mesh.normals = vertices.normals;
+        }
         if (attributes.has("NORMAL")) mesh.given_normals = GivenNormals::File;
         mesh.first_corner.push_back(0);
         const Triangles triangles(document, root, primitive, vertices.place_of.size());

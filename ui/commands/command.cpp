@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "ui/commands/command_rows.h"
+#include "ui/document/scene_edit.h"
 #include "ui/picture/tool.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
@@ -80,6 +81,8 @@ std::optional<bool> is_on(const UiState& state, const WindowCommand& command) {
 }
 
 void run_command(UiState& state, const WindowCommand& command) {
+    // Since it was looked at last, the end of a drag or a load may have taken the item away.
+    state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     if (!can_run(state, command)) return;
     state.viewport.touched |= command.changes_picture;
     command.run(state);

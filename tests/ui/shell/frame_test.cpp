@@ -497,3 +497,18 @@ TEST_CASE("a rect may be as wide as leaves its corners next to nothing", "[ui][w
     CHECK(list.VtxBuffer.Size >= 4);
     ImGui::EndFrame();
 }
+
+TEST_CASE("what was selected in a scene with more items is not asked for by a key in this one",
+          "[ui][window]") {
+    // As a click on a light of B does, where that has more lights than the scene in hand.
+    HeadlessWindow bench({1280, 800});
+    const std::size_t lights = bench.scene().lights.size(), objects = bench.scene().objects.size();
+    const std::string last_light = bench.scene().lights.back().name;
+    bench.state.editor.selection = {Selection::Kind::Light, static_cast<int>(lights) + 5};
+    (void)bench.key(Key::D, true);
+    REQUIRE(bench.scene().lights.size() == lights + 1);
+    CHECK(bench.scene().lights.back().name.starts_with(last_light));
+    bench.state.editor.selection = {Selection::Kind::Object, static_cast<int>(objects) + 5};
+    (void)bench.key(Key::Delete);
+    CHECK(bench.scene().objects.size() == objects - 1);
+}
