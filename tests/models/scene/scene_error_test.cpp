@@ -1,4 +1,6 @@
 // Everything that a scene file can have wrong, and the one line that says so.
+#include <fmt/format.h>
+
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 
@@ -269,11 +271,11 @@ TEST_CASE("a name of more than 1000 characters is a problem, whatever bytes they
             std::string name;
             for (int i = 0; i < 1000; ++i) name += character;
             const auto with_name = [&](const std::string& text) {
-                return line_of("{\"glint\": 1, \"" + list + "\": [{\"name\": \"" + text + "\"}]}");
+                return line_of(fmt::format(R"({{"glint": 1, "{}": [{{"name": "{}"}}]}})", list, text));
             };
             CHECK(with_name(name) == "no problem");
             CHECK(with_name(name + "n") ==
-                  "s: /" + list + "/0/name: has 1001 characters; expected at most 1000");
+                  fmt::format("s: /{}/0/name: has 1001 characters; expected at most 1000", list));
         }
 }
 
