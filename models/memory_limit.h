@@ -48,6 +48,10 @@ struct MemoryNeed {
     MemoryNeed& operator+=(const MemoryNeed& more);
 };
 [[nodiscard]] MemoryNeed memory_need(MemoryUse use, std::uint64_t bytes);
+/// Returns the bytes that a text holds outside of its string: 0 for a short one, which lies in it.
+[[nodiscard]] inline std::uint64_t bytes_outside(const std::string& text) {
+    return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
+}
 
 /// Bytes: what set_memory_limit() or the environment variable GLINT_MEMORY says, else default_memory_limit().
 [[nodiscard]] std::uint64_t memory_limit();

@@ -24,10 +24,7 @@ std::uint64_t node_number(const Node& at) {
     return static_cast<std::uint64_t>(x);
 }
 
-void read_name(const Node& named, std::string& to) {
-    read(named, "name", to);
-    require_short(named, "name", max_name_characters);
-}
+void read_name(const Node& named, std::string& to) { read(named, "name", to, max_name_characters); }
 
 glm::dmat4 local_of(const Node& node) {
     glm::dmat4 m(1);

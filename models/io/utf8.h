@@ -26,7 +26,7 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// Returns how many characters the text has; a byte that begins none counts as one.
 [[nodiscard]] std::size_t count_characters(std::string_view text);
-/// The first `count` characters of the text; all of it where it has fewer.
+/// Returns the first `count` characters of the text, or all of it where it has fewer.
 [[nodiscard]] std::string_view first_characters(std::string_view text, std::size_t count);
 
 /// True for what would move the cursor, break the line or turn its order round: C0, DEL, C1, the line and

@@ -95,13 +95,11 @@ void read(const Node& object, std::string_view key, bool& to) {
     });
 }
 
-void read(const Node& object, std::string_view key, std::string& to) {
-    object.with(key, [&to](const Node& node) { to = text(node); });
-}
-
-void require_short(const Node& object, std::string_view key, std::size_t max_characters) {
-    object.with(key, [max_characters](const Node& node) {
-        const std::size_t count = count_characters(text(node));
+void read(const Node& object, std::string_view key, std::string& to, std::size_t max_characters) {
+    object.with(key, [&](const Node& node) {
+        to = text(node);
+        if (max_characters == 0) return;
+        const std::size_t count = count_characters(to);
         if (count > max_characters)
             node.fail(fmt::format("has {} characters", count), fmt::format("at most {}", max_characters));
     });

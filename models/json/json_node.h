@@ -59,11 +59,10 @@ class Node {
                                           const Range& range = any_number);
 [[nodiscard]] const std::string& text(const Node& node, std::string_view expected = "a string");
 
-/// Each of these reads the value of a key into `to`, and leaves it when the key is not there.
+/// Each of these reads the value of a key into `to`, and leaves it when the key is not there. A string fails
+/// that has more than `max_characters`; 0: there may be any number.
 void read(const Node& object, std::string_view key, bool& to);
-void read(const Node& object, std::string_view key, std::string& to);
-/// Fails where the string of that key has more characters.
-void require_short(const Node& object, std::string_view key, std::size_t max_characters);
+void read(const Node& object, std::string_view key, std::string& to, std::size_t max_characters = 0);
 void read(const Node& object, std::string_view key, float& to, const Range& range = any_number);
 void read(const Node& object, std::string_view key, glm::vec3& to, const Range& range = any_number);
 

@@ -218,12 +218,9 @@ std::string escaped_token(std::string_view token) {
     return text;
 }
 
-std::string shortened(std::string_view text) {
-    constexpr std::size_t longest = 40;
-    std::size_t end = 0, count = 0;
-    while (end < text.size() && count++ < longest)
-        end += std::max<std::size_t>(1, utf8_length(text.substr(end, 4)));
-    return std::string(text.substr(0, end)) + (end < text.size() ? "…" : "");
+std::string shortened(std::string_view text, std::size_t most) {
+    const std::string_view kept = first_characters(text, most);
+    return std::string(kept) + (kept.size() < text.size() ? "…" : "");
 }
 
 std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", shortened(text)); }

@@ -48,8 +48,8 @@ class TakenApart {
 /// A reference token as it stands in a JSON pointer: ~ as ~0, / as ~1 (RFC 6901, section 3).
 [[nodiscard]] std::string escaped_token(std::string_view token);
 
-/// `text`, cut to 40 characters: a value inside a message.
-[[nodiscard]] std::string shortened(std::string_view text);
+/// Returns the text cut to so many characters, with an ellipsis where it is cut: a value inside a message.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t most = 40);
 /// shortened(text) in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 

@@ -8,6 +8,7 @@
 
 #include "models/io/utf8.h"
 #include "models/json/json_reader.h"
+#include "models/memory_limit.h"
 
 namespace glint {
 namespace {
@@ -125,11 +126,6 @@ void append(std::string& text, const JsonValue& json, std::size_t indent) {
     }
 }
 
-/// A short text lies in the string itself.
-std::uint64_t memory_of(const std::string& text) {
-    return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
-}
-
 }  // namespace
 
 /// The variant's own copy is not used: where every alternative moves without throwing, libstdc++ 12 treats a
@@ -228,14 +224,14 @@ std::string JsonValue::text() const {
 }
 
 std::uint64_t JsonValue::memory() const {
-    if (is_string()) return memory_of(string());
+    if (is_string()) return bytes_outside(string());
     std::uint64_t bytes = 0;
     if (const auto* elements = std::get_if<Elements>(&value_)) {
         bytes = elements->capacity() * sizeof(JsonValue);
         for (const JsonValue& element : *elements) bytes += element.memory();
     } else if (const auto* members = std::get_if<Members>(&value_)) {
         bytes = members->capacity() * sizeof(Members::value_type);
-        for (const auto& [name, value] : *members) bytes += memory_of(name) + value.memory();
+        for (const auto& [name, value] : *members) bytes += bytes_outside(name) + value.memory();
     }
     return bytes;
 }

@@ -61,8 +61,7 @@ class Reader {
     explicit Reader(const Node& object) : object_(object) {}
 
     void operator()(const Row& row, const Text& kind, std::string& to) const {
-        read(object_, row.key, to);
-        if (kind.max_characters > 0) require_short(object_, row.key, kind.max_characters);
+        read(object_, row.key, to, kind.max_characters);
     }
     void operator()(const Row& row, const Switch&, bool& to) const { read(object_, row.key, to); }
     void operator()(const Row& row, const Real& real, float& to) const {

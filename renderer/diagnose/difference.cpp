@@ -144,8 +144,11 @@ double share_left(const Renderer& renderer, const std::vector<Sample>& samples,
     if (terms.empty()) return 1;
     constexpr double near = 0.1;  // of the difference
     const DifferenceTerm& term = terms.front();
+    glm::ivec2 known(-1);
+    glm::dvec3 value(0);
     const auto left = std::count_if(samples.begin(), samples.end(), [&](const Sample& s) {
-        const glm::dvec3 value = terms_at(renderer, s.at).at({term.term, term.light});
+        if (s.at != known) value = terms_at(renderer, s.at).at({term.term, term.light});
+        known = s.at;  // its other channels follow
         const double explained = (term.factor - 1) * value[s.channel];
         return std::abs(s.difference - explained) > near * std::abs(s.difference);
     });

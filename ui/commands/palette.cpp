@@ -139,8 +139,8 @@ void nothing_found(const std::string& text, const std::string& nearest) {
                                 : fmt::format("{}. Nearest is “{}”:", nothing, nearest));
 }
 
-/// Draws the rows in sight, and the chosen one where it shall be brought there. The index of the one that was
-/// clicked, or -1.
+/// Draws the rows in sight, and the chosen one where it shall be brought there. Returns the index of the one
+/// that was clicked, or -1.
 int entry_rows(const PaletteState& state, const PaletteFound& found, bool shows_chosen) {
     int clicked = -1;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, px(1)});

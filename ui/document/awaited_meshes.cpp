@@ -17,7 +17,7 @@ bool waits(const Object& object, const AwaitedMesh& awaited) {
     return awaited.mesh_before && object.source == awaited.wanted && object.mesh == awaited.mesh_before;
 }
 
-/// Of what the object's mesh was made, which is not its source while it waits for another.
+/// Returns what the object's mesh was made of, which is not its source while it waits for another.
 MeshSource made_of(const Object& object, const std::vector<AwaitedMesh>& awaited) {
     const auto own = [&object](const AwaitedMesh& a) { return waits(object, a); };
     const auto found = std::find_if(awaited.begin(), awaited.end(), own);

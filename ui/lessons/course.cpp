@@ -45,19 +45,14 @@ class Cutter {
     std::size_t step_ = 0;
 };
 
-/// Bytes of a text that stand outside of it.
-std::uint64_t bytes_of(const std::string& text) {
-    return text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0;
-}
-
 /// Bytes that a scene holds beside its own size and its meshes, which are shared and count for themselves.
 std::uint64_t bytes_of(const Scene& scene) {
-    std::uint64_t bytes = bytes_of(scene.about) + scene.lights.capacity() * sizeof(Light) +
+    std::uint64_t bytes = bytes_outside(scene.about) + scene.lights.capacity() * sizeof(Light) +
                           scene.objects.capacity() * sizeof(Object);
-    for (const Light& light : scene.lights) bytes += bytes_of(light.name);
+    for (const Light& light : scene.lights) bytes += bytes_outside(light.name);
     for (const Object& object : scene.objects) {
-        bytes += bytes_of(object.name);
-        if (const auto* file = std::get_if<MeshFile>(&object.source)) bytes += bytes_of(file->path);
+        bytes += bytes_outside(object.name);
+        if (const auto* file = std::get_if<MeshFile>(&object.source)) bytes += bytes_outside(file->path);
     }
     return bytes;
 }

@@ -138,8 +138,8 @@ bool has_autosave_name(Persistence& memory) {
     return memory.autosave.has_value();
 }
 
-/// Begins to write the copy on a thread of its own, as writing waits for the disk. Why that cannot be.
-/// Precondition: it has a name.
+/// Begins to write the copy on a thread of its own, as writing waits for the disk. Returns why it cannot.
+/// Precondition: the copy has a name.
 std::optional<Problem> begin_writing(Persistence& memory, SceneDocument document) {
     const std::string path = memory.autosave->path();
     Scene scene = document.scene;

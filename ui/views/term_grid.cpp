@@ -21,7 +21,7 @@ constexpr int max_rows = 64;     // of the sheet: lights beyond have no picture
 constexpr int cell_width = 84;   // pixels
 constexpr double budget_ms = 8;  // of a frame, for small pictures
 
-/// Its place among grid_cells().
+/// Returns the cell's place among grid_cells().
 std::size_t index_of(GridCell cell) {
     return static_cast<std::size_t>(cell.light < 0 ? cell.term : 2 + 3 * cell.light + cell.term);
 }
@@ -137,7 +137,8 @@ void column_headings(float width, float gap) {
     ImGui::PopFont();
 }
 
-/// Draws the cells of a light, or those without one (-1), below their heading. The one that is pointed at.
+/// Draws the cells of a light, or those without one (-1), below their heading. Returns the one under the
+/// mouse.
 std::optional<GridCell> cell_row(TermGridState& grid, const Scene& scene, int light) {
     const float gap = px(4), width = (ImGui::GetContentRegionAvail().x - px(10)) / 3;
     if (light == 0) column_headings(width, gap);

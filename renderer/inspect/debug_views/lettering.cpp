@@ -34,10 +34,9 @@ std::string font_path() {
 
 /// Takes the first character off `text` and returns it.
 char32_t take_character(std::string_view& text) {
-    const std::size_t length = utf8_length(text);
-    const char32_t c = length == 0 ? U'\uFFFD' : code_point(text.substr(0, length));
-    text.remove_prefix(length == 0 ? 1 : length);
-    return c;
+    const std::string_view first = first_characters(text, 1);
+    text.remove_prefix(first.size());
+    return utf8_length(first) == 0 ? U'\uFFFD' : code_point(first);
 }
 
 /// Puts `grey` over the picture as far as the glyph covers each pixel.

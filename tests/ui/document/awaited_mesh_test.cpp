@@ -72,6 +72,18 @@ void begin_orbit(HeadlessWindow& bench) {
     REQUIRE(bench.state.viewport.gesture == Gesture::Orbit);
 }
 
+void end_during_orbit(HeldLoad& load, HeadlessWindow& bench) {
+    begin_orbit(bench);
+    load.end();
+    bench.frames(2);
+}
+
+void escape_orbit(HeadlessWindow& bench) {
+    bench.key(Key::Escape);
+    bench.button(false);
+    bench.frames(3);
+}
+
 }  // namespace
 
 TEST_CASE("an object that waits for a mesh keeps its own, whatever goes or comes before it in the list",
@@ -118,13 +130,9 @@ TEST_CASE("Esc during a drag takes the drag back, and not the mesh that came mea
     const Scene come = with_meshes_of({slow_ball});
     begin_mesh(bench.state, slow_ball, 0);
     HeldLoad load(bench, SceneDocument{come, {}, {}, {}});
-    begin_orbit(bench);
-    load.end();
-    bench.frames(2);
+    end_during_orbit(load, bench);
     REQUIRE_FALSE(bench.scene().camera == before.camera);
-    bench.key(Key::Escape);
-    bench.button(false);
-    bench.frames(3);
+    escape_orbit(bench);
     CHECK(bench.scene().camera == before.camera);
     CHECK(bench.scene().objects[0].source == MeshSource(slow_ball));
     CHECK(bench.scene().objects[0].mesh == come.objects[0].mesh);
@@ -137,12 +145,8 @@ TEST_CASE("Esc during a drag does not take away the object whose mesh came meanw
     bench.frames(2);
     begin_mesh(bench.state, slow_ball, -1);
     HeldLoad load(bench, SceneDocument{with_meshes_of({slow_ball}), {}, {}, {}});
-    begin_orbit(bench);
-    load.end();
-    bench.frames(2);
-    bench.key(Key::Escape);
-    bench.button(false);
-    bench.frames(3);
+    end_during_orbit(load, bench);
+    escape_orbit(bench);
     REQUIRE(bench.scene().objects.size() == 2);
     CHECK(bench.scene().objects[1].source == MeshSource(slow_ball));
 }
@@ -153,12 +157,8 @@ TEST_CASE("Esc during a drag does not ask again for a mesh that failed meanwhile
     const Scene before = bench.scene();
     begin_mesh(bench.state, slow_ball, 0);
     HeldLoad load(bench, Problem{"ball", "", "is too large", ""});
-    begin_orbit(bench);
-    load.end();
-    bench.frames(2);
-    bench.key(Key::Escape);
-    bench.button(false);
-    bench.frames(3);
+    end_during_orbit(load, bench);
+    escape_orbit(bench);
     CHECK(bench.scene() == before);
     CHECK(bench.state.notifications.list.size() == 1);
 }

@@ -228,7 +228,7 @@ WrittenCalls written_calls(const Scene& scene) {
     return calls;
 }
 
-/// The place of the first that is so; their number where none is.
+/// Returns the place of the first that is so, or their number where none is.
 template <class T, class Is> int index_of(const std::vector<T>& all, Is is) {
     return static_cast<int>(std::find_if(all.begin(), all.end(), is) - all.begin());
 }
@@ -244,7 +244,7 @@ void draw_places(UiState& state, const std::vector<GlCall>& calls, const Picture
     wrong_space_notes(state);
 }
 
-/// Draws a group; of an object the transform as it is written now, when that has changed.
+/// Draws a group. Returns the transform of its object as it is written now, when that has changed.
 std::optional<WrittenTransform> draw_group(UiState& state, Scene& written_scene, const WrittenCalls& calls,
                                            const GlCallGroup& group, const PictureView& view) {
     if (!fold(whole_label(group.title).c_str(), is_open_at_first(state, group))) return {};

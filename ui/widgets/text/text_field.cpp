@@ -110,7 +110,7 @@ std::string held_in_field(std::string_view text) {
     std::string held;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = utf8_length(text.substr(at));
-        const std::string_view piece = text.substr(at, std::max<std::size_t>(length, 1));
+        const std::string_view piece = first_characters(text.substr(at), 1);
         const bool fits = length > 0 && length <= private_length && piece != std::string_view("\0", 1) &&
                           private_code(piece) == 0;
         held += fits ? std::string(piece) : stand_in(piece);
@@ -122,8 +122,7 @@ std::string held_in_field(std::string_view text) {
 std::string taken_from_field(std::string_view held) {
     std::string text;
     for (std::size_t at = 0; at < held.size();) {
-        const std::string_view piece =
-            held.substr(at, std::max<std::size_t>(utf8_length(held.substr(at)), 1));
+        const std::string_view piece = first_characters(held.substr(at), 1);
         const unsigned code = private_code(piece);
         const bool stands_in = code != 0 && code - first_private < pieces().size();
         text += stands_in ? pieces()[code - first_private] : std::string(piece);
