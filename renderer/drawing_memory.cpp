@@ -90,15 +90,14 @@ class ObjectsMemory {
         need[MemoryUse::Tiles] += bytes_to_bin(triangles, tiles);
         if (meshes_.insert(&mesh).second)
             need[MemoryUse::Objects] +=
-                3 * triangles * sizeof(std::uint32_t) + (edges ? triangles * bytes_of_topology : 0);
+                3 * triangles * sizeof(std::uint32_t) + (edges ? topology_memory(mesh) : 0);
         const NormalOptions& o = object.normals;
         if (!options_.insert({&mesh, o.source, o.weighting, o.crease_deg}).second) return;
         need[MemoryUse::Objects] +=
             normals.normals * sizeof(glm::vec3) + normals.corners * sizeof(std::uint32_t);
         if (normals.averaged)
-            max_meanwhile_ =
-                std::max(max_meanwhile_, normals.normals * bytes_of_sum +
-                                             (o.crease_deg < 180 ? triangles * bytes_of_topology : 0));
+            max_meanwhile_ = std::max(max_meanwhile_, normals.normals * bytes_of_sum +
+                                                          (o.crease_deg < 180 ? topology_memory(mesh) : 0));
     }
 
     /// The bytes of corners or faces that may be lit, each with its normal as it is and reversed; few are

@@ -5,8 +5,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -16,6 +19,7 @@
 #include "app/window/window_frames.h"
 #include "app/window/x_errors.h"
 #include "ui/document/averaged_normals.h"
+#include "ui/document/loading.h"
 #include "ui/lessons/lesson.h"
 #include "ui/preferences/persistence.h"
 #include "ui/ui.h"
@@ -25,6 +29,8 @@ namespace {
 
 constexpr int least_width = 320, least_height = 240;  // of the window, in its own units
 constexpr double longest_farewell = 0.3;              // seconds that a closed window's loads may take to end
+// What a file may take to open before the window does; then the window shows how far it has come, and Cancel.
+constexpr std::chrono::milliseconds longest_without_window{1000};
 
 /// What keeps the window from opening, with the way to do without it.
 Failure impossible(const std::string& what, const std::string& expected) {
@@ -32,15 +38,31 @@ Failure impossible(const std::string& what, const std::string& expected) {
     return {ExitStatus::Impossible, {"", "", what, expected + without}};
 }
 
-Result<SceneDocument> first_document(const WindowOptions& options) {
-    if (!options.file.empty()) return open_document(options.file, options.assignments);
-    // The scene that a newcomer meets.
+/// The scene that a newcomer meets.
+SceneDocument default_document(const std::vector<Assignment>& assignments) {
     const std::string path = asset_path("scenes/default.json");
     if (path.empty()) return first_scene();
-    Result<SceneDocument> opened = open_document(path, options.assignments);
-    // Ctrl+S must not write over the program's own scene: it is a new one, its meshes found where they are.
-    if (auto* document = std::get_if<SceneDocument>(&opened)) document->path.clear();
-    return opened;
+    SceneDocument document = take(open_document(path, assignments));
+    document.path.clear();  // Ctrl+S must not write over the program's own scene: it is a new one
+    return document;
+}
+
+/// What the window begins with: a document, and a lesson where it is one's.
+struct Beginning {
+    SceneDocument document;
+    std::shared_ptr<const Course> course;
+    std::optional<Opening> awaited;  // what takes its time: the default scene is shown until it is there
+};
+
+Beginning beginning(const WindowOptions& options) {
+    if (options.lesson.empty() && options.file.empty())
+        return {default_document(options.assignments), nullptr, std::nullopt};
+    Opening opening = options.lesson.empty() ? opening_of(options.file, options.assignments)
+                                             : opening_of_lesson(options.lesson);
+    if (!opening.job->wait_for(longest_without_window))
+        return {default_document({}), nullptr, std::move(opening)};
+    SceneDocument document = take(opening.job->take());
+    return {std::move(document), opening.course ? *opening.course : nullptr, std::nullopt};
 }
 
 /// Ends GLFW on every way out.
@@ -95,9 +117,8 @@ void end_without_display() {
 
 void run_window(const WindowOptions& options) {
     UiState state(options.threads);
-    std::shared_ptr<const Course> course;
-    if (!options.lesson.empty()) course = take(open_course(options.lesson));
-    take_document(state.editor, course ? course->document : take(first_document(options)));
+    Beginning first = beginning(options);
+    take_document(state.editor, std::move(first.document));
     state.shipped_scenes = asset_path("scenes");
     state.lesson.folder = asset_path("lessons");
     state.lesson.inventory = asset_path("inventory.md");
@@ -115,7 +136,8 @@ void run_window(const WindowOptions& options) {
     WindowFrames window(handle, state, end_without_display);
     if (!window.ready()) throw impossible("the display has no OpenGL 3.0", "a driver that has it");
     tell_averaged_normals(state);
-    if (course) begin_lesson(state, course);
+    if (first.course) begin_lesson(state, first.course);
+    if (first.awaited) await_opening(state, *std::move(first.awaited));
     try {
         window.run();
     } catch (...) {

@@ -16,9 +16,9 @@ struct WindowOptions {
     std::string lesson;                   // its file; then no other file is opened
 };
 
-/// Opens the window and stays until it is closed. Throws Failure (app/failure.h), for the one line on
-/// standard error, when the file cannot be opened or drawn, there is no display, or the display has no
-/// OpenGL 3.0.
+/// Opens the window and stays until it is closed. A file that takes long to open is awaited in the window.
+/// Throws Failure (app/failure.h), for the one line on standard error, when the file cannot be opened or
+/// drawn before that, there is no display, or the display has no OpenGL 3.0.
 void run_window(const WindowOptions& options);
 
 }  // namespace glint

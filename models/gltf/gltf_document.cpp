@@ -108,50 +108,83 @@ std::string unescaped_uri(const Node& node, const std::string& uri) {
     return path;
 }
 
-/// What the URI of a buffer stands for.
-std::string bytes_at(const Node& node, const std::string& path) {
+std::string bytes_of_data_uri(const Node& node) {
     const std::string& uri = text(node);
-    if (uri.starts_with("data:")) {
-        const std::size_t comma = uri.find(',');
-        if (comma == std::string::npos || !std::string_view(uri).substr(0, comma).ends_with(";base64"))
-            node.fail("the data URI has no \";base64,\"", "data:application/octet-stream;base64,...");
-        return from_base64(node, std::string_view(uri).substr(comma + 1));
-    }
-    const std::string file = (fs::path(path).parent_path() / unescaped_uri(node, uri)).string();
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string::npos || !std::string_view(uri).substr(0, comma).ends_with(";base64"))
+        node.fail("the data URI has no \";base64,\"", "data:application/octet-stream;base64,...");
+    return from_base64(node, std::string_view(uri).substr(comma + 1));
+}
+
+std::string bytes_of_file(const Node& node, const std::string& file) {
     Result<std::string> read = read_file(file, largest_file);
     if (const Problem* problem = problem_of(read))
-        node.fail(fmt::format("{}: {}", in_quotes(uri), problem->what), problem->expected);
+        node.fail(fmt::format("{}: {}", in_quotes(text(node)), problem->what), problem->expected);
     return std::get<std::string>(std::move(read));
 }
 
-void read_buffers(GltfDocument& document, const Chunks& chunks) {
-    const Node root(document.root);
-    std::vector<std::uint64_t> lengths;
-    std::vector<int> own;  // index into document.own; -1: the chunk of the file
-    std::uint64_t own_bytes = 0;
-    root.with("buffers", [&](const Node& list) {
-        list.each(max_json_values, "buffers", [&](const Node& buffer) {
-            require_object(buffer);
-            lengths.push_back(whole(buffer, "byteLength", 9e15));
-            const bool is_chunk = !buffer.has("uri");
-            if (is_chunk && (own.empty() ? !chunks.has_bin : true))
-                buffer.fail("it has no \"uri\" and there is no binary chunk for it", "a URI");
-            own.push_back(is_chunk ? -1 : static_cast<int>(document.own.size()));
-            buffer.with("uri",
-                        [&](const Node& uri) { document.own.push_back(bytes_at(uri, document.path)); });
-            const std::string_view held = is_chunk ? chunks.bin : std::string_view(document.own.back());
-            if (held.size() < lengths.back())
-                buffer.fail(fmt::format("its data has {} bytes", held.size()),
-                            fmt::format("{}, its byteLength", lengths.back()));
-            if (!is_chunk) own_bytes += document.own.back().size();
-            document.share.set(memory_need(MemoryUse::Files, document.bytes.size() + own_bytes));
+/// Reads the buffers that the root lists. A file that several of them name is read and held once.
+class BufferReader {
+  public:
+    BufferReader(GltfDocument& document, const Chunks& chunks) : document_(document), chunks_(chunks) {}
+
+    void read_all() {
+        const Node root(document_.root);
+        root.with("buffers", [this](const Node& list) {
+            list.each(max_json_values, "buffers", [this](const Node& buffer) { read(buffer); });
         });
-    });
-    for (std::size_t i = 0; i < own.size(); ++i)
-        document.buffers.push_back(
-            (own[i] < 0 ? chunks.bin : std::string_view(document.own[static_cast<std::size_t>(own[i])]))
-                .substr(0, lengths[i]));
-}
+        for (const Place& place : places_)
+            document_.buffers.push_back(held_at(place).substr(0, place.length));
+    }
+
+  private:
+    /// Where a buffer's bytes are; `document_.own` moves while it grows.
+    struct Place {
+        std::optional<std::size_t> own;  // its index; none: in the binary chunk
+        std::uint64_t length = 0;
+    };
+
+    std::string_view held_at(const Place& place) const {
+        return place.own ? std::string_view(document_.own[*place.own]) : chunks_.bin;
+    }
+
+    void read(const Node& buffer) {
+        require_object(buffer);
+        Place place;
+        place.length = whole(buffer, "byteLength", 9e15);
+        if (!buffer.has("uri") && (!places_.empty() || !chunks_.has_bin))
+            buffer.fail("it has no \"uri\" and there is no binary chunk for it", "a URI");
+        buffer.with("uri", [&](const Node& uri) { place.own = own_of(uri); });
+        const std::size_t held = held_at(place).size();
+        if (held < place.length)
+            buffer.fail(fmt::format("its data has {} bytes", held),
+                        fmt::format("{}, its byteLength", place.length));
+        places_.push_back(place);
+    }
+
+    std::size_t own_of(const Node& uri) {
+        if (text(uri).starts_with("data:")) return keep(bytes_of_data_uri(uri));
+        const fs::path file = fs::path(document_.path).parent_path() / unescaped_uri(uri, text(uri));
+        std::error_code error;
+        const fs::path canonical = fs::weakly_canonical(file, error);
+        const auto [known, is_new] = own_of_file_.try_emplace(error ? file.lexically_normal() : canonical);
+        if (is_new) known->second = keep(bytes_of_file(uri, file.string()));
+        return known->second;
+    }
+
+    std::size_t keep(std::string bytes) {
+        own_bytes_ += bytes.size();
+        document_.share.set(memory_need(MemoryUse::Files, document_.bytes.size() + own_bytes_));
+        document_.own.push_back(std::move(bytes));
+        return document_.own.size() - 1;
+    }
+
+    GltfDocument& document_;
+    const Chunks& chunks_;
+    std::vector<Place> places_;
+    std::map<fs::path, std::size_t> own_of_file_;  // by path without links and dots
+    std::uint64_t own_bytes_ = 0;
+};
 
 bool is_quantized(const Node& root) {
     bool is_named = false;
@@ -260,7 +293,7 @@ Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
         check_version(root);
         check_extensions(root);
         document->is_quantized = is_quantized(root);
-        read_buffers(*document, chunks);
+        BufferReader(*document, chunks).read_all();
         document->first_parts = first_parts_of(document->root);
         document->shared_vertices = shared_vertices_of(document->root);
         return GltfFile(document);

@@ -36,14 +36,31 @@ class Builder {
   public:
     explicit Builder(const Mesh& mesh) : mesh_(mesh), split_(mesh.positions.size(), 0) {
         silence_openmesh();
-        const std::size_t sides = mesh.corner_position.size();
-        connectivity_.reserve(mesh.positions.size(), sides / 2 + sides / 8, mesh.face_count());
-        original_.reserve(mesh.positions.size());
+        // As if no two sides shared an edge and each corner had a vertex of its own: a list that grew would
+        // be there twice, and what is reserved and not written takes no memory.
+        const std::size_t sides = mesh.corner_position.size(), vertices = mesh.positions.size() + sides;
+        connectivity_.reserve(vertices, sides, mesh.face_count());
+        original_.reserve(vertices);
+        face_.reserve(mesh.face_count());
+        apart_.reserve(sides);
         for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) new_vertex(v);
         current_.resize(mesh.positions.size());
         for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
             current_[v] = VertexHandle(static_cast<int>(v));
         faces_at_.resize(mesh.positions.size(), 0);
+    }
+
+    /// The bytes of all its lists, and of the topology's, as long as they can be.
+    static std::uint64_t memory(const Mesh& mesh) {
+        using Items = OpenMesh::ArrayItems;
+        constexpr std::uint64_t a_vertex = sizeof(Items::Vertex) + sizeof(std::uint32_t);
+        constexpr std::uint64_t a_position =
+            a_vertex + sizeof(VertexHandle) + sizeof(std::uint32_t) + sizeof(char);
+        constexpr std::uint64_t an_edge = sizeof(Items::Edge) + 2 * sizeof(std::uint32_t) +
+                                          sizeof(Topology::edges[0]) + sizeof(Topology::first_use[0]);
+        constexpr std::uint64_t a_side = a_vertex + an_edge + sizeof(EdgeUse) + sizeof(Side);
+        return mesh.positions.size() * a_position + mesh.corner_position.size() * a_side +
+               mesh.face_count() * (sizeof(Items::Face) + sizeof(std::uint32_t));
     }
 
     Topology build() {
@@ -135,9 +152,10 @@ class Builder {
 
     void read_edges(Topology& t) {
         const std::vector<std::uint32_t> corner = corners_of_halfedges();
-        t.edges.reserve(connectivity_.n_edges());
-        t.first_use.reserve(connectivity_.n_edges() + 1);
-        t.uses.reserve(mesh_.corner_position.size());
+        const std::size_t sides = mesh_.corner_position.size();
+        t.edges.reserve(sides);
+        t.first_use.reserve(sides + 1);
+        t.uses.reserve(sides);
         for (std::size_t e = 0; e < connectivity_.n_edges(); ++e) {
             const OpenMesh::HalfedgeHandle h(static_cast<int>(2 * e));
             const std::uint32_t a = original_[vertex_index(connectivity_.from_vertex_handle(h))];
@@ -187,6 +205,8 @@ class Builder {
 };
 
 }  // namespace
+
+std::uint64_t topology_memory(const Mesh& mesh) { return Builder::memory(mesh); }
 
 Topology make_topology(const Mesh& mesh) { return Builder(mesh).build(); }
 

@@ -31,8 +31,9 @@ struct Topology {
     }
 };
 
-/// Bytes of a triangle that make_topology() needs: OpenMesh's half-edges meanwhile, then ours.
-inline constexpr std::uint64_t bytes_of_topology = 200;
+/// Returns the bytes that make_topology() needs at most: OpenMesh's half-edges meanwhile, then ours. Where
+/// all polygons share their edges it needs about half.
+[[nodiscard]] std::uint64_t topology_memory(const Mesh& mesh);
 
 /// Finds the edges. Degenerate polygons are included; a side from a vertex to itself is not an edge. Time:
 /// about linear (n log n in what OpenMesh cannot hold).

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Files are dropped on the window as a file manager drops them: a scene, a mesh, a picture that carries its scene; what
-# cannot be opened leaves the scene as it is. A pixel is picked, and what is saved reopens.
+# cannot be opened leaves the scene as it is. A pixel is picked, and what is saved reopens. What takes its time is awaited.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -61,4 +61,20 @@ drop first.json
 within 10 middle_is 003300 || fail "the first scene did not come back"
 drop second.json
 within 10 middle_is 000000 || fail "what was saved is not what reopens"
+
+# A lesson that takes many seconds is awaited in the window, beside the default scene, and can be given up.
+xdotool key ctrl+q
+within 10 bash -c "! kill -0 $glint_pid 2>/dev/null" || fail "the window did not close"
+{
+    printf '# Slow\n```lesson\ntopic: x\nscene: first.json\nsize: 16x16\n```\n```predict number\nquestion: how many?\n'
+    for i in {0..31}; do
+        echo "r$i = explain --pixel 5,5 --set /objects/0/mesh={\"primitive\":\"sphere\",\"detail\":$((1200 + i))}"
+    done
+    printf 'answer: 1\ntolerance: 0\n```\n'
+} >"$work/slow.md"
+start_glint "$work/slow.md"
+title_is "New scene" || fail "the default scene is not shown while the lesson is opened"
+xdotool key Escape
+wait_for_rest
+title_is "New scene" || fail "the lesson was opened though it was given up"
 echo "passed"

@@ -2,6 +2,7 @@
 // Work on a thread of its own, so that the window never waits for a file or a large picture.
 
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <functional>
 #include <new>
@@ -35,6 +36,13 @@ template <class T> class Job {
 
     void cancel() { progress_.cancelled = true; }
     [[nodiscard]] bool done() const { return done_; }
+    /// Waits until it is done, but not longer than that. Returns done().
+    bool wait_for(std::chrono::milliseconds longest) const {
+        const auto end = std::chrono::steady_clock::now() + longest;
+        while (!done_ && std::chrono::steady_clock::now() < end)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return done_;
+    }
     /// Returns the result, once. Precondition: done().
     [[nodiscard]] Result<T> take() { return std::move(result_); }
 

@@ -34,6 +34,14 @@ void take_loaded(UiState& state, SceneDocument document) {
     if (const auto course = std::exchange(loading.course, nullptr)) begin_lesson(state, *course);
 }
 
+/// The problem of a file that is neither a scene nor a mesh names what else the window takes.
+Problem with_all_that_opens(Problem problem) {
+    if (problem.expected == opened_files)
+        problem.expected = fmt::format(
+            "{}, a lesson (.md) or a picture that another program drew (.png, .pfm, .exr)", opened_files);
+    return problem;
+}
+
 void poll_document(UiState& state) {
     Loading& loading = state.loading;
     if (!state.pending.asking) loading.loaded.reset();  // the answer was no
@@ -41,7 +49,8 @@ void poll_document(UiState& state) {
     if (state.pending.asking) return;  // the question is about the scene in hand
     Result<SceneDocument> result = loading.document->take();
     loading.document.reset();
-    if (const Problem* problem = problem_of(result)) return state.notifications.add(*problem);
+    if (const Problem* problem = problem_of(result))
+        return state.notifications.add(with_all_that_opens(*problem));
     auto& document = std::get<SceneDocument>(result);
     if (same_description(state.editor.scene(), loading.scene_then) || !state.editor.unsaved())
         return take_loaded(state, std::move(document));
@@ -53,28 +62,17 @@ void poll_document(UiState& state) {
     loading.loaded = std::move(document);
 }
 
-/// Opens a scene or a mesh. What else a window takes is named where it is neither.
-Result<SceneDocument> opened(const std::string& path) {
-    Result<SceneDocument> result = open_document(path);
-    if (auto* problem = std::get_if<Problem>(&result);
-        problem != nullptr && problem->expected == opened_files)
-        problem->expected = fmt::format(
-            "{}, a lesson (.md) or a picture that another program drew (.png, .pfm, .exr)", opened_files);
-    return result;
-}
-
-/// Begins to load a document, in place of the one that was being loaded.
-void begin_document(UiState& state, const std::string& path, const std::string& name, LoadJob::Work work,
-                    std::optional<Recovery> recovery) {
+/// Waits for a document, in place of the one that was being loaded.
+void await_document(UiState& state, Opening opening, std::optional<Recovery> recovery) {
     Loading& loading = state.loading;
     loading.leave(loading.document);
     loading.loaded.reset();
     loading.recovery = std::move(recovery);
-    loading.course.reset();
-    loading.path = path;
+    loading.course = std::move(opening.course);
+    loading.path = std::move(opening.path);
     loading.scene_then = state.editor.scene();
     loading.since = ImGui::GetTime();
-    loading.document = std::make_unique<LoadJob>(name, std::move(work));
+    loading.document = std::move(opening.job);
 }
 
 }  // namespace
@@ -89,9 +87,18 @@ void begin_open(UiState& state, const std::string& path) {
     Loading& loading = state.loading;
     if (loading.loaded && !loading.recovery && loading.path == path)
         return take_loaded(state, *std::exchange(loading.loaded, std::nullopt));
-    const std::string name = fs::path(path).filename().string();
-    if (!is_lesson_file(path))
-        return begin_document(state, path, name, [path](LoadProgress&) { return opened(path); }, {});
+    await_opening(state, opening_of(path));
+}
+
+void await_opening(UiState& state, Opening opening) { await_document(state, std::move(opening), {}); }
+
+Opening opening_of(const std::string& path, const std::vector<Assignment>& assignments) {
+    if (is_lesson_file(path)) return opening_of_lesson(path);
+    const auto work = [path, assignments](LoadProgress&) { return open_document(path, assignments); };
+    return {path, std::make_unique<LoadJob>(fs::path(path).filename().string(), work), nullptr};
+}
+
+Opening opening_of_lesson(const std::string& path) {
     const auto course = std::make_shared<std::shared_ptr<const Course>>();
     const auto work = [path, course](LoadProgress&) -> Result<SceneDocument> {
         Result<std::shared_ptr<const Course>> opened = open_course(path);
@@ -99,8 +106,7 @@ void begin_open(UiState& state, const std::string& path) {
         *course = std::get<std::shared_ptr<const Course>>(std::move(opened));
         return (*course)->document;
     };
-    begin_document(state, path, name, work, {});
-    state.loading.course = course;
+    return {path, std::make_unique<LoadJob>(fs::path(path).filename().string(), work), course};
 }
 
 void recover_autosave(UiState& state, const std::string& path) {
@@ -115,7 +121,8 @@ void recover_autosave(UiState& state, const std::string& path) {
         if (const auto* document = std::get_if<SceneDocument>(&file)) *in_file = document->scene;
         return copy;
     };
-    begin_document(state, path, "Copy of the unsaved work", work, Recovery{path, in_file});
+    await_document(state, {path, std::make_unique<LoadJob>("Copy of the unsaved work", work), nullptr},
+                   Recovery{path, in_file});
 }
 
 void poll_loads(UiState& state) {

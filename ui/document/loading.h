@@ -27,11 +27,18 @@ struct Recovery {
     std::shared_ptr<Scene> in_file;  // what its file has, which the copy is newer than; empty: no file
 };
 
+/// A file that is being opened.
+struct Opening {
+    std::string path;
+    std::unique_ptr<LoadJob> job;
+    // A lesson's, where the file is one: it is there when the job has ended.
+    std::shared_ptr<std::shared_ptr<const Course>> course;
+};
+
 struct Loading {
     std::unique_ptr<LoadJob> document;                      // to be opened
     std::optional<Recovery> recovery;                       // where `document` or `loaded` is a copy
-    std::shared_ptr<std::shared_ptr<const Course>> course;  // where `document` or `loaded` is a lesson's: it
-                                                            // is there when the job has ended
+    std::shared_ptr<std::shared_ptr<const Course>> course;  // where `document` or `loaded` is a lesson's
     std::string path;                                       // of what is being opened, or was
     Scene scene_then;                                       // what was in hand when it began
     std::optional<SceneDocument> loaded;  // whole, and waiting for the answer to "save changes?"
@@ -46,6 +53,15 @@ struct Loading {
     /// Cancels a job, whose thread may go on for a while. Nothing where there is none.
     void leave(std::unique_ptr<LoadJob>& job);
 };
+
+/// Begins to open a scene, with the assignments applied to it, a mesh or a lesson.
+[[nodiscard]] Opening opening_of(const std::string& path, const std::vector<Assignment>& assignments = {});
+/// The same for a lesson, whatever its file is called.
+[[nodiscard]] Opening opening_of_lesson(const std::string& path);
+
+/// Waits for it as for a file that is opened in the window, whose present scene stays until then; what was
+/// being opened is cancelled.
+void await_opening(UiState& state, Opening opening);
 
 /// Begins to open a file; what was being opened is cancelled.
 void begin_open(UiState& state, const std::string& path);

@@ -25,8 +25,7 @@ Json number_or_null(const std::optional<double>& number) { return number ? Json(
 }  // namespace
 
 JsonValue info_json(const Mesh& mesh) {
-    const std::uint64_t triangles = std::max(mesh.triangles.size(), mesh.corner_position.size() / 3);
-    const MemoryShare share(memory_need(MemoryUse::Meshes, triangles * bytes_of_topology));
+    const MemoryShare share(memory_need(MemoryUse::Meshes, topology_memory(mesh)));
     const MeshInfo info = mesh_info(mesh);
     return {{"vertices", info.vertices},
             {"faces", info.faces},

@@ -2,6 +2,7 @@
 
 #include "models/fields/choices.h"
 #include "models/json/json_of_vector.h"
+#include "models/memory_limit.h"
 
 namespace glint {
 namespace {
@@ -80,6 +81,11 @@ JsonValue lobe_json(const Reflector& reflector, const std::string& object, doubl
 }
 
 JsonValue microfacets_json(const MicrofacetOptions& options, int lobe_rays) {
+    const auto rays = static_cast<std::uint64_t>(options.rays),
+               facets = static_cast<std::uint64_t>(options.facets);
+    const std::uint64_t listed =
+        rays * (sizeof(FacetRay) + json_of(FacetRay{}).memory()) + facets * json_of(glm::dvec2{}).memory();
+    const MemoryShare share(memory_need(MemoryUse::Output, 2 * listed));  // lists that grow are there twice
     return json_of(options, microfacet_picture(options),
                    facet_lobe(options.roughness, options.light_deg, lobe_rays, options.seed));
 }

@@ -15,7 +15,7 @@ namespace glint {
 [[nodiscard]] JsonValue lobe_json(const Reflector& reflector, const std::string& object, double light_deg,
                                   const std::vector<LobeSample>& slice);
 
-/// `glint microfacets`; `lobe_rays` rays count its lobe in space.
+/// `glint microfacets`; `lobe_rays` rays count its lobe in space. Throws Refused where there is no memory for it.
 [[nodiscard]] JsonValue microfacets_json(const MicrofacetOptions& options, int lobe_rays = 100000);
 
 }  // namespace glint

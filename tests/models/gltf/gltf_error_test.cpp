@@ -1,11 +1,14 @@
 // Files that somebody broke on purpose, and files that chance broke.
 #include <fmt/format.h>
 
+#include <cstring>
+#include <filesystem>
 #include <random>
 
 #include "models/gltf/gltf.h"
 #include "tests/support/catch.h"
 #include "tests/support/gltf_triangle.h"
+#include "tests/support/memory_helpers.h"
 
 using namespace glint;
 using namespace glint::gltf_triangle;
@@ -142,4 +145,27 @@ TEST_CASE("a damaged glTF file is a scene or a problem, never a crash", "[gltf][
         }
     CHECK(scenes > 50);
     CHECK(problems > 50);
+}
+
+TEST_CASE("a file that many buffers of a glTF file name is read and held once, by whatever paths",
+          "[gltf][memory]") {
+    const TemporaryDirectory folder;
+    const auto whole = std::get<SceneDocument>(open_document(folder.file("whole.gltf", triangle)));
+    std::string bytes(1 << 20, '\0');
+    for (const auto& [at, bits] :
+         {std::pair{12, 0x3F800000u}, {28, 0x3F800000u}})  // x of a vertex, and y of one
+        std::memcpy(&bytes[static_cast<std::size_t>(at)], &bits, sizeof bits);
+    (void)folder.file("held.bin", bytes);
+    std::filesystem::create_directory(folder.path() + "/below");
+    std::filesystem::create_symlink("../held.bin", folder.path() + "/below/link.bin");
+    std::string more;
+    for (int i = 0; i < 100; ++i)
+        for (const char* uri : {"held.bin", "./held.bin", "below/link.bin", "hel%64.bin"})
+            more += fmt::format("{{\"byteLength\": 36, \"uri\": \"{}\"}}, ", uri);
+    const std::string many = folder.file("many.gltf", changed("\"buffers\": [", "\"buffers\": [" + more));
+    const test::MemoryLimit limit(8 << 20);
+    const Result<SceneDocument> opened = open_document(many);
+    REQUIRE(problem_of(opened) == nullptr);
+    CHECK(std::get<SceneDocument>(opened).scene.objects[0].mesh->positions ==
+          whole.scene.objects[0].mesh->positions);
 }

@@ -1,6 +1,7 @@
 // What telling of a mesh or of a pixel needs is reckoned before it is taken.
 #include "models/mesh/topology.h"
 #include "renderer/inspect/answers/answers.h"
+#include "renderer/inspect/answers/reflectance_answers.h"
 #include "renderer/inspect/debug_views/buffers.h"
 #include "renderer/inspect/explain/explain_format.h"
 #include "renderer/programs/mesh_text.h"
@@ -13,7 +14,7 @@ using namespace glint;
 
 TEST_CASE("the edges of a mesh are counted only where there is memory for them", "[memory]") {
     const Object ball = test::object_of(test::primitive(Primitive::Sphere, 200));
-    const std::uint64_t needed = ball.mesh->triangles.size() * bytes_of_topology;
+    const std::uint64_t needed = topology_memory(*ball.mesh);
     {
         const test::MemoryLimit limit(needed);
         CHECK_NOTHROW((void)info_json(*ball.mesh));
@@ -33,6 +34,18 @@ TEST_CASE("what many objects hold is told only where there is memory for it", "[
     }
     const test::MemoryLimit limit(needed);
     CHECK_THROWS_AS((void)info_json(scene, {8, 6}), Refused);
+}
+
+TEST_CASE("rays are bounced off a rough surface only where there is memory for telling of them", "[memory]") {
+    MicrofacetOptions options;
+    options.rays = options.facets = 20'000;
+    const std::uint64_t needed = microfacets_json(options, 100).memory();
+    {
+        const test::MemoryLimit limit(3 * needed);
+        CHECK_NOTHROW((void)microfacets_json(options, 100));
+    }
+    const test::MemoryLimit limit(needed);
+    CHECK_THROWS_AS((void)microfacets_json(options, 100), Refused);
 }
 
 TEST_CASE("the text of a mesh is made only where there is memory for it, and is no longer than was reckoned",

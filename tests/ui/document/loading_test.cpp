@@ -64,6 +64,31 @@ TEST_CASE("while a file is loaded the scene in hand stays, and can be worked on"
     CHECK(bench.state.editor.document.path == "slow.json");
 }
 
+TEST_CASE("a file that was begun before the window is awaited in it, with what is assigned to it",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("given.json", scene_text(first_scene().scene));
+    HeadlessWindow bench;
+    bench.frames(2);
+    Opening opening = opening_of(path, {std::get<Assignment>(parse_assignment("/lights=[]"))});
+    REQUIRE(opening.job->wait_for(std::chrono::minutes(1)));
+    await_opening(bench.state, std::move(opening));
+    CHECK_FALSE(bench.scene().lights.empty());
+    bench.wait_for_loads();
+    CHECK(bench.scene().lights.empty());
+    CHECK(bench.state.editor.document.path == path);
+    CHECK_FALSE(bench.state.editor.unsaved());
+}
+
+TEST_CASE("who waits for a job waits as long as was said, or until it is done", "[ui][loading]") {
+    Gate gate;
+    const std::unique_ptr<LoadJob> job = gate.job(first_scene());
+    CHECK_FALSE(job->wait_for(std::chrono::milliseconds(20)));
+    gate.open.set_value();
+    CHECK(job->wait_for(std::chrono::minutes(1)));
+    CHECK(job->done());
+}
+
 TEST_CASE("a file that has been loaded waits for the answer to a question about the scene in hand",
           "[ui][loading]") {
     const TemporaryDirectory folder;
