@@ -14,6 +14,8 @@ namespace {
 
 // Half-edges and their properties, in lists that grow, and the mesh itself; per face.
 constexpr std::uint64_t bytes_a_face = 600;
+// Copies of the vertices, also of those that no face has, and what is known of each while edges are found.
+constexpr std::uint64_t bytes_a_vertex = 64;
 
 /// The number of faces after that many steps: the first step gives as many faces as a polygon has corners (4
 /// for each triangle if all are triangles), each further step 4 for each face.
@@ -52,6 +54,7 @@ Result<Mesh> with_fineness(const Mesh& mesh, const Fineness& wanted) {
     const auto start = std::chrono::steady_clock::now();
     const Mesh* from = &mesh;
     Mesh made;
+    const MemoryShare vertices(memory_need(MemoryUse::Meshes, bytes_a_vertex * mesh.positions.size()));
     if (!is_fine_as_it_is(mesh, {wanted.decimate, 0})) {
         if (const auto problem = too_many_around(mesh, "/decimate")) return *problem;
         const MemoryShare share(memory_need(MemoryUse::Meshes, bytes_a_face * mesh.triangles.size()));

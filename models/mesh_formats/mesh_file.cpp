@@ -48,7 +48,7 @@ const Format* format_of(const std::string& path) {
 void require_room_for_triangles(const Mesh& mesh) {
     const std::size_t corners = mesh.corner_position.size(), faces = mesh.face_count();
     const std::size_t triangles = corners > 2 * faces ? corners - 2 * faces : 0;
-    require_memory(memory_need(MemoryUse::Meshes, mesh_bytes(mesh) + triangles * sizeof(Triangle)));
+    require_room(mesh, triangles * sizeof(Triangle));
 }
 
 /// Returns the mesh that `read` makes, or the problem that prevents it.
@@ -192,7 +192,9 @@ Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path, int par
     return parse_since(std::chrono::steady_clock::now(), bytes, path, part);
 }
 
-void require_room(const Mesh& mesh) { require_memory(memory_need(MemoryUse::Meshes, mesh_bytes(mesh))); }
+void require_room(const Mesh& mesh, std::uint64_t more) {
+    require_memory(memory_need(MemoryUse::Meshes, mesh_bytes(mesh) + more));
+}
 
 std::string numbers_of(std::size_t count, const char* things) {
     return count == 0 ? things : fmt::format("0 to {}", count - 1);
@@ -202,9 +204,7 @@ void close_face(Mesh& mesh, const std::string& file, int line) {
     if (mesh.corner_position.size() > max_corners)
         throw Unreadable{
             {file, "", "the mesh has too many corners", fmt::format("at most {}", max_corners), line}};
-    constexpr std::size_t faces_between = 4096;
-    if (mesh.first_corner.size() % faces_between == 0) require_room(mesh);
-    mesh.first_corner.push_back(static_cast<std::uint32_t>(mesh.corner_position.size()));
+    append(mesh, mesh.first_corner, static_cast<std::uint32_t>(mesh.corner_position.size()));
 }
 
 }  // namespace glint

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "models/memory_limit.h"
 #include "models/mesh_formats/mesh_reader.h"
 
 namespace glint {
@@ -38,7 +39,10 @@ class ObjReader {
         while (cursor_.next_line()) statement(cursor_.word());
         check_ahead();
         finish_normals();
-        if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
+        if (!mesh_.colors.empty()) {
+            make_room(mesh_, mesh_.colors, mesh_.positions.size());
+            mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
+        }
         warn(mesh_.warnings, slashes_, "corner ends in a slash, which is ignored",
              "corners end in a slash, which is ignored");
         warn(mesh_.warnings, weights_, "vertex has a weight, which is ignored",
@@ -70,8 +74,7 @@ class ObjReader {
 
     /// x y z, then nothing, a weight, or a colour.
     void vertex() {
-        mesh_.positions.push_back(cursor_.three());
-        vertex_read(mesh_);
+        append(mesh_, mesh_.positions, cursor_.three());
         if (cursor_.end_of_line()) return;
         glm::vec3 color(1);
         color.r = cursor_.number("a number");
@@ -82,12 +85,13 @@ class ObjReader {
         color.g = cursor_.number("a colour's green");
         color.b = cursor_.number("a colour's blue");
         cursor_.end_line("3, 4 or 6 numbers after \"v\"");
+        make_room(mesh_, mesh_.colors, mesh_.positions.size());
         mesh_.colors.resize(mesh_.positions.size() - 1, glm::vec3(1));  // white, where there was none
         mesh_.colors.push_back(color);
     }
 
     void normal() {
-        mesh_.normals.push_back(cursor_.three());
+        append(mesh_, mesh_.normals, cursor_.three());
         cursor_.end_line("3 numbers after \"vn\"");
     }
 
@@ -131,8 +135,18 @@ class ObjReader {
         const auto count = static_cast<std::int64_t>(mesh_.positions.size());
         const std::int64_t from_zero = index < 0 ? count + index : index - 1;
         if (from_zero < 0 || index > std::int64_t{no_index}) fail_vertex({index, cursor_.line()});
-        if (from_zero >= count) ahead_.push_back({index, cursor_.line()});
-        mesh_.corner_position.push_back(static_cast<std::uint32_t>(from_zero));
+        if (from_zero >= count && (ahead_.empty() || index > ahead_.back().index)) add_ahead(index);
+        append(mesh_, mesh_.corner_position, static_cast<std::uint32_t>(from_zero));
+    }
+
+    void add_ahead(std::int64_t index) {
+        if (ahead_.size() == ahead_.capacity()) {
+            const std::size_t grown = std::max<std::size_t>(64, 2 * ahead_.capacity());
+            ahead_share_.set(memory_need(MemoryUse::Meshes, grown * sizeof(AheadOfVertex)));
+            require_room(mesh_);
+            ahead_.reserve(grown);
+        }
+        ahead_.push_back({index, cursor_.line()});
     }
 
     /// Adds a corner's normal. One that the file never defines leaves its corner without a normal; as it may
@@ -142,6 +156,7 @@ class ObjReader {
         const std::int64_t from_zero = index < 0 ? count + index : index - 1;
         const bool possible = from_zero >= 0 && from_zero < std::int64_t{no_index};
         ++named_normals_;
+        make_room(mesh_, mesh_.corner_normal, mesh_.corner_position.size());
         mesh_.corner_normal.resize(mesh_.corner_position.size() - 1, no_index);
         mesh_.corner_normal.push_back(possible ? static_cast<std::uint32_t>(from_zero) : no_index);
     }
@@ -168,6 +183,7 @@ class ObjReader {
             return;
         }
         mesh_.given_normals = GivenNormals::File;  // corner_normals() counts the corners that have none
+        make_room(mesh_, mesh_.corner_normal, mesh_.corner_position.size());
         mesh_.corner_normal.resize(mesh_.corner_position.size(), no_index);
         for (std::uint32_t& index : mesh_.corner_normal)
             if (index >= mesh_.normals.size()) index = no_index;
@@ -179,7 +195,10 @@ class ObjReader {
     TextCursor cursor_;
     const std::string& file_;
     Mesh mesh_;
+    // Of the corners ahead of their vertices those whose index is above all before: of these is the first
+    // that is out of range.
     std::vector<AheadOfVertex> ahead_;
+    MemoryShare ahead_share_;
     std::size_t named_normals_ = 0, slashes_ = 0, weights_ = 0, lines_ = 0, points_ = 0, free_form_ = 0;
 };
 

@@ -25,7 +25,7 @@ class OffReader {
 
     Mesh read() {
         read_header();
-        mesh_.positions.reserve(std::min(vertex_count_, cursor_.rest().size() / 5));  // "0 0 0"
+        make_room(mesh_, mesh_.positions, std::min(vertex_count_, cursor_.rest().size() / 5));  // "0 0 0"
         for (std::size_t v = 0; v < vertex_count_; ++v) read_vertex(v);
         for (std::size_t f = 0; f < face_count_; ++f) read_face(f);
         if (cursor_.next_line()) mesh_.warnings.emplace_back("data after the last face is ignored");
@@ -73,13 +73,12 @@ class OffReader {
 
     void read_vertex(std::size_t row) {
         next_row("vertices", row, vertex_count_);
-        mesh_.positions.push_back(cursor_.three());
-        vertex_read(mesh_);
+        append(mesh_, mesh_.positions, cursor_.three());
         if (normals_)
-            mesh_.normals.push_back(cursor_.three({"a normal's x", "a normal's y", "a normal's z"}));
+            append(mesh_, mesh_.normals, cursor_.three({"a normal's x", "a normal's y", "a normal's z"}));
         if (colors_) {
             const std::string_view before = cursor_.rest();
-            mesh_.colors.push_back(cursor_.three({"red", "green", "blue"}));
+            append(mesh_, mesh_.colors, cursor_.three({"red", "green", "blue"}));
             const std::string_view text = before.substr(0, before.size() - cursor_.rest().size());
             whole_colors_ = whole_colors_ && text.find_first_of(".eE") == std::string_view::npos;
             const glm::vec3& c = mesh_.colors.back();
@@ -98,7 +97,7 @@ class OffReader {
             if (index < 0 || index >= static_cast<std::int64_t>(vertex_count_))
                 cursor_.fail(fmt::format("vertex index {} is out of range", index),
                              numbers_of(vertex_count_, "vertices"));
-            mesh_.corner_position.push_back(static_cast<std::uint32_t>(index));
+            append(mesh_, mesh_.corner_position, static_cast<std::uint32_t>(index));
         }
         close_face(mesh_, file_, cursor_.line());
         face_colors_ += cursor_.end_of_line() ? 0 : 1;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "models/memory_limit.h"
 #include "models/mesh_formats/mesh_reader.h"
 
 namespace glint {
@@ -175,7 +176,9 @@ class OmReader {
 
     /// One a vertex. `what`: as a message calls one of its numbers.
     std::vector<glm::vec3> vectors(const Data& chunk, const char* what) {
-        std::vector<glm::vec3> read(vertices_);
+        std::vector<glm::vec3> read;
+        make_room(mesh_, read, vertices_);
+        read.resize(vertices_);
         for (std::size_t v = 0; v < vertices_; ++v) {
             parsed_.at(chunk.at + 12 * v);
             for (std::size_t i = 0; i < 3; ++i) {
@@ -190,6 +193,7 @@ class OmReader {
     }
 
     void read_colors(const Data& chunk) {
+        make_room(mesh_, mesh_.colors, vertices_);
         for (std::size_t at = chunk.at; at < chunk.at + 3 * vertices_; at += 3)
             mesh_.colors.push_back(glm::vec3(natural(at, 1), natural(at + 1, 1), natural(at + 2, 1)) / 255.f);
     }
@@ -209,7 +213,7 @@ class OmReader {
         constexpr std::size_t corners_between_reports = 1 << 16;
         if (mesh_.corner_position.size() % corners_between_reports == 0)
             report_or_leave(LoadStage::Building, mesh_.face_count(), faces_);
-        mesh_.corner_position.push_back(static_cast<std::uint32_t>(vertex));
+        append(mesh_, mesh_.corner_position, static_cast<std::uint32_t>(vertex));
     }
 
     /// Adds the faces of a file before version 2, which lists the vertices of each face.
@@ -235,6 +239,7 @@ class OmReader {
     /// Adds the faces of a file from version 2 on, which lists one half-edge of each face; the next ones lead
     /// round it.
     void add_loops(const Data& chunk) {
+        const MemoryShare share(memory_need(MemoryUse::Meshes, halfedge_chunk_ ? 2 * edges_ : 0));
         std::vector<char> walked(halfedge_chunk_ ? 2 * edges_ : 0, 0);  // each belongs to one face only
         const std::size_t size = chunk.header.integer_bytes();
         for (std::size_t f = 0; f < faces_; ++f) {

@@ -68,7 +68,7 @@ template <class Rows> class PlyBody {
             warn(mesh_.warnings, element.count, "vertex has a part of a colour only, which is ignored",
                  "vertices have a part of a colour only, which is ignored");
         std::size_t beyond_type = 0;
-        mesh_.positions.reserve(std::min(element.count, rows_.bytes_left() / 3));
+        make_room(mesh_, mesh_.positions, std::min(element.count, rows_.bytes_left() / 3));
         std::array<float, 11> value{};  // by role
         const auto three = [&value](PlyRole first) {
             const auto i = static_cast<std::size_t>(first);
@@ -79,14 +79,13 @@ template <class Rows> class PlyBody {
             value[static_cast<std::size_t>(p.role)] = number;
         };
         read_rows(element, skip, keep, [&] {
-            mesh_.positions.push_back(three(PlyRole::X));
-            vertex_read(mesh_);
-            if (normals) mesh_.normals.push_back(three(PlyRole::Nx));
+            append(mesh_, mesh_.positions, three(PlyRole::X));
+            if (normals) append(mesh_, mesh_.normals, three(PlyRole::Nx));
             if (scale == 0) return;
             const glm::vec3 color = scale * three(PlyRole::Red);
             const bool beyond = scale < 1 && (color.r > 1 || color.g > 1 || color.b > 1);
             beyond_type += beyond ? 1 : 0;
-            mesh_.colors.push_back(beyond ? glm::min(color, glm::vec3(1)) : color);
+            append(mesh_, mesh_.colors, beyond ? glm::min(color, glm::vec3(1)) : color);
         });
         warn(mesh_.warnings, beyond_type,
              "vertex has a colour beyond its type, which is taken as the largest",
@@ -112,7 +111,7 @@ template <class Rows> class PlyBody {
             if (index < 0 || index >= static_cast<std::int64_t>(vertex_count_))
                 rows_.fail(fmt::format("vertex index {} is out of range", index),
                            numbers_of(vertex_count_, "vertices"));
-            mesh_.corner_position.push_back(static_cast<std::uint32_t>(index));
+            append(mesh_, mesh_.corner_position, static_cast<std::uint32_t>(index));
         }
         close_face(mesh_, file_, rows_.line());
     }

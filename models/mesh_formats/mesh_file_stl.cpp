@@ -21,13 +21,15 @@ class Facets {
     explicit Facets(const std::string& file) : file_(file) { mesh_.first_corner.push_back(0); }
 
     void corner(const glm::vec3& place) {
-        mesh_.corner_position.push_back(places_.index_of(place, mesh_.positions));
+        make_room(mesh_, mesh_.positions, mesh_.positions.size() + 1);
+        append(mesh_, mesh_.corner_position, places_.index_of(place, mesh_.positions));
     }
     void close(const glm::vec3& normal, int line) {
         close_face(mesh_, file_, line);
         any_normal_ = any_normal_ || normal != glm::vec3(0);
         const auto index = static_cast<std::uint32_t>(mesh_.normals.size());
-        mesh_.normals.push_back(normal);
+        append(mesh_, mesh_.normals, normal);
+        make_room(mesh_, mesh_.corner_normal, mesh_.corner_position.size());
         mesh_.corner_normal.resize(mesh_.corner_position.size(), index);
     }
     Mesh finish() {

@@ -2,11 +2,13 @@
 // What the readers of the mesh formats share. Each turns the bytes of a whole file into an unfinished mesh
 // (no triangles, no bounds) or throws Unreadable. Inside models/ only.
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "models/io/text_cursor.h"
 #include "models/mesh/mesh.h"
@@ -22,12 +24,19 @@ namespace glint {
 
 inline constexpr std::size_t max_corners = std::numeric_limits<std::int32_t>::max();
 
-/// Throws Refused when what the mesh holds so far does not fit in the memory that there is for it.
-void require_room(const Mesh& mesh);
-/// Asks require_room() now and then; readers call it after each vertex.
-inline void vertex_read(const Mesh& mesh) {
-    constexpr std::size_t vertices_between = 1 << 16;
-    if (mesh.positions.size() % vertices_between == 0) require_room(mesh);
+/// Throws Refused when what the mesh holds so far, and `more` bytes, do not fit in the memory that there is.
+void require_room(const Mesh& mesh, std::uint64_t more = 0);
+/// Lets one of the mesh's lists hold `count` entries; where it has to grow for them, that is asked for first.
+template <class T> void make_room(const Mesh& mesh, std::vector<T>& list, std::size_t count) {
+    if (count <= list.capacity()) return;
+    const std::size_t grown = std::max(count, 2 * list.capacity());
+    require_room(mesh, (grown - list.capacity()) * sizeof(T));
+    list.reserve(grown);
+}
+/// Puts an entry at the end of one of the mesh's lists, where there is room for it.
+template <class T> void append(const Mesh& mesh, std::vector<T>& list, const T& value) {
+    make_room(mesh, list, list.size() + 1);
+    list.push_back(value);
 }
 
 /// The number in `size` bytes, 1 to 8, the lowest first. Precondition: they are there.

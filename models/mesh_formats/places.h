@@ -1,6 +1,7 @@
 #pragma once
 // Lets corners at exactly equal positions share one index: for formats that have no indices, or repeat a
-// vertex for each of its normals. Inside models/ only.
+// vertex for each of its normals. Throws Refused where there is no memory for that. Inside
+// models/ only.
 
 #include <bit>
 #include <chrono>
@@ -8,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "models/memory_limit.h"
 #include "models/mesh/mesh.h"
 
 namespace glint {
@@ -38,7 +40,10 @@ class Places {
         return static_cast<std::size_t>(h);
     }
     void grow(const std::vector<glm::vec3>& positions) {
-        slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), no_index);
+        const std::size_t size = std::max<std::size_t>(64, 2 * slots_.size());
+        share_.set(memory_need(MemoryUse::Meshes, size * sizeof(std::uint32_t)));
+        slots_ = {};  // before the new ones are there
+        slots_.resize(size, no_index);
         for (std::uint32_t i = 0; i < positions.size(); ++i) {
             std::size_t slot = hash(positions[i]) & (slots_.size() - 1);
             while (slots_[slot] != no_index) slot = (slot + 1) & (slots_.size() - 1);
@@ -47,6 +52,7 @@ class Places {
     }
 
     std::vector<std::uint32_t> slots_;  // a power of two
+    MemoryShare share_;                 // of them
     std::uint64_t seed_ =
         static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
 };

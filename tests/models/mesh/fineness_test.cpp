@@ -11,6 +11,7 @@
 #include "models/primitives/primitives.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/mesh_helpers.h"
 
 using namespace glint;
@@ -346,6 +347,15 @@ TEST_CASE("what would have too many faces is refused in one line", "[fineness]")
           "/subdivide: a face of the mesh has 9000 corners; expected at most 8192 where it is made finer or "
           "coarser");
     CHECK(refused(cylinder, {100, 0}).starts_with("/decimate: a face of the mesh has 9000 corners"));
+}
+
+TEST_CASE("vertices without a face are counted where a mesh is made finer or coarser", "[fineness][memory]") {
+    Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+    mesh.positions.resize(100'000);
+    CHECK(problem_of(with_fineness(mesh, {1, 0})) == nullptr);
+    const test::MemoryLimit limit(4 << 20);
+    CHECK_THROWS_AS(with_fineness(mesh, {1, 0}), Refused);
+    CHECK_THROWS_AS(with_fineness(mesh, {0, 1}), Refused);
 }
 
 TEST_CASE("a mesh of one fineness is made once, and another one is another mesh", "[fineness]") {
