@@ -1,14 +1,17 @@
 #pragma once
-// For tests of what happens when memory is short.
+// For tests of what happens when memory is short, or no thread can begin.
 
+#include <pthread.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 
 #include "models/memory_limit.h"
+#include "tests/support/catch.h"
 
 namespace glint::test {
 
@@ -42,5 +45,23 @@ template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& act
     waitpid(child, &status, 0);
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
+
+/// While it lives no thread can begin: there is no room for such a stack.
+class NoThreads {
+  public:
+    NoThreads() {
+        REQUIRE(pthread_getattr_default_np(&before_) == 0);
+        pthread_attr_t huge;
+        REQUIRE(pthread_attr_init(&huge) == 0);
+        REQUIRE(pthread_attr_setstacksize(&huge, std::size_t{1} << 47) == 0);
+        REQUIRE(pthread_setattr_default_np(&huge) == 0);
+    }
+    ~NoThreads() { (void)pthread_setattr_default_np(&before_); }
+    NoThreads(const NoThreads&) = delete;
+    NoThreads& operator=(const NoThreads&) = delete;
+
+  private:
+    pthread_attr_t before_;
+};
 
 }  // namespace glint::test

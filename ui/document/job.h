@@ -6,7 +6,9 @@
 #include <exception>
 #include <functional>
 #include <new>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -17,19 +19,35 @@
 
 namespace glint {
 
+/// Starts `work` on a thread. Returns why it cannot: as many threads run as the system allows. `about`: for
+/// the screen.
+template <class Do>
+[[nodiscard]] std::optional<Problem> start_thread(std::thread& thread, const std::string& about, Do work) {
+    try {
+        thread = std::thread(std::move(work));
+    } catch (const std::system_error& error) {
+        return Problem{about, "", "no thread can do it: " + error.code().message(), ""};
+    }
+    return {};
+}
+
 template <class T> class Job {
   public:
     using Work = std::function<Result<T>(LoadProgress&)>;
 
     /// Starts `work`, which may touch only what it holds itself. Loads within it report to its LoadProgress,
-    /// and so may it. `name`: what it is about, for the screen.
+    /// and so may it. Where no thread can start, it is done, with a Problem. `name`: what it is about, for
+    /// the screen.
     Job(std::string name, Work work) : name_(std::move(name)) {
-        thread_ = std::thread([this, work = std::move(work)] { run(work); });
+        const auto problem = start_thread(thread_, name_, [this, work = std::move(work)] { run(work); });
+        if (!problem) return;
+        result_ = *problem;
+        done_ = true;
     }
     /// Cancels and waits.
     ~Job() {
         cancel();
-        thread_.join();
+        if (thread_.joinable()) thread_.join();
     }
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <iterator>
 
+#include "ui/document/job.h"
 #include "ui/inspector/equation/words.h"
 #include "ui/inspector/tabs.h"
 #include "ui/ui.h"
@@ -21,7 +22,7 @@ namespace glint {
 
 SensitivityJob::SensitivityJob(const SceneDocument& document, PictureSize size, glm::ivec2 pixel)
     : document_(document), size_(size), pixel_(pixel) {
-    thread_ = std::thread([this] {
+    const auto problem = start_thread(thread_, "Sensitivity", [this] {
         try {
             work();
         } catch (const std::exception& error) {
@@ -29,18 +30,20 @@ SensitivityJob::SensitivityJob(const SceneDocument& document, PictureSize size, 
         }
         done_ = true;
     });
+    if (!problem) return;
+    result_ = *problem;
+    done_ = true;
 }
 
 SensitivityJob::~SensitivityJob() {
     cancel();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
 }
 
 void SensitivityJob::work() {
-    const std::size_t lights = document_.scene.lights.size();
-    if (lights > max_sensitivity_lights) {
-        result_ = Problem{"", "/lights", std::to_string(lights) + " lights are too many to measure",
-                          "at most " + std::to_string(max_sensitivity_lights)};
+    if (document_.scene.lights.size() > max_sensitivity_lights) {
+        result_ =
+            Problem{"", "", fmt::format("More than {} lights take too long.", max_sensitivity_lights), ""};
         return;
     }
     SensitivityRun run(document_, size_, pixel_.x, pixel_.y, 1);  // one thread: the window needs the others
@@ -100,6 +103,8 @@ void poll_sensitivity(SensitivityState& state, const SceneDocument& document, Pi
         state.job = std::make_unique<SensitivityJob>(document, size, pixel);
     if (state.job && state.job->done()) {
         const auto* found = std::get_if<Sensitivities>(&state.job->result());
+        const Problem* problem = problem_of(state.job->result());
+        state.why_none = problem != nullptr ? problem->text() : "";
         state.shown = found != nullptr ? std::optional(*found) : std::nullopt;
         state.rank = found != nullptr ? ranked(*found) : std::vector<Sensitivity>();
         state.shown_scene = state.asked_scene;
@@ -211,8 +216,7 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
         poll_sensitivity(job, asked_document(state), view.map.size, state.asked);
     if (!job.current) progress(job);
     if (!job.shown) {
-        if (job.current)
-            warning_text(fmt::format("More than {} lights take too long.", max_sensitivity_lights));
+        if (job.current) warning_text(job.why_none);
         return;
     }
     small_dim(

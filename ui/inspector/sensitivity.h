@@ -16,7 +16,8 @@ namespace glint {
 /// Measures one pixel of one scene.
 class SensitivityJob {
   public:
-    /// Starts; the document's meshes are shared, nothing else.
+    /// Starts; the document's meshes are shared, nothing else. Where no thread can start, it is done, with a
+    /// Problem.
     SensitivityJob(const SceneDocument& document, PictureSize size, glm::ivec2 pixel);
     /// Stops after the step it is at, and waits for that.
     ~SensitivityJob();
@@ -55,6 +56,7 @@ struct SensitivityState {
     PictureSize asked_size;
     std::optional<Sensitivities> shown;
     std::vector<Sensitivity> rank;  // of `shown`
+    std::string why_none;           // in place of `shown`, where measuring failed
     Scene shown_scene;              // that `shown` is of: its pointers are of this scene
     bool current = false;           // `shown` is of the scene and pixel as they are
 

@@ -6,6 +6,7 @@
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "tests/support/memory_helpers.h"
 #include "ui/document/document_actions.h"
 #include "ui/fields/panels.h"
 #include "ui/inspector/equation/words.h"
@@ -66,6 +67,37 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
     CHECK_FALSE(bench.state.sensitivity.current);
     REQUIRE(wait_for_numbers(bench));
     CHECK(bench.state.sensitivity.shown->numbers.front().change != expected.numbers.front().change);
+}
+
+TEST_CASE("where no thread can measure the column says so, until the scene changes", "[ui][window][why]") {
+    HeadlessWindow bench({760, 400});
+    bench.state.layout.left = true;
+    bench.state.left_shows_inspector = true;
+    {
+        const test::NoThreads none;
+        test::ask(bench, InspectorTab::Sensitivity, {0.5, 0.45});
+        REQUIRE(wait_for_numbers(bench));
+        CHECK_FALSE(bench.state.sensitivity.shown);
+        CHECK(bench.state.sensitivity.why_none.find("no thread can do it") != std::string::npos);
+        CHECK(bench.state.notifications.list.empty());  // no frame was given up
+        bench.frames(30);
+        CHECK_FALSE(bench.state.sensitivity.job);
+    }
+    bench.scene().lights.front().intensity = 0.5f;
+    bench.frames(2);
+    REQUIRE(wait_for_numbers(bench));
+    CHECK(bench.state.sensitivity.shown);
+}
+
+TEST_CASE("of more lights than are measured the column says so", "[ui][window][why]") {
+    HeadlessWindow bench({760, 400});
+    bench.scene().lights.resize(max_sensitivity_lights + 1, bench.scene().lights.front());
+    bench.state.layout.left = true;
+    bench.state.left_shows_inspector = true;
+    test::ask(bench, InspectorTab::Sensitivity, {0.5, 0.45});
+    REQUIRE(wait_for_numbers(bench));
+    CHECK_FALSE(bench.state.sensitivity.shown);
+    CHECK(bench.state.sensitivity.why_none == "More than 64 lights take too long.");
 }
 
 TEST_CASE("until it is measured again the numbers keep the names of what they were of", "[ui][window][why]") {
