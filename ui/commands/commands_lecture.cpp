@@ -9,9 +9,11 @@ namespace glint {
 namespace {
 
 /// Returns the next scene of those that the program was given, else of the folder; for a scene without a
-/// file, of those that come with the program.
+/// file, of those that come with the program. One that cannot be opened is passed over the next time.
 std::string other_scene(const UiState& state, int step) {
-    const std::string& path = state.editor.document.path;
+    const AskedScene& asked = state.lecture.asked;
+    const bool goes_on = asked.failed && asked.step == step;
+    const std::string& path = goes_on ? asked.path : state.editor.document.path;
     const bool has_file = !path.empty() && path != "-";
     const std::string& place = has_file ? path : state.lecture.last_given;
     if (const auto given = given_scene_beside(state.lecture.given_scenes, place, step)) return *given;
@@ -26,13 +28,13 @@ void open_other(UiState& state, int step) {
     const std::string path = other_scene(state, step);
     if (path.empty())
         return state.notifications.tell(step > 0 ? "This is the last scene" : "This is the first scene");
+    state.lecture.asked = {path, step, false};
     begin_pending(state, Pending::What::Open, path);
 }
 
 /// Another one than the last, so that the command played twice plays two.
 void new_match(UiState& state) {
-    if (state.match.on) return begin_match(state, state.match.seed + 1);
-    begin_pending(state, Pending::What::Match, std::to_string(state.match.seed));
+    begin_pending(state, Pending::What::Match, std::to_string(state.match.seed + (state.match.on ? 1 : 0)));
 }
 
 void switch_projector(UiState& state) {

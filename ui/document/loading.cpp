@@ -26,6 +26,7 @@ void take_loaded(UiState& state, SceneDocument document) {
     if (recovery) drop_autosave(state);
     take_scene(state, std::move(document));
     if (recovery) {  // before anything that may fail: what is in hand is not saved
+        state.editor.saved_edited_camera = recovery->in_file->camera;
         state.editor.saved = std::move(*recovery->in_file);
         keep_orphan(state, recovery->autosave);
     }
@@ -44,13 +45,18 @@ Problem with_all_that_opens(Problem problem) {
 
 void poll_document(UiState& state) {
     Loading& loading = state.loading;
-    if (!state.pending.asking) loading.loaded.reset();  // the answer was no
+    // The answer was no. After "save" it waits for the name, too: the file alone would be read without what
+    // was assigned to it, or not as a lesson.
+    if (state.pending.what == Pending::What::Nothing) loading.loaded.reset();
     if (!loading.document || !loading.document->done()) return;
     if (state.pending.asking) return;  // the question is about the scene in hand
     Result<SceneDocument> result = loading.document->take();
     loading.document.reset();
-    if (const Problem* problem = problem_of(result))
+    if (const Problem* problem = problem_of(result)) {
+        AskedScene& asked = state.lecture.asked;
+        asked.failed |= asked.path == loading.path;
         return state.notifications.add(with_all_that_opens(*problem));
+    }
     auto& document = std::get<SceneDocument>(result);
     if (same_description(state.editor.scene(), loading.scene_then) || !state.editor.unsaved())
         return take_loaded(state, std::move(document));

@@ -90,6 +90,13 @@ void step_wedge(WedgeState& wedge);
 /// Type and widgets are so many times larger: the smallest type, 13 units, becomes 18.
 inline constexpr float projector_scale = 1.4f;
 
+/// The scene that PgDn or PgUp asked for last, until a document is there.
+struct AskedScene {
+    std::string path;
+    int step = 0;         // 1: by PgDn; -1: by PgUp
+    bool failed = false;  // it cannot be opened: further that way comes the one behind it
+};
+
 struct LectureState {
     bool projector = false;                        // large type, strong contrast
     bool left_before = true, right_before = true;  // the columns that it found
@@ -101,6 +108,7 @@ struct LectureState {
     /// while one of them is open, else through the open scene's folder.
     std::vector<std::string> given_scenes;
     std::string last_given;  // of these, the one that was open last: a scene without a file stands after it
+    AskedScene asked;
 };
 
 }  // namespace glint

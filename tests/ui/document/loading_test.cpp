@@ -10,6 +10,7 @@
 #include "models/memory_limit.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
 #include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
@@ -78,6 +79,59 @@ TEST_CASE("a file that was begun before the window is awaited in it, with what i
     CHECK(bench.scene().lights.empty());
     CHECK(bench.state.editor.document.path == path);
     CHECK_FALSE(bench.state.editor.unsaved());
+}
+
+TEST_CASE(
+    "what was assigned to a file that is awaited stays with it, over the question and the name to save by",
+    "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("given.json", scene_text(first_scene().scene));
+    HeadlessWindow bench;
+    bench.frames(2);
+    Opening opening = opening_of(path, {std::get<Assignment>(parse_assignment("/lights=[]"))});
+    REQUIRE(opening.job->wait_for(std::chrono::minutes(1)));
+    await_opening(bench.state, std::move(opening));
+    bench.scene().shading.mode = ShadingMode::Flat;
+    bench.wait_for_loads();
+    REQUIRE(bench.state.pending.asking);
+    bench.key(Key::Enter);  // save: under which name?
+    bench.frames(3);
+    REQUIRE(bench.state.files.open);
+    bench.state.files.ask(FilePurpose::SaveScene, folder.path("scene.json"));
+    bench.frames(2);
+    bench.key(Key::Enter);
+    bench.wait_for_loads();
+    CHECK(std::filesystem::exists(folder.path("scene.json")));
+    CHECK(bench.state.editor.document.path == path);
+    CHECK(bench.scene().lights.empty());
+}
+
+TEST_CASE("a file and a mesh that no thread can load are told of once, and the scene stays",
+          "[ui][loading]") {
+    const TemporaryDirectory folder;
+    const std::string path = folder.file("given.json", scene_text(first_scene().scene));
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    const auto told = [&bench](const std::string& words) {
+        const auto& list = bench.state.notifications.list;
+        return std::count_if(list.begin(), list.end(), [&words](const Notification& note) {
+            return note.text.find(words) != std::string::npos;
+        });
+    };
+    {
+        const test::NoThreads none;
+        begin_open(bench.state, path);
+        begin_mesh(bench.state, PrimitiveMesh{Primitive::Sphere, 1500}, 0);
+        bench.frames(10);
+        CHECK_FALSE(bench.state.loading.active());
+    }
+    CHECK(told("given.json: no thread can do it") == 1);
+    CHECK(told("no thread can do it") == 2);
+    CHECK(bench.scene() == before);
+    begin_open(bench.state, path);
+    bench.wait_for_loads();
+    CHECK(bench.state.editor.document.path == path);
 }
 
 TEST_CASE("who waits for a job waits as long as was said, or until it is done", "[ui][loading]") {

@@ -1,6 +1,4 @@
 // What outlives the window.
-#include <pthread.h>
-
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +7,7 @@
 #include "models/io/file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "ui/document/document_actions.h"
@@ -50,24 +49,6 @@ void copy_again(HeadlessWindow& bench, float intensity) {
     bench.frames(3);
     while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
 }
-
-/// While it lives no thread can begin: there is no room for such a stack.
-class NoThreads {
-  public:
-    NoThreads() {
-        REQUIRE(pthread_getattr_default_np(&before_) == 0);
-        pthread_attr_t huge;
-        REQUIRE(pthread_attr_init(&huge) == 0);
-        REQUIRE(pthread_attr_setstacksize(&huge, std::size_t{1} << 47) == 0);
-        REQUIRE(pthread_setattr_default_np(&huge) == 0);
-    }
-    ~NoThreads() { (void)pthread_setattr_default_np(&before_); }
-    NoThreads(const NoThreads&) = delete;
-    NoThreads& operator=(const NoThreads&) = delete;
-
-  private:
-    pthread_attr_t before_;
-};
 
 /// Nothing of it as on the first day.
 ViewPreferences odd_views() {
@@ -353,7 +334,7 @@ TEST_CASE("a copy that no thread can write is said once, and tried again", "[ui]
     bench.frames(2);
     edit_and_wait(bench, 0.25f);
     {
-        const NoThreads none;
+        const test::NoThreads none;
         copy_again(bench, 0.6875f);
         CHECK(notes_with(bench, "No copy") == 1);
         bench.state.persistence.autosaved_at = -1e9;
@@ -462,10 +443,39 @@ TEST_CASE("unsaved work is copied, found after a crash and taken up, and no wind
     next.frames(2);
     CHECK(same_description(next.scene(), left));
     CHECK(next.state.editor.unsaved());
-    CHECK(copies_in(folder) == 1);  // still kept, until it is saved
-    next.state.editor.saved = next.scene();
+    CHECK(copies_in(folder) == 1);           // still kept, until it is saved
+    next.state.editor.saved = next.scene();  // as saving does it
+    next.state.editor.saved_edited_camera = next.scene().camera;
     next.frames(2);
     CHECK(copies_in(folder) == 0);
+}
+
+TEST_CASE("a copy of which only the camera was edited is unsaved work, and stays until it is saved",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    SceneDocument document = first_scene();
+    document.path = folder.file("seen.json", scene_text(document.scene));
+    {
+        HeadlessWindow crashes;
+        begin_persistence(crashes.state, folder.path("state"));
+        crashes.frames(2);
+        take_document(crashes.state.editor, document);
+        crashes.frames(2);
+        crashes.state.editor.edits_camera = true;  // as columns.cpp says it
+        crashes.scene().camera.eye.z += 1;
+        crashes.frames(3);
+        REQUIRE(keep_unsaved_work(crashes.state));
+    }
+    HeadlessWindow next;
+    begin_persistence(next.state, folder.path("state"));
+    REQUIRE(next.state.persistence.orphans.size() == 1);
+    const std::string copy = next.state.persistence.orphans[0].lock.path();
+    recover_autosave(next.state, copy);
+    next.wait_for_loads();
+    next.frames(3);
+    CHECK(next.scene().camera.eye.z == document.scene.camera.eye.z + 1);
+    CHECK(next.state.editor.unsaved());
+    CHECK(std::filesystem::exists(copy));
 }
 
 TEST_CASE("of copies that were left the newest stands first", "[ui][memory]") {

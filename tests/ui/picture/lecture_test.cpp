@@ -129,6 +129,43 @@ TEST_CASE("PgDn goes through the scenes that the program was given, in their ord
     CHECK(bench.state.editor.document.path == given[1]);
 }
 
+TEST_CASE("a page that cannot be opened is said, and PgDn and PgUp go on behind it", "[ui][lecture]") {
+    const TemporaryDirectory folder;
+    for (const char* name : {"1.json", "4.json"}) (void)folder.file(name, scene_text(first_scene().scene));
+    for (const char* name : {"2.json", "3.json"}) (void)folder.file(name, "{");
+    const bool given = GENERATE(false, true);
+    HeadlessWindow bench;
+    if (given)
+        for (const char* name : {"1.json", "2.json", "3.json", "4.json"})
+            bench.state.lecture.given_scenes.push_back(folder.path(name));
+    UiInput drop;
+    drop.dropped = {folder.path("1.json")};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    const auto page = [&](Key key) {
+        bench.state.notifications.list.clear();
+        bench.key(key);
+        bench.wait_for_loads();
+        const auto& told = bench.state.notifications.list;
+        return std::pair(bench.state.editor.title(), told.empty() ? "" : told[0].text);
+    };
+    const auto fails = [&](Key key, const char* stays, const char* name) {
+        const auto [title, told] = page(key);
+        CHECK(title == stays);
+        CHECK(told.find(name) != std::string::npos);
+    };
+    fails(Key::PageDown, "1.json", "2.json");
+    CHECK(page(Key::PageUp).second == "This is the first scene");  // the other way it is the open one's
+    fails(Key::PageDown, "1.json", "3.json");
+    CHECK(page(Key::PageDown).first == "4.json");
+    CHECK(page(Key::PageDown).second == "This is the last scene");
+    fails(Key::PageUp, "4.json", "3.json");
+    drop.dropped = {folder.path("1.json")};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    fails(Key::PageDown, "1.json", "2.json");  // counted from the document that came
+}
+
 TEST_CASE("on the projector everything to be read has a contrast of 7 to 1", "[ui][lecture]") {
     for (const bool dark : {true, false}) {
         const Theme& t = projector_theme(dark);
