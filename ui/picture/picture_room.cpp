@@ -75,6 +75,9 @@ bool close_popup(UiState&) {
     return true;
 }
 
+/// What ends is the typing, by the field itself: whatever else stands there stays.
+bool end_typing(UiState&) { return ImGui::GetIO().WantTextInput; }
+
 bool cancel_loading(UiState& state) {
     if (!state.loading.active()) return false;
     cancel_loads(state);
@@ -91,7 +94,7 @@ bool close_wedge(UiState& state) { return std::exchange(state.lecture.wedge.open
 bool show_panels(UiState& state) { return std::exchange(state.layout.hides_all, false); }
 
 bool forget_probe(UiState& state) {
-    if (!state.viewport.probe || ImGui::GetIO().WantTextInput) return false;
+    if (!state.viewport.probe) return false;
     ask_about(state.viewport, {});
     return true;
 }
@@ -109,10 +112,10 @@ bool leave_my_picture(UiState& state) {
 }
 
 /// Escape runs the first of these that has something to leave: the innermost.
-const std::array left_by_escape{hand_tool.cancel, close_palette,   leave_dialog,      close_popup,
-                                cancel_loading,   close_shortcuts, close_wedge,       close_animate,
-                                pen_tool.cancel,  show_panels,     scope_tool.cancel, leave_prediction,
-                                forget_probe,     leave_my_picture};
+const std::array left_by_escape{hand_tool.cancel, close_palette,   leave_dialog,    close_popup,
+                                end_typing,       cancel_loading,  close_shortcuts, close_wedge,
+                                close_animate,    pen_tool.cancel, show_panels,     scope_tool.cancel,
+                                leave_prediction, forget_probe,    leave_my_picture};
 
 /// Reads the mouse over the item drawn last (the picture).
 void use_tools(UiState& state, const PictureView& view, const UiInput& input) {

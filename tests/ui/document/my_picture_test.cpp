@@ -9,8 +9,10 @@
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
 #include "ui/document/document_actions.h"
+#include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -344,6 +346,56 @@ TEST_CASE("a picture is put away when another scene comes, and compared again by
     take_scene(bench.state, other);  // the same file, read again
     bench.frames(2);
     CHECK(bench.state.mine.shown);
+}
+
+TEST_CASE("where no thread can search it is said once, and again when the scene changes",
+          "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    bring(bench, folder, flipped_picture(bench));
+    const auto told = [&bench] {
+        const auto& list = bench.state.notifications.list;
+        return std::count_if(list.begin(), list.end(), [](const Notification& note) {
+            return note.text.find("mine.png: no thread can do it") != std::string::npos;
+        });
+    };
+    {
+        const test::NoThreads none;
+        bench.scene().global_ambient = {1, 1, 1};
+        bench.frames(60);
+        CHECK(bench.state.mine.settled);
+        CHECK_FALSE(bench.state.mine.current);
+        CHECK(told() == 1);
+        CHECK(bench.state.editor.history.can_undo());  // the frame went on to its end
+    }
+    bench.scene().global_ambient = {0.5f, 0.5f, 0.5f};
+    bench.frames(2);
+    wait_for_answer(bench);
+    CHECK(bench.state.mine.current);
+}
+
+TEST_CASE("Escape that ends the typing of a name leaves the picture and the pen", "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    bring(bench, folder, flipped_picture(bench));
+    bench.state.lecture.pen.on = true;
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+    bench.frames(2);
+    bench.click(bench.control("Name"));
+    bench.frames(2);
+    REQUIRE(ImGui::GetIO().WantTextInput);
+    bench.key(Key::Escape);
+    CHECK(bench.state.lecture.pen.on);
+    CHECK(bench.state.mine.shown);
+    let_go_of_fields();  // as the field does it by a key of ImGui
+    bench.frames(2);
+    bench.key(Key::Escape);
+    CHECK_FALSE(bench.state.lecture.pen.on);
+    CHECK(bench.state.mine.shown);
+    bench.key(Key::Escape);
+    CHECK_FALSE(bench.state.mine.shown);
 }
 
 TEST_CASE("the bytes of a picture of linear numbers follow the display of the scene", "[ui][window][mine]") {
