@@ -123,6 +123,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     if (const std::string said = take_said(); !said.empty()) state.notifications.add(Tone::Done, said);
     keep_scene_valid(state);
     remember(state, in_hand);
+    forget_play(state);
     poll_persistence(state);
     poll_lesson(state);
     poll_animation(state);

@@ -28,6 +28,10 @@ double distance_to_target(MatchState& match, const Scene& scene) {
     return apart_of(picture, match.target);
 }
 
+bool has_target_as_b(const MatchState& match, const CompareChoice& choice) {
+    return choice.stored && *choice.stored == match.task.target;
+}
+
 void show_beside(UiState& state, bool beside) {
     CompareChoice& choice = state.views.compare.choice;
     choice.on = beside;
@@ -101,20 +105,37 @@ void begin_match(UiState& state, std::uint64_t seed) {
 }
 
 void end_match(UiState& state) {
-    if (!state.match.on) return;
-    state.match.on = false;
-    state.views.compare.choice = state.match.compare_before;
+    MatchState& match = state.match;
+    if (!match.on) return;
+    match.on = false;
+    CompareChoice &choice = state.views.compare.choice, &before = match.compare_before;
+    if (has_target_as_b(match, choice)) {  // it goes with its game
+        choice.stored = before.stored;
+        choice.shows_stored = false;
+    } else {  // the user has stored it meanwhile
+        before.stored = choice.stored;
+    }
+    if (state.mine.shown)  // it came meanwhile: it stays, and what was before the game is back when it goes
+        state.mine.compare_before = before;
+    else
+        choice = before;
 }
 
 void poll_match(UiState& state) {
     MatchState& match = state.match;
     if (!match.on || match.asked_of == state.editor.scene() || awaits_mesh(state)) return;
     match.asked_of = state.editor.scene();
-    if (state.editor.document.path.empty()) state.editor.saved = match.asked_of;  // play, and nobody's work
     match.now = distance_to_target(match, match.asked_of);
     match.hint.clear();
     match.solved = match.solved || match.now <= match_tolerance;
     redraw_within(0);  // the column was drawn before
+}
+
+void forget_play(UiState& state) {
+    Editor& editor = state.editor;
+    if (!state.match.on || !editor.document.path.empty()) return;
+    editor.saved = editor.scene();
+    editor.saved_edited_camera = editor.history.edited_camera();
 }
 
 void match_column(UiState& state) {
@@ -135,8 +156,8 @@ void match_column(UiState& state) {
     hint(match, match.asked_of);
     ImGui::Dummy({0, px(4)});
     const CompareChoice& choice = state.views.compare.choice;
-    const bool beside = choice.on && choice.stored && *choice.stored == match.task.target &&
-                        choice.parts.back().kind == Variant::Kind::Stored;
+    const bool beside =
+        choice.on && has_target_as_b(match, choice) && choice.parts.back().kind == Variant::Kind::Stored;
     if (chosen_button("Target beside it", beside)) show_beside(state, !beside);
     tooltip("Target beside it", "Half of the picture is the target, behind a line to drag");
     ImGui::SameLine(0, px(8));

@@ -51,10 +51,13 @@ struct MatchState {
 
 /// Begins with that seed; the scene in hand is given up, which was asked before.
 void begin_match(UiState& state, std::uint64_t seed);
-/// Ends the game; the scene stays.
+/// Ends the game; the scene stays, with the comparison from before the game or the user's own picture.
 void end_match(UiState& state);
 /// Once a frame: how far off the scene in hand is.
 void poll_match(UiState& state);
+/// Once a frame, after its step was recorded: what was moved in the game is play and nobody's work, until it
+/// was saved under a name.
+void forget_play(UiState& state);
 /// The game's column.
 void match_column(UiState& state);
 

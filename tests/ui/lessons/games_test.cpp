@@ -9,6 +9,7 @@
 #include "renderer/lessons/quiz.h"
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
+#include "ui/document/document_actions.h"
 #include "ui/preferences/persistence.h"
 
 using namespace glint;
@@ -141,6 +142,13 @@ TEST_CASE("a game that was saved under a name is work, and its changes are asked
     bench.frames(2);
     CHECK(bench.state.pending.asking);
     CHECK(bench.state.match.seed == 2);
+    bench.state.pending = {};
+    bench.frames(2);
+    run_command(bench.state, test::command_named("Match the target"));
+    CHECK(bench.state.pending.asking);
+    CHECK(bench.state.match.seed == 2);
+    finish_pending(bench.state);
+    CHECK(bench.state.match.seed == 3);
 }
 
 TEST_CASE("what a game compares is not remembered for the next window", "[ui][window][match]") {
@@ -209,6 +217,60 @@ TEST_CASE("an own picture is not the target beside it, and goes with its game", 
     bench.frames(2);
     CHECK(bench.state.match.on);
     CHECK_FALSE(bench.state.mine.shown);
+}
+
+TEST_CASE("B that was stored during a game stays, and the target goes", "[ui][window][match]") {
+    HeadlessWindow bench({1280, 1000});
+    const CompareChoice& choice = bench.state.views.compare.choice;
+    bench.frames(2);
+    run_command(bench.state, CommandId::StoreB);
+    const auto before = choice.stored;
+    open_game(bench, 2);
+    bench.click(bench.control("Target beside it"));
+    bench.click(bench.control("Leave"));
+    bench.frames(2);
+    CHECK(choice.stored == before);
+    open_game(bench, 2);
+    run_command(bench.state, CommandId::StoreB);
+    bench.click(bench.control("Leave"));
+    bench.frames(2);
+    REQUIRE(choice.stored);
+    CHECK(same_description(*choice.stored, bench.scene()));
+}
+
+TEST_CASE("a picture that came during a game stays beside the scene when the game is left",
+          "[ui][window][match]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench({1280, 1000});
+    open_game(bench, 2);
+    bench.click(bench.control("Target beside it"));
+    bring_picture(bench.state, folder.file("mine.png", png_bytes(bench.state.match.target, "")));
+    while (!bench.state.mine.shown) (void)bench.frame();
+    bench.frames(2);
+    bench.click(bench.control("Leave"));
+    bench.frames(2);
+    const CompareChoice& choice = bench.state.views.compare.choice;
+    CHECK_FALSE(bench.state.match.on);
+    CHECK(choice.on);
+    CHECK(choice.parts.back().kind == Variant::Kind::Mine);
+    CHECK(choice.mine);
+    CHECK_FALSE(choice.stored);
+    put_picture_away(bench.state);
+    CHECK_FALSE(choice.on);
+    CHECK_FALSE(choice.stored);
+}
+
+TEST_CASE("nobody asks about a camera that was edited in a game", "[ui][window][match]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench({1280, 1000});
+    begin_persistence(bench.state, folder.path("state"));
+    open_game(bench, 2);
+    bench.state.editor.edits_camera = true;  // as columns.cpp says it
+    bench.scene().camera.eye.z += 1;
+    bench.frames(3);
+    CHECK(bench.state.editor.history.undo_name() == "Camera");
+    CHECK_FALSE(bench.state.editor.unsaved());
+    CHECK_FALSE(bench.state.persistence.autosave);  // nor was there a moment in which a copy was made
 }
 
 TEST_CASE("the game is played by its buttons: hint, target beside, again, another, leave",
