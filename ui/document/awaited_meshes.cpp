@@ -29,9 +29,6 @@ bool is_quick(const MeshSource& source) {
     return primitive != nullptr && is_quick(*primitive);
 }
 
-/// Whether an edit left the object without its mesh, and that takes more than a few milliseconds.
-bool is_slow_edit(const Object& object) { return !object.mesh && !is_quick(object.source); }
-
 /// Returns what objects[index], whose source was edited since, is in `known`: all else of it is as it was.
 /// Null where that cannot be told, as others came or went in the same moment.
 const Object* before_edit(const Objects& known, const Objects& objects, std::size_t index) {
@@ -62,7 +59,7 @@ void note_slow_edits(UiState& state) {
     Loading& loading = state.loading;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         Object& object = scene.objects[i];
-        if (!is_slow_edit(object)) continue;
+        if (!awaits_slow_mesh(object)) continue;
         object.mesh = known_mesh(scene, state.editor.history.present(), object.source, loading.awaited);
         if (object.mesh) continue;
         const Object* before = before_edit(loading.known, scene.objects, i);
@@ -156,6 +153,8 @@ bool meshes_have_come(const UiState& state) {
 
 }  // namespace
 
+bool awaits_slow_mesh(const Object& object) { return !object.mesh && !is_quick(object.source); }
+
 void poll_meshes(UiState& state) {
     note_slow_edits(state);
     forget_unwanted(state);
@@ -223,7 +222,7 @@ bool awaits_mesh(const UiState& state) {
     const auto& objects = state.editor.scene().objects;
     return std::any_of(list.begin(), list.end(),
                        [](const AwaitedMesh& a) { return a.mesh_before != nullptr; }) ||
-           std::any_of(objects.begin(), objects.end(), is_slow_edit);
+           std::any_of(objects.begin(), objects.end(), awaits_slow_mesh);
 }
 
 Scene as_made(const UiState& state, Scene scene) {
@@ -231,7 +230,7 @@ Scene as_made(const UiState& state, Scene scene) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         Object& object = scene.objects[i];
         // Edited in this very frame, it will be awaited in the next.
-        if (const Object* before = is_slow_edit(object) ? before_edit(known, scene.objects, i) : nullptr)
+        if (const Object* before = awaits_slow_mesh(object) ? before_edit(known, scene.objects, i) : nullptr)
             object = *before;
         object.source = made_of(object, state.loading.awaited);
     }

@@ -112,5 +112,7 @@ void recovery_panel(UiState& state, const Rect& picture);
 
 /// Whether a primitive is made in a few milliseconds.
 [[nodiscard]] bool is_quick(const PrimitiveMesh& mesh);
+/// Whether the object has no mesh, and to make it takes longer than that.
+[[nodiscard]] bool awaits_slow_mesh(const Object& object);
 
 }  // namespace glint

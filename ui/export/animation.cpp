@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "models/fields/scene_numbers.h"
+#include "models/json/json_pointer.h"
 #include "ui/commands/fuzzy.h"
 #include "ui/document/document_actions.h"
 #include "ui/fields/field_panel.h"
@@ -158,6 +159,29 @@ Scene turned(Scene scene, double angle) {
     return scene;
 }
 
+/// The scene with the number at that value; the meshes that this changes are not made yet.
+Result<Scene> with_number(Scene scene, const std::string& pointer, double value) {
+    const std::optional<SceneNumber> number = number_at(scene, pointer);
+    const bool is_count = number && number->count;
+    if (const auto problem = set_number(scene, pointer, is_count ? number->count->nearest(value) : value))
+        return *problem;
+    return scene;
+}
+
+/// Whether to play this frame would hold the window up with a mesh, or the farther end will.
+bool is_held_up(const SceneDocument& document, const Animation& animation, int frame) {
+    const auto of_object = item_in(animation.pointer, "/objects/");
+    if (animation.motion != Motion::PingPong || !of_object || !is_within(of_object->rest, "/mesh"))
+        return false;
+    const auto is_slow_at = [&](double value) {
+        const Result<Scene> moved = with_number(document.scene, animation.pointer, value);
+        const Scene* scene = std::get_if<Scene>(&moved);
+        return scene != nullptr &&
+               std::any_of(scene->objects.begin(), scene->objects.end(), awaits_slow_mesh);
+    };
+    return is_slow_at(animation.to) || is_slow_at(value_at(animation, frame));
+}
+
 }  // namespace
 
 void begin_animation(UiState& state, Motion motion) {
@@ -229,7 +253,14 @@ void poll_animation(UiState& state) {
         animate.playing = false;
         return;
     }
-    Result<Scene> scene = scene_at(state.editor.document, animate.animation, static_cast<int>(frame));
+    const SceneDocument document = document_as_made(state);
+    if (is_held_up(document, animate.animation, static_cast<int>(frame))) {
+        animate.playing = false;
+        return state.notifications.add(
+            Tone::Warning,
+            "Animate: such meshes take too long to be played; Write frames… makes them beside the window");
+    }
+    Result<Scene> scene = scene_at(document, animate.animation, static_cast<int>(frame));
     if (const Problem* problem = problem_of(scene)) {
         animate.refused = with_expected(problem->what, problem->expected);
         animate.playing = false;
@@ -250,16 +281,12 @@ Result<Scene> scene_at(const SceneDocument& document, const Animation& animation
     if (animation.motion == Motion::Turntable)
         return at == 0 ? document.scene
                        : turned(document.scene, 2 * std::numbers::pi * at / std::max(animation.frames, 1));
-    Scene scene = document.scene;
-    const std::optional<SceneNumber> number = number_at(scene, animation.pointer);
-    const double value = value_at(animation, frame);
-    const bool is_count = number && number->count;
-    if (const auto problem =
-            set_number(scene, animation.pointer, is_count ? number->count->nearest(value) : value))
-        return *problem;
-    const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
-    if (const Problem* problem = problem_of(warned)) return *problem;
-    return scene;
+    Result<Scene> moved = with_number(document.scene, animation.pointer, value_at(animation, frame));
+    if (auto* scene = std::get_if<Scene>(&moved)) {
+        const Result<Warnings> warned = load_meshes(*scene, document.path, document.mesh_dir);
+        if (const Problem* problem = problem_of(warned)) return *problem;
+    }
+    return moved;
 }
 
 }  // namespace glint

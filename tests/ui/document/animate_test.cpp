@@ -300,6 +300,49 @@ TEST_CASE("what plays is shown and leaves the scene and its history alone", "[ui
     CHECK(bench.state.rendered_scene == before);
 }
 
+TEST_CASE(
+    "an animation whose meshes would hold the window up is not played, and it is said how it is written",
+    "[ui][animate]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    AnimateState& animate = bench.state.animate;
+    const std::string detail = "/objects/0/mesh/detail";
+    const auto plays = [&](const std::string& pointer, double from, double to) {
+        animate.animation = {Motion::PingPong, pointer, from, to, 6};
+        animate.number.clear();
+        animate.open = animate.playing = true;
+        animate.began = ImGui::GetTime();
+        bench.state.notifications.list.clear();
+        bench.frames(2);
+        return animate.playing;
+    };
+    CHECK(plays(detail, 8, 12));
+    REQUIRE(animate.frame);
+    CHECK(animate.frame->objects[0].mesh);
+    for (const auto& [from, to] : {std::pair(8, 1500), {1500, 8}}) {
+        CHECK_FALSE(plays(detail, from, to));
+        CHECK_FALSE(animate.frame);
+        REQUIRE(bench.state.notifications.list.size() == 1);
+        CHECK(bench.state.notifications.list[0].text.find("Write frames…") != std::string::npos);
+        CHECK(animate.refused.empty());  // they can be written
+    }
+    CHECK_FALSE(plays("/objects/0/mesh/decimate", 0, 100));
+    CHECK(plays("/objects/0/transform/scale/0", 1, 1500));
+}
+
+TEST_CASE("while a mesh is built beside the window, what plays has the mesh that is seen", "[ui][animate]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.state.animate.open = bench.state.animate.playing = true;
+    bench.frames(2);
+    const MeshPtr seen = bench.scene().objects[0].mesh;
+    bench.scene().objects[0].source = PrimitiveMesh{Primitive::Sphere, 1500};
+    bench.scene().objects[0].mesh = nullptr;
+    poll_animation(bench.state);  // in the frame of the edit, after its panel
+    REQUIRE(bench.state.animate.frame);
+    CHECK(bench.state.animate.frame->objects[0].mesh == seen);
+}
+
 TEST_CASE("a number whose light is gone moves no other light in its place", "[ui][animate]") {
     HeadlessWindow bench;
     bench.scene().lights.push_back(bench.scene().lights[1]);
