@@ -4,6 +4,7 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/gltf/gltf.h"
+#include "models/memory_limit.h"
 #include "models/mesh_formats/mesh_file.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/inspect/answers/answers.h"
@@ -21,6 +22,7 @@ Outcome info(const InfoArguments& arguments) {
     const std::vector<Object>& objects = document.scene.objects;
     const bool of_mesh =
         is_mesh_path(arguments.scene.file) && !is_gltf_path(arguments.scene.file) && objects.size() == 1;
+    const MemoryShare share(memory_need(MemoryUse::Output, bytes_to_tell(document.scene)));
     const JsonValue json =
         of_mesh ? info_json(*objects.front().mesh) : info_json(document.scene, arguments.size);
     return {json_text(json), document.warnings, ExitStatus::Done};

@@ -50,7 +50,10 @@ MemoryShare share_of_output(const RenderArguments& arguments, const Scene& scene
     std::uint64_t buffers = 0;
     if (!arguments.buffers.empty())
         buffers = buffers_memory(size, buffers_at_once(size, buffer_names(scene).size())) + exr_memory(size);
-    return MemoryShare(memory_need(MemoryUse::Output, file_memory(format, arguments.size) + buffers));
+    const std::uint64_t carried =
+        format == PictureFormat::Png && !arguments.no_scene ? bytes_to_tell(scene) : 0;
+    return MemoryShare(
+        memory_need(MemoryUse::Output, file_memory(format, arguments.size) + buffers + carried));
 }
 
 /// Where a buffer of that name goes.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 
 #include "models/gltf/gltf.h"
 #include "models/io/file.h"
@@ -173,8 +174,7 @@ class BufferReader {
     }
 
     std::size_t keep(std::string bytes) {
-        own_bytes_ += bytes.size();
-        document_.share.set(memory_need(MemoryUse::Files, document_.bytes.size() + own_bytes_));
+        document_.share.add(memory_need(MemoryUse::Files, bytes.size()));
         document_.own.push_back(std::move(bytes));
         return document_.own.size() - 1;
     }
@@ -183,7 +183,6 @@ class BufferReader {
     const Chunks& chunks_;
     std::vector<Place> places_;
     std::map<fs::path, std::size_t> own_of_file_;  // by path without links and dots
-    std::uint64_t own_bytes_ = 0;
 };
 
 bool is_quantized(const Node& root) {
@@ -253,24 +252,42 @@ std::vector<std::size_t> first_parts_of(const Json& root) {
     return first;
 }
 
-/// Which accessors of vertices several primitives name. What is malformed is left to where it is read.
-std::set<GltfVertexKey> shared_vertices_of(const Json& root) {
+/// The key of a primitive's vertices; none where they are malformed.
+std::optional<GltfVertexKey> sound_key_of(const GltfDocument& document, const Node& root,
+                                          const Node& attributes) {
+    try {
+        return vertex_key_of(document, root, attributes);
+    } catch (const ProblemFound&) {
+        return {};
+    }
+}
+
+/// Finds which vertices several primitives name. What is malformed is left to where it is read. Fails where
+/// accessors that overlap make the vertices, which take their time to read, many times the buffers.
+std::set<GltfVertexKey> shared_vertices_of(const GltfDocument& document) {
+    constexpr std::uint64_t most_times = 64;
+    std::uint64_t bytes_there = document.bytes.size(), bytes_named = 0;
+    for (const std::string& own : document.own) bytes_there += own.size();
     std::set<GltfVertexKey> named, shared;
-    const auto accessor = [](const Json& attributes, const char* name) -> std::uint64_t {
-        const auto found = attributes.find(name);
-        return found != attributes.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() + 1 : 0;
-    };
-    const auto meshes = root.find("meshes");
-    if (meshes == root.end() || !meshes->is_array()) return shared;
+    const Node root(document.root);
+    const auto meshes = document.root.find("meshes");
+    if (meshes == document.root.end() || !meshes->is_array()) return shared;
     for (const Json& mesh : *meshes) {
         const auto primitives = mesh.is_object() ? mesh.find("primitives") : mesh.end();
         if (primitives == mesh.end() || !primitives->is_array()) continue;
         for (const Json& primitive : *primitives) {
             const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
             if (attributes == primitive.end() || !attributes->is_object()) continue;
-            const std::uint64_t positions = accessor(*attributes, "POSITION");
-            const GltfVertexKey key{positions - 1, accessor(*attributes, "NORMAL")};
-            if (positions > 0 && !named.insert(key).second) shared.insert(key);
+            const std::optional<GltfVertexKey> key = sound_key_of(document, root, Node(*attributes));
+            if (!key) continue;
+            if (!named.insert(*key).second)
+                shared.insert(*key);
+            else
+                bytes_named += key->first.bytes() + key->second.bytes();
+            if (bytes_named / most_times > bytes_there)
+                fail(fmt::format("its primitives name {} bytes of vertices and more, and its buffers have {}",
+                                 bytes_named, bytes_there),
+                     fmt::format("at most {} times as many", most_times));
         }
     }
     return shared;
@@ -282,20 +299,20 @@ Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
     const auto document = std::make_shared<GltfDocument>();
     try {
         document->path = path;
-        document->share.set(memory_need(MemoryUse::Files, bytes.size()));
         document->bytes = std::move(bytes);
         const std::string_view all = document->bytes;
         if (all.empty()) return Problem{path, "", "the file is empty", "glTF 2.0"};
         Chunks chunks{all, {}};
         if (all.size() >= 4 && little_endian(all.data(), 4) == glb_magic) chunks = chunks_of(all);
-        document->root = read_json(chunks.json, path);
+        document->share.set(memory_need(MemoryUse::Files, all.size() - chunks.json.size()));
+        document->root = read_json(chunks.json, path, &document->json_share);
         const Node root(document->root);
         check_version(root);
         check_extensions(root);
         document->is_quantized = is_quantized(root);
         BufferReader(*document, chunks).read_all();
         document->first_parts = first_parts_of(document->root);
-        document->shared_vertices = shared_vertices_of(document->root);
+        document->shared_vertices = shared_vertices_of(*document);
         return GltfFile(document);
     } catch (ProblemFound& found) {
         found.problem.file = path;

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <compare>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
@@ -19,9 +20,29 @@
 
 namespace glint {
 
-/// Two accessors: of the positions, and of the normals; the second is 0 where there are none, else one more.
-using GltfVertexKey = std::pair<std::uint64_t, std::uint64_t>;
-/// The vertices of two accessors; those at one point share a place.
+/// GL's numbers of component types.
+inline constexpr int gltf_unsigned_byte = 5121, gltf_unsigned_short = 5123, gltf_unsigned_int = 5125,
+                     gltf_floats = 5126;
+
+/// The numbers of an accessor, read as floats: normalized integers become 0 to 1, or -1 to 1 if signed.
+/// Equal: the same numbers, whichever accessors say so.
+struct GltfNumbers {
+    std::size_t count = 0, components = 0;
+    int type = 0;  // GL's number of the component type: gltf_floats, ...
+    bool normalized = false;
+    const char* data = nullptr;
+    std::size_t stride = 0;
+
+    [[nodiscard]] double at(std::size_t i, std::size_t component) const;
+    [[nodiscard]] glm::vec3 vector_at(std::size_t i) const;
+    /// Bytes of the numbers alone, without what lies between them.
+    [[nodiscard]] std::uint64_t bytes() const;
+    auto operator<=>(const GltfNumbers&) const = default;
+};
+
+/// The numbers of the positions, and of the normals; the second without any where there are none.
+using GltfVertexKey = std::pair<GltfNumbers, GltfNumbers>;
+/// The vertices of a key; those at one point share a place.
 struct GltfVertices {
     std::vector<glm::vec3> places, normals;
     std::vector<std::uint32_t> place_of;  // of each vertex, in `places`
@@ -41,7 +62,7 @@ struct GltfDocument {
     bool is_quantized = false;  // it names KHR_mesh_quantization
     // #meshes + 1: the number of each mesh's first primitive, counted through all, and how many there are.
     std::vector<std::size_t> first_parts;
-    MemoryShare share;
+    MemoryShare json_share, share;  // of the JSON text and `root`; of the other bytes and `own`
     // What several primitives name is read once, with the first of them: not by two threads at a time.
     std::set<GltfVertexKey> shared_vertices;
     mutable std::map<GltfVertexKey, GltfVertices> kept_vertices;
@@ -70,25 +91,13 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
     root.with(list, [&](const Node& all) { f(Node(all.value()[index], all, index)); });
 }
 
-/// GL's numbers of component types.
-inline constexpr int gltf_unsigned_byte = 5121, gltf_unsigned_short = 5123, gltf_unsigned_int = 5125,
-                     gltf_floats = 5126;
-
-/// The numbers of an accessor, read as floats: normalized integers become 0 to 1, or -1 to 1 if signed.
-struct GltfNumbers {
-    std::size_t count = 0, components = 0;
-    int type = 0;  // GL's number of the component type: gltf_floats, ...
-    bool normalized = false;
-    const char* data = nullptr;
-    std::size_t stride = 0;
-
-    [[nodiscard]] double at(std::size_t i, std::size_t component) const;
-    [[nodiscard]] glm::vec3 vector_at(std::size_t i) const;
-};
 /// Returns the accessor whose index `key` of `from` holds; its numbers lie within its buffer view. Fails
 /// where it is not of that `type` ("VEC3"), or has no buffer view.
 [[nodiscard]] GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Node& from,
                                      std::string_view key, std::string_view type);
+/// The numbers of a primitive's vertices. Fails as numbers_of() does.
+[[nodiscard]] GltfVertexKey vertex_key_of(const GltfDocument& document, const Node& root,
+                                          const Node& attributes);
 [[nodiscard]] bool is_sparse(const Node& root, const Node& from, std::string_view key);
 
 }  // namespace glint

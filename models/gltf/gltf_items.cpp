@@ -130,13 +130,18 @@ GltfMaterial material_of(const Node& node) {
             read(at, "emissiveStrength", strength, at_least_zero);
         });
     });
-    std::string alpha;
-    read(node, "alphaMode", alpha);
+    bool is_see_through = false;
+    node.with("alphaMode", [&](const Node& at) {
+        const std::string& mode = text(at);
+        is_see_through = mode == "BLEND" || mode == "MASK";
+        if (!is_see_through && mode != "OPAQUE")
+            at.fail(in_quotes(mode) + " is not known", "\"OPAQUE\", \"MASK\" or \"BLEND\"");
+    });
     bool both_sides = false;
     read(node, "doubleSided", both_sides);
     Material m = material_from(base, metal, roughness);
     m.emission = strength * emission;
-    return {m, textured, alpha == "BLEND" || alpha == "MASK", both_sides};
+    return {m, textured, is_see_through, both_sides};
 }
 
 GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world) {
@@ -144,6 +149,10 @@ GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world
     require_object(at);
     std::string type;
     read(at, "type", type);
+    if (type != "perspective" && type != "orthographic")
+        at.fail(fmt::format("its type is {}", in_quotes(type)), "\"perspective\" or \"orthographic\"");
+    if (!at.has(type))
+        at.fail(fmt::format("the key {} is missing", in_quotes(type)), "the numbers of its lens");
     if (type == "orthographic") {
         Orthographic o;
         at.with("orthographic", [&](const Node& p) {

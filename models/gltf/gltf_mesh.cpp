@@ -70,9 +70,8 @@ class Triangles {
 };
 
 /// An attribute of the vertices: floats, or small integers where the file names the extension for them.
-std::vector<glm::vec3> vectors(const GltfDocument& document, const Node& root, const Node& attributes,
-                               const char* what) {
-    const GltfNumbers numbers = numbers_of(document, root, attributes, what, "VEC3");
+std::vector<glm::vec3> vectors(const GltfDocument& document, const GltfNumbers& numbers,
+                               const Node& attributes, const char* what) {
     if (numbers.type == gltf_unsigned_int)
         require_type(attributes, what, numbers.type, {gltf_floats}, "5126 (floats)");
     else if (!document.is_quantized)
@@ -92,11 +91,11 @@ std::vector<glm::vec3> vectors(const GltfDocument& document, const Node& root, c
     return all;
 }
 
-GltfVertices read_vertices(const GltfDocument& document, const Node& root, const Node& attributes) {
+GltfVertices read_vertices(const GltfDocument& document, const GltfVertexKey& key, const Node& attributes) {
     GltfVertices read;
-    const std::vector<glm::vec3> vertices = vectors(document, root, attributes, "POSITION");
+    const std::vector<glm::vec3> vertices = vectors(document, key.first, attributes, "POSITION");
     if (attributes.has("NORMAL")) {
-        read.normals = vectors(document, root, attributes, "NORMAL");
+        read.normals = vectors(document, key.second, attributes, "NORMAL");
         if (read.normals.size() != vertices.size())
             attributes.fail(fmt::format("it has {} normals", read.normals.size()),
                             fmt::format("{}, one a vertex", vertices.size()));
@@ -111,13 +110,10 @@ GltfVertices read_vertices(const GltfDocument& document, const Node& root, const
 /// `own`.
 const GltfVertices& vertices_of(const GltfDocument& document, const Node& root, const Node& attributes,
                                 GltfVertices& own) {
-    constexpr double most = 4294967295.0;
-    const bool has_normals = attributes.has("NORMAL");
-    const GltfVertexKey key{whole(attributes, "POSITION", most),
-                            has_normals ? whole(attributes, "NORMAL", most) + 1 : 0};
+    const GltfVertexKey key = vertex_key_of(document, root, attributes);
     const auto kept = document.kept_vertices.find(key);
     if (kept != document.kept_vertices.end()) return kept->second;
-    own = read_vertices(document, root, attributes);
+    own = read_vertices(document, key, attributes);
     if (!document.shared_vertices.contains(key)) return own;
     own.share.set(
         memory_need(MemoryUse::Meshes, sizeof(glm::vec3) * (own.places.size() + own.normals.size()) +
@@ -149,8 +145,8 @@ void read_primitive(const GltfDocument& document, const Node& root, const Node& 
         const Triangles triangles(document, root, primitive, vertices.place_of.size());
         const std::size_t left = triangles.each(mode, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
             for (const std::uint32_t v : {a, b, c}) {
-                mesh.corner_position.push_back(vertices.place_of[v]);
-                if (!mesh.normals.empty()) mesh.corner_normal.push_back(v);
+                append(mesh, mesh.corner_position, vertices.place_of[v]);
+                if (!mesh.normals.empty()) append(mesh, mesh.corner_normal, v);
             }
             close_face(mesh, document.path);
         });

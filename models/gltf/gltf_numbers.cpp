@@ -111,6 +111,10 @@ glm::vec3 GltfNumbers::vector_at(std::size_t i) const {
     return {static_cast<float>(at(i, 0)), static_cast<float>(at(i, 1)), static_cast<float>(at(i, 2))};
 }
 
+std::uint64_t GltfNumbers::bytes() const {
+    return count * components * size_of(static_cast<std::uint64_t>(type));
+}
+
 GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Node& from, std::string_view key,
                        std::string_view type) {
     GltfNumbers numbers;
@@ -148,6 +152,12 @@ GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Nod
         });
     });
     return numbers;
+}
+
+GltfVertexKey vertex_key_of(const GltfDocument& document, const Node& root, const Node& attributes) {
+    GltfVertexKey key{numbers_of(document, root, attributes, "POSITION", "VEC3"), {}};
+    if (attributes.has("NORMAL")) key.second = numbers_of(document, root, attributes, "NORMAL", "VEC3");
+    return key;
 }
 
 bool is_sparse(const Node& root, const Node& from, std::string_view key) {

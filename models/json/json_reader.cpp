@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cctype>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -9,7 +10,6 @@
 #include <vector>
 
 #include "models/io/utf8.h"
-#include "models/memory_limit.h"
 #include "models/progress.h"
 
 namespace glint {
@@ -34,16 +34,39 @@ struct CountingIterator {
     bool operator==(const CountingIterator& o) const { return at == o.at; }
 };
 
+/// The most bytes of a string of JSON text, as it is written.
+std::size_t longest_string(std::string_view text) {
+    std::size_t longest = 0, begin = 0;
+    bool is_inside = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (is_inside) longest = std::max(longest, i - begin);
+        if (text[i] == '\\' && is_inside) {
+            ++i;
+        } else if (text[i] == '"') {
+            is_inside = !is_inside;
+            begin = i + 1;
+        }
+    }
+    return longest;
+}
+
 /// Builds the document from the parser's events and refuses what a scene file must not have. The names of the
 /// events are the library's.
 class Builder {
   public:
     Builder(std::string_view text, const std::string& file)
         : text_(text), file_(file), reached_(text.data()), parsed_(text.size()) {
+        // The library keeps the string that it reads twice, and a list that grows is there twice for a while.
+        string_being_read_ = 3 * longest_string(text);
         reckon();
     }
 
     Json take() && { return std::move(root_); }
+    MemoryShare take_share() && {
+        string_being_read_ = 0;
+        reckon();
+        return std::move(share_);
+    }
     [[nodiscard]] CountingIterator begin() { return {text_.data(), &reached_}; }
     [[nodiscard]] CountingIterator end() { return {text_.data() + text_.size(), &reached_}; }
 
@@ -87,7 +110,8 @@ class Builder {
     void reckon() {
         constexpr std::uint64_t bytes_a_value =
             96;  // of a member with its key, or of an empty object, at most
-        share_.set(memory_need(MemoryUse::Files, text_.size() + place() + bytes_a_value * count_));
+        share_.set(memory_need(MemoryUse::Files,
+                               text_.size() + place() + string_being_read_ + bytes_a_value * count_));
         reckoned_ = place();
     }
 
@@ -164,7 +188,8 @@ class Builder {
     const char* reached_;
     ParsedBytes parsed_;
     MemoryShare share_;
-    std::size_t reckoned_ = 0;  // the place in the text when the share was set last
+    std::uint64_t string_being_read_ = 0;  // bytes that reading one takes, of the longest
+    std::size_t reckoned_ = 0;             // the place in the text when the share was set last
     Json root_;
     TakenApart root_taken_apart_{root_};
     std::vector<Json*> open_;             // containers around the place, outermost first
@@ -177,7 +202,7 @@ class Builder {
 
 }  // namespace
 
-Json read_json(std::string_view text, const std::string& file) {
+Json read_json(std::string_view text, const std::string& file, MemoryShare* share) {
     if (text.size() > max_json_bytes)
         throw ProblemFound{{file, "", fmt::format("{} bytes of text", text.size()), "at most 64 MiB"}};
     if (const std::size_t bad = first_invalid_utf8(text); bad < text.size()) {
@@ -194,6 +219,7 @@ Json read_json(std::string_view text, const std::string& file) {
     try {
         Builder builder(text, file);
         Json::sax_parse(builder.begin(), builder.end(), &builder);  // what is wrong is thrown
+        if (share != nullptr) *share = std::move(builder).take_share();
         return std::move(builder).take();
     } catch (const LoadCancelled&) {
         throw ProblemFound{{file, "", cancelled_words, ""}};

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "models/memory_limit.h"
 #include "models/problem.h"
 
 namespace glint {
@@ -26,8 +27,9 @@ inline constexpr std::size_t max_json_depth = 64;  // objects and arrays inside 
 inline constexpr std::size_t max_json_values = 2'000'000;
 
 /// The document; a leading byte-order mark is passed over. Throws ProblemFound with `file`, the line and,
-/// where there is one, the pointer.
-[[nodiscard]] Json read_json(std::string_view text, const std::string& file);
+/// where there is one, the pointer. `share` is given the share of the text and of the document, for a caller
+/// that keeps both.
+[[nodiscard]] Json read_json(std::string_view text, const std::string& file, MemoryShare* share = nullptr);
 
 /// Empties a document from the inside out. The library's destructor allocates memory for arrays and objects
 /// that are not empty, and ends the program where there is none.

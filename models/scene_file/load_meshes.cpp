@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 #include "models/fields/choices.h"
 #include "models/fineness/fineness.h"
@@ -31,26 +32,34 @@ Mesh made(const PrimitiveMesh& mesh) {
     return make_primitive(mesh.primitive, mesh.detail);
 }
 
-/// Files of many parts, each read once.
-using GltfFiles = std::map<std::string, GltfFile>;
+/// Identifies a mesh as it is given: by a primitive's name and detail, or by the file itself (whatever path
+/// leads to it), its part, and the extension by which it is read.
+using GivenKey = std::tuple<std::string, int, dev_t, ino_t>;
+/// Identifies a mesh with how much finer or coarser it is made.
+using MeshKey = std::tuple<GivenKey, int, int>;
 
-Result<Mesh> part_of(const std::string& path, int part, GltfFiles& files) {
-    auto found = files.find(path);
+/// Files of many parts, each read once; by the key of part 0.
+using GltfFiles = std::map<GivenKey, GltfFile>;
+
+/// `key`: of the part.
+Result<Mesh> part_of(const std::string& path, GivenKey key, GltfFiles& files) {
+    const int part = std::exchange(std::get<int>(key), 0);
+    auto found = files.find(key);
     if (found == files.end()) {
         const Result<GltfFile> file = GltfFile::read(path);
         if (const Problem* problem = problem_of(file)) return *problem;
-        found = files.emplace(path, std::get<GltfFile>(file)).first;
+        found = files.emplace(std::move(key), std::get<GltfFile>(file)).first;
     }
     return found->second.mesh(part);
 }
 
-Result<MeshPtr> load(const MeshSource& source, const std::string& mesh_dir, GltfFiles& files) {
+Result<MeshPtr> load(const MeshSource& source, const GivenKey& key, const std::string& mesh_dir,
+                     GltfFiles& files) {
     try {
         if (const auto* mesh = std::get_if<PrimitiveMesh>(&source)) return share_mesh(made(*mesh));
         const auto& named = std::get<MeshFile>(source);
         const std::string path = path_from(mesh_dir, named.path);
-        Result<Mesh> read =
-            is_gltf_path(path) ? part_of(path, named.part, files) : read_mesh(path, named.part);
+        Result<Mesh> read = is_gltf_path(path) ? part_of(path, key, files) : read_mesh(path, named.part);
         if (const Problem* problem = problem_of(read)) return *problem;
         return share_mesh(std::get<Mesh>(std::move(read)));
     } catch (const LoadCancelled&) {
@@ -77,12 +86,6 @@ Result<MeshPtr> refined(const MeshPtr& given, const Fineness& wanted) {
         return Problem{"", "", "the mesh does not fit in memory", "fewer faces"};
     }
 }
-
-/// Identifies a mesh as it is given: by a primitive's name and detail, or by the file itself (whatever path
-/// leads to it), its part, and the extension by which it is read.
-using GivenKey = std::tuple<std::string, int, dev_t, ino_t>;
-/// Identifies a mesh with how much finer or coarser it is made.
-using MeshKey = std::tuple<GivenKey, int, int>;
 
 GivenKey key_of_file(const std::string& path) {
     struct stat status {};
@@ -164,7 +167,7 @@ class Loader {
                                fmt::format("\"{}\" has another extension", named->path),
                                ".obj, .ply, .off, .stl, .om, .gltf or .glb"};
         }
-        Result<MeshPtr> loaded = load(source, mesh_dir_, gltf_files_);
+        Result<MeshPtr> loaded = load(source, given_key_of(source), mesh_dir_, gltf_files_);
         if (const Problem* problem = problem_of(loaded)) {
             if (!problem->file.empty()) return *problem;
             return Problem{file_, pointer + problem->pointer, problem->what, problem->expected};

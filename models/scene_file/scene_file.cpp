@@ -11,29 +11,15 @@
 namespace glint {
 namespace {
 
-bool is_right(const Json& document) {
-    try {
-        (void)read_scene(Node(document));
-    } catch (const ProblemFound&) {
-        return false;
-    }
-    return true;
-}
-
-/// The scene of a document with assignments. A problem is theirs when it lies in what they set, or when the
-/// document is right without them.
-Scene read_assigned(const Json& document, const std::string& file,
+/// The scene of JSON text with assignments. Throws ProblemFound; one without a file is about the scene.
+Scene read_assigned(std::string_view text, const std::string& file,
                     const std::vector<Assignment>& assignments) {
-    Json assigned = document;
-    const TakenApart taken_apart(assigned);
-    if (assigned.is_object()) apply_assignments(assigned, assignments);
-    try {
-        return read_scene(Node(assigned));
-    } catch (ProblemFound& found) {
-        const bool theirs = is_assigned(found.problem.pointer, assignments) || is_right(document);
-        found.problem.file = theirs ? "--set" : file;
-        throw;
-    }
+    MemoryShare share;  // until the scene is made
+    Json document = read_json(text, file, &share);
+    const TakenApart taken_apart(document);
+    share.add(memory_need(MemoryUse::Files, text.size()));  // at most, of the scene's strings
+    if (document.is_object()) apply_assignments(document, assignments);
+    return read_scene(Node(document));
 }
 
 }  // namespace
@@ -51,13 +37,16 @@ Result<Assignment> parse_assignment(std::string_view text) {
 Result<Scene> parse_scene(std::string_view text, const std::string& file,
                           const std::vector<Assignment>& assignments) {
     try {
-        Json document = read_json(text, file);
-        const TakenApart taken_apart(document);
-        if (!assignments.empty()) return read_assigned(document, file, assignments);
-        return read_scene(Node(document));
+        return read_assigned(text, file, assignments);
     } catch (ProblemFound& found) {
-        if (found.problem.file.empty()) found.problem.file = file;
+        if (!found.problem.file.empty()) return std::move(found.problem);
+        // It is the assignments' when it lies in what they set, or when the text is right without them.
+        const bool theirs = !assignments.empty() && (is_assigned(found.problem.pointer, assignments) ||
+                                                     problem_of(parse_scene(text, file)) == nullptr);
+        found.problem.file = theirs ? "--set" : file;
         return std::move(found.problem);
+    } catch (const Refused& refused) {
+        return memory_problem(refused, file);
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The scene file, version 1 (docs/interface.md): read, checked and written. What is written reads back equal.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,6 +49,9 @@ struct SceneDocument {
 /// JSON text of a scene: every key (of mistakes only those made), floats in the shortest form that reads back
 /// equal, ends with a newline.
 [[nodiscard]] std::string scene_text(const Scene& scene);
+/// Bytes that whoever tells or carries a scene takes beside it: for its own copy, its JSON, and the text
+/// while it grows.
+[[nodiscard]] std::uint64_t bytes_to_tell(const Scene& scene);
 
 /// The shortest decimals that read back as the same float, as scene_text() writes them: "0.1", "-0.0".
 [[nodiscard]] std::string number_text(float x);

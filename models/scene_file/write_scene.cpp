@@ -103,4 +103,9 @@ template <class T> std::string text_of(const T& value) {
 
 std::string scene_text(const Scene& scene) { return text_of(scene); }
 
+std::uint64_t bytes_to_tell(const Scene& scene) {
+    constexpr std::uint64_t times = 4;
+    return times * scene_text(scene).size();
+}
+
 }  // namespace glint

@@ -69,6 +69,30 @@ TEST_CASE("what the glTF specification forbids is one line that says where and w
           "5126, \"count\": 3, \"type\": \"VEC3\"}, {\"bufferView\": 0, \"componentType\": 5126, "
           "\"count\": 3, \"type\": \"SCALAR\"}, ",
           "t.gltf: /meshes/0/primitives/0/indices: its componentType is 5126; expected 5121, 5123 or 5125");
+
+    const auto with_camera = [&](const std::string& camera) {
+        return error_of(
+            changed(node, "\"nodes\": [{\"mesh\": 0, \"camera\": 0}], \"cameras\": [" + camera + "]"));
+    };
+    CHECK(with_camera(R"({"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}})").empty());
+    CHECK(with_camera(R"({"type": "orthographic", "orthographic": {"ymag": 1, "zfar": 9, "znear": 1}})")
+              .empty());
+    CHECK(with_camera(R"({"type": "ortographic", "orthographic": {"ymag": 1, "zfar": 9, "znear": 1}})") ==
+          "t.gltf: /cameras/0: its type is \"ortographic\"; expected \"perspective\" or \"orthographic\"");
+    CHECK(with_camera("{}") ==
+          "t.gltf: /cameras/0: its type is \"\"; expected \"perspective\" or \"orthographic\"");
+    CHECK(with_camera(R"({"type": "perspective"})") ==
+          "t.gltf: /cameras/0: the key \"perspective\" is missing; expected the numbers of its lens");
+
+    const auto with_alpha = [](const std::string& mode) {
+        return error_of(changed(
+            "{\"POSITION\": 0}}]}],",
+            "{\"POSITION\": 0}, \"material\": 0}]}], \"materials\": [{\"alphaMode\": \"" + mode + "\"}],"));
+    };
+    for (const char* mode : {"OPAQUE", "MASK", "BLEND"}) CHECK(with_alpha(mode).empty());
+    CHECK(with_alpha("opaque") ==
+          "t.gltf: /materials/0/alphaMode: \"opaque\" is not known; expected \"OPAQUE\", \"MASK\" or "
+          "\"BLEND\"");
 }
 
 TEST_CASE("nodes of glTF that no scene reaches are checked too", "[gltf]") {
@@ -140,7 +164,8 @@ TEST_CASE("a light's range is left out with a warning, and its inner cone lies w
 }
 
 TEST_CASE("a camera that its node leaves no direction is one line", "[gltf]") {
-    const std::string camera = "\"cameras\": [{\"type\": \"perspective\"}], ";
+    const std::string camera =
+        "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1, \"znear\": 1}}], ";
     const auto check = [&](const std::string& node, const std::string& what) {
         CHECK(error_of(changed("\"nodes\": [{\"mesh\": 0}]",
                                camera + "\"nodes\": [{\"mesh\": 0, \"camera\": 0, " + node + "}]")) ==

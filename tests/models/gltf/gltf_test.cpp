@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
+#include "models/memory_limit.h"
 #include "models/mesh_formats/mesh_file.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
@@ -182,12 +183,15 @@ TEST_CASE("primitives that share their vertices are the meshes that they are wit
          {{"attributes": {{"POSITION": 0}}}}, {{"attributes": {{"POSITION": 0}}}}]}}],
       "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
                     {{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
-                    {{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
-                    {{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                    {{"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                    {{"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC3"}},
                     {{"bufferView": 1, "componentType": 5121, "count": 3, "type": "SCALAR"}}],
-      "bufferViews": [{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": 36, "byteLength": 3}}],
+      "bufferViews": [{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": 36, "byteLength": 3}},
+                      {{"buffer": 1, "byteLength": 36}}],
       "buffers": [{{"byteLength": 39, "uri":
-      "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAgEA"}}]}})",
+      "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAgEA"}},
+                  {{"byteLength": 36, "uri":
+      "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}]}})",
                            positions, normals);
     };
     const auto shared = GltfFile::parse(text(0, 1), "t.gltf"), own = GltfFile::parse(text(2, 3), "t.gltf");
@@ -204,6 +208,62 @@ TEST_CASE("primitives that share their vertices are the meshes that they are wit
         CHECK(std::get<Mesh>(a).corner_position ==
               (part == 1 ? std::vector<std::uint32_t>{2, 1, 0} : std::vector<std::uint32_t>{0, 1, 2}));
     }
+}
+
+namespace {
+
+/// `count` primitives of the same vertices, each with an accessor of its own: vertices from `step` times its
+/// number on, of `vertices` in all.
+std::string with_accessors(std::size_t count, std::size_t vertices, std::size_t step) {
+    std::string accessors, primitives;
+    for (std::size_t i = 0; i < count; ++i) {
+        accessors += fmt::format(
+            R"({}{{"bufferView": 0, "byteOffset": {}, "componentType": 5126, "count": {}, "type": "VEC3"}})",
+            i > 0 ? "," : "", 12 * step * i, vertices - step * i);
+        primitives += fmt::format(R"({}{{"attributes": {{"POSITION": {}}}}})", i > 0 ? "," : "", i);
+    }
+    return fmt::format(R"({{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}],
+      "meshes": [{{"primitives": [{}]}}], "accessors": [{}],
+      "bufferViews": [{{"buffer": 0, "byteLength": {}}}],
+      "buffers": [{{"byteLength": {}, "uri": "data:application/octet-stream;base64,{}"}}]}})",
+                       primitives, accessors, 12 * vertices, 12 * vertices, std::string(16 * vertices, 'A'));
+}
+
+}  // namespace
+
+TEST_CASE("what several accessors of glTF say alike is read once", "[gltf][memory]") {
+    const auto file = GltfFile::parse(with_accessors(3, 300, 0), "t.gltf");
+    REQUIRE(problem_of(file) == nullptr);
+    const std::uint64_t before = memory_left();
+    (void)std::get<GltfFile>(file).mesh(0);
+    const std::uint64_t once = memory_left();
+    CHECK(before - once >= 300 * sizeof(std::uint32_t));  // kept: the place of each vertex
+    (void)std::get<GltfFile>(file).mesh(2);
+    CHECK(memory_left() == once);
+}
+
+TEST_CASE("accessors of glTF that name the same bytes over and over are refused", "[gltf]") {
+    CHECK(problem_of(GltfFile::parse(with_accessors(50, 4000, 1), "t.gltf")) == nullptr);
+    CHECK(problem_of(GltfFile::parse(with_accessors(3000, 4000, 0), "t.gltf")) == nullptr);
+    const auto file = GltfFile::parse(with_accessors(1000, 4000, 1), "t.gltf");
+    REQUIRE(problem_of(file) != nullptr);
+    const std::string line = problem_of(file)->text();
+    CAPTURE(line);
+    CHECK(line.starts_with("t.gltf: its primitives name "));
+    CHECK(line.ends_with("; expected at most 64 times as many"));
+}
+
+TEST_CASE("the JSON of a glTF file is counted while the file is held", "[gltf][memory]") {
+    std::string values = "\"extras\": [0";
+    for (int i = 0; i < 20'000; ++i) values += ",[]";
+    const std::uint64_t before = memory_left();
+    {
+        const auto file =
+            GltfFile::parse(gltf_triangle::changed("\"nodes\"", values + "], \"nodes\""), "t.gltf");
+        REQUIRE(problem_of(file) == nullptr);
+        CHECK(before - memory_left() >= 20'000 * 50);  // an empty list takes 16 bytes, and 24 of its own
+    }
+    CHECK(memory_left() == before);
 }
 
 TEST_CASE("a node, a mesh or a light of glTF has no longer name than a scene's may be", "[gltf]") {

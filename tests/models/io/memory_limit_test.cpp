@@ -102,7 +102,23 @@ TEST_CASE("what is built of JSON text is reckoned while it is built", "[memory]"
     CHECK(problem_with(objects + "]}").find("large.json: this needs ") == 0);
     const std::string name(12 * mib, 'x');
     CHECK(problem_with(R"({"glint": 1, "about": ")" + name + "\"}").find("large.json: this needs ") == 0);
+    // The text, what is made of it, and the scene's own.
+    const std::string half(6 * mib, 'x');
+    CHECK(problem_with(R"({"glint": 1, "about": ")" + half + "\"}").find("large.json: this needs ") == 0);
     CHECK(problem_with(R"({"glint": 1, "about": "small"})").empty());
+}
+
+TEST_CASE("a string of JSON text is counted as reading it takes, before it is read", "[memory]") {
+    const auto is_refused = [](const std::string& text) {
+        const MemoryLimit room(16 * mib);
+        const Result<Scene> scene = parse_scene(text, "large.json");
+        return problem_of(scene) != nullptr &&
+               problem_of(scene)->text().find("this needs ") != std::string::npos;
+    };
+    const std::string name(5 * mib, 'x');
+    CHECK(is_refused(R"({"about": ")" + name));  // which ends early: nobody comes to see
+    CHECK(is_refused(R"({"\\": "\"", "about": ")" + name));
+    CHECK_FALSE(is_refused(R"({"about": [)" + std::string(5 * mib, ' ')));
 }
 
 TEST_CASE("a file that does not fit into memory is refused after its first block, and its share goes",

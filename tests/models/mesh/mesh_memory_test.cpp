@@ -10,7 +10,9 @@
 #include "models/scene_file/scene_file.h"
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/gltf_triangle.h"
 #include "tests/support/memory_helpers.h"
+#include "tests/support/mesh_file_bytes.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitized.h"
 
@@ -60,6 +62,27 @@ TEST_CASE("a mesh file is loaded once, whatever paths lead to it", "[memory][mes
     for (std::size_t i = 1; i < 6; ++i) CHECK(scene.objects[i].mesh == scene.objects[0].mesh);
     CHECK(scene.objects[6].mesh != scene.objects[0].mesh);
     CHECK(std::get<MeshFile>(scene.objects[3].source).path == "link.obj");  // named as it was
+}
+
+TEST_CASE("a glTF file of several parts is read once, whatever paths lead to it",
+          "[memory][mesh_file][gltf]") {
+    const TemporaryDirectory directory;
+    std::string values = R"("extras": [0)", primitives = R"({"attributes": {"POSITION": 0}})";
+    for (int i = 0; i < 20'000; ++i) values += ",[]";  // of which about 2 MiB are made
+    std::string parts = primitives;
+    for (int i = 1; i < 8; ++i) parts += ", " + primitives;
+    std::string text = gltf_triangle::changed(primitives, parts);
+    text.insert(1, values + "], ");
+    (void)directory.file("parts.gltf", text);
+    std::vector<MeshSource> sources;
+    for (int i = 0; i < 8; ++i) {
+        std::string path = "parts.gltf";
+        for (int k = 0; k < i; ++k) path.insert(0, "./");
+        sources.emplace_back(MeshFile{path, i});
+    }
+    Scene scene = scene_of(sources);
+    const MemoryLimit limit(6 * mib);
+    CHECK(problem_of(load_meshes(scene, "scene.json", directory.path())) == nullptr);
 }
 
 TEST_CASE("one file under two extensions is read as each says", "[memory][mesh_file]") {
@@ -182,6 +205,76 @@ TEST_CASE("a mesh that grows beyond the memory there is ends its reading", "[mem
     CHECK(is_refused(faces));
     for (int i = 0; i < 400000; ++i) vertices += "v 0 0 0\n";
     CHECK(is_refused(vertices));
+}
+
+TEST_CASE("each list of a mesh that grows is asked for before it does", "[memory][mesh_file]") {
+    // What follows is wrong, which nobody comes to see.
+    const auto is_refused = [](const std::string& name, const std::string& bytes, std::uint64_t room) {
+        const MemoryLimit limit(room);
+        const Result<Mesh> mesh = parse_mesh(bytes, name);
+        const std::string text = problem_of(mesh) != nullptr ? problem_of(mesh)->text() : "";
+        CAPTURE(name, text);
+        CHECK(text.find("for the meshes; expected at most") != std::string::npos);
+    };
+    const auto times = [](int count, const std::string& text) {
+        std::string all;
+        for (int i = 0; i < count; ++i) all += text;
+        return all;
+    };
+    std::string ahead = "f";
+    for (int i = 1; i <= 50'000; ++i) ahead += fmt::format(" {}", i);
+    is_refused("normals.obj", square_obj + times(200'000, "vn 0 0 1\n") + "x\n", 2 * mib);
+    is_refused("corners.obj", square_obj + ("f" + times(200'000, " 1 2 3") + " x\n"), 2 * mib);
+    is_refused("ahead.obj", ahead + " x\n", mib);
+    is_refused("named.obj", square_obj + ("f" + times(50'000, " 1//1 2//1 3//1") + " x\n"), mib + mib / 2);
+    is_refused("colors.obj", times(100'000, "v 0 0 0 1 1 1\n") + "x\n", 2 * mib);
+    is_refused("corners.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n600001" + times(200'000, " 0 1 2") + " x\n",
+               2 * mib);
+    is_refused("normals.off", "NOFF\n100001 1 0\n" + times(100'000, "0 0 0 0 0 1\n") + "x\n", 2 * mib);
+    is_refused("colors.off", "COFF\n100001 1 0\n" + times(100'000, "0 0 0 1 1 1\n") + "x\n", 2 * mib);
+    const std::string places = "property float x\nproperty float y\nproperty float z\n";
+    const auto ply = [&](const std::string& more) {
+        return "ply\nformat ascii 1.0\nelement vertex 100001\n" + places + more + "end_header\n" +
+               times(100'000, "0 0 0 0 0 1\n") + "x\n";
+    };
+    is_refused("normals.ply", ply("property float nx\nproperty float ny\nproperty float nz\n"), 2 * mib);
+    is_refused("colors.ply", ply("property float red\nproperty float green\nproperty float blue\n"), 2 * mib);
+    is_refused("corners.ply",
+               "ply\nformat binary_little_endian 1.0\nelement vertex 1\n" + places +
+                   "element face 1\nproperty list uint uchar vertex_indices\nend_header\n" +
+                   test::Bytes(std::string(12, '\0')).u32({1'000'000}).str() + std::string(800'000, '\0'),
+               2 * mib);
+    const auto om = [&](const test::Bytes& after, std::uint32_t vertices) {
+        return test::Bytes("OMP\x42").u32({vertices, 0, 0}).u16({0x1600}).str() +
+               std::string(12 * std::size_t{vertices}, '\0') + after.str();
+    };
+    is_refused("places.om", om(test::Bytes(), 200'000), 2 * mib);
+    is_refused("colors.om",
+               om(test::Bytes(test::Bytes().u16({0x1080}).str() + std::string(300'000, '\0')), 100'000),
+               2 * mib);
+    test::Bytes stl(std::string(80, '\0'));
+    stl.u32({10'001});
+    for (int i = 0; i <= 10'000; ++i) {
+        const auto x = static_cast<float>(i);
+        stl.f32({0, 0, 1, x, 0, 0, x, 1, 0, x, 0, i < 10'000 ? 1 : 1e38f}).u16({0});
+    }
+    is_refused("places.stl", stl.str(), mib);
+}
+
+TEST_CASE("of corners that name vertices ahead only those are kept that may be the first out of range",
+          "[memory][mesh_file][obj]") {
+    std::string faces, vertices;
+    for (int i = 0; i < 20'000; ++i) faces += "f 9 8 7\n";
+    for (int i = 0; i < 9; ++i) vertices += fmt::format("v {} {} 0\n", i, i * i);
+    const MemoryLimit limit(mib);
+    CHECK(problem_of(parse_mesh(faces + vertices, "x.obj")) == nullptr);
+    const auto line_of = [&](const std::string& text) {
+        const Result<Mesh> mesh = parse_mesh(text + vertices, "x.obj");
+        return problem_of(mesh) != nullptr ? problem_of(mesh)->text() : "";
+    };
+    CHECK(line_of("f 9 8 7\nf 1 12 3\nf 14 11 10\n").starts_with("x.obj:2: vertex index 12 is out of range"));
+    CHECK(line_of("f 9 8 7\nf 1 2 3\nf 1 14 2\nf 20 1 2\n")
+              .starts_with("x.obj:3: vertex index 14 is out of range"));
 }
 
 TEST_CASE("the triangles of a mesh are asked for before they are made", "[memory][mesh_file]") {
