@@ -1,5 +1,6 @@
 #include "models/gltf/gltf_buffer.h"
 
+#include <algorithm>
 #include <bit>
 #include <glm/common.hpp>
 #include <map>
@@ -24,18 +25,29 @@ GltfJson numbers_json(const glm::vec3& v) {
     return GltfJson::array({number_json(v.x), number_json(v.y), number_json(v.z)});
 }
 
-std::string glb_container(std::string json, std::string bin) {
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    bin.resize((bin.size() + 3) / 4 * 4, '\0');
-    std::string out = "glTF";
+std::string glb_container(std::string_view json, std::string_view bin) {
+    const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
+    const std::size_t length = 12 + 8 + padded(json.size()) + (bin.empty() ? 0 : 8 + padded(bin.size()));
+    std::string out;
+    out.reserve(length);
     const auto number = [&out](std::size_t n) { append(out, static_cast<std::uint32_t>(n)); };
+    const auto chunk = [&](std::string_view type, std::string_view content, char filler) {
+        number(padded(content.size()));
+        out += type;
+        out += content;
+        out.append(padded(content.size()) - content.size(), filler);
+    };
+    out += "glTF";
     number(2);
-    number(12 + 8 + json.size() + (bin.empty() ? 0 : 8 + bin.size()));
-    number(json.size());
-    out += "JSON" + json;
-    if (bin.empty()) return out;
-    number(bin.size());
-    return out + std::string("BIN\0", 4) + bin;
+    number(length);
+    chunk("JSON", json, ' ');
+    if (!bin.empty()) chunk({"BIN\0", 4}, bin, '\0');
+    return out;
+}
+
+GltfMeshKey mesh_key(const Object& object) {
+    const NormalOptions& n = object.normals;
+    return {object.mesh.get(), n.source, n.weighting, n.crease_deg, n.flip};
 }
 
 int GltfBuffer::add_view(std::size_t begin, int target) {
@@ -76,9 +88,16 @@ int GltfBuffer::add_indices(const std::vector<std::uint32_t>& indices) {
 
 GltfJson GltfBuffer::add(const Object& object) {
     const Mesh& mesh = *object.mesh;
+    const std::uint64_t of_corners =
+        mesh.corner_position.size() * (2 * sizeof(glm::vec3) + sizeof(std::uint32_t)) +
+        3 * sizeof(std::uint32_t) * mesh.triangles.size();
+    MemoryShare share(memory_need(MemoryUse::Output, of_corners));
     const CornerNormals normals = corner_normals(mesh, object.normals);
     // A vertex is a place with a normal.
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;
+    // Its node in the map, and what it has in two lists, which are there one and a half times as they grow.
+    constexpr std::uint64_t of_vertex = 64 + std::uint64_t{3} * 2 * sizeof(glm::vec3);
+    constexpr std::size_t asked_at_once = 1 << 16;
     std::vector<glm::vec3> places, directions;
     std::vector<std::uint32_t> indices;
     indices.reserve(3 * mesh.triangles.size());
@@ -88,11 +107,18 @@ GltfJson GltfBuffer::add(const Object& object) {
             const std::uint32_t normal = normals.corner.empty() ? position : normals.corner[corner];
             const auto [at, is_new] = known.emplace(std::pair(position, normal), places.size());
             if (is_new) {
+                if (places.size() % asked_at_once == 0)
+                    share.set(memory_need(MemoryUse::Output,
+                                          of_corners + of_vertex * std::min(places.size() + asked_at_once,
+                                                                            mesh.corner_position.size())));
                 places.push_back(mesh.positions[position]);
                 directions.push_back((object.normals.flip ? -1.0f : 1.0f) * normals.normals[normal]);
             }
             indices.push_back(at->second);
         }
+    const std::uint64_t bytes =
+        bytes_.size() + 2 * sizeof(glm::vec3) * places.size() + sizeof(std::uint32_t) * indices.size();
+    share_.set(memory_need(MemoryUse::Output, 3 * bytes));  // up to twice as it grows, and in the file
     const int place = add_vectors(places, true), direction = add_vectors(directions, false);
     return {{"attributes", {{"POSITION", place}, {"NORMAL", direction}}}, {"indices", add_indices(indices)}};
 }

@@ -4,8 +4,11 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
+#include "models/memory_limit.h"
 #include "models/scene/scene.h"
 
 namespace glint {
@@ -17,14 +20,18 @@ using GltfJson = nlohmann::ordered_json;
 [[nodiscard]] GltfJson numbers_json(const glm::vec3& v);
 
 /// A .glb file of its two chunks; together below 4 GiB.
-[[nodiscard]] std::string glb_container(std::string json, std::string bin);
+[[nodiscard]] std::string glb_container(std::string_view json, std::string_view bin);
+
+/// What the numbers of an object's mesh follow from: objects of one key share them.
+using GltfMeshKey = std::tuple<const Mesh*, NormalSource, NormalWeighting, float, bool>;
+[[nodiscard]] GltfMeshKey mesh_key(const Object& object);
 
 /// Collects the numbers of meshes, with the buffer views and accessors that say where they lie.
 class GltfBuffer {
   public:
     /// Adds the object's mesh with the normals that it is drawn with (`flip` reverses them). Returns the
-    /// accessors as the members "attributes" and "indices" of a primitive. Precondition: the object's mesh is
-    /// loaded.
+    /// accessors as the members "attributes" and "indices" of a primitive. Throws Refused where there is no
+    /// memory for the numbers or for the file that they go into. Precondition: the object's mesh is loaded.
     [[nodiscard]] GltfJson add(const Object& object);
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
     [[nodiscard]] const GltfJson& views() const { return views_; }
@@ -36,6 +43,7 @@ class GltfBuffer {
     int add_view(std::size_t begin, int target);
 
     std::string bytes_;
+    MemoryShare share_;  // of bytes_, and of the file that holds them, too
     GltfJson views_ = GltfJson::array(), accessors_ = GltfJson::array();
 };
 

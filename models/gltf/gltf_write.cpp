@@ -8,6 +8,7 @@
 #include <glm/vector_relational.hpp>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "models/gltf/gltf.h"
@@ -47,9 +48,9 @@ class Writer {
         json_["asset"] = {{"version", "2.0"}, {"generator", gltf_generator}};
         json_["scene"] = 0;
         json_["scenes"] = GltfJson::array({{{"name", name}, {"nodes", roots_}}});
-        json_["nodes"] = nodes_;
-        json_["meshes"] = meshes_;
-        json_["materials"] = materials_;
+        json_["nodes"] = std::move(nodes_);
+        json_["meshes"] = std::move(meshes_);
+        json_["materials"] = std::move(materials_);
         json_["accessors"] = buffer_.accessors();
         json_["bufferViews"] = buffer_.views();
         json_["buffers"] = GltfJson::array({{{"byteLength", buffer_.bytes().size()}}});
@@ -71,26 +72,34 @@ class Writer {
     void add(const Object& object) {
         if (!object.visible) return void(++unsaid_.invisible);
         if (object.mesh->triangles.empty()) return void(++unsaid_.empty);
-        using Key = std::tuple<const Mesh*, NormalSource, NormalWeighting, float, bool>;
-        const NormalOptions& n = object.normals;
-        const Key key{object.mesh.get(), n.source, n.weighting, n.crease_deg, n.flip};
-        if (!primitives_.contains(key)) primitives_[key] = buffer_.add(object);
-        GltfJson primitive = primitives_[key];
-        primitive["material"] = add(object.material);
-        meshes_.push_back({{"name", object.name}, {"primitives", GltfJson::array({primitive})}});
         const glm::dvec3 turn = glm::radians(glm::dvec3(object.transform.rotate_deg));
         const glm::dquat q = glm::angleAxis(turn.z, glm::dvec3(0, 0, 1)) *
                              glm::angleAxis(turn.y, glm::dvec3(0, 1, 0)) *
                              glm::angleAxis(turn.x, glm::dvec3(1, 0, 0));
         add_node({{"name", object.name},
-                  {"mesh", meshes_.size() - 1},
+                  {"mesh", add_mesh(object)},
                   {"translation", numbers_json(object.transform.translate)},
                   {"rotation", {q.x, q.y, q.z, q.w}},
                   {"scale", numbers_json(object.transform.scale)}},
                  roots_);
     }
 
-    int add(const Material& m) {
+    /// Objects of one mesh and material show one mesh: who opens the file makes it once. But a mesh's name
+    /// would be that of an object without one.
+    std::size_t add_mesh(const Object& object) {
+        const GltfMeshKey key = mesh_key(object);
+        const std::size_t material = add(object.material);
+        const auto [known, is_new] =
+            known_meshes_.try_emplace({key, material, object.name.empty()}, meshes_.size());
+        if (!is_new) return known->second;
+        if (!primitives_.contains(key)) primitives_[key] = buffer_.add(object);
+        GltfJson primitive = primitives_[key];
+        primitive["material"] = material;
+        meshes_.push_back({{"name", object.name}, {"primitives", GltfJson::array({primitive})}});
+        return known->second;
+    }
+
+    std::size_t add(const Material& m) {
         const bool is_physical = scene_.shading.reflection == Reflection::CookTorrance;
         const std::optional<GltfMetal> metal = is_physical ? metal_of(m) : std::nullopt;
         if (!metal || m.specular != glm::vec3(1)) ++unsaid_.materials;
@@ -111,8 +120,9 @@ class Writer {
             out["extensions"][strength_extension]["emissiveStrength"] = number_json(strength);
             has_strength_ = true;
         }
-        materials_.push_back(out);
-        return static_cast<int>(materials_.size()) - 1;
+        const auto [known, is_new] = known_materials_.try_emplace(out.dump(), materials_.size());
+        if (is_new) materials_.push_back(std::move(out));
+        return known->second;
     }
 
     int add_camera() {
@@ -137,7 +147,9 @@ class Writer {
     GltfBuffer buffer_;
     GltfJson json_, nodes_ = GltfJson::array(), meshes_ = GltfJson::array(), materials_ = GltfJson::array(),
                     lights_ = GltfJson::array(), roots_ = GltfJson::array();
-    std::map<std::tuple<const Mesh*, NormalSource, NormalWeighting, float, bool>, GltfJson> primitives_;
+    std::map<GltfMeshKey, GltfJson> primitives_;
+    std::map<std::string, std::size_t> known_materials_;  // by their JSON
+    std::map<std::tuple<GltfMeshKey, std::size_t, bool>, std::size_t> known_meshes_;
     GltfUnsaid unsaid_;
     bool has_strength_ = false;
 };
@@ -145,13 +157,20 @@ class Writer {
 }  // namespace
 
 Result<GltfWritten> glb_of(const Scene& scene, const std::string& name) {
-    std::uint64_t bytes = 0;
-    for (const Object& object : scene.objects) bytes += 100 * object.mesh->triangles.size();
+    std::set<GltfMeshKey> meshes;
+    std::uint64_t bytes = 0, text = 0;
+    for (const Object& object : scene.objects) {
+        if (meshes.insert(mesh_key(object)).second) bytes += 100 * object.mesh->triangles.size();
+        text += 1000 + 2 * object.name.size();  // of its node and mesh
+    }
     constexpr std::uint64_t most = 4294967295;  // what the header can say
-    if (bytes > most) return Problem{"", "", "the meshes are too large for one .glb file", "less than 4 GiB"};
+    if (bytes + text > most)
+        return Problem{"", "", "the meshes are too large for one .glb file", "less than 4 GiB"};
     try {
-        const MemoryShare share(memory_need(MemoryUse::Output, 2 * bytes));
+        // The numbers ask for their own. A text is there as values, as it is written, and in the file.
+        MemoryShare share(memory_need(MemoryUse::Output, 4 * text));
         GltfWritten written = Writer(scene).write(name);
+        share.set(memory_need(MemoryUse::Output, written.bytes.size()));
         if (auto problem = why_unreadable(written.bytes)) return *std::move(problem);
         return written;
     } catch (const ProblemFound& found) {

@@ -91,7 +91,8 @@ TEST_CASE("every model has its text for programs", "[programs]") {
 
 TEST_CASE("meshes of a glTF file have the names of its objects", "[programs][cli]") {
     const TemporaryDirectory folder;
-    const std::string two = R"({"glint": 1, "objects": [{"name": "left ball"}, {"name": "right"}]})";
+    const std::string two = R"({"glint": 1, "objects": [{"name": "left ball"},
+        {"name": "right", "mesh": {"primitive": "cube"}}]})";
     REQUIRE(run_glint({"export", "-", "-o", folder.path("two.glb")}, two).status == 0);
     const Ended ended =
         run_glint({"code", folder.path("two.glb"), "--language", "cpp", "-o", folder.path("new")});

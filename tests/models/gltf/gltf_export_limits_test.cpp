@@ -6,9 +6,12 @@
 #include <random>
 
 #include "models/gltf/gltf.h"
+#include "models/gltf/gltf_open.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
+#include "tests/support/scenes.h"
 
 using namespace glint;
 
@@ -216,4 +219,59 @@ TEST_CASE("whatever numbers a scene has, its .glb opens again or is refused", "[
     }
     CHECK(written > 200);
     CHECK(refused > 20);
+}
+
+TEST_CASE("objects of one mesh and material are written, and read back, as one mesh", "[gltf]") {
+    Scene scene;
+    scene.objects.assign(1, test::object_of(test::primitive(Primitive::Sphere, 40), ""));
+    const Result<GltfWritten> alone = glb_of(scene, "m");
+    REQUIRE(problem_of(alone) == nullptr);
+    scene.objects.assign(3, scene.objects[0]);
+    scene.objects[0].name = "Ball";
+    scene.objects[1].name = "Second";
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects.back().material.diffuse = {1, 0, 0};
+    const Result<GltfWritten> written = glb_of(scene, "m");
+    REQUIRE(problem_of(written) == nullptr);
+    const std::string& bytes = std::get<GltfWritten>(written).bytes;
+    CHECK(bytes.size() < std::get<GltfWritten>(alone).bytes.size() * 3 / 2);
+    const Result<GltfOpened> opened = open_gltf(GltfFile::parse(bytes, ""), "m.glb");
+    REQUIRE(problem_of(opened) == nullptr);
+    const std::vector<Object>& objects = std::get<GltfOpened>(opened).scene.objects;
+    REQUIRE(objects.size() == 4);
+    CHECK(objects[0].mesh == objects[1].mesh);
+    CHECK(objects[1].name == "Second");
+    CHECK(objects[2].name == "Object 3");  // and not by the name of the mesh that it shares
+    CHECK(objects[3].material.diffuse == glm::vec3(1, 0, 0));
+}
+
+TEST_CASE("as large as one .glb may be is what it holds once, however many objects show it", "[gltf]") {
+    Scene scene;
+    const MeshPtr ball = test::primitive(Primitive::Sphere, 100);
+    scene.objects.assign(4294967295 / (100 * ball->triangles.size()) + 1, test::object_of(ball));
+    const Result<GltfWritten> written = glb_of(scene, "m");
+    if (const Problem* problem = problem_of(written)) FAIL(problem->text());
+    CHECK(std::get<GltfWritten>(written).bytes.size() < 3'000'000);
+}
+
+TEST_CASE("a .glb is made only where there is memory for its meshes and its names", "[gltf][memory]") {
+    Scene soup, named;
+    soup.objects = {test::object_of(test::primitive(Primitive::Sphere, 200))};
+    soup.objects[0].normals.source = NormalSource::Facet;  // each corner is a vertex of its own
+    named.objects.assign(1000, test::object_of(test::primitive(Primitive::Cube, 1)));
+    std::string name;
+    for (int i = 0; i < 1000; ++i) name += "\U0001F600";
+    for (Object& object : named.objects) object.name = name;
+    for (const Scene* scene : {&soup, &named}) {
+        const auto made = [scene](std::uint64_t room) {
+            const test::MemoryLimit limit(room);
+            const Result<GltfWritten> written = glb_of(*scene, "m");
+            return problem_of(written) == nullptr ? "" : problem_of(written)->what;
+        };
+        CHECK(made(60'000'000) == "");
+        // Before anything is written, and not when it is read back.
+        const std::string refused = made(12'000'000);
+        CAPTURE(refused);
+        CHECK(refused.starts_with("this needs "));
+    }
 }
