@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <tuple>
 
 #include "models/fields/choices.h"
 #include "models/gltf/gltf.h"
@@ -112,17 +111,17 @@ struct MeshFiles {
     std::vector<std::string> of_object;
 };
 MeshFiles mesh_files(const Scene& scene) {
-    using Key = std::tuple<const Mesh*, NormalSource, NormalWeighting, float>;
-    std::map<Key, std::string> known;
+    constexpr std::size_t longest_stem = 60;  // a file's name may have 255 bytes, and gets more letters
+    std::map<NormalsKey, std::string> known;
     Identifiers names({});
     MeshFiles out;
     for (const Object& o : shown(scene)) {
-        std::string& file =
-            known[{o.mesh.get(), o.normals.source, o.normals.weighting, o.normals.crease_deg}];
+        std::string& file = known[normals_key(o)];
         if (file.empty()) {
             const std::string source = source_name(o.source);  // several objects of one glTF file
             const std::string stem = std::filesystem::path(source).stem().string();
-            file = names.once(in_letters(is_gltf_path(source) ? o.name : stem, "mesh")) + ".mesh";
+            const std::string name = in_letters(is_gltf_path(source) ? o.name : stem, "mesh");
+            file = names.once(name.substr(0, longest_stem)) + ".mesh";
             out.files.push_back({file, o});
         }
         out.of_object.push_back(file);

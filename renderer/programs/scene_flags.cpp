@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "models/fields/choices.h"
 #include "models/scene/mistakes.h"
@@ -55,7 +56,9 @@ struct Facts {
     }
     /// Where the normals of corners are zero, a point takes the facet's.
     [[nodiscard]] bool any_normal_missing() const {
-        return std::any_of(objects.begin(), objects.end(), [](const Object& o) {
+        std::set<NormalsKey> looked_at;  // once each: many objects may show one large mesh
+        return std::any_of(objects.begin(), objects.end(), [&looked_at](const Object& o) {
+            if (!looked_at.insert(normals_key(o)).second) return false;
             const std::vector<glm::vec3> normals = corner_normals(*o.mesh, o.normals).normals;
             return std::find(normals.begin(), normals.end(), glm::vec3(0)) != normals.end();
         });
@@ -90,10 +93,16 @@ bool near_plane_cuts(const Facts& f) {
         clip_from_view(f.scene.camera.projection, {}) * view_from_world(f.scene.camera);
     return std::any_of(f.objects.begin(), f.objects.end(), [&clip_from_world](const Object& o) {
         const glm::dmat4 m = clip_from_world * world_from_object(o.transform);
-        return std::any_of(o.mesh->positions.begin(), o.mesh->positions.end(), [&m](const glm::vec3& p) {
+        const auto is_behind = [&m](const glm::vec3& p) {
             const glm::dvec4 c = m * glm::dvec4(glm::dvec3(p), 1);
             return c.z < -c.w;
-        });
+        };
+        // What lies in a box of which no corner is behind the plane is not behind it.
+        const std::array<glm::vec3, 2> ends{o.mesh->bounds.min, o.mesh->bounds.max};
+        bool any_corner = false;
+        for (std::size_t i = 0; i < 8; ++i)
+            any_corner = any_corner || is_behind({ends[i & 1].x, ends[i >> 1 & 1].y, ends[i >> 2].z});
+        return any_corner && std::any_of(o.mesh->positions.begin(), o.mesh->positions.end(), is_behind);
     });
 }
 
@@ -239,6 +248,11 @@ std::vector<Object> shown(const Scene& scene) {
     std::copy_if(scene.objects.begin(), scene.objects.end(), std::back_inserter(objects),
                  [](const Object& o) { return o.visible; });
     return objects;
+}
+
+NormalsKey normals_key(const Object& object) {
+    const NormalOptions& n = object.normals;
+    return {object.mesh.get(), n.source, n.weighting, n.crease_deg};
 }
 
 std::vector<Need> needs_of(const Scene& scene) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -221,14 +223,17 @@ std::string lights_text(const std::vector<Light>& lights, Language language, con
 }
 
 /// Whether a library that the program includes may have a function or a macro of that name: those are written
-/// in small letters (free), in capitals (NULL, RAND_MAX), or begin with OpenGL's.
+/// in small letters (free), in capitals (NULL, RAND_MAX), or begin as OpenGL's and C's mixed ones do (M_PIf).
 bool may_be_a_library_name(const std::string& name) {
     const auto is_in = [](char low, char high) {
         return [low, high](char c) { return c >= low && c <= high; };
     };
     const bool small = std::any_of(name.begin(), name.end(), is_in('a', 'z'));
     const bool capital = std::any_of(name.begin(), name.end(), is_in('A', 'Z'));
-    return !small || !capital || name.starts_with("GL") || name.starts_with("gl");
+    constexpr std::array<std::string_view, 6> beginnings{"GL", "gl", "OSMesa", "M_", "L_", "P_"};
+    return !small || !capital ||
+           std::any_of(beginnings.begin(), beginnings.end(),
+                       [&name](std::string_view begin) { return name.starts_with(begin); });
 }
 
 }  // namespace

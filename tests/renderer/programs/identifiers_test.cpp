@@ -14,3 +14,12 @@ TEST_CASE("what has one name is numbered in a program, past numbers that stand f
     CHECK(identifiers.once("x_3") == "x_3_2");
     CHECK(identifiers.once("y") == "y");
 }
+
+TEST_CASE("a name that a library may have defined is none of a program's", "[programs]") {
+    Identifiers identifiers({});
+    for (const std::string name :
+         {"log", "NULL", "GLint", "glFlush", "OSMesaPixelStore", "M_PIf", "L_tmpnam", "P_tmpdir"})
+        CHECK(identifiers.of(name, "object") == name + "_object");
+    for (const std::string name : {"Teapot", "Left_lamp", "Moon", "Plate"})
+        CHECK(identifiers.of(name, "object") == name);
+}
