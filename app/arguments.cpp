@@ -168,7 +168,8 @@ bool takes_png(const std::string& out) {
 }
 
 void require_png_file(const std::string& out) {
-    if (out == "-") throw wrong_usage("-o", "standard output is the answer's", "a name that ends in .png");
+    if (is_standard_output(out))
+        throw wrong_usage("-o", "standard output is the answer's", "a name that ends in .png");
     if (out.empty() || takes_png(out)) return;
     throw wrong_usage("-o", out + " cannot be written", "a name that ends in .png");
 }

@@ -107,6 +107,9 @@ Options::~Options() = default;
 void Options::add_version() { parts_->app.set_version_flag("--version", "glint"); }
 
 Options::Asked Options::parse(std::vector<std::string> arguments) {
+    // CLI11 takes "[a,b]" for a list of two words; "./[a,b]" is the file of that name.
+    for (std::string& word : arguments)
+        if (word.starts_with('[') && word.ends_with(']')) word.insert(0, "./");
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     try {
         parts_->app.parse(std::move(arguments));

@@ -54,12 +54,12 @@ Outcome code(const CodeArguments& arguments) {
         throw wrong_usage("--language", "is missing",
                           fmt::format("{}", fmt::join(names_of<Language>(), ", ")));
     require_given(arguments.out, "-o", "a new or an empty directory");
+    const std::unique_ptr<NewDirectory> made = new_directory(arguments.out);
     const SceneDocument document = open_scene(arguments.scene);
     Result<Program> written = write_program(
         {document.scene, arguments.size, name_of_scene(arguments.scene.file)}, *arguments.language);
     if (auto* problem = std::get_if<Problem>(&written)) problem->file = arguments.scene.file;
     const Program program = take(std::move(written));
-    const std::unique_ptr<NewDirectory> made = new_directory(arguments.out);
     FilesTogether together;
     const auto add = [&](const std::string& name, std::string text) {
         (void)take(together.add((fs::path(arguments.out) / name).string(), std::move(text)));

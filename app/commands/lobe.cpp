@@ -3,6 +3,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "models/memory_limit.h"
 #include "renderer/inspect/answers/reflectance_answers.h"
 
 namespace glint {
@@ -29,6 +30,10 @@ Outcome lobe(const LobeArguments& arguments) {
     const Object& object = object_of(document.scene, arguments.object);
     const Shading& shading = document.scene.shading;
     const Reflector reflector{shading.reflection, object.material, shading.terms};
+    // A sample, twice as their list grows, and its line of CSV: 16 numbers, which grows likewise.
+    constexpr std::uint64_t of_sample = 2 * sizeof(LobeSample) + std::uint64_t{2} * 16 * 10;
+    const MemoryShare share(
+        memory_need(MemoryUse::Output, of_sample * (static_cast<std::uint64_t>(arguments.steps) + 1)));
     const auto slice = lobe_slice(reflector, arguments.light_deg, arguments.steps);
     return {arguments.as_json ? json_text(lobe_json(reflector, object.name, arguments.light_deg, slice))
                               : lobe_csv(slice),

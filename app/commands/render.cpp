@@ -63,7 +63,7 @@ std::string buffer_path(const RenderArguments& arguments, const std::string& nam
 }
 
 void require_possible(const RenderArguments& arguments) {
-    if (arguments.stats && arguments.out == "-")
+    if (arguments.stats && is_standard_output(arguments.out))
         throw wrong_usage("--stats", "standard output is the picture's", "a file behind -o");
     if (arguments.buffers.empty()) return;
     if (arguments.samples > 1)

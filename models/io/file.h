@@ -54,6 +54,9 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// Does what write_file() does, but takes a pipe for a problem: a window must not wait until somebody reads.
 [[nodiscard]] Result<std::monostate> write_file_at_once(const std::string& path, std::string_view bytes);
 
+/// True for standard output under any of the names that write_file() knows it by.
+[[nodiscard]] bool is_standard_output(const std::string& path);
+
 /// Why write_file() could not write there, as far as that can be told before there is anything to write;
 /// nothing when it could. For long work that ends in a file. Changes nothing.
 [[nodiscard]] std::optional<Problem> why_not_writable(const std::string& path);

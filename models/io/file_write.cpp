@@ -209,6 +209,8 @@ Result<std::monostate> write_file_at_once(const std::string& path, std::string_v
     return write_file(path, bytes);
 }
 
+bool is_standard_output(const std::string& path) { return descriptor_named(path) == STDOUT_FILENO; }
+
 std::optional<Problem> why_not_writable(const std::string& path) {
     const Target target = target_of(path);
     int error = target.error;

@@ -186,6 +186,17 @@ TEST_CASE("glint lobe says what is wrong with its options", "[cli][lobes][bad-in
     check_wrong({"lobe", "-", "--format", "xml"}, "--format: xml is not known; expected csv, json");
 }
 
+TEST_CASE("glint lobe takes no more memory than it may", "[cli][lobes][memory]") {
+    for (const char* const format : {"csv", "json"}) {
+        const Ended ended =
+            run_glint({"lobe", "-", "--steps", "100000", "--format", format, "--memory", "4M"},
+                      R"({"glint": 1, "objects": [{}]})");
+        CHECK(ended.status == 1);
+        CHECK(ended.out.empty());
+        CHECK(ended.err.find(": this needs ") != std::string::npos);
+    }
+}
+
 TEST_CASE("glint microfacets answers in JSON, the same for the same seed", "[cli][microfacets]") {
     const std::vector<std::string> arguments{"microfacets", "--roughness", "0.3",    "--angle", "60",
                                              "--rays",      "500",         "--seed", "9"};

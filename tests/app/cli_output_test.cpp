@@ -105,6 +105,15 @@ TEST_CASE("where the output cannot be written is told before the work begins", "
     CHECK(run_glint({"sheet", missing, "--rows", "/display/exposure=1,2", "--cols",
                      "/display/transfer=none,srgb", "-o", out})
               .err == line);
+    const std::string glb = directory.path("none/a.glb"), program = directory.path("none/program");
+    CHECK(
+        run_glint({"export", missing, "-o", glb}).err.starts_with("glint: error: " + glb + ": cannot write"));
+    CHECK(run_glint({"code", missing, "--language", "cpp", "-o", program}).err ==
+          "glint: error: " + program +
+              ": cannot be made: no such file or directory; expected a new or an empty directory\n");
+    // A directory that was made for nothing is gone again.
+    CHECK(run_glint({"code", missing, "--language", "cpp", "-o", directory.path("new")}).status == 1);
+    CHECK(directory.names().empty());
 }
 
 TEST_CASE("of a file that is not there it is said that it is not there, whatever its name",
@@ -234,4 +243,23 @@ TEST_CASE("two buffers that a link makes one file are refused before anything is
     CHECK(run_glint({"render", scene, "-o", in.path("a.png"), "--size", "8x8", "--buffers", out.path()})
               .status == 0);
     CHECK(bytes_of(in.path("elsewhere.pfm")).starts_with("PF\n8 8\n"));
+}
+
+TEST_CASE("a picture and an answer do not both go to standard output, whatever it is called",
+          "[cli][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", ball_text), a = directory.path("a.png");
+    REQUIRE(run_glint({"render", scene, "-o", a, "--size", "8x8"}).status == 0);
+    for (const char* const out : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+        CAPTURE(out);
+        for (const std::vector<std::string>& words :
+             std::vector<std::vector<std::string>>{{"render", scene, "--size", "8x8", "--stats", "-o", out},
+                                                   {"compare", a, a, "-o", out},
+                                                   {"diagnose", scene, a, "-o", out}}) {
+            const Ended ended = run_glint(words, {}, "| cat");  // a pipe takes a PNG, whatever its name
+            CHECK(ended.status == 2);
+            CHECK(ended.out.empty());
+            CHECK(ended.err.find(": standard output is the ") != std::string::npos);
+        }
+    }
 }

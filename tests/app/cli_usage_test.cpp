@@ -245,3 +245,9 @@ TEST_CASE("the least and the most of a count are taken, and one beyond is refuse
           "glint: error: --rays: 100001 is out of range; expected 1 to 100000\n");
     CHECK(run_glint({"microfacets", "--facets", "3"}).status == 2);
 }
+
+TEST_CASE("a name in brackets is one name", "[cli][bad-input]") {
+    const Ended ended = run_glint({"quiz", "[not,there]"});
+    CHECK(ended.status != 0);
+    CHECK(ended.err.starts_with("glint: error: ./[not,there]: "));
+}

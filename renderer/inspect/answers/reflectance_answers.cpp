@@ -69,6 +69,8 @@ Json json_of(const MicrofacetOptions& o, const MicrofacetPicture& p, const std::
 
 JsonValue lobe_json(const Reflector& reflector, const std::string& object, double light_deg,
                     const std::vector<LobeSample>& slice) {
+    const std::uint64_t listed = slice.size() * (sizeof(Json) + json_of(LobeSample{}).memory());
+    const MemoryShare share(memory_need(MemoryUse::Output, 2 * listed));  // a list that grows is there twice
     Json json{{"object", object},
               {"reflection", name_of(reflector.reflection)},
               {"light_deg", light_deg},

@@ -11,11 +11,12 @@
 namespace glint {
 
 /// `glint lobe` of the object's material under the scene's reflection model and terms. `slice` is
-/// lobe_slice() of that reflector and angle.
+/// lobe_slice() of that reflector and angle. Throws Refused where there is no memory for it.
 [[nodiscard]] JsonValue lobe_json(const Reflector& reflector, const std::string& object, double light_deg,
                                   const std::vector<LobeSample>& slice);
 
-/// `glint microfacets`; `lobe_rays` rays count its lobe in space. Throws Refused where there is no memory for it.
+/// `glint microfacets`; `lobe_rays` rays count its lobe in space. Throws Refused where there is no memory for
+/// it.
 [[nodiscard]] JsonValue microfacets_json(const MicrofacetOptions& options, int lobe_rays = 100000);
 
 }  // namespace glint

@@ -140,3 +140,14 @@ TEST_CASE("each pixel is explained at most eight times for all buffers, however 
             CHECK(at_once <= std::max<std::size_t>(12 + all / 8, (64 << 20) / (12 * size.pixels())));
         }
 }
+
+TEST_CASE("a lobe is told only where there is memory for telling of it", "[memory][lobes]") {
+    const std::vector<LobeSample> slice = lobe_slice({}, 45, 20'000);
+    const std::uint64_t needed = lobe_json({}, "Object", 45, slice).memory();
+    {
+        const test::MemoryLimit limit(3 * needed);
+        CHECK_NOTHROW((void)lobe_json({}, "Object", 45, slice));
+    }
+    const test::MemoryLimit limit(needed);
+    CHECK_THROWS_AS((void)lobe_json({}, "Object", 45, slice), Refused);
+}
