@@ -97,6 +97,9 @@ std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures) {
     std::string text = fmt::format("{}\n", fmt::join(columns, ","));
     for (const DiagnosedPicture& p : pictures) {
         Row row = row_of(p);
+        // The same file; but what begins with one of these is a formula in a spreadsheet.
+        if (!p.name.empty() && std::string_view("=+-@").find(p.name[0]) != std::string_view::npos)
+            row[0].insert(0, "./");
         for (std::string& field : row) field = csv_field(field);
         text += fmt::format("{}\n", fmt::join(row, ","));
     }

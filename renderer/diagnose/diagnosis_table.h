@@ -25,6 +25,7 @@ struct DiagnosedPicture {
 
 /// A line of names, then one a picture (RFC 4180, lines ending in "\n"): picture, verdict, mistake, also,
 /// explained, residual, display, experiment, why. What there is not is empty.
+/// A picture whose name begins as a formula of a spreadsheet does is written with "./" before it.
 [[nodiscard]] std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures);
 
 /// The diagnoses as a self-contained HTML page, with the small pictures in it. `title` is the scene's name.

@@ -101,6 +101,7 @@ void aim_rays(MicrofacetPicture& p, const MicrofacetOptions& options, std::mt199
         const double width = std::cos((options.light_deg + tilt) * degree) / std::cos(tilt * degree);
         shown.push_back(shown.back() + std::max(width, 0.0));
     }
+    if (!(shown.back() > 0)) return;  // none of them faces the light
     double highest = p.profile.front().y;
     for (const glm::dvec2& point : p.profile) highest = std::max(highest, point.y);
     for (int i = 0; i < options.rays; ++i) {

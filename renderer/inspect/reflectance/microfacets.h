@@ -42,13 +42,15 @@ struct MicrofacetPicture {
     double sigma_deg = 0;
     std::vector<glm::dvec2> profile;  // #facets + 1; facet i is the line from point i to i + 1, 1 wide in x
     std::vector<double> tilt_deg;     // #facets: of the normals
-    std::vector<FacetRay> rays;  // aimed at the middle half, each facet by the area that it shows the light
-    std::vector<double> histogram;  // 36 bins of 5 degrees from -90: share of all rays that leave there
-    double shadowed = 0, masked = 0, inward = 0, free = 0;  // shares of all rays, together 1
-    double smith_g1 = 1;                                    // Smith's share of rays that are not shadowed
-    double h_deg = 0;                                       // of the half vector
-    std::vector<int> shining;                               // facets whose normal is h, within shining_deg
-    double shining_share = 0, shining_expected = 0;         // their share, and that of the density of tilts
+    std::vector<FacetRay> rays;       // aimed at the middle half, each facet by the area that it shows the
+                                      // light; none where none of them faces it
+    std::vector<double> histogram;    // 36 bins of 5 degrees from -90: share of all rays that leave there
+    double shadowed = 0, masked = 0, inward = 0,
+           free = 0;                                 // shares of all rays, together 1 where there are any
+    double smith_g1 = 1;                             // Smith's share of rays that are not shadowed
+    double h_deg = 0;                                // of the half vector
+    std::vector<int> shining;                        // facets whose normal is h, within shining_deg
+    double shining_share = 0, shining_expected = 0;  // their share, and that of the density of tilts
 };
 inline constexpr double shining_deg = 2.5;
 inline constexpr int histogram_bins = 36;

@@ -11,6 +11,7 @@
 #include "models/progress.h"
 #include "models/scene/mistakes.h"
 #include "renderer/diagnose/diagnosis_format.h"
+#include "renderer/diagnose/diagnosis_table.h"
 #include "renderer/diagnose/experiment.h"
 #include "tests/renderer/diagnose/wrong_pictures.h"
 #include "tests/support/catch.h"
@@ -298,4 +299,10 @@ TEST_CASE("a picture that shows its object elsewhere is not taken for one that d
         CHECK(names(d.candidates.front(), {m}));
         CHECK(d.display.change.mirrored);
     }
+}
+
+TEST_CASE("a picture's name begins no formula in a table", "[diagnose]") {
+    for (const std::string name : {"=1+2.png", "+a.png", "-a.png", "@a.png"})
+        CHECK(diagnoses_csv({{name, {}, {}, {}}}).find("\n./" + name + ",") != std::string::npos);
+    CHECK(diagnoses_csv({{"a=1.png", {}, {}, {}}}).find("\na=1.png,") != std::string::npos);
 }

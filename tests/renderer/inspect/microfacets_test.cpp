@@ -115,3 +115,20 @@ TEST_CASE("microfacets: head-on, half the GGX facets are tilted by less than ata
     for (int i = 0; i < 100000; ++i) less += sampled_normal(0.5, random).z > std::cos(std::atan(0.25));
     CHECK(less / 1e5 == Approx(0.5).margin(0.01));
 }
+
+TEST_CASE("microfacets: where no facet faces the light there are no rays", "[microfacets]") {
+    MicrofacetOptions o;
+    o.roughness = 1;
+    o.light_deg = 89;
+    o.facets = 4;
+    std::size_t dark = 0;
+    for (o.seed = 1; o.seed <= 100; ++o.seed) {
+        const MicrofacetPicture p = microfacet_picture(o);
+        dark += p.rays.empty() ? 1 : 0;
+        CHECK(p.free + p.shadowed + p.masked + p.inward == Approx(p.rays.empty() ? 0 : 1));
+        for (const FacetRay& ray : p.rays) CHECK(std::isfinite(ray.at.x));
+    }
+    // Two facets are aimed at, and half of all lean away by more than one degree, or nearly.
+    CHECK(dark > 10);
+    CHECK(dark < 40);
+}

@@ -293,6 +293,9 @@ TEST_CASE("letters that LaTeX's usual fonts lack are commands, and the rest is t
             "Is \\ensuremath{\\alpha}\\ensuremath{_2} \\ensuremath{\\to} \\ensuremath{\\infty}, or é “ſ”") !=
         std::string::npos);
     CHECK(unset_letters(tex) == "漢Ж");
+    question.question = "[3 points] How much?";  // which \\item takes for a label in place of its number
+    CHECK(exercises_tex(bench.lesson, {{1, {question}}}).find("\\item {}[3 points] How much?") !=
+          std::string::npos);
     const std::string alphabet = "абвгдежзийклмнопрстуфхцчшщъыьэюя";
     CHECK(unset_letters(alphabet + alphabet) == "абвгдежзийклмнопрсту and 12 more");
 }
