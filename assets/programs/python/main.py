@@ -1,5 +1,4 @@
-# -*- coding: utf-8 -*-
-# @title@
+# -*- coding: utf-8 -*- @title@
 # Draws the scene with numpy: places the meshes, finds the face that each pixel shows, lights all pixels of an
 # object at once. Writes picture.ppm (8 bit) and picture.pfm (linear light, not clamped).
 # build: python3 -c "import numpy"
