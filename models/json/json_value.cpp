@@ -259,9 +259,12 @@ std::string json_string(std::string_view raw) {
 }
 
 std::string json_text(const JsonValue& json) {
+    // Each value takes more bytes than its text does, which is there twice while it grows.
+    const MemoryShare share(memory_need(MemoryUse::Output, 3 * json.memory()));
     std::string text;
     append(text, json, 0);
-    return text + "\n";
+    text += '\n';
+    return text;
 }
 
 }  // namespace glint

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "models/memory_limit.h"
 #include "models/mesh/mesh.h"
 #include "models/mesh/topology.h"
 
@@ -38,8 +39,10 @@ struct NormalOptions {
 struct CornerNormals {
     std::vector<glm::vec3> normals;
     std::vector<std::uint32_t>
-        corner;         // #C, indices into normals; empty: corner c has normals[corner_position[c]]
-    Warnings warnings;  // source fallen back, corners without a normal
+        corner;                 // #C, indices into normals; empty: corner c has normals[corner_position[c]]
+    Warnings warnings;          // source fallen back, corners without a normal
+    std::size_t of_facets = 0;  // of `normals` the last so many: those of facets, where a sum cancels
+    MemoryShare share;          // of these, and of `corner` where only they need it
 };
 /// Finds the normals by the source, weighting and crease of `options`. A source that the mesh does not have
 /// falls back as `auto` does, with a warning; corners without a normal of the chosen source (or with a zero

@@ -144,11 +144,23 @@ bool cancels(const Sum& sum) {
 
 /// Gives the corners of sums that cancel the normals of their own facets.
 void fall_back_to_facets(const Mesh& mesh, const Averages& averages, CornerNormals& result) {
+    const auto falls_back = [&](std::uint32_t corner) {
+        return cancels(averages.sums[averages.sum_of(mesh, corner)]);
+    };
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        std::uint32_t c = mesh.first_corner[f];
+        while (c < mesh.first_corner[f + 1] && !falls_back(c)) ++c;
+        result.of_facets += c < mesh.first_corner[f + 1] ? 1 : 0;
+    }
+    const std::size_t indices = result.corner.empty() ? mesh.corner_position.size() : 0;
+    result.share.set(memory_need(MemoryUse::Objects,
+                                 result.of_facets * sizeof(glm::vec3) + indices * sizeof(std::uint32_t)));
+    result.normals.reserve(result.normals.size() + result.of_facets);
     if (result.corner.empty()) result.corner = mesh.corner_position;
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
         std::uint32_t facet = no_index;
         for (std::uint32_t c = mesh.first_corner[f]; c < mesh.first_corner[f + 1]; ++c) {
-            if (!cancels(averages.sums[averages.sum_of(mesh, c)])) continue;
+            if (!falls_back(c)) continue;
             if (facet == no_index) {
                 facet = static_cast<std::uint32_t>(result.normals.size());
                 result.normals.push_back(facet_normal(mesh, f));

@@ -42,7 +42,7 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
     const Judged& none = of_no_mistake(all);
     d.display = display_finding(exhibit, best.drawing, best.change);
     const Judged& shown = best.is_believed ? best : none;
-    d.pixels = count_unlike(exhibit, shown.drawing.picture, shown.change);
+    d.pixels = count_unlike(exhibit, shown.drawing, shown.change);
     if (best.is_believed && best.is_right) {
         d.verdict = Verdict::NoMistake;
         return;

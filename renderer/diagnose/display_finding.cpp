@@ -161,7 +161,7 @@ glm::vec2 fitted_shift(const Exhibit& e, const Levels& levels, const DisplayChan
 }
 
 /// Counts what only softness explains.
-void count_softened(DisplayFinding& finding, const Exhibit& e, const Picture& drawn) {
+void count_softened(DisplayFinding& finding, const Exhibit& e, const Drawing& drawn) {
     DisplayChange hard = finding.change;
     hard.soft = false;
     const PixelCounts counts = count_unlike(e, drawn, hard);
@@ -185,7 +185,7 @@ DisplayFinding display_finding(const Exhibit& e, const Drawing& drawing, const D
     finding.smooth_edges = smooth_edges(e, drawn, ranges, change);
     if (!change.soft) return finding;
     constexpr float least = 0.2f;  // of a pixel; what is left is the smoothing itself
-    count_softened(finding, e, drawn);
+    count_softened(finding, e, drawing);
     glm::vec2 shift = fitted_shift(e, Levels(drawn, ranges), change);
     for (int i = 0; i < 2; ++i)
         if (std::abs(shift[i]) < least) shift[i] = 0;

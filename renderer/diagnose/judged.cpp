@@ -46,13 +46,13 @@ void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, 
 }
 
 /// The best of the changes that the hypothesis allows, judged by every so many rows.
-Judged judged(Renderer& renderer, const Scene& scene, const Exhibit& exhibit, const Hypothesis& hypothesis,
-              int step) {
+Judged judged(Renderer& renderer, BareMasks& masks, const Scene& scene, const Exhibit& exhibit,
+              const Hypothesis& hypothesis, int step) {
     const PictureSize size = exhibit.right.size;
     Judged best;
     best.mistakes = hypothesis.mistakes;
     best.drawing.picture = renderer.render(under_mistakes(scene, hypothesis.mistakes), size);
-    best.drawing.bare = bare_mask(renderer, size);
+    best.drawing.bare = masks.of(renderer, size);
     judge(best, exhibit, hypothesis.changes.front(), step);
     for (std::size_t i = 1; i < hypothesis.changes.size(); ++i)
         judge_also(best, exhibit, hypothesis.changes[i], step);
@@ -151,7 +151,10 @@ Candidate candidate_of(const Exhibit& exhibit, const Judged& j) {
     const std::size_t pixel = exhibit.right.pixel(c.pixel.x, c.pixel.y);
     c.mine = mine_at(exhibit.wrong, j.change, c.pixel.x, c.pixel.y);
     c.reference = shown_beside(ranges, rgb_at(exhibit.right, pixel), c.mine);
-    c.as_mistaken = shown_beside(ranges, rgb_at(j.drawing.picture, pixel), c.mine);
+    const std::optional<Rgb>& ground = exhibit.grounds[way_turned(j.change)];
+    const bool is_bare = !j.drawing.bare.empty() && j.drawing.bare[pixel] != 0;
+    c.as_mistaken = is_bare && ground ? exchanged(j.change, *ground)
+                                      : shown_beside(ranges, rgb_at(j.drawing.picture, pixel), c.mine);
     return c;
 }
 
@@ -203,9 +206,10 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
                       options.progress ? DiagnosisProgress(search_progress) : DiagnosisProgress());
     const int step = std::clamp(size.height / coarse_rows, 1, most_step);
     std::vector<Judged> all;
+    BareMasks masks;  // the first hypothesis is that of no mistake
     for (std::size_t i = 0; i < std::min(drawings, likely.size()); ++i) {
         if (options.progress) options.progress(tried + i, tried + drawings);
-        all.push_back(judged(renderer, scene, exhibit, likely[i], step));
+        all.push_back(judged(renderer, masks, scene, exhibit, likely[i], step));
     }
     // Only the likeliest are judged on the whole picture; the hypothesis of no mistake, which comes first,
     // always is.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -44,6 +45,14 @@ double likeness(const std::vector<double>& a, const std::vector<double>& b) {
     return sum;
 }
 
+/// So many lines of that aspect, or fewer: one side may be longer by more than a picture can be.
+PictureSize size_of_aspect(double aspect, int lines) {
+    constexpr double widest = 4096;
+    const double width = std::clamp(lines * aspect, 1.0, widest);
+    const double height = std::min(width / aspect, static_cast<double>(lines));
+    return {static_cast<int>(std::lround(width)), std::max(1, static_cast<int>(std::lround(height)))};
+}
+
 }  // namespace
 
 std::optional<std::string> other_aspect(Renderer& renderer, const Scene& scene, const Picture& wrong) {
@@ -60,7 +69,7 @@ std::optional<std::string> other_aspect(Renderer& renderer, const Scene& scene, 
     };
     constexpr int lines = 240;
     const double aspect = static_cast<double>(wrong.size.width) / static_cast<double>(wrong.size.height);
-    double best = likeness_at({std::max(1, static_cast<int>(std::lround(lines * aspect))), lines}) + clearly;
+    double best = likeness_at(size_of_aspect(aspect, lines)) + clearly;
     std::optional<std::string> found;
     for (const Aspect& a : aspects) {
         if (std::abs(aspect * a.height / a.width - 1) < same) continue;

@@ -62,7 +62,7 @@ void say_what_is_unexplained(Diagnosis& d, Renderer& renderer, const Scene& scen
     DisplayChange change;
     DescribedDifference found = cautious_difference(change, renderer, exhibit, none.change, scene.display);
     d.display = display_finding(exhibit, none.drawing, change);
-    d.pixels = count_unlike(exhibit, none.drawing.picture, change);
+    d.pixels = count_unlike(exhibit, none.drawing, change);
     d.regions = std::move(found.regions);
     d.terms = std::move(found.terms);
 }

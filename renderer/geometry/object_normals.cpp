@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "renderer/geometry/recent_faces.h"
 #include "renderer/geometry/vertex_transform.h"
 #include "renderer/simd/glm_vec3.h"
 
@@ -147,24 +148,27 @@ void take_normals(std::vector<ObjectNormals>& kept, const Scene& scene) {
             for (const ObjectNormals& n : kept)
                 if (n.of_mesh) known.insert({n.mesh.get(), {n.options, n.of_mesh}});
         kept[o].of_mesh = normals_of(known, object);
+        kept[o].of_facets.set(
+            memory_need(MemoryUse::Objects, kept[o].of_mesh->of_facets * sizeof(CameraNormal)));
         kept[o].mesh = object.mesh;
         kept[o].options = object.normals;
     }
 }
 
-/// The facet normal, object coordinates. The last of a face of many corners is kept by each thread: pixels
-/// come face by face, and else a polygon of n corners would cost n for each of its pixels.
-glm::vec3 known_facet_normal(const std::shared_ptr<const Mesh>& mesh, std::uint32_t face) {
-    constexpr std::size_t many_corners = 64;
+struct MeshFace {
+    std::weak_ptr<const Mesh> mesh;  // whose address no other mesh has as long as it is not expired
+    std::uint32_t face = 0;
+    bool operator==(const MeshFace& other) const {
+        const MeshPtr own = mesh.lock();
+        return face == other.face && own && own == other.mesh.lock();
+    }
+};
+
+/// The facet normal, object coordinates.
+glm::vec3 known_facet_normal(const MeshPtr& mesh, std::uint32_t face) {
     if (mesh->corners_of(face).size() < many_corners) return facet_normal(*mesh, face);
-    struct Known {
-        std::weak_ptr<const Mesh> mesh;  // whose address no other mesh has as long as it is not expired
-        std::uint32_t face = 0;
-        glm::vec3 normal{0};
-    };
-    thread_local Known known;
-    if (known.face != face || known.mesh.lock() != mesh) known = {mesh, face, facet_normal(*mesh, face)};
-    return known.normal;
+    thread_local RecentFaces<MeshFace, glm::vec3> known;
+    return known.of({mesh, face}, [&] { return facet_normal(*mesh, face); });
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "models/memory_limit.h"
 #include "renderer/geometry/geometry.h"
 #include "renderer/strokes/stroke_edges.h"
 #include "renderer/visibility/visibility.h"
@@ -46,9 +47,11 @@ struct StrokeLine {
 };
 
 /// The visible pieces of the chosen edges of one object, in the order of the edges. `margin_px`: how far
-/// outside the picture an edge still matters, at least 1.
+/// outside the picture an edge still matters, at least 1. An edge may fall to pieces at every second pixel of
+/// its length: what that takes is added to `share`.
 [[nodiscard]] std::vector<StrokeLine> visible_lines(const Geometry& geometry, const Visibility& visibility,
                                                     std::uint32_t object, const MeshEdges& mesh,
-                                                    std::span<const StrokeEdge> edges, double margin_px);
+                                                    std::span<const StrokeEdge> edges, double margin_px,
+                                                    MemoryShare& share);
 
 }  // namespace glint

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <numeric>
 
 #include "renderer/strokes/stroke_lines.h"
 
@@ -38,7 +39,7 @@ Span pixels_near(const StrokeLine& line, float reach, int y, int width) {
 class Filler {
   public:
     Filler(const Geometry& g, const Visibility& visibility, std::span<const StrokeLine> lines, float width_px,
-           std::vector<float>& coverage)
+           std::vector<float>& coverage, MemoryShare& share)
         : g_(g),
           visibility_(visibility),
           occlusion_(g),
@@ -46,7 +47,7 @@ class Filler {
           width_px_(width_px),
           reach_(0.5f * width_px + 0.5f),
           coverage_(coverage) {
-        sort_into_bands();
+        sort_into_bands(share);
     }
 
     [[nodiscard]] int band_count() const { return static_cast<int>(bands_.size()); }
@@ -58,17 +59,26 @@ class Filler {
     }
 
   private:
-    void sort_into_bands() {
+    void sort_into_bands(MemoryShare& share) {
         bands_.resize(static_cast<std::size_t>((g_.size.height + band_height - 1) / band_height));
+        std::vector<std::size_t> counts(bands_.size(), 0);
+        for (const StrokeLine& line : lines_) for_each_band(line, [&](std::size_t band) { ++counts[band]; });
+        const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+        share.add(memory_need(MemoryUse::Objects, all * sizeof(std::uint32_t)));
+        for (std::size_t band = 0; band < bands_.size(); ++band) bands_[band].reserve(counts[band]);
+        for (std::uint32_t i = 0; i < lines_.size(); ++i)
+            for_each_band(lines_[i], [&](std::size_t band) { bands_[band].push_back(i); });
+    }
+
+    /// Calls f with the number of each band that the line may touch.
+    template <class F> void for_each_band(const StrokeLine& line, const F& f) const {
         const auto last = static_cast<float>(bands_.size() - 1);
-        for (std::uint32_t i = 0; i < lines_.size(); ++i) {
-            const auto [top, bottom] = std::minmax(lines_[i].a.y, lines_[i].b.y);
-            const float from = std::max(0.0f, std::floor((top - reach_) / band_height));
-            const float to = std::min(last, std::floor((bottom + reach_) / band_height));
-            if (from > to) continue;
-            const auto end = static_cast<std::size_t>(to) + 1;
-            for (auto band = static_cast<std::size_t>(from); band < end; ++band) bands_[band].push_back(i);
-        }
+        const auto [top, bottom] = std::minmax(line.a.y, line.b.y);
+        const float from = std::max(0.0f, std::floor((top - reach_) / band_height));
+        const float to = std::min(last, std::floor((bottom + reach_) / band_height));
+        if (from > to) return;
+        for (auto band = static_cast<std::size_t>(from); band <= static_cast<std::size_t>(to); ++band)
+            f(band);
     }
 
     /// One row of one line.
@@ -117,9 +127,9 @@ namespace {
 /// are no darker there; ends are round. A line does not cover a pixel that shows another object in front of
 /// it. The order of the lines does not change a bit.
 std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibility,
-                                   std::span<const StrokeLine> lines, float width_px) {
+                                   std::span<const StrokeLine> lines, float width_px, MemoryShare& share) {
     std::vector<float> coverage(g.size.pixels(), 0.0f);
-    const Filler filler(g, visibility, lines, width_px, coverage);
+    const Filler filler(g, visibility, lines, width_px, coverage, share);
     tbb::parallel_for(0, filler.band_count(), [&filler](int band) { filler.fill(band); });
     return coverage;
 }
@@ -153,15 +163,16 @@ EdgeView edge_view(const Camera& camera, const ObjectGeometry& object) {
 std::vector<float> draw_strokes(Strokes& kept, const Geometry& g, const Visibility& visibility) {
     update_meshes(kept.meshes, g);
     const double margin = 1 + 0.5 * static_cast<double>(kept.width_px);
+    MemoryShare share;  // of the lines
     std::vector<StrokeLine> lines;
     for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
         if (!g.objects[o].visible) continue;
         const MeshEdges& mesh = edges_of(kept.meshes, g.objects[o].mesh);
         const auto edges = stroke_edges(mesh, edge_view(g.camera, g.objects[o]), kept.choice);
-        const auto seen = visible_lines(g, visibility, o, mesh, edges, margin);
+        const auto seen = visible_lines(g, visibility, o, mesh, edges, margin, share);
         lines.insert(lines.end(), seen.begin(), seen.end());
     }
-    return stroke_coverage(g, visibility, lines, kept.width_px);
+    return stroke_coverage(g, visibility, lines, kept.width_px, share);
 }
 
 }  // namespace

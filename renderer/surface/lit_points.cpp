@@ -16,13 +16,19 @@ namespace {
 
 void number_items(LitPoints& lit, const Surface& s, const Geometry& g) {
     lit.first.assign(1, 0);
+    std::uint64_t more = 0;
     for (std::size_t o = 0; o < g.objects.size(); ++o) {
         const Mesh& mesh = *g.objects[o].mesh;
         std::size_t items = mesh.face_count();
         if (s.choice.provoking) items = mesh.triangles.size();
-        if (s.choice.kind == SurfaceKind::Corners) items = s.normals[o].slot_count();
+        if (s.choice.kind == SurfaceKind::Corners) {
+            items = s.normals[o].slot_count();
+            if (s.normals[o].of_mesh->of_facets > 0) more += items - std::min(items, mesh.positions.size());
+        }
         lit.first.push_back(lit.first.back() + 2 * items);
     }
+    constexpr std::uint64_t bytes_of_item = sizeof(lit.seen[0]) + sizeof(lit.point[0]) + sizeof(ShadingPoint);
+    lit.of_facets.set(memory_need(MemoryUse::Objects, 2 * more * bytes_of_item));
     lit.seen.assign(lit.first.back(), 0);
     lit.point.assign(lit.first.back(), no_index);
 }

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "renderer/geometry/recent_faces.h"
 #include "renderer/simd/glm_vec3.h"
 #include "renderer/simd/vec3.h"
 #include "renderer/surface/surface.h"
@@ -82,13 +83,24 @@ PositionNormal pixel_point(const SurfaceInputs& surface, const Geometry& g, cons
     return {face.p, face.turned ? -to_glm(n) : to_glm(n)};
 }
 
+namespace {
+
+glm::vec3 known_centroid(const Geometry& g, std::uint32_t object, std::uint32_t face) {
+    const ObjectGeometry& o = g.objects[object];
+    if (o.mesh->corners_of(face).size() < many_corners) return glm::vec3(o.centroid(face));
+    thread_local RecentFaces<GeometryFace, glm::vec3> known;
+    return known.of({g.state, object, face}, [&] { return glm::vec3(o.centroid(face)); });
+}
+
+}  // namespace
+
 PositionNormal lit_point(const SurfaceInputs& surface, const Geometry& g, const ShadingPoint& source) {
     const ObjectGeometry& object = g.objects[source.object];
     const Mesh& mesh = *object.mesh;
     const ObjectNormals& normals = surface.normals[source.object];
     PositionNormal at;
     if (surface.choice.kind == SurfaceKind::Faces && !surface.choice.provoking) {
-        at = {glm::vec3(object.centroid(source.item)),
+        at = {known_centroid(g, source.object, source.item),
               camera_facet_normal(object, normals.options.flip, source.item, surface.choice.mistakes)};
     } else if (surface.choice.kind == SurfaceKind::Faces) {
         const std::uint32_t corner = mesh.triangles[source.item].corner[2];

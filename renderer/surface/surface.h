@@ -123,6 +123,7 @@ struct LitPoints {
     std::vector<std::uint8_t> seen;            // 1: some pixel shows it
     std::vector<std::uint32_t> point;          // the lit point's number, or no_index
     std::vector<ShadingPoint> shading_points;  // of each lit point, 16 a block; unused ones have no_index
+    MemoryShare of_facets;  // of the items that normals of facets make more, where sums cancel
 
     [[nodiscard]] std::size_t number(const ShadingPoint& s) const {
         return first[s.object] + 2 * std::size_t{s.item} + (s.turned ? 1 : 0);

@@ -77,13 +77,17 @@ std::vector<PixelKind> pixel_kinds(const Renderer& renderer, PictureSize size) {
     return kinds;
 }
 
-BareMask bare_mask(const Renderer& renderer, PictureSize size) {
-    if (!renderer.stats().redone[static_cast<std::size_t>(Stage::Visibility)]) return {};
-    BareMask mask(size.pixels());
-    tbb::parallel_for(0, size.height, [&](int y) {
-        for (int x = 0; x < size.width; ++x) mask[size.index(x, y)] = renderer.object_at(x, y) < 0 ? 1 : 0;
-    });
-    return mask;
+BareMask BareMasks::of(const Renderer& renderer, PictureSize size) {
+    const bool is_first = last_.empty();
+    if (is_first || renderer.stats().redone[static_cast<std::size_t>(Stage::Visibility)]) {
+        last_.resize(size.pixels());
+        tbb::parallel_for(0, size.height, [&](int y) {
+            for (int x = 0; x < size.width; ++x)
+                last_[size.index(x, y)] = renderer.object_at(x, y) < 0 ? 1 : 0;
+        });
+    }
+    if (is_first) right_ = last_;
+    return last_ == right_ ? BareMask() : last_;
 }
 
 }  // namespace glint

@@ -17,9 +17,18 @@ enum class PixelKind : std::uint8_t {
 /// For each pixel of the renderer's last picture, drawn with one sample, what it is.
 [[nodiscard]] std::vector<PixelKind> pixel_kinds(const Renderer& renderer, PictureSize size);
 
-/// For each pixel of the renderer's last picture 1 where it shows no surface; empty where the picture shows
-/// the same faces as the one before.
+/// For each pixel of a picture 1 where it shows no surface; empty where it shows none in the same pixels as
+/// the right picture.
 using BareMask = std::vector<std::uint8_t>;
-[[nodiscard]] BareMask bare_mask(const Renderer& renderer, PictureSize size);
+
+/// Makes the masks of the pictures that one renderer draws, each of which it has to be told of.
+class BareMasks {
+  public:
+    /// Returns the mask of the renderer's last picture. The first picture is the right one.
+    [[nodiscard]] BareMask of(const Renderer& renderer, PictureSize size);
+
+  private:
+    BareMask right_, last_;
+};
 
 }  // namespace glint

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "models/memory_limit.h"
 #include "models/scene/mistakes.h"
 #include "renderer/diagnose/search/cost_bound.h"
 #include "renderer/diagnose/search/resample.h"
@@ -50,6 +51,7 @@ struct Singles {
     std::vector<MistakeSet> mistakes;
     std::vector<PixelKind> kinds;
     std::vector<Probe> probes;
+    MemoryShare share;
 };
 
 /// Probes everywhere, and where each mistake shows.
@@ -74,17 +76,22 @@ std::vector<Probe> choose_probes(const Singles& s, PictureSize size) {
 Singles draw_singles(Renderer& renderer, const Scene& scene, PictureSize size,
                      const DiagnosisProgress& progress) {
     Singles s;
-    s.picture.push_back(renderer.render(under_mistakes(scene, {}), size));
-    s.bare.emplace_back();
-    s.mistakes.emplace_back();
+    BareMasks masks;
+    const auto keep = [&](MistakeSet mistakes, const Picture& picture, BareMask bare) {
+        s.share.add(memory_need(MemoryUse::Pixels, picture.rgba.size() + bare.size()));
+        s.picture.push_back(picture);
+        s.bare.push_back(std::move(bare));
+        s.mistakes.push_back(std::move(mistakes));
+    };
+    const Picture& right = renderer.render(under_mistakes(scene, {}), size);
+    keep({}, right, masks.of(renderer, size));
     s.kinds = pixel_kinds(renderer, size);
     for (std::size_t m = 0; m < mistake_names().size(); ++m) {
         if (progress) progress(m, mistake_names().size());
         const Picture& picture = renderer.render(under_mistakes(scene, {m}), size);
-        if (picture.rgba == s.picture[0].rgba) continue;  // inert in this scene
-        s.picture.push_back(picture);
-        s.bare.push_back(bare_mask(renderer, size));
-        s.mistakes.push_back({m});
+        BareMask bare = masks.of(renderer, size);
+        if (picture.rgba != s.picture[0].rgba)
+            keep({m}, picture, std::move(bare));  // else inert in this scene
     }
     return s;
 }
@@ -199,8 +206,8 @@ struct Drawn {
 };
 
 /// Adds all twos of mistakes that show alone and change something together.
-void draw_pairs(std::vector<Drawn>& all, Renderer& renderer, const Scene& scene, PictureSize size,
-                const Singles& s, const DiagnosisProgress& progress) {
+void draw_pairs(std::vector<Drawn>& all, Renderer& renderer, const Scene& scene, PictureSize size, Singles& s,
+                const DiagnosisProgress& progress) {
     const std::size_t n = s.mistakes.size() - 1, twos = n * (n - 1) / 2;
     std::size_t done = 0;
     for (std::size_t a = 1; a <= n; ++a)
@@ -211,6 +218,7 @@ void draw_pairs(std::vector<Drawn>& all, Renderer& renderer, const Scene& scene,
             DrawnProbes at =
                 drawn_at(s.probes, picture, [&](int x, int y) { return renderer.object_at(x, y) < 0; });
             if (at == all[a].at || at == all[b].at) continue;  // one hides the other
+            s.share.add(memory_need(MemoryUse::Pixels, 3 * at.at.size() + at.bare.size()));
             all.push_back({both, std::move(at)});
         }
 }

@@ -191,12 +191,18 @@ std::uint64_t count_solid(const std::vector<std::uint8_t>& marked, PictureSize s
     return count;
 }
 
+/// What shows where a drawing is bare, in the order of the scene's channels.
+Ground bare_ground(const Exhibit& e, const DisplayChange& change) {
+    Ground ground = e.bare_grounds[way_turned(change)];
+    ground.levels = exchanged(change, ground.levels);
+    return ground;
+}
+
 }  // namespace
 
 Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, int step) {
     const ByteRanges ranges = byte_ranges(change);
-    Ground ground = e.bare_grounds[way_turned(change)];
-    ground.levels = exchanged(change, ground.levels);
+    const Ground ground = bare_ground(e, change);
     const Expected explained(drawn.picture, &drawn.bare, ranges, change, ground);
     const Expected right(e.right, nullptr, ranges, change, ground);
     const PictureSize size = e.right.size;
@@ -219,11 +225,12 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
     return all;
 }
 
-PixelCounts count_unlike(const Exhibit& e, const Picture& drawn, const DisplayChange& change) {
+PixelCounts count_unlike(const Exhibit& e, const Drawing& drawing, const DisplayChange& change) {
+    const Picture& drawn = drawing.picture;
     const ByteRanges ranges = byte_ranges(change);
     std::optional<Rgb> background = e.grounds[way_turned(change)];
     if (background) background = exchanged(change, *background);
-    const Expected expected(drawn, nullptr, ranges, change, {});
+    const Expected expected(drawn, &drawing.bare, ranges, change, bare_ground(e, change));
     PixelCounts counts;
     for (int y = 0; y < drawn.size.height; ++y)
         for (int x = 0; x < drawn.size.width; ++x) {

@@ -82,7 +82,7 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
 }
 /// Counts, for each PixelKind, the pixels that differ from a drawing. The background is compared with the
 /// colour that more than half of it has in the wrong picture, where there is one.
-[[nodiscard]] PixelCounts count_unlike(const Exhibit& exhibit, const Picture& drawn,
+[[nodiscard]] PixelCounts count_unlike(const Exhibit& exhibit, const Drawing& drawing,
                                        const DisplayChange& change);
 
 /// What the changed picture would show of a byte of the scene's, in whole levels.

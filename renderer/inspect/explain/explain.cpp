@@ -165,8 +165,9 @@ Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
 std::uint64_t explanation_memory(const Scene& scene) {
     constexpr std::uint64_t bytes_of_text = 200;  // that a light is written in
     // Where corners are lit, those of one interpolation stand beside the ones that are kept.
-    const ShadingMode mode = scene.shading.mode;
-    const std::uint64_t points = mode == ShadingMode::Gouraud || mode == ShadingMode::Flat ? 2 * 3 : 1;
+    const SurfaceChoice choice = surface_choice(scene.shading);
+    const auto blended = static_cast<std::uint64_t>(max_blended(choice));
+    const std::uint64_t points = choice.kind == SurfaceKind::Pixels ? 1 : 2 * blended;
     return points * light_sources(scene).size() * (sizeof(ExplainedLight) + bytes_of_text);
 }
 

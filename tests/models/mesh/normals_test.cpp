@@ -7,6 +7,7 @@
 
 #include "models/primitives/primitives.h"
 #include "tests/support/catch.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/mesh_helpers.h"
 
 using namespace glint;
@@ -147,6 +148,26 @@ TEST_CASE("normals that cancel leave each corner its facet normal", "[normals][d
     REQUIRE(normals.corner.size() == 6);
     for (std::size_t c = 0; c < 6; ++c)
         check_near(normals.normals[normals.corner[c]], {0, 0, c < 3 ? 1.f : -1.f});
+}
+
+TEST_CASE("normals that cancel are asked for before facets lend theirs", "[normals][memory]") {
+    std::vector<glm::vec3> places;
+    std::vector<std::vector<std::uint32_t>> faces;
+    constexpr std::uint32_t sheets = 1000;
+    for (std::uint32_t i = 0; i < sheets; ++i) {
+        const auto x = static_cast<float>(i);
+        places.insert(places.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
+        faces.insert(faces.end(), {{3 * i, 3 * i + 1, 3 * i + 2}, {3 * i, 3 * i + 2, 3 * i + 1}});
+    }
+    const Mesh mesh = make_mesh(places, faces);
+    // One normal a face and an index a corner, beside the averages that the renderer has reckoned.
+    constexpr std::uint64_t lent = 2 * sheets * (sizeof(glm::vec3) + 3 * sizeof(std::uint32_t));
+    {
+        const test::MemoryLimit limit(lent);
+        CHECK(corner_normals(mesh, vertex(NormalWeighting::Angle)).of_facets == 2 * sheets);
+    }
+    const test::MemoryLimit limit(lent - 1);
+    CHECK_THROWS_AS((void)corner_normals(mesh, vertex(NormalWeighting::Angle)), Refused);
 }
 
 TEST_CASE("degenerate faces take no part and have the normal 0", "[normals][degenerate]") {

@@ -5,6 +5,7 @@
 
 #include "renderer/diagnose/diagnose.h"
 #include "renderer/diagnose/diagnosis_format.h"
+#include "renderer/diagnose/other_aspect.h"
 #include "renderer/diagnose/search/undone.h"
 #include "tests/renderer/diagnose/wrong_pictures.h"
 #include "tests/support/catch.h"
@@ -284,6 +285,18 @@ TEST_CASE("a picture at another aspect is not comparable, and which aspect is sa
     INFO(d.why);
     CHECK(d.why.find("16:9") != std::string::npos);
     CHECK(d.candidates.empty());
+}
+
+TEST_CASE("a picture of any aspect is compared at a size that can be drawn", "[diagnose]") {
+    const SceneDocument document = bright_scene();
+    for (const PictureSize size : {PictureSize{4400, 16}, PictureSize{16, 4400}, PictureSize{2600, 8}}) {
+        Picture noise{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
+        std::uint32_t state = 1;
+        for (std::uint8_t& byte : noise.rgba)
+            byte = static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 24);
+        Renderer renderer(2);
+        CHECK_NOTHROW((void)other_aspect(renderer, document.scene, noise));
+    }
 }
 
 TEST_CASE("what happened at the display is undone", "[diagnose]") {

@@ -3,6 +3,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 #include <memory>
+#include <random>
 
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
@@ -80,4 +81,32 @@ TEST_CASE("a face of 200,000 corners is drawn in the time of its corners and pix
         (void)renderer.render(scene, {640, 480});
         CHECK(renderer.object_at(320, 240) == 1);
     }
+}
+
+TEST_CASE("faces of very many corners that alternate from pixel to pixel take the time of their corners",
+          "[renderer][large-faces]") {
+    // Not timed, as above. Two discs in one plane but for noise, so that now the one is in front, now the
+    // other.
+    Scene scene = discs(1000);
+    scene.objects.resize(2);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> noise(-0.01f, 0.01f);
+    for (Object& object : scene.objects) {
+        std::vector<glm::vec3> around = disc(100'000, {0, 0, 0}, 0)->positions;
+        for (glm::vec3& p : around) p.z += noise(random);
+        object = object_of(std::make_shared<const Mesh>(make_polygon(std::move(around))));
+    }
+    Renderer renderer(2);
+    scene.shading.mode = ShadingMode::Facet;
+    (void)renderer.render(scene, {640, 480});
+    scene.shading.mode = ShadingMode::Flat;
+    (void)renderer.render(scene, {320, 240});
+    int told = 0, changes = 0;
+    for (int y = 90; y < 150; ++y)
+        for (int x = 130; x < 190; ++x) {
+            told += renderer.explain(x, y).hit ? 1 : 0;
+            changes += renderer.object_at(x, y) != renderer.object_at(x + 1, y) ? 1 : 0;
+        }
+    CHECK(told > 3000);
+    CHECK(changes > 100);
 }
