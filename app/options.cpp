@@ -34,6 +34,10 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
+/// Stands before a word in brackets for CLI11, which takes "[a,b]" for a list of two.
+constexpr char one_word = '\1';
+std::string as_typed(const std::string& word) { return word.starts_with(one_word) ? word.substr(1) : word; }
+
 /// What CLI11 could not place: an option that it does not know, or one word too many.
 void refuse_extras(const CLI::App& app, const std::string& command) {
     bool only_words = false;  // behind a "--" nothing is an option
@@ -48,7 +52,8 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
                 name, "unknown option of " + command,
                 fmt::format("{} or another that {} --help lists", nearest(name, option_names(app)), command));
         }
-        throw wrong_usage(extra, "one word too many for " + command, "what " + command + " --help shows");
+        throw wrong_usage(as_typed(extra), "one word too many for " + command,
+                          "what " + command + " --help shows");
     }
 }
 
@@ -107,9 +112,8 @@ Options::~Options() = default;
 void Options::add_version() { parts_->app.set_version_flag("--version", "glint"); }
 
 Options::Asked Options::parse(std::vector<std::string> arguments) {
-    // CLI11 takes "[a,b]" for a list of two words; "./[a,b]" is the file of that name.
     for (std::string& word : arguments)
-        if (word.starts_with('[') && word.ends_with(']')) word.insert(0, "./");
+        if (word.starts_with('[') && word.ends_with(']')) word.insert(0, 1, one_word);
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     try {
         parts_->app.parse(std::move(arguments));
@@ -136,7 +140,7 @@ void Options::add_value(const std::string& names, const std::string& value_name,
         if (given.size() > 1) throw wrong_usage(option, "is given twice", "it once");
         require_text(option, given.front(), expected);
         if (is_short) require_no_equals(option, value_name, given.front());
-        read(given.front());
+        read(as_typed(given.front()));
         return true;
     };
     parts_->add(names, value_name, help, read_one);
@@ -145,7 +149,7 @@ void Options::add_value(const std::string& names, const std::string& value_name,
 void Options::add_values(const std::string& names, const std::string& value_name, const std::string& help,
                          ReadValue read) {
     parts_->add(names, value_name, help, [read = std::move(read)](const CLI::results_t& given) {
-        for (const std::string& text : given) read(text);
+        for (const std::string& text : given) read(as_typed(text));
         return true;
     });
 }
@@ -154,7 +158,7 @@ void Options::add_words(const std::string& name, const std::string& help, ReadVa
     const auto read_all = [name, help, read = std::move(read)](const CLI::results_t& given) {
         for (const std::string& text : given) {
             require_text(name, text, help);
-            read(text);
+            read(as_typed(text));
         }
         return true;
     };

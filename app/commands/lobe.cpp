@@ -30,7 +30,7 @@ Outcome lobe(const LobeArguments& arguments) {
     const Object& object = object_of(document.scene, arguments.object);
     const Shading& shading = document.scene.shading;
     const Reflector reflector{shading.reflection, object.material, shading.terms};
-    // A sample, twice as their list grows, and its line of CSV: 16 numbers, which grows likewise.
+    // A sample and its line of CSV, 16 numbers; both lists are there twice while they grow.
     constexpr std::uint64_t of_sample = 2 * sizeof(LobeSample) + std::uint64_t{2} * 16 * 10;
     const MemoryShare share(
         memory_need(MemoryUse::Output, of_sample * (static_cast<std::uint64_t>(arguments.steps) + 1)));

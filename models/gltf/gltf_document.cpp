@@ -263,7 +263,7 @@ std::optional<GltfVertexKey> sound_key_of(const GltfDocument& document, const No
 }
 
 /// Finds which vertices several primitives name. What is malformed is left to where it is read. Fails where
-/// accessors that overlap make the vertices, which take their time to read, many times the buffers.
+/// overlapping accessors name many times more vertices than the buffers hold: reading them would take long.
 std::set<GltfVertexKey> shared_vertices_of(const GltfDocument& document) {
     constexpr std::uint64_t most_times = 64;
     std::uint64_t bytes_there = document.bytes.size(), bytes_named = 0;

@@ -259,8 +259,11 @@ std::string json_string(std::string_view raw) {
 }
 
 std::string json_text(const JsonValue& json) {
-    // Each value takes more bytes than its text does, which is there twice while it grows.
-    const MemoryShare share(memory_need(MemoryUse::Output, 3 * json.memory()));
+    // A value takes about as many bytes as its text does, which is there twice while it grows. What is small,
+    // such as the window's own files, is not asked for.
+    constexpr std::uint64_t small = 1 << 20;
+    const std::uint64_t bytes = json.memory();
+    const MemoryShare share(memory_need(MemoryUse::Output, bytes > small ? 3 * bytes : 0));
     std::string text;
     append(text, json, 0);
     text += '\n';

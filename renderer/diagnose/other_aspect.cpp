@@ -45,7 +45,7 @@ double likeness(const std::vector<double>& a, const std::vector<double>& b) {
     return sum;
 }
 
-/// So many lines of that aspect, or fewer: one side may be longer by more than a picture can be.
+/// So many lines of that aspect, or fewer where they would be wider than a picture can be.
 PictureSize size_of_aspect(double aspect, int lines) {
     constexpr double widest = 4096;
     const double width = std::clamp(lines * aspect, 1.0, widest);

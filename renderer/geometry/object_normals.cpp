@@ -159,8 +159,9 @@ struct MeshFace {
     std::weak_ptr<const Mesh> mesh;  // whose address no other mesh has as long as it is not expired
     std::uint32_t face = 0;
     bool operator==(const MeshFace& other) const {
+        if (face != other.face) return false;
         const MeshPtr own = mesh.lock();
-        return face == other.face && own && own == other.mesh.lock();
+        return own && own == other.mesh.lock();
     }
 };
 

@@ -249,5 +249,10 @@ TEST_CASE("the least and the most of a count are taken, and one beyond is refuse
 TEST_CASE("a name in brackets is one name", "[cli][bad-input]") {
     const Ended ended = run_glint({"quiz", "[not,there]"});
     CHECK(ended.status != 0);
-    CHECK(ended.err.starts_with("glint: error: ./[not,there]: "));
+    CHECK(ended.err.starts_with("glint: error: [not,there]: "));
+    // So is a value, and a word too many.
+    CHECK(run_glint({"render", "-", "--set", "[x]"}, "{}").err.find("\"[x]\"") != std::string::npos);
+    CHECK(run_glint({"render", "a.json", "[x]"}).err.find("[x]") != std::string::npos);
+    for (const char* const option : {"--set", "--size", "-o"})
+        CHECK(run_glint({"render", "-", option, "[x]"}, "{}").err.find("\\x01") == std::string::npos);
 }

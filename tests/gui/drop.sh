@@ -68,12 +68,12 @@ within 10 bash -c "! kill -0 $glint_pid 2>/dev/null" || fail "the window did not
 {
     printf '# Slow\n```lesson\ntopic: x\nscene: first.json\nsize: 16x16\n```\n```predict number\nquestion: how many?\n'
     for i in {0..31}; do
-        echo "r$i = explain --pixel 5,5 --set /objects/0/mesh={\"primitive\":\"sphere\",\"detail\":$((1200 + i))}"
+        echo "r$i = explain --pixel 5,5 --set /objects/0/mesh={\"primitive\":\"sphere\",\"detail\":$((700 + i))}"
     done
     printf 'answer: 1\ntolerance: 0\n```\n'
 } >"$work/slow.md"
 start_glint "$work/slow.md"
-title_is "New scene" || fail "the default scene is not shown while the lesson is opened"
+within 10 title_is "New scene" || fail "the default scene is not shown while the lesson is opened"
 xdotool key Escape
 wait_for_rest
 title_is "New scene" || fail "the lesson was opened though it was given up"

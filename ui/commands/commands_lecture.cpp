@@ -12,8 +12,9 @@ namespace {
 /// file, of those that come with the program. One that cannot be opened is passed over the next time.
 std::string other_scene(const UiState& state, int step) {
     const AskedScene& asked = state.lecture.asked;
-    const bool goes_on = asked.failed && asked.step == step;
-    const std::string& path = goes_on ? asked.path : state.editor.document.path;
+    const std::string& open = state.editor.document.path;
+    const bool goes_on = asked.failed && asked.step == step && asked.from == open;
+    const std::string& path = goes_on ? asked.path : open;
     const bool has_file = !path.empty() && path != "-";
     const std::string& place = has_file ? path : state.lecture.last_given;
     if (const auto given = given_scene_beside(state.lecture.given_scenes, place, step)) return *given;
@@ -28,7 +29,7 @@ void open_other(UiState& state, int step) {
     const std::string path = other_scene(state, step);
     if (path.empty())
         return state.notifications.tell(step > 0 ? "This is the last scene" : "This is the first scene");
-    state.lecture.asked = {path, step, false};
+    state.lecture.asked = {state.editor.document.path, path, step, false};
     begin_pending(state, Pending::What::Open, path);
 }
 

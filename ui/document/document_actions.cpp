@@ -65,6 +65,8 @@ void take_scene_back(UiState& state) {
     if (state.persistence.autosave && state.persistence.has_copy_of(editor.scene()))
         state.persistence.autosave.reset();  // the file stays: what it holds is in no other
     if (editor.before) {
+        AskedScene& asked = state.lecture.asked;
+        asked.failed |= asked.path == editor.document.path;
         const std::unique_ptr<Editor> before = std::move(editor.before);
         editor = std::move(*before);
     } else if (knows_drawn(state)) {
@@ -141,7 +143,6 @@ void take_scene(UiState& state, SceneDocument document) {
     take_document(state.editor, std::move(document));
     if (given_scene_beside(state.lecture.given_scenes, state.editor.document.path, 0))
         state.lecture.last_given = state.editor.document.path;
-    state.lecture.asked = {};
     state.viewport.probe.reset();
     state.viewport.probe_before.reset();
     state.viewport.pivot.reset();

@@ -168,7 +168,8 @@ Result<Scene> with_number(Scene scene, const std::string& pointer, double value)
     return scene;
 }
 
-/// Whether to play this frame would hold the window up with a mesh, or the farther end will.
+/// Whether this frame, or the animation's end that is farther from here, needs a mesh that takes long to
+/// make.
 bool is_held_up(const SceneDocument& document, const Animation& animation, int frame) {
     const auto of_object = item_in(animation.pointer, "/objects/");
     if (animation.motion != Motion::PingPong || !of_object || !is_within(of_object->rest, "/mesh"))

@@ -90,8 +90,9 @@ void step_wedge(WedgeState& wedge);
 /// Type and widgets are so many times larger: the smallest type, 13 units, becomes 18.
 inline constexpr float projector_scale = 1.4f;
 
-/// The scene that PgDn or PgUp asked for last, until a document is there.
+/// The scene that PgDn or PgUp asked for last.
 struct AskedScene {
+    std::string from;  // path of the document that was open
     std::string path;
     int step = 0;         // 1: by PgDn; -1: by PgUp
     bool failed = false;  // it cannot be opened: further that way comes the one behind it

@@ -17,11 +17,11 @@ enum class PixelKind : std::uint8_t {
 /// For each pixel of the renderer's last picture, drawn with one sample, what it is.
 [[nodiscard]] std::vector<PixelKind> pixel_kinds(const Renderer& renderer, PictureSize size);
 
-/// For each pixel of a picture 1 where it shows no surface; empty where it shows none in the same pixels as
-/// the right picture.
+/// For each pixel of a picture 1 where it shows no surface; empty where these pixels are those of the right
+/// picture.
 using BareMask = std::vector<std::uint8_t>;
 
-/// Makes the masks of the pictures that one renderer draws, each of which it has to be told of.
+/// Makes the masks of the pictures that one renderer draws. Call of() after each picture.
 class BareMasks {
   public:
     /// Returns the mask of the renderer's last picture. The first picture is the right one.

@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 
+#include "renderer/geometry/recent_faces.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
@@ -90,10 +91,10 @@ TEST_CASE("faces of very many corners that alternate from pixel to pixel take th
     Scene scene = discs(1000);
     scene.objects.resize(2);
     std::mt19937 random(1);
-    std::uniform_real_distribution<float> noise(-0.01f, 0.01f);
+    const auto noise = [&random] { return static_cast<float>(random() >> 8) / 0x1p24f * 0.02f - 0.01f; };
     for (Object& object : scene.objects) {
         std::vector<glm::vec3> around = disc(100'000, {0, 0, 0}, 0)->positions;
-        for (glm::vec3& p : around) p.z += noise(random);
+        for (glm::vec3& p : around) p.z += noise();
         object = object_of(std::make_shared<const Mesh>(make_polygon(std::move(around))));
     }
     Renderer renderer(2);
@@ -109,4 +110,18 @@ TEST_CASE("faces of very many corners that alternate from pixel to pixel take th
         }
     CHECK(told > 3000);
     CHECK(changes > 100);
+}
+
+TEST_CASE("of the last eight faces what was found is kept", "[renderer][large-faces]") {
+    RecentFaces<GeometryFace, int> recent;
+    int made = 0;
+    const auto value_of = [&](std::uint32_t face) { return recent.of({1, 0, face}, [&] { return ++made; }); };
+    for (int round = 0; round < 3; ++round)
+        for (std::uint32_t face = 0; face < 8; ++face) CHECK(value_of(face) == static_cast<int>(face) + 1);
+    CHECK(made == 8);
+    CHECK(value_of(8) == 9);  // in place of the oldest
+    CHECK(value_of(1) == 2);
+    CHECK(value_of(0) == 10);
+    CHECK(recent.of({2, 0, 8}, [] { return 0; }) == 0);  // of another geometry, and another object
+    CHECK(recent.of({1, 1, 8}, [] { return 0; }) == 0);
 }
