@@ -8,7 +8,9 @@
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
+#include "tests/support/scenes.h"
 #include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
 
@@ -164,6 +166,25 @@ TEST_CASE("a page that cannot be opened is said, and PgDn and PgUp go on behind 
     (void)bench.frame(drop);
     bench.wait_for_loads();
     fails(Key::PageDown, "1.json", "2.json");  // counted from the document that came
+}
+
+TEST_CASE("PgDn goes on behind a scene for whose picture there is no memory", "[ui][lecture][memory]") {
+    const TemporaryDirectory folder;
+    SceneDocument large = first_scene();
+    large.scene.objects.assign(2000, test::object_of(test::primitive(Primitive::Sphere, 200)));
+    HeadlessWindow bench;
+    for (const auto& [name, scene] :
+         {std::pair("1.json", first_scene().scene), {"2.json", large.scene}, {"3.json", first_scene().scene}})
+        bench.state.lecture.given_scenes.push_back(folder.file(name, scene_text(scene)));
+    begin_open(bench.state, folder.path("1.json"));
+    bench.wait_for_loads();
+    const test::MemoryLimit limit(std::uint64_t{100} << 20);
+    for (const char* title : {"1.json", "3.json"}) {
+        bench.key(Key::PageDown);
+        bench.wait_for_loads();
+        bench.frames(3);
+        CHECK(bench.state.editor.title() == title);
+    }
 }
 
 TEST_CASE("on the projector everything to be read has a contrast of 7 to 1", "[ui][lecture]") {
