@@ -62,7 +62,7 @@ class Builder {
     }
 
     Json take() && { return std::move(root_); }
-    MemoryShare take_share() && {
+    MemoryShare take_share() {
         string_being_read_ = 0;
         reckon();
         return std::move(share_);
@@ -219,7 +219,7 @@ Json read_json(std::string_view text, const std::string& file, MemoryShare* shar
     try {
         Builder builder(text, file);
         Json::sax_parse(builder.begin(), builder.end(), &builder);  // what is wrong is thrown
-        if (share != nullptr) *share = std::move(builder).take_share();
+        if (share != nullptr) *share = builder.take_share();
         return std::move(builder).take();
     } catch (const LoadCancelled&) {
         throw ProblemFound{{file, "", cancelled_words, ""}};
