@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <set>
-#include <tuple>
 
 #include "models/mesh/topology.h"
 #include "renderer/shade/lighting.h"
@@ -33,14 +32,9 @@ struct Extent {
 Extent extent_of(const Object& object, const glm::dmat4& clip_from_world, PictureSize size) {
     const Extent whole{static_cast<double>(size.width), static_cast<double>(size.height)};
     const glm::dmat4 clip_from_object = clip_from_world * world_from_object(object.transform);
-    const Bounds& bounds = object.mesh->bounds;
     glm::dvec2 low(HUGE_VAL), high(-HUGE_VAL);
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const auto of = [&](unsigned i) {
-            const int k = static_cast<int>(i);
-            return static_cast<double>(corner >> i & 1u ? bounds.max[k] : bounds.min[k]);
-        };
-        const glm::dvec4 clip = clip_from_object * glm::dvec4(of(0), of(1), of(2), 1);
+    for (const glm::dvec3& corner : corners_of(object.mesh->bounds)) {
+        const glm::dvec4 clip = clip_from_object * glm::dvec4(corner, 1);
         if (!(clip.w > 0)) return whole;
         low = glm::min(low, glm::dvec2(clip) / clip.w);
         high = glm::max(high, glm::dvec2(clip) / clip.w);
@@ -91,13 +85,13 @@ class ObjectsMemory {
         if (meshes_.insert(&mesh).second)
             need[MemoryUse::Objects] +=
                 3 * triangles * sizeof(std::uint32_t) + (edges ? topology_memory(mesh) : 0);
-        const NormalOptions& o = object.normals;
-        if (!options_.insert({&mesh, o.source, o.weighting, o.crease_deg}).second) return;
+        if (!options_.insert(normals_key(object)).second) return;
         need[MemoryUse::Objects] +=
             normals.normals * sizeof(glm::vec3) + normals.corners * sizeof(std::uint32_t);
         if (normals.averaged)
-            max_meanwhile_ = std::max(max_meanwhile_, normals.normals * bytes_of_sum +
-                                                          (o.crease_deg < 180 ? topology_memory(mesh) : 0));
+            max_meanwhile_ =
+                std::max(max_meanwhile_, normals.normals * bytes_of_sum +
+                                             (object.normals.crease_deg < 180 ? topology_memory(mesh) : 0));
     }
 
     /// The bytes of corners or faces that may be lit, each with its normal as it is and reversed; few are
@@ -113,7 +107,7 @@ class ObjectsMemory {
 
     std::uint64_t max_meanwhile_ = 0;
     std::set<const Mesh*> meshes_;
-    std::set<std::tuple<const Mesh*, NormalSource, NormalWeighting, float>> options_;
+    std::set<NormalsKey> options_;
 };
 
 /// The bytes that every pixel takes, whatever shows there.

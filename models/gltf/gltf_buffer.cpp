@@ -45,10 +45,7 @@ std::string glb_container(std::string_view json, std::string_view bin) {
     return out;
 }
 
-GltfMeshKey mesh_key(const Object& object) {
-    const NormalOptions& n = object.normals;
-    return {object.mesh.get(), n.source, n.weighting, n.crease_deg, n.flip};
-}
+GltfMeshKey mesh_key(const Object& object) { return {normals_key(object), object.normals.flip}; }
 
 int GltfBuffer::add_view(std::size_t begin, int target) {
     views_.push_back(

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "models/memory_limit.h"
@@ -23,7 +23,7 @@ using GltfJson = nlohmann::ordered_json;
 [[nodiscard]] std::string glb_container(std::string_view json, std::string_view bin);
 
 /// What the numbers of an object's mesh follow from: objects of one key share them.
-using GltfMeshKey = std::tuple<const Mesh*, NormalSource, NormalWeighting, float, bool>;
+using GltfMeshKey = std::pair<NormalsKey, bool>;  // and NormalOptions::flip
 [[nodiscard]] GltfMeshKey mesh_key(const Object& object);
 
 /// Collects the numbers of meshes, with the buffer views and accessors that say where they lie.

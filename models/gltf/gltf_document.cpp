@@ -240,15 +240,17 @@ Result<GltfFile> GltfFile::read(const std::string& path) {
 
 namespace {
 
+/// Returns the list of that key, empty where there is none. What is malformed is left to where it is read.
+const Json& list_of(const Json& value, const char* key) {
+    static const Json none = Json::array();
+    const auto found = value.is_object() ? value.find(key) : value.end();
+    return found != value.end() && found->is_array() ? *found : none;
+}
+
 std::vector<std::size_t> first_parts_of(const Json& root) {
     std::vector<std::size_t> first{0};
-    const auto meshes = root.find("meshes");
-    if (meshes == root.end() || !meshes->is_array()) return first;
-    for (const Json& one : *meshes) {
-        const auto primitives = one.is_object() ? one.find("primitives") : one.end();
-        const bool has_any = primitives != one.end() && primitives->is_array();
-        first.push_back(first.back() + (has_any ? primitives->size() : 0));
-    }
+    for (const Json& mesh : list_of(root, "meshes"))
+        first.push_back(first.back() + list_of(mesh, "primitives").size());
     return first;
 }
 
@@ -262,20 +264,16 @@ std::optional<GltfVertexKey> sound_key_of(const GltfDocument& document, const No
     }
 }
 
-/// Finds which vertices several primitives name. What is malformed is left to where it is read. Fails where
-/// overlapping accessors name many times more vertices than the buffers hold: reading them would take long.
+/// Finds which vertices several primitives name. Fails where overlapping accessors name many times more
+/// vertices than the buffers hold: reading them would take long.
 std::set<GltfVertexKey> shared_vertices_of(const GltfDocument& document) {
     constexpr std::uint64_t most_times = 64;
     std::uint64_t bytes_there = document.bytes.size(), bytes_named = 0;
     for (const std::string& own : document.own) bytes_there += own.size();
     std::set<GltfVertexKey> named, shared;
     const Node root(document.root);
-    const auto meshes = document.root.find("meshes");
-    if (meshes == document.root.end() || !meshes->is_array()) return shared;
-    for (const Json& mesh : *meshes) {
-        const auto primitives = mesh.is_object() ? mesh.find("primitives") : mesh.end();
-        if (primitives == mesh.end() || !primitives->is_array()) continue;
-        for (const Json& primitive : *primitives) {
+    for (const Json& mesh : list_of(document.root, "meshes"))
+        for (const Json& primitive : list_of(mesh, "primitives")) {
             const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
             if (attributes == primitive.end() || !attributes->is_object()) continue;
             const std::optional<GltfVertexKey> key = sound_key_of(document, root, Node(*attributes));
@@ -289,7 +287,6 @@ std::set<GltfVertexKey> shared_vertices_of(const GltfDocument& document) {
                                  bytes_named, bytes_there),
                      fmt::format("at most {} times as many", most_times));
         }
-    }
     return shared;
 }
 

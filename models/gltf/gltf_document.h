@@ -35,7 +35,7 @@ struct GltfNumbers {
 
     [[nodiscard]] double at(std::size_t i, std::size_t component) const;
     [[nodiscard]] glm::vec3 vector_at(std::size_t i) const;
-    /// Bytes of the numbers alone, without what lies between them.
+    /// Returns the bytes of the numbers alone, without what lies between them.
     [[nodiscard]] std::uint64_t bytes() const;
     auto operator<=>(const GltfNumbers&) const = default;
 };
@@ -95,7 +95,7 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
 /// where it is not of that `type` ("VEC3"), or has no buffer view.
 [[nodiscard]] GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Node& from,
                                      std::string_view key, std::string_view type);
-/// The numbers of a primitive's vertices. Fails as numbers_of() does.
+/// Returns the numbers of a primitive's vertices. Fails as numbers_of() does.
 [[nodiscard]] GltfVertexKey vertex_key_of(const GltfDocument& document, const Node& root,
                                           const Node& attributes);
 [[nodiscard]] bool is_sparse(const Node& root, const Node& from, std::string_view key);

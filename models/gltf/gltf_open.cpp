@@ -21,10 +21,7 @@ glm::dvec3 middle_of(const Scene& scene) {
     glm::dvec3 low(max_number), high(-max_number);
     for (const Object& object : scene.objects) {
         const glm::dmat4 m = world_from_object(object.transform);
-        for (int i = 0; i < 8; ++i) {
-            const Bounds& b = object.mesh->bounds;
-            const glm::dvec3 corner((i & 1) != 0 ? b.max.x : b.min.x, (i & 2) != 0 ? b.max.y : b.min.y,
-                                    (i & 4) != 0 ? b.max.z : b.min.z);
+        for (const glm::dvec3& corner : corners_of(object.mesh->bounds)) {
             const glm::dvec3 p(m * glm::dvec4(corner, 1));
             low = glm::min(low, p);
             high = glm::max(high, p);

@@ -26,9 +26,9 @@ inline constexpr std::size_t max_json_depth = 64;  // objects and arrays inside 
 /// `[]` would take twenty times its size in memory.
 inline constexpr std::size_t max_json_values = 2'000'000;
 
-/// The document; a leading byte-order mark is passed over. Throws ProblemFound with `file`, the line and,
-/// where there is one, the pointer. `share` is given the share of the text and of the document, for a caller
-/// that keeps both.
+/// Returns the document; a leading byte-order mark is passed over. Throws ProblemFound with `file`, the line
+/// and, where there is one, the pointer. `share` is given the share of the text and of the document, for a
+/// caller that keeps both.
 [[nodiscard]] Json read_json(std::string_view text, const std::string& file, MemoryShare* share = nullptr);
 
 /// Empties a document from the inside out. The library's destructor allocates memory for arrays and objects

@@ -29,6 +29,14 @@ Bounds bounds_of_faces(const Mesh& mesh) {
 
 }  // namespace
 
+std::array<glm::dvec3, 8> corners_of(const Bounds& bounds) {
+    std::array<glm::dvec3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] = {(i & 1) != 0 ? bounds.max.x : bounds.min.x, (i & 2) != 0 ? bounds.max.y : bounds.min.y,
+                      (i & 4) != 0 ? bounds.max.z : bounds.min.z};
+    return corners;
+}
+
 void finish_mesh(Mesh& mesh) {
     mesh.triangles.clear();
     if (mesh.corner_position.size() > 2 * mesh.face_count())

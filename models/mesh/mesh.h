@@ -33,6 +33,8 @@ struct Bounds {
     glm::vec3 min{0}, max{0};
     bool operator==(const Bounds&) const = default;
 };
+/// Returns the corners, x changing fastest, then y.
+[[nodiscard]] std::array<glm::dvec3, 8> corners_of(const Bounds& bounds);
 
 struct Mesh {
     std::vector<glm::vec3> positions;         // #V, object coordinates, scene units; unused ones are kept

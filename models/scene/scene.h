@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -61,6 +62,13 @@ struct Object {
     /// drawn again.
     bool operator==(const Object&) const = default;
 };
+
+/// What the normals of an object's corners follow from: objects of one key have the same, but for `flip`.
+using NormalsKey = std::tuple<const Mesh*, NormalSource, NormalWeighting, float>;
+[[nodiscard]] inline NormalsKey normals_key(const Object& object) {
+    const NormalOptions& n = object.normals;
+    return {object.mesh.get(), n.source, n.weighting, n.crease_deg};
+}
 
 /// Non-photorealistic: cool-to-warm shading and strokes.
 struct Npr {

@@ -49,7 +49,7 @@ struct SceneDocument {
 /// JSON text of a scene: every key (of mistakes only those made), floats in the shortest form that reads back
 /// equal, ends with a newline.
 [[nodiscard]] std::string scene_text(const Scene& scene);
-/// Bytes that whoever tells or carries a scene takes beside it: for its own copy, its JSON, and the text
+/// Returns the bytes that telling or carrying a scene takes beside it: for a copy, its JSON, and the text
 /// while it grows.
 [[nodiscard]] std::uint64_t bytes_to_tell(const Scene& scene);
 

@@ -93,16 +93,15 @@ bool near_plane_cuts(const Facts& f) {
         clip_from_view(f.scene.camera.projection, {}) * view_from_world(f.scene.camera);
     return std::any_of(f.objects.begin(), f.objects.end(), [&clip_from_world](const Object& o) {
         const glm::dmat4 m = clip_from_world * world_from_object(o.transform);
-        const auto is_behind = [&m](const glm::vec3& p) {
-            const glm::dvec4 c = m * glm::dvec4(glm::dvec3(p), 1);
+        const auto is_behind = [&m](const glm::dvec3& p) {
+            const glm::dvec4 c = m * glm::dvec4(p, 1);
             return c.z < -c.w;
         };
+        const auto any_behind = [&is_behind](const auto& places) {
+            return std::any_of(places.begin(), places.end(), is_behind);
+        };
         // What lies in a box of which no corner is behind the plane is not behind it.
-        const std::array<glm::vec3, 2> ends{o.mesh->bounds.min, o.mesh->bounds.max};
-        bool any_corner = false;
-        for (std::size_t i = 0; i < 8; ++i)
-            any_corner = any_corner || is_behind({ends[i & 1].x, ends[i >> 1 & 1].y, ends[i >> 2].z});
-        return any_corner && std::any_of(o.mesh->positions.begin(), o.mesh->positions.end(), is_behind);
+        return any_behind(corners_of(o.mesh->bounds)) && any_behind(o.mesh->positions);
     });
 }
 
@@ -248,11 +247,6 @@ std::vector<Object> shown(const Scene& scene) {
     std::copy_if(scene.objects.begin(), scene.objects.end(), std::back_inserter(objects),
                  [](const Object& o) { return o.visible; });
     return objects;
-}
-
-NormalsKey normals_key(const Object& object) {
-    const NormalOptions& n = object.normals;
-    return {object.mesh.get(), n.source, n.weighting, n.crease_deg};
 }
 
 std::vector<Need> needs_of(const Scene& scene) {

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "models/scene/scene.h"
@@ -21,10 +20,6 @@ struct Need {
 /// point light.
 [[nodiscard]] std::vector<Light> shining(const Scene& scene);
 [[nodiscard]] std::vector<Object> shown(const Scene& scene);
-
-/// What the normals of an object's corners follow from: objects of one key have the same.
-using NormalsKey = std::tuple<const Mesh*, NormalSource, NormalWeighting, float>;
-[[nodiscard]] NormalsKey normals_key(const Object& object);
 
 /// All needs of the scene.
 [[nodiscard]] std::vector<Need> needs_of(const Scene& scene);

@@ -46,9 +46,9 @@ struct StrokeLine {
     std::uint32_t object = 0;
 };
 
-/// The visible pieces of the chosen edges of one object, in the order of the edges. `margin_px`: how far
-/// outside the picture an edge still matters, at least 1. An edge may fall to pieces at every second pixel of
-/// its length: what that takes is added to `share`.
+/// Returns the visible pieces of the chosen edges of one object, in the order of the edges. `margin_px`: how
+/// far outside the picture an edge still matters, at least 1. An edge may fall to pieces at every second
+/// pixel of its length: what that takes is added to `share`.
 [[nodiscard]] std::vector<StrokeLine> visible_lines(const Geometry& geometry, const Visibility& visibility,
                                                     std::uint32_t object, const MeshEdges& mesh,
                                                     std::span<const StrokeEdge> edges, double margin_px,

@@ -56,10 +56,10 @@ struct Loading {
 
 /// Begins to open a scene, with the assignments applied to it, a mesh or a lesson.
 [[nodiscard]] Opening opening_of(const std::string& path, const std::vector<Assignment>& assignments = {});
-/// The same for a lesson, whatever its file is called.
+/// Begins to open a lesson, whatever its file is called.
 [[nodiscard]] Opening opening_of_lesson(const std::string& path);
 
-/// Waits for it as for a file that is opened in the window, whose present scene stays until then; what was
+/// Waits for a file as if it had been opened in the window, whose present scene stays until then; what was
 /// being opened is cancelled.
 void await_opening(UiState& state, Opening opening);
 
@@ -112,7 +112,7 @@ void recovery_panel(UiState& state, const Rect& picture);
 
 /// Whether a primitive is made in a few milliseconds.
 [[nodiscard]] bool is_quick(const PrimitiveMesh& mesh);
-/// Whether the object has no mesh, and to make it takes longer than that.
+/// Whether the object has no mesh, and making it takes longer than is_quick() allows.
 [[nodiscard]] bool awaits_slow_mesh(const Object& object);
 
 }  // namespace glint

@@ -70,14 +70,6 @@ glm::ivec2 pixel_at_place(glm::ivec2 pixel, PictureSize from, PictureSize to) {
     return {pixel.x * to.width / from.width, pixel.y * to.height / from.height};
 }
 
-std::array<glm::dvec3, 8> corners_of(const Bounds& box) {
-    std::array<glm::dvec3, 8> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        corners[i] = {(i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
-                      (i & 4) != 0 ? box.max.z : box.min.z};
-    return corners;
-}
-
 double PictureView::pixels(float units) const { return double(px(units)) / double(units_per_pixel); }
 
 void WorldPen::line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const {

@@ -5,7 +5,6 @@
 
 #include <imgui.h>
 
-#include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -47,8 +46,6 @@ struct Ray {
 [[nodiscard]] bool is_inside(PictureSize size, glm::dvec2 pixel);
 /// The whole pixel at `pixel`, or the one at the border that is nearest to it.
 [[nodiscard]] glm::ivec2 nearest_pixel(PictureSize size, glm::dvec2 pixel);
-
-[[nodiscard]] std::array<glm::dvec3, 8> corners_of(const Bounds& box);
 
 /// The sphere on which directional lights are shown and dragged.
 struct Dome {

@@ -36,6 +36,13 @@ struct Gate {
     }
 };
 
+/// Awaits a file whose opening began before, with its lights taken away.
+void await_unlit(HeadlessWindow& bench, const std::string& path) {
+    Opening opening = opening_of(path, {std::get<Assignment>(parse_assignment("/lights=[]"))});
+    REQUIRE(opening.job->wait_for(std::chrono::minutes(1)));
+    await_opening(bench.state, std::move(opening));
+}
+
 constexpr const char* square_obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
 }  // namespace
@@ -71,9 +78,7 @@ TEST_CASE("a file that was begun before the window is awaited in it, with what i
     const std::string path = folder.file("given.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
     bench.frames(2);
-    Opening opening = opening_of(path, {std::get<Assignment>(parse_assignment("/lights=[]"))});
-    REQUIRE(opening.job->wait_for(std::chrono::minutes(1)));
-    await_opening(bench.state, std::move(opening));
+    await_unlit(bench, path);
     CHECK_FALSE(bench.scene().lights.empty());
     bench.wait_for_loads();
     CHECK(bench.scene().lights.empty());
@@ -88,9 +93,7 @@ TEST_CASE(
     const std::string path = folder.file("given.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
     bench.frames(2);
-    Opening opening = opening_of(path, {std::get<Assignment>(parse_assignment("/lights=[]"))});
-    REQUIRE(opening.job->wait_for(std::chrono::minutes(1)));
-    await_opening(bench.state, std::move(opening));
+    await_unlit(bench, path);
     bench.scene().shading.mode = ShadingMode::Flat;
     bench.wait_for_loads();
     REQUIRE(bench.state.pending.asking);

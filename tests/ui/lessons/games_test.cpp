@@ -198,14 +198,23 @@ TEST_CASE("another stored scene is not the target beside it", "[ui][window][matc
     CHECK(*bench.state.views.compare.choice.stored == bench.state.match.task.target);
 }
 
-TEST_CASE("an own picture is not the target beside it, and goes with its game", "[ui][window][match]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench({1280, 1000});
+namespace {
+
+/// Opens a game, puts its target beside it, and brings a picture, "mine.png".
+void open_game_with_picture(HeadlessWindow& bench, const TemporaryDirectory& folder) {
     open_game(bench, 2);
     bench.click(bench.control("Target beside it"));
     bring_picture(bench.state, folder.file("mine.png", png_bytes(bench.state.match.target, "")));
     while (!bench.state.mine.shown) (void)bench.frame();
     bench.frames(2);
+}
+
+}  // namespace
+
+TEST_CASE("an own picture is not the target beside it, and goes with its game", "[ui][window][match]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench({1280, 1000});
+    open_game_with_picture(bench, folder);
     bench.click(bench.control("Target beside it"));
     bench.frames(2);
     const CompareChoice& choice = bench.state.views.compare.choice;
@@ -242,11 +251,7 @@ TEST_CASE("a picture that came during a game stays beside the scene when the gam
           "[ui][window][match]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench({1280, 1000});
-    open_game(bench, 2);
-    bench.click(bench.control("Target beside it"));
-    bring_picture(bench.state, folder.file("mine.png", png_bytes(bench.state.match.target, "")));
-    while (!bench.state.mine.shown) (void)bench.frame();
-    bench.frames(2);
+    open_game_with_picture(bench, folder);
     bench.click(bench.control("Leave"));
     bench.frames(2);
     const CompareChoice& choice = bench.state.views.compare.choice;
