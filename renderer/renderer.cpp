@@ -157,6 +157,11 @@ Explanation Renderer::explain_as(const Scene& other, int x, int y) const {
     return explain_pixel_as(kept_->stages, other, x, y);
 }
 
+float Renderer::stroke_at(int x, int y) const {
+    const KeptStages& s = kept_->stages;
+    return s.strokes.coverage_at(s.lighting.picture.pixel(x, y));
+}
+
 int Renderer::object_at(int x, int y) const {
     const KeptStages& s = kept_->stages;
     const std::uint32_t triangle = s.visibility.triangle_at(s.lighting.picture.pixel(x, y));

@@ -85,6 +85,9 @@ class Renderer {
     /// background.
     [[nodiscard]] float depth_at(int x, int y) const;
 
+    /// The share of a pixel of the last picture that strokes cover, from 0 to 1.
+    [[nodiscard]] float stroke_at(int x, int y) const;
+
     /// Warnings of the last frame (normals that were missing, ...), one a kind.
     [[nodiscard]] const Warnings& warnings() const;
 

@@ -69,9 +69,10 @@ std::vector<PixelKind> pixel_kinds(const Renderer& renderer, PictureSize size) {
     tbb::parallel_for(0, size.height, [&](int y) {
         for (int x = 0; x < size.width; ++x) {
             const bool shown = renderer.object_at(x, y) >= 0;
-            kinds[size.index(x, y)] = near_break(breaks, size, x, y) ? PixelKind::Edge
-                                      : shown                        ? PixelKind::Surface
-                                                                     : PixelKind::Background;
+            const bool edge = near_break(breaks, size, x, y) || renderer.stroke_at(x, y) > 0;
+            kinds[size.index(x, y)] = edge    ? PixelKind::Edge
+                                      : shown ? PixelKind::Surface
+                                              : PixelKind::Background;
         }
     });
     return kinds;

@@ -10,7 +10,7 @@ namespace glint {
 
 enum class PixelKind : std::uint8_t {
     Background,  // and so do its eight neighbours
-    Edge,        // a silhouette, a crease, a stroke's neighbourhood, or a neighbour of these
+    Edge,        // a silhouette, a crease, a neighbour of these, or what a stroke covers, however wide
     Surface      // it and its neighbours show one surface
 };
 

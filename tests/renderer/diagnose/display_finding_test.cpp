@@ -240,6 +240,40 @@ TEST_CASE("a shift is measured to its end, and not to where a plane would have l
     }
 }
 
+TEST_CASE("strokes that reach over the background are neither another background nor another outline",
+          "[diagnose]") {
+    SceneDocument document = bright_scene();
+    document.scene.npr.silhouettes = true;
+    document.scene.npr.stroke_width_px = 12;
+    Renderer renderer(1);
+    const std::vector<PixelKind> kinds = [&] {
+        (void)renderer.render(document.scene, diagnosed_size);
+        return pixel_kinds(renderer, diagnosed_size);
+    }();
+    const Picture right = picture_under(document.scene, {});
+    const Rgb background = rgb_at(right, 0);
+    std::size_t bare = 0, covered = 0;  // of what shows no surface
+    for (int y = 0; y < diagnosed_size.height; ++y)
+        for (int x = 0; x < diagnosed_size.width; ++x) {
+            const std::size_t i = diagnosed_size.index(x, y);
+            if (renderer.object_at(x, y) < 0) (rgb_at(right, i) == background ? bare : covered) += 1;
+            if (kinds[i] == PixelKind::Background) CHECK(rgb_at(right, i) == background);
+        }
+    REQUIRE(covered > bare / 50);  // else they would not count as another outline
+    const Diagnosis same = diagnosed(document, right);
+    CHECK(same.verdict == Verdict::NoMistake);
+    CHECK(count_of(same.pixels, PixelKind::Background).unlike == 0);
+    CHECK_FALSE(same.display.background);
+
+    Scene unexplained = document.scene;  // a material of the scene is another, and a mistake is made
+    unexplained.objects[0].material.diffuse = {0.1f, 0.9f, 0.3f};
+    unexplained.objects[0].material.shininess = 3;
+    const Diagnosis other =
+        diagnosed(document, picture_under(unexplained, {place_of("normals_left_in_world")}));
+    INFO(other.why);
+    CHECK(other.verdict != Verdict::NotComparable);
+}
+
 TEST_CASE("how much of a picture only softness explains is counted, and said where it might hide a highlight",
           "[diagnose]") {
     const SceneDocument document = shipped("every-term.json");
