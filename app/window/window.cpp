@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "app/assets.h"
 #include "app/failure.h"
 #include "app/window/clipboard.h"
+#include "app/window/ending_signals.h"
 #include "app/window/window_frames.h"
 #include "app/window/x_errors.h"
 #include "ui/document/averaged_normals.h"
@@ -44,6 +46,7 @@ SceneDocument default_document(const std::vector<Assignment>& assignments) {
     if (path.empty()) return first_scene();
     SceneDocument document = take(open_document(path, assignments));
     document.path.clear();  // Ctrl+S must not write over the program's own scene: it is a new one
+    document.assignments.clear();
     return document;
 }
 
@@ -138,15 +141,22 @@ void run_window(const WindowOptions& options) {
     tell_averaged_normals(state);
     if (first.course) begin_lesson(state, first.course);
     if (first.awaited) await_opening(state, *std::move(first.awaited));
+    std::optional<EndingSignals> signals;
+    signals.emplace();
     try {
-        window.run();
+        window.run(*signals);
     } catch (...) {
         (void)keep_unsaved_work(state);
         throw;
     }
-    open_state = nullptr;  // all is answered: what is not saved was not to be
-    end_persistence(state);
+    open_state = nullptr;
+    const int signal = signals->number();
+    // Where the window was closed all is answered: what is not saved was not to be.
+    const bool kept = signal != 0 && keep_unsaved_work(state);
+    end_persistence(state, kept);
     leave_lesson(state);
+    signals.reset();
+    if (signal != 0) std::raise(signal);  // a shell is told it
     // Ends jobs that nobody waits for any more. Everything that was to be kept is written.
     glfwHideWindow(handle);
     if (!end_jobs(state, longest_farewell)) std::quick_exit(0);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/window/ending_signals.h"
 #include "app/window/gl.h"
 #include "app/window/x_errors.h"
 #include "ui/widgets/theme.h"
@@ -40,11 +41,11 @@ WindowFrames::~WindowFrames() {
     glfwDestroyWindow(window_);
 }
 
-void WindowFrames::run() {
+void WindowFrames::run(const EndingSignals& signals) {
     bool shown = false;
     while (true) {
         const UiRequests wants = frame();
-        if (wants.quit) return;
+        if (wants.quit || signals.number() != 0) return;
         if (!shown) glfwShowWindow(window_);
         shown = true;
         wait(wants.sleep_s);

@@ -21,6 +21,8 @@ struct GLFWwindow;
 
 namespace glint {
 
+class EndingSignals;
+
 class WindowFrames {
   public:
     /// Takes the window over and destroys it at its end. `state` must outlive it; `display_gone` as in
@@ -33,8 +35,8 @@ class WindowFrames {
     /// False where the display has no OpenGL 3.0.
     [[nodiscard]] bool ready() const { return canvas_ && canvas_->ready(); }
 
-    /// Draws frame after frame until the window is closed. Precondition: ready().
-    void run();
+    /// Draws frame after frame until the window is closed or a signal asks it to end. Precondition: ready().
+    void run(const EndingSignals& signals);
 
   private:
     /// ImGui needs a frame or two after an event until all that follows from it is drawn.

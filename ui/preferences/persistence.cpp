@@ -259,10 +259,10 @@ void keep_orphan(UiState& state, const std::string& path) {
     memory.orphans.erase(copy);
 }
 
-void end_persistence(UiState& state) {
+void end_persistence(UiState& state, bool keeps_copy) {
     Persistence& memory = state.persistence;
     if (memory.folder.empty()) return;
-    drop_autosave(state);
+    if (!keeps_copy) drop_autosave(state);
     (void)note_recent(state, patience_at_end);
     (void)write_preferences(state, patience_at_end);
 }

@@ -108,8 +108,9 @@ void poll_persistence(UiState& state);
 /// Removes the copy once the scene is saved or given up, also when the window closes.
 void drop_autosave(UiState& state);
 
-/// Writes at once what would be written later.
-void end_persistence(UiState& state);
+/// Writes at once what would be written later of preferences and recent files. The copy of the unsaved work
+/// goes, unless `keeps_copy`.
+void end_persistence(UiState& state, bool keeps_copy = false);
 
 /// Writes the copy of the unsaved work, if there is any, for a window that cannot go on. Returns true if
 /// there is a copy for the next window to offer.

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# A window that is told to end by a signal keeps what was edited last, and ends by that signal; one that was saved leaves nothing.
+set -u
+# shellcheck disable=SC2034  # display.sh uses it
+program=$1
+# shellcheck source=tests/gui/display.sh
+. "$(dirname "$0")/display.sh"
+
+state=$XDG_STATE_HOME/glint
+start_display 1280x800
+gone() { ! kill -0 "$glint_pid" 2>/dev/null; }
+# end_by SIGNAL: the window ends, and by that signal.
+end_by() {
+    local signal=$1 status=0
+    kill -"$signal" "$glint_pid"
+    within 20 gone || fail "$signal did not end the window"
+    wait "$glint_pid" || status=$?
+    [ "$status" -eq $((128 + $(kill -l "$signal"))) ] || fail "exit status $status after $signal"
+    glint_pid=
+}
+
+for signal in TERM HUP; do
+    rm -rf "$state"
+    echo '{"glint": 1, "objects": [{"name": "Ball"}]}' >"$work/scene.json"
+    start_glint "$work/scene.json"
+    xdotool key 1 # flat shading: a change
+    copied() { grep -q '"mode": "flat"' "$state"/*.autosave 2>/dev/null; }
+    within 15 copied || fail "no copy of the unsaved work"
+    xdotool key 2 # facet: the next copy would come 5 seconds later
+    sleep 1
+    end_by "$signal"
+    grep -q '"mode": "facet"' "$state"/*.autosave || fail "after $signal the copy is not what was on the screen"
+    grep -q facet "$work/scene.json" && fail "$signal wrote the file without being asked"
+    [ -s "$state/window.json" ] || fail "after $signal the columns are not remembered"
+
+    start_glint "$work/scene.json"
+    sleep 0.5
+    xdotool mousemove 430 136 click 1 # "Recover"
+    sleep 0.5
+    xdotool key ctrl+s
+    saved() { grep -q '"mode": "facet"' "$work/scene.json"; }
+    within 10 saved || fail "what was taken up is not what is saved"
+    sleep 1
+    end_by "$signal"
+    ls "$state"/*.autosave >/dev/null 2>&1 && fail "a copy of saved work was left behind"
+done
+echo "passed"
