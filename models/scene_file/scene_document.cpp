@@ -223,7 +223,8 @@ Result<SceneDocument> open_document(const std::string& path, const std::vector<A
     // Before reading: what is written meanwhile counts as a change.
     const FileStamp stamp = path == "-" ? FileStamp{} : file_stamp(path);
     Result<SceneDocument> opened = open_by_extension(path, assignments);
-    if (auto* document = std::get_if<SceneDocument>(&opened)) document->stamp = stamp;
+    if (auto* document = std::get_if<SceneDocument>(&opened))
+        document->stamp = stamp, document->assignments = assignments;
     return opened;
 }
 

@@ -34,6 +34,7 @@ struct SceneDocument {
     Warnings warnings;
     FileStamp stamp = {};  // of the file at `path` when it was read or written; none for a new scene
     std::optional<PictureSize> fitted_to = {};  // of a picture that shows the scene so
+    std::vector<Assignment> assignments = {};   // that were applied to what the file holds
 };
 
 /// Splits "POINTER=JSON"; a problem (file "--set") when there is no '=' or the pointer does not begin with

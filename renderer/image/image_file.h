@@ -64,14 +64,15 @@ enum class PictureFormat { Png, Pfm, Exr };
 /// GIF89a, endlessly repeated; each frame has a palette of its own (median cut, Heckbert 1982).
 class GifWriter {
   public:
-    /// `hundredths`: how long each frame is shown. Precondition: the size is 1x1 to 16384x16384.
-    GifWriter(PictureSize size, int hundredths);
+    /// Precondition: the size is 1x1 to 16384x16384.
+    explicit GifWriter(PictureSize size);
     ~GifWriter();
     GifWriter(const GifWriter&) = delete;
     GifWriter& operator=(const GifWriter&) = delete;
 
-    /// Adds a picture of that size. False when there is no memory for it.
-    [[nodiscard]] bool add(const Picture& picture);
+    /// Adds a picture of that size, shown for so many hundredths of a second. False when there is no memory
+    /// for it.
+    [[nodiscard]] bool add(const Picture& picture, int hundredths);
     /// The whole file, once.
     [[nodiscard]] Result<std::string> finish();
 

@@ -51,7 +51,6 @@ using ColorMap = std::unique_ptr<ColorMapObject, FreeMap>;
 
 struct GifWriter::Encoder {
     PictureSize size;
-    int hundredths;
     std::string bytes;
     GifFileType* file = nullptr;
     bool failed = false;
@@ -79,7 +78,7 @@ struct GifWriter::Encoder {
         loop_extension();
     }
 
-    void delay() {
+    void delay(int hundredths) {
         const GraphicsControlBlock control{DISPOSE_DO_NOT, false, hundredths, NO_TRANSPARENT_COLOR};
         GifByteType block[4];
         EGifGCBToExtension(&control, block);
@@ -101,7 +100,7 @@ struct GifWriter::Encoder {
         return index;
     }
 
-    void frame(const Picture& picture) {
+    void frame(const Picture& picture, int hundredths) {
         const ColorMap map(GifMakeMapObject(colours, nullptr));
         failed |= !map;
         if (failed) return;
@@ -116,15 +115,15 @@ struct GifWriter::Encoder {
         } else {
             index = quantised(picture, *map);
         }
-        delay();
+        delay(hundredths);
         check(EGifPutImageDesc(file, 0, 0, size.width, size.height, false, map.get()));
         for (int y = 0; y < size.height && !failed; ++y)
             check(EGifPutLine(file, &index[size.index(0, y)], size.width));
     }
 };
 
-GifWriter::GifWriter(PictureSize size, int hundredths)
-    : encoder_(std::make_unique<Encoder>(Encoder{size, hundredths, {}, nullptr, false})) {
+GifWriter::GifWriter(PictureSize size)
+    : encoder_(std::make_unique<Encoder>(Encoder{size, {}, nullptr, false})) {
     encoder_->begin();
 }
 
@@ -133,8 +132,8 @@ GifWriter::~GifWriter() {
     if (encoder_->file != nullptr) EGifCloseFile(encoder_->file, &error);
 }
 
-bool GifWriter::add(const Picture& picture) {
-    if (!encoder_->failed) encoder_->frame(picture);
+bool GifWriter::add(const Picture& picture, int hundredths) {
+    if (!encoder_->failed) encoder_->frame(picture, hundredths);
     return !encoder_->failed;
 }
 

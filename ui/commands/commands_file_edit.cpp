@@ -169,6 +169,13 @@ std::vector<WindowCommand> file_commands() {
     };
 }
 
+/// Takes back the edit that asked for a mesh, of which there is no step yet. Whatever was edited meanwhile
+/// becomes a step and is undone, too: it can be redone. The view stays.
+void undo_awaiting(UiState& state) {
+    give_up_meshes(state);
+    if (remember_step(state.editor, false)) undo(state.editor);
+}
+
 std::vector<WindowCommand> edit_commands() {
     return {
         {.name = "Undo",
@@ -177,8 +184,8 @@ std::vector<WindowCommand> edit_commands() {
          .run =
              [](UiState& s) {
                  forget_told(s.notifications);
-                 if (awaits_mesh(s))  // there is no step yet of the edit that asked for it
-                     take_back_edits(s.editor);
+                 if (awaits_mesh(s))
+                     undo_awaiting(s);
                  else
                      undo(s.editor);
              },

@@ -28,6 +28,7 @@ constexpr double first_memory_wait = 1, longest_memory_wait = 60;  // seconds un
 void put_views_away(UiState& state) {
     ViewsState& views = state.views;
     views.compare.choice.on = views.compare.choice.shows_stored = false;
+    views.compare.b_turned = false;
     forget_parts(views.compare);
     views.debug_view.set = {};
     views.debug_view.painter.reset();
@@ -56,6 +57,16 @@ std::string taken_away(const UiState& state) {
     return "";
 }
 
+/// What outlives its document, B and the frozen picture, names its mesh files as seen from the next one.
+void lead_meshes_from(UiState& state, const std::string& next_dir) {
+    const std::string& dir = state.editor.document.mesh_dir;
+    if (dir == next_dir) return;
+    std::shared_ptr<const Scene>& stored = state.views.compare.choice.stored;
+    if (stored) stored = std::make_shared<const Scene>(with_mesh_paths_from(*stored, dir, next_dir));
+    std::optional<Scene>& frozen = state.lecture.frozen;
+    if (frozen) frozen = with_mesh_paths_from(*std::move(frozen), dir, next_dir);
+}
+
 /// Restores the edited scene as it was drawn last, or as the history's newest step has it. A scene that was
 /// drawn already, smaller or with less, stays.
 void take_scene_back(UiState& state) {
@@ -67,6 +78,7 @@ void take_scene_back(UiState& state) {
     if (editor.before) {
         AskedScene& asked = state.lecture.asked;
         asked.failed |= asked.path == editor.document.path;
+        lead_meshes_from(state, editor.before->document.mesh_dir);
         const std::unique_ptr<Editor> before = std::move(editor.before);
         editor = std::move(*before);
     } else if (knows_drawn(state)) {
@@ -140,6 +152,7 @@ void take_scene(UiState& state, SceneDocument document) {
     end_match(state);
     (void)cancel_gesture(state.viewport, state.editor.scene());
     let_go_of_fields();
+    lead_meshes_from(state, document.mesh_dir);
     take_document(state.editor, std::move(document));
     if (given_scene_beside(state.lecture.given_scenes, state.editor.document.path, 0))
         state.lecture.last_given = state.editor.document.path;

@@ -51,6 +51,8 @@ std::optional<Problem> save_file(Editor& editor, std::string path, const Scene& 
     if (const Problem* problem = problem_of(written)) return *problem;
     editor.document.path = path;
     editor.document.stamp = std::get<SceneDocument>(written).stamp;
+    editor.document.fitted_to.reset();  // as another file than the picture that was opened
+    editor.document.assignments.clear();
     editor.saved = std::move(saved.scene);
     editor.saved_edited_camera = editor.history.edited_camera();
     return {};
@@ -86,13 +88,13 @@ std::optional<Problem> settle(Editor& editor) {
     return *problem;
 }
 
-void remember_step(Editor& editor, bool join) {
+bool remember_step(Editor& editor, bool join) {
     const Camera &now = editor.scene().camera, before = editor.history.present().camera;
     if (!std::exchange(editor.edits_camera, false) && now != before) {
         if (!join) editor.views.leave(before);
         editor.history.look(now);
     }
-    editor.history.commit(editor.scene());
+    return editor.history.commit(editor.scene());
 }
 
 bool undo(Editor& editor) {

@@ -131,7 +131,8 @@ void take_back_edits(Editor& editor);
 [[nodiscard]] std::optional<Problem> settle(Editor& editor);
 
 /// Records what was done since, as an edit or a change of view. `join`: it continues the last such change.
-void remember_step(Editor& editor, bool join);
+/// Returns true if it was an edit.
+bool remember_step(Editor& editor, bool join);
 
 /// Goes one step back or forward; false if there is none. The view stays, unless the step edited the camera.
 bool undo(Editor& editor);

@@ -101,12 +101,18 @@ void go_to(FileDialog& dialog, const fs::path& folder) {
     dialog.asks_overwrite = false;
 }
 
-/// The path that folder and name stand for; an absolute name wins.
+/// "~/name" is in the home directory.
+std::string from_home(const std::string& name) {
+    const char* home = name == "~" || name.starts_with("~/") ? std::getenv("HOME") : nullptr;
+    return home != nullptr ? home + name.substr(1) : name;
+}
+
+/// Where folder and name lead; an absolute name stands alone.
+fs::path place_of(const FileDialog& dialog) { return fs::path(dialog.folder) / from_home(dialog.name); }
+
+/// The path of the file, with the ending that it needs.
 std::string whole_path(const FileDialog& dialog) {
-    std::string name = dialog.name;
-    if (name.starts_with("~/"))
-        if (const char* home = std::getenv("HOME")) name = home + name.substr(1);
-    const std::string path = (fs::path(dialog.folder) / name).string();
+    const std::string path = place_of(dialog).string();
     const bool is_named = !saves(dialog.purpose) || serves(path, dialog.purpose);
     return is_named ? path : path + extensions(dialog.purpose).front();
 }
@@ -115,8 +121,7 @@ std::string whole_path(const FileDialog& dialog) {
 std::optional<std::string> decide(FileDialog& dialog) {
     if (dialog.name.empty()) return {};
     std::error_code failed;
-    if (fs::is_directory(fs::path(dialog.folder) / dialog.name, failed)) {
-        const fs::path folder = fs::path(dialog.folder) / dialog.name;
+    if (const fs::path folder = place_of(dialog); fs::is_directory(folder, failed)) {
         dialog.name.clear();
         dialog.offers_name = dialog.asks_keyboard = true;  // the name in that folder is typed next
         go_to(dialog, folder);
@@ -137,12 +142,14 @@ void folder_line(FileDialog& dialog) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     if (text_field("##folder", "", dialog.folder, ImGuiInputTextFlags_EnterReturnsTrue))
-        go_to(dialog, dialog.folder);
+        go_to(dialog, from_home(dialog.folder));
 }
 
 /// Returns the words that stand in place of an empty list.
-const char* nothing_words(FilePurpose purpose) {
-    switch (purpose) {
+const char* nothing_words(const FileDialog& dialog) {
+    std::error_code failed;
+    if (!fs::is_directory(dialog.folder, failed)) return "There is no such folder";
+    switch (dialog.purpose) {
     case FilePurpose::OpenScene:
         return "No folder and no scene here";
     case FilePurpose::OpenMesh:
@@ -191,7 +198,7 @@ bool entry_list(FileDialog& dialog) {
     while (in_sight.Step())
         for (int i = in_sight.DisplayStart; i < in_sight.DisplayEnd; ++i)
             entry_row(dialog, dialog.entries[static_cast<std::size_t>(i)], clicked);
-    if (dialog.entries.empty()) dim_text(nothing_words(dialog.purpose));
+    if (dialog.entries.empty()) dim_text(nothing_words(dialog));
     ImGui::EndChild();
     if (!clicked.enter_folder.empty()) {
         dialog.name.clear();

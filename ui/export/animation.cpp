@@ -120,6 +120,13 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     if (number_field("To", to, ends, 0, help)) animation.to = double(to);
 }
 
+/// Says so where a number is to move and none is chosen.
+bool refuses_no_number(AnimateState& animate) {
+    if (animate.animation.motion != Motion::PingPong || !animate.animation.pointer.empty()) return false;
+    animate.refused = "No number is chosen: click one of the list";
+    return true;
+}
+
 void write_buttons(UiState& state) {
     AnimateState& animate = state.animate;
     if (animate.job) {
@@ -198,7 +205,13 @@ void switch_playing(UiState& state) {
     state.animate.began = ImGui::GetTime();
 }
 
-void ask_for_frames(UiState& state) { state.files.ask(FilePurpose::SaveFrames, offered_name(state, ".gif")); }
+void ask_for_frames(UiState& state) {
+    if (refuses_no_number(state.animate)) {
+        state.animate.open = true;  // it says why
+        return;
+    }
+    state.files.ask(FilePurpose::SaveFrames, offered_name(state, ".gif"));
+}
 
 void animate_panel(UiState& state) {
     AnimateState& animate = state.animate;
@@ -249,8 +262,7 @@ void poll_animation(UiState& state) {
     animate.frame.reset();
     if (!animate.playing) return;
     const double frame = (ImGui::GetTime() - animate.began) * animate.frames_a_second;
-    if (animate.animation.motion == Motion::PingPong && animate.animation.pointer.empty()) {
-        animate.refused = "No number is chosen: click one of the list";
+    if (refuses_no_number(animate)) {
         animate.playing = false;
         return;
     }

@@ -168,6 +168,8 @@ std::string command_of_shown(const char* verb, const SceneDocument& document, co
         base = in_file;
         shown = with_mesh_paths_from(document.scene, document.mesh_dir, directory_of(document.path));
         command = fmt::format("glint {} {}", verb, file_word(named_from_here(document.path)));
+        for (const Assignment& set : document.assignments)
+            command += " --set " + shell_word(set.pointer + "=" + set.json);
     } else {
         shown = with_absolute_meshes(document.scene, document.mesh_dir);
         command = fmt::format(R"(echo '{{"glint": 1}}' | glint {} -)", verb);

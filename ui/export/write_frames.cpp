@@ -21,7 +21,7 @@ struct FrameJob {
     Animation animation;
     std::string path;
     PictureSize size;
-    int samples = 1, hundredths = 4, threads = 0;
+    int samples = 1, frames_a_second = 25, threads = 0;
 };
 
 /// Calls `take` with each frame's scene and picture; stops at the first problem, or when it is cancelled.
@@ -60,10 +60,18 @@ Result<std::string> write_pngs(const FrameJob& job, LoadProgress& progress) {
                        fs::path(frame_path(job.path, job.animation.frames - 1)).filename().string());
 }
 
+/// How long a frame is shown: whole hundredths of a second, which over many frames keep the speed.
+int hundredths_of(int frame, int frames_a_second) {
+    const auto begins = [frames_a_second](int at) {
+        return (100 * at + frames_a_second / 2) / frames_a_second;
+    };
+    return begins(frame + 1) - begins(frame);
+}
+
 Result<std::string> write_gif(const FrameJob& job, LoadProgress& progress) {
-    GifWriter gif(job.size, job.hundredths);
-    const auto take = [&](int, const Scene&, const Picture& picture) -> std::optional<Problem> {
-        if (gif.add(picture)) return {};
+    GifWriter gif(job.size);
+    const auto take = [&](int frame, const Scene&, const Picture& picture) -> std::optional<Problem> {
+        if (gif.add(picture, hundredths_of(frame, job.frames_a_second))) return {};
         return Problem{job.path, "", "the GIF does not fit in memory", "fewer or smaller frames"};
     };
     if (const auto problem = for_each_frame(job, progress, take)) return *problem;
@@ -79,13 +87,9 @@ Result<std::string> write_gif(const FrameJob& job, LoadProgress& progress) {
 
 void begin_frames(UiState& state, const std::string& path, PictureSize size, int samples) {
     AnimateState& animate = state.animate;
-    const FrameJob job{document_as_made(state),
-                       animate.animation,
-                       path,
-                       size,
-                       samples,
-                       100 / std::max(animate.frames_a_second, 1),
-                       state.renderer->stats().threads};
+    const FrameJob job{
+        document_as_made(state),        animate.animation, path, size, samples, animate.frames_a_second,
+        state.renderer->stats().threads};
     const bool gif = lower_extension(path) == ".gif";
     animate.playing = false;
     animate.open = true;  // it says how far they have come

@@ -107,7 +107,7 @@ void ask_first(UiState& state, Pending::What what, const std::string& path = {})
 
 void put_all_away(UiState& state) {
     ViewsState& views = state.views;
-    views.compare.choice.on = views.compare.choice.shows_stored = false;
+    views.compare.choice.on = views.compare.choice.shows_stored = views.compare.b_turned = false;
     views.debug_view.set = {};
     views.scope.open = views.scope.armed = false;
     views.magnifier = {};

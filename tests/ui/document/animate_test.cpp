@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "models/fields/scene_numbers.h"
+#include "models/io/file.h"
 #include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
@@ -147,10 +148,10 @@ TEST_CASE("every number of a scene can be chosen, by its key", "[ui][animate]") 
 TEST_CASE("a GIF holds every frame at its size and time, and repeats", "[image]") {
     Picture picture;
     picture.size = {5, 3};
-    GifWriter gif(picture.size, 7);
+    GifWriter gif(picture.size);
     for (int frame = 0; frame < 3; ++frame) {
         picture.rgba.assign(5 * 3 * 4, static_cast<std::uint8_t>(40 * frame));
-        CHECK(gif.add(picture));
+        CHECK(gif.add(picture, 7));
     }
     const std::string bytes = written(gif);
     CHECK(bytes.substr(0, 6) == "GIF89a");
@@ -174,10 +175,10 @@ TEST_CASE("a GIF keeps 256 colours of a frame to the last bit, and of 257 what i
         const auto grey = static_cast<std::uint8_t>(std::min(i, 255));
         picture.rgba.insert(picture.rgba.end(), {grey, grey, grey, 255});
     }
-    GifWriter gif(picture.size, 7);
-    CHECK(gif.add(picture));
+    GifWriter gif(picture.size);
+    CHECK(gif.add(picture, 7));
     picture.rgba[4 * 256] = 0;  // one more, cyan
-    CHECK(gif.add(picture));
+    CHECK(gif.add(picture, 7));
     const GifRead read(written(gif));
     int exact = 0;
     for (int i = 0; i < 256; ++i) {
@@ -367,4 +368,46 @@ TEST_CASE("Escape closes Animate", "[ui][animate]") {
     REQUIRE(bench.state.animate.open);
     bench.key(Key::Escape);
     CHECK_FALSE(bench.state.animate.open);
+}
+
+TEST_CASE("a GIF keeps the speed that was asked for, whatever part of a second a frame takes",
+          "[ui][window][animate]") {
+    const int speed = GENERATE(1, 7, 24, 35, 49, 50);
+    CAPTURE(speed);
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.state.animate.animation.frames = speed;
+    bench.state.animate.frames_a_second = speed;
+    begin_frames(bench.state, folder.path("turn.gif"), {4, 3}, 1);
+    while (bench.state.animate.job) (void)bench.frame();
+    const GifRead read(std::get<std::string>(read_file(folder.path("turn.gif"), 1 << 20)));
+    REQUIRE(read.file->ImageCount == speed);
+    int sum = 0;
+    for (int frame = 0; frame < speed; ++frame) {
+        GraphicsControlBlock control;
+        REQUIRE(DGifSavedExtensionToGCB(read.file, frame, &control) == GIF_OK);
+        CHECK(std::abs(control.DelayTime - 100.0 / speed) < 1);
+        sum += control.DelayTime;
+    }
+    CHECK(sum == 100);
+}
+
+TEST_CASE("frames are not asked a name for while no number is chosen that would move",
+          "[ui][window][animate]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    begin_animation(bench.state, Motion::PingPong);
+    bench.frames(3);
+    bench.click(bench.control("Write frames"));
+    bench.frames(2);
+    CHECK_FALSE(bench.state.files.open);
+    CHECK(bench.state.animate.refused.find("No number is chosen") == 0);
+    bench.state.animate.open = false;
+    ask_for_frames(bench.state);  // as Ctrl+K does
+    CHECK_FALSE(bench.state.files.open);
+    CHECK(bench.state.animate.open);
+    begin_animation(bench.state, Motion::Turntable);
+    ask_for_frames(bench.state);
+    CHECK(bench.state.files.open);
 }

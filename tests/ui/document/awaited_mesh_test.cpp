@@ -244,3 +244,27 @@ TEST_CASE("a mesh that is chosen in the dialog is a step when it is there, and n
         CHECK_FALSE(bench.state.editor.history.can_undo());
     }
 }
+
+TEST_CASE("undo while a mesh is built keeps the view, and what was edited meanwhile can be redone",
+          "[ui][loading]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    begin_mesh(bench.state, slow_ball, 0);
+    const HeldLoad load(bench, SceneDocument{});
+    bench.scene().camera.eye.x += 2;
+    bench.scene().lights[0].intensity = 0.25f;
+    bench.frames(2);
+    REQUIRE(awaits_mesh(bench.state));
+    Scene seen = before, edited = bench.scene();
+    seen.camera = edited.camera;
+    edited.objects = before.objects;  // but for the mesh, which has not come
+    bench.key(Key::Z, true);
+    bench.frames(2);
+    CHECK_FALSE(awaits_mesh(bench.state));
+    CHECK(bench.scene() == seen);
+    CHECK(bench.state.editor.views.can_go_back());
+    bench.key(Key::Y, true);
+    bench.frames(2);
+    CHECK(bench.scene() == edited);
+}

@@ -11,6 +11,7 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
 #include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
 #include "ui/export/clipboard.h"
 
 using namespace glint;
@@ -218,4 +219,94 @@ TEST_CASE("copying an explanation says so", "[ui][window]") {
         CHECK(bench.state.notifications.list.back().text.find(format) != std::string::npos);
         CHECK_FALSE(bench.clipboard.empty());
     }
+}
+
+namespace {
+
+/// A scene of a mesh file of its own in that folder: a triangle of that size.
+std::string scene_with_mesh(const TemporaryDirectory& folder, const std::string& name, double size) {
+    fs::create_directory(folder.path(name));
+    (void)folder.file(name + "/m.obj", fmt::format("v {0} 0 0\nv 0 {0} 0\nv -{0} 0 0\nf 1 2 3\n", size));
+    return folder.file(name + "/s.json", R"({"glint": 1, "lights": [{"position": [0, 0, 3]}], "objects": [
+        {"mesh": {"file": "m.obj"}}]})");
+}
+
+void open_file(HeadlessWindow& bench, const std::string& path,
+               const std::vector<Assignment>& assignments = {}) {
+    auto document = open_document(path, assignments);
+    REQUIRE(problem_of(document) == nullptr);
+    take_scene(bench.state, std::get<SceneDocument>(std::move(document)));
+    bench.frames(2);
+}
+
+/// What the copied command draws, as the window shows it.
+void check_command_draws_what_is_shown(Bench& bench, const TemporaryDirectory& folder) {
+    const Picture shown = *bench.state.displayed;
+    bench.copy();
+    const std::size_t out = bench.clipboard.rfind(" -o ");
+    REQUIRE(out != std::string::npos);
+    const std::string drawn = folder.path("drawn.png"), command = bench.clipboard.substr(0, out);
+    const std::size_t program = command.find("glint ");
+    REQUIRE(program != std::string::npos);
+    (void)printed_by(command.substr(0, program) + glint_program + command.substr(program + 5) + " -o " +
+                     drawn);
+    const auto picture = read_png(drawn);
+    REQUIRE(problem_of(picture) == nullptr);
+    CHECK(std::get<Picture>(picture).rgba == shown.rgba);
+}
+
+}  // namespace
+
+TEST_CASE("B and a frozen picture keep their own meshes when another document is opened",
+          "[ui][window][export]") {
+    const TemporaryDirectory folder;
+    const std::string one = scene_with_mesh(folder, "one", 0.5), two = scene_with_mesh(folder, "two", 1);
+    const bool freezes = GENERATE(false, true);
+    CAPTURE(freezes);
+    Bench bench;
+    open_file(bench, one);
+    bench.key(freezes ? Key::F8 : Key::B, !freezes);
+    bench.frames(2);
+    const Picture first = *bench.state.displayed;
+    open_file(bench, two);
+    if (!freezes) bench.key(Key::B);
+    bench.frames(3);
+    REQUIRE(bench.state.displayed->rgba == first.rgba);
+    check_command_draws_what_is_shown(bench, folder);
+    begin_export(bench.state, {first.size, 1}, folder.path("shown.png"));
+    while (bench.state.exporting.job) (void)bench.frame();
+    const auto carried = open_document(folder.path("shown.png"));
+    REQUIRE(problem_of(carried) == nullptr);
+    const Mesh& mesh = *std::get<SceneDocument>(carried).scene.objects[0].mesh;
+    CHECK(mesh.positions[0].x == 0.5f);
+}
+
+TEST_CASE("the command names what was assigned to the file when the window was started",
+          "[ui][window][export]") {
+    const TemporaryDirectory folder;
+    const std::string file = folder.file("s.json", R"({"glint": 1, "lights": [{"position": [0, 2, 3]}],
+        "objects": [{}]})");
+    Bench bench;
+    open_file(bench, file, {{"/shading/mode", "flat"}, {"/global_ambient", "[0.9, 0.1, 0.1]"}});
+    check_command_draws_what_is_shown(bench, folder);
+    bench.scene().shading.mode = ShadingMode::Phong;  // as the file has it
+    bench.frames(3);
+    check_command_draws_what_is_shown(bench, folder);
+    REQUIRE_FALSE(save_file(bench.state.editor, file, bench.scene()));
+    bench.copy();
+    CHECK_FALSE(bench.copied("global_ambient"));
+    check_command_draws_what_is_shown(bench, folder);
+}
+
+TEST_CASE("a picture that was opened and saved as a scene is drawn by its command as it is shown",
+          "[ui][window][export]") {
+    const TemporaryDirectory folder;
+    Bench bench;
+    open_file(bench, folder.file("s.json", R"({"glint": 1, "lights": [{}], "objects": [{}]})"));
+    begin_export(bench.state, {{120, 160}, 1}, folder.path("s.png"));  // narrow, so that it is fitted
+    while (bench.state.exporting.job) (void)bench.frame();
+    open_file(bench, folder.path("s.png"));
+    REQUIRE_FALSE(save_file(bench.state.editor, folder.path("saved.json"), bench.scene()));
+    bench.frames(2);
+    check_command_draws_what_is_shown(bench, folder);
 }

@@ -1,6 +1,7 @@
 // Saving over what another program wrote into the file.
 #include <imgui_internal.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "models/io/file.h"
@@ -306,4 +307,24 @@ TEST_CASE("a copy's file of a hostile name leaves room for the panel's buttons",
         bench.click(bench.control("Not now"));
         CHECK(bench.state.persistence.orphans.empty());
     }
+}
+
+TEST_CASE("a folder that is named from the home directory is gone into, and no file made of its name",
+          "[ui][save]") {
+    const TemporaryDirectory home;
+    std::filesystem::create_directory(home.path("deep"));
+    const char* const known = std::getenv("HOME");
+    const std::string before = known != nullptr ? known : "";
+    ::setenv("HOME", home.path("").c_str(), 1);
+    HeadlessWindow bench;
+    bench.state.files.ask(FilePurpose::SaveScene, "/offered.json");
+    bench.frames(4);
+    bench.state.files.name = "~/deep";
+    ImGui::ClearActiveID();
+    bench.key(Key::Enter);
+    bench.frames(4);
+    CHECK(bench.state.files.open);
+    CHECK(std::filesystem::equivalent(bench.state.files.folder, home.path("deep")));
+    CHECK(bench.state.files.name.empty());
+    ::setenv("HOME", before.c_str(), 1);
 }

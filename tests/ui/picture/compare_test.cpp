@@ -5,6 +5,7 @@
 #include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
+#include "ui/lessons/lesson.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -369,4 +370,19 @@ TEST_CASE("B pressed stays, B held shows the stored scene while it is held", "[u
     ImGui::GetIO().DeltaTime = 1.5f;
     held_for(1);
     CHECK(shows);
+}
+
+TEST_CASE("B that is put away while it is held stays away when it is let go of", "[ui][window][compare]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::B, true);
+    UiInput press, hold;
+    press.presses.push_back({Key::B, false, false, false});
+    press.b_held = hold.b_held = true;
+    (void)bench.frame(press);
+    for (int i = 0; i < 40; ++i) (void)bench.frame(hold);  // two thirds of a second
+    REQUIRE(bench.state.views.compare.choice.shows_stored);
+    put_all_away(bench.state);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.views.compare.choice.shows_stored);
 }
