@@ -57,12 +57,15 @@ SceneDocument document_of(const Scene& scene) {
     return document;
 }
 
-/// Whether a mistake shows in OpenGL's pictures where two programs can be compared at all.
-bool shows(const Scene& scene, const Picture& wrong, const Picture& right) {
-    constexpr std::uint64_t enough = 30;
+std::vector<PixelKind> kinds_in(const Scene& scene) {
     Renderer renderer;
     (void)renderer.render(scene, size);
-    const std::vector<PixelKind> kinds = pixel_kinds(renderer, size);
+    return pixel_kinds(renderer, size);
+}
+
+/// Whether a mistake shows in OpenGL's pictures where two programs can be compared at all.
+bool shows(const std::vector<PixelKind>& kinds, const Picture& wrong, const Picture& right) {
+    constexpr std::uint64_t enough = 30;
     return score(Exhibit(wrong, right, kinds), {right, {}}, {}).unlike >= enough;
 }
 
@@ -96,6 +99,27 @@ std::vector<NumberedScene> usual_scenes(unsigned count) {
     }
     return usual;
 }
+
+/// What OpenGL draws of a scene without a mistake, and what its pixels are.
+struct Right {
+    Picture picture;
+    std::vector<PixelKind> kinds;
+};
+
+/// Draws each scene once, however many mistakes it is drawn with.
+class RightPictures {
+  public:
+    const Right& of(GlCanvas& canvas, const NumberedScene& scene) {
+        const auto known = drawn_.find(scene.number);
+        if (known != drawn_.end()) return known->second;
+        Right right{shown(canvas, painter_, scene.scene, nullptr), kinds_in(scene.scene)};
+        return drawn_.emplace(scene.number, std::move(right)).first->second;
+    }
+
+  private:
+    GlPainter painter_;
+    std::map<unsigned, Right> drawn_;
+};
 
 /// Whether one gain makes the wrong picture of the right one, but for what rounding leaves: nobody can tell
 /// then, and "no mistake" is the answer.
@@ -165,7 +189,7 @@ TEST_CASE("a right picture of OpenGL has no mistake", "[oracle][diagnose]") {
 
 TEST_CASE("the mistake in an OpenGL program's text is named", "[oracle][diagnose]") {
     GlCanvas canvas;
-    GlPainter right_painter;
+    RightPictures right_pictures;
     Named named;
     const std::vector<NumberedScene> usual = usual_scenes(300);
     constexpr unsigned pictures_a_mistake = 12;
@@ -174,13 +198,14 @@ TEST_CASE("the mistake in an OpenGL program's text is named", "[oracle][diagnose
         if (!mistake) continue;
         GlPainter painter(wrong.text);
         unsigned drawn = 0;
-        for (const auto& [i, scene] : usual) {
+        for (const NumberedScene& numbered : usual) {
+            const auto& [i, scene] = numbered;
             if (drawn == pictures_a_mistake) break;
             Scene seen = scene;
             if (wrong.scene && !wrong.scene(seen)) continue;
-            const Picture picture = shown(canvas, painter, seen, &wrong),
-                          right = shown(canvas, right_painter, scene, nullptr);
-            if (!shows(scene, picture, right) || is_a_gain_of(picture, right)) continue;
+            const Picture picture = shown(canvas, painter, seen, &wrong);
+            const Right& right = right_pictures.of(canvas, numbered);
+            if (!shows(right.kinds, picture, right.picture) || is_a_gain_of(picture, right.picture)) continue;
             ++drawn;
             const test::WrongPicture brought = test::displayed_somehow(picture, 1000 * i + drawn);
             const Diagnosis d = diagnose(document_of(scene), brought.picture, {false, 0, {}});
@@ -196,7 +221,7 @@ TEST_CASE("the mistake in an OpenGL program's text is named", "[oracle][diagnose
 
 TEST_CASE("two mistakes in one OpenGL program's text are named together", "[oracle][diagnose]") {
     GlCanvas canvas;
-    GlPainter right_painter;
+    RightPictures right_pictures;
     Named named;
     const std::span<const WrongProgram> programs = wrong_programs();
     const std::vector<NumberedScene> usual = usual_scenes(120);
@@ -207,7 +232,8 @@ TEST_CASE("two mistakes in one OpenGL program's text are named together", "[orac
         const auto first = number_of(a.name), second = number_of(b.name);
         if (!first || !second || first == second || (a.shown && b.shown)) continue;
         if (a.name == "encoded_twice" || b.name == "encoded_twice") continue;  // beside another: in `display`
-        const auto& [i, scene] = usual[k % usual.size()];
+        const NumberedScene& numbered = usual[k % usual.size()];
+        const auto& [i, scene] = numbered;
         Scene seen_by_a = scene, seen_by_b = scene;
         if ((a.scene && !a.scene(seen_by_a)) || (b.scene && !b.scene(seen_by_b))) continue;
         Scene seen_by_both = seen_by_a;
@@ -215,11 +241,11 @@ TEST_CASE("two mistakes in one OpenGL program's text are named together", "[orac
         GlPainter by_a(a.text), by_b(b.text), by_both(together(a.text, b.text));
         const Picture both = shown(canvas, by_both, seen_by_both, a.shown ? &a : &b);
         // One that hides the other, or shows nowhere, is not two; nor is a gain, which a display makes, too.
+        const Right& right = right_pictures.of(canvas, numbered);
         const auto is_more_than = [&](const Picture& less) {
-            return shows(scene, both, less) && !is_a_gain_of(both, less);
+            return shows(right.kinds, both, less) && !is_a_gain_of(both, less);
         };
-        if (!is_more_than(shown(canvas, right_painter, scene, nullptr)) ||
-            !is_more_than(shown(canvas, by_a, seen_by_a, &a)) ||
+        if (!is_more_than(right.picture) || !is_more_than(shown(canvas, by_a, seen_by_a, &a)) ||
             !is_more_than(shown(canvas, by_b, seen_by_b, &b)))
             continue;
         const Diagnosis d = diagnose(document_of(scene), both, {true, 0, {}});
