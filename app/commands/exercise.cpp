@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
@@ -46,11 +47,13 @@ Outcome exercise(const ExerciseArguments& arguments) {
     const std::string text = extension == ".tex" ? exercises_tex(lesson, sheets)
                                                  : exercises_html(lesson, sheets, picture_of(runner, lesson));
     write_output(arguments.out, text);
+    Warnings warnings = key_warnings(lesson, sheets);
     const std::string unset = extension == ".tex" ? unset_letters(text) : "";
-    if (unset.empty()) return {};
-    return {{},
-            {fmt::format("{}: pdflatex does not set {}; xelatex or lualatex may, with a font that has them",
-                         on_one_line(arguments.out), unset)}};
+    if (!unset.empty())
+        warnings.push_back(
+            fmt::format("{}: pdflatex does not set {}; xelatex or lualatex may, with a font that has them",
+                        on_one_line(arguments.out), unset));
+    return {{}, std::move(warnings)};
 }
 
 Run declare_exercise(Options& options) {

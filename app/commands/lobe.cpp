@@ -3,6 +3,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "models/lesson/run_limits.h"
 #include "models/memory_limit.h"
 #include "renderer/inspect/answers/reflectance_answers.h"
 
@@ -47,9 +48,10 @@ Run declare_lobe(Options& options) {
                       [&object = arguments->object](const std::string& text) {
                           object = read_count("--object", text, 0, 9999);
                       });
-    options.add_value(
-        "--angle", "DEG", "angle of the light to the normal, 0 to 89.9; 45 when not given",
-        [&deg = arguments->light_deg](const std::string& text) { deg = read_amount("--angle", text, 89.9); });
+    options.add_value("--angle", "DEG", "angle of the light to the normal, 0 to 89.9; 45 when not given",
+                      [&deg = arguments->light_deg](const std::string& text) {
+                          deg = read_amount("--angle", text, max_lobe_deg);
+                      });
     options.add_value("--steps", "N", "samples from -90 to 90 degrees, less one; 180 when not given",
                       [&steps = arguments->steps](const std::string& text) {
                           steps = read_count("--steps", text, 1, 100000);

@@ -4,6 +4,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "models/lesson/run_limits.h"
 #include "renderer/inspect/answers/reflectance_answers.h"
 
 namespace glint {
@@ -26,11 +27,14 @@ Run declare_microfacets(Options& options) {
     MicrofacetOptions& o = arguments->options;
     options.add_value("--roughness", "R", "0 to 1, 90 degrees of tilt to 1; 0.25 when not given",
                       [&o](const std::string& text) { o.roughness = read_amount("--roughness", text, 1); });
-    options.add_value("--angle", "DEG", "angle of the light to the normal, 0 to 89; 30 when not given",
-                      [&o](const std::string& text) { o.light_deg = read_amount("--angle", text, 89); });
     options.add_value(
-        "--view", "DEG", "angle of the viewer, 0 to 89 on the other side; the mirror angle when not given",
-        [&view = arguments->view_deg](const std::string& text) { view = read_amount("--view", text, 89); });
+        "--angle", "DEG", "angle of the light to the normal, 0 to 89; 30 when not given",
+        [&o](const std::string& text) { o.light_deg = read_amount("--angle", text, max_microfacets_deg); });
+    options.add_value("--view", "DEG",
+                      "angle of the viewer, 0 to 89 on the other side; the mirror angle when not given",
+                      [&view = arguments->view_deg](const std::string& text) {
+                          view = read_amount("--view", text, max_microfacets_deg);
+                      });
     options.add_value("--rays", "N", "1 to 100000; 200 when not given",
                       [&o](const std::string& text) { o.rays = read_count("--rays", text, 1, 100000); });
     options.add_value("--facets", "N", "4 to 100000; 400 when not given",

@@ -43,14 +43,22 @@ void require_two_parameters(const SheetAxis& rows, const SheetAxis& columns) {
                       {"--cols", columns.pointer, "it overwrites what --rows sets", "another parameter"}};
 }
 
+/// The axis whose value is wrong: the rows' where the same place is wrong without the columns.
+std::string axis_at_fault(const Problem& problem, const SceneDocument& document, const Assignment& row) {
+    const Result<Scene> without_columns = scene_variant(document, {row});
+    const Problem* of_row = problem_of(without_columns);
+    return of_row != nullptr && of_row->pointer == problem.pointer ? "--rows" : "--cols";
+}
+
 /// The scene of one cell. What is wrong with a value is the fault of the axis that it is on.
 Scene scene_of_cell(const SceneDocument& document, const SheetAxis& rows, const std::string& row,
                     const SheetAxis& columns, const std::string& column) {
-    Result<Scene> made = scene_variant(document, {{rows.pointer, row}, {columns.pointer, column}});
+    const Assignment of_row{rows.pointer, row};
+    Result<Scene> made = scene_variant(document, {of_row, {columns.pointer, column}});
     if (const Problem* found = problem_of(made)) {
         Problem problem = *found;
         if (problem.file != "--set") throw Failure{ExitStatus::Impossible, problem};
-        problem.file = problem.pointer.starts_with(columns.pointer) ? "--cols" : "--rows";
+        problem.file = axis_at_fault(problem, document, of_row);
         throw Failure{ExitStatus::WrongUsage, problem};
     }
     return std::get<Scene>(std::move(made));

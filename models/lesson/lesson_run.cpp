@@ -1,9 +1,12 @@
 // The runs of a block: commands in the words of the command line.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
 #include "models/json/json_reader.h"
 #include "models/lesson/lesson_source.h"
+#include "models/lesson/run_limits.h"
 
 namespace glint {
 namespace {
@@ -38,8 +41,7 @@ const RunWord& kind_of(const std::string& word, int line) {
 double within(std::string_view text, int line, double least, double most) {
     const double value = read_decimal(text, line);
     if (value < least || value > most)
-        fail_at(line, in_quotes(text) + " is out of range",
-                std::to_string(static_cast<int>(least)) + " to " + std::to_string(static_cast<int>(most)));
+        fail_at(line, in_quotes(text) + " is out of range", fmt::format("{} to {}", least, most));
     return value;
 }
 
@@ -53,17 +55,18 @@ void read_option(LessonRun& run, const std::string& option, const std::string& v
     else if (option == "--to")
         run.to = read_place(value, line);
     else if (option == "--object")
-        run.object = static_cast<int>(within(value, line, 0, 9999));
+        run.object = read_whole(value, line, 0, 9999);
     else if (option == "--angle")
-        run.angle_deg = within(value, line, 0, 89);
+        run.angle_deg =
+            within(value, line, 0, run.kind == RunKind::Lobe ? max_lobe_deg : max_microfacets_deg);
     else if (option == "--view")
-        run.view_deg = within(value, line, 0, 89);
+        run.view_deg = within(value, line, 0, max_microfacets_deg);
     else if (option == "--roughness")
         run.roughness = within(value, line, 0, 1);
     else if (option == "--facets")
-        run.facets = static_cast<int>(within(value, line, 4, 100000));
+        run.facets = read_whole(value, line, 4, 100000);
     else
-        run.rays = static_cast<int>(within(value, line, 1, 100000));
+        run.rays = read_whole(value, line, 1, 100000);
 }
 
 void read_compare(LessonRun& run, const std::vector<std::string>& words,
@@ -98,6 +101,8 @@ LessonRun read_run(const BlockLine& line, const std::vector<LessonRun>& above) {
         if (std::find(known.begin(), known.end(), words[i]) == known.end())
             fail_at(line.line, in_quotes(words[i]) + " is not an option of " + words[0],
                     in_quotes(nearest(words[i], known)));
+        if (words[i] != "--set" && std::find(given.begin(), given.end(), words[i]) != given.end())
+            fail_at(line.line, words[i] + " is given twice", "it once");
         if (i + 1 == words.size()) fail_at(line.line, words[i] + " has no value", "one behind it");
         read_option(run, words[i], words[i + 1]);
         given.push_back(words[i]);

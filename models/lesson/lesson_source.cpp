@@ -82,6 +82,8 @@ void SourceBlock::allow(const std::vector<std::string>& keys, bool runs) const {
             fail_at(l.line, "a run in a block of the kind " + in_quotes(word), "lines of key: value");
         if (!l.is_run && std::find(keys.begin(), keys.end(), l.key) == keys.end())
             fail_at(l.line, "unknown key " + in_quotes(l.key), in_quotes(nearest(l.key, keys)));
+        if (!l.is_run && l.value.empty())
+            fail_at(l.line, in_quotes(l.key) + " is empty", "something behind it");
     }
 }
 
@@ -101,7 +103,6 @@ const BlockLine* SourceBlock::find(std::string_view key) const {
 const BlockLine& SourceBlock::require(std::string_view key) const {
     const BlockLine* found = find(key);
     if (found == nullptr) fail_at(line, "the block has no line " + in_quotes(std::string(key) + ":"), "one");
-    if (found->value.empty()) fail_at(found->line, in_quotes(key) + " is empty", "something behind it");
     return *found;
 }
 
@@ -136,6 +137,15 @@ double read_decimal(std::string_view text, int line) {
     if (!read_all(text, value) || !std::isfinite(value))
         fail_at(line, in_quotes(text) + " is not a number", "a number");
     return value;
+}
+
+int read_whole(std::string_view text, int line, int least, int most) {
+    int value = 0;
+    if (read_all(text, value) && value >= least && value <= most) return value;
+    const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+    const bool whole = !digits.empty() && digits.find_first_not_of("0123456789") == digits.npos;
+    fail_at(line, in_quotes(text) + (whole ? " is out of range" : " is not a whole number"),
+            fmt::format("{} to {}", least, most));
 }
 
 PictureSize read_lesson_size(std::string_view text, int line) {

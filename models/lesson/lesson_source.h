@@ -26,7 +26,8 @@ struct SourceBlock {
     std::vector<BlockLine> lines;
     int line = 0;  // of its fence
 
-    /// Throws where a line's key is none of these, or where there are runs and none may be.
+    /// Throws where a line's key is none of these, where nothing stands behind it, or where there are runs
+    /// and none may be.
     void allow(const std::vector<std::string>& keys, bool runs) const;
     /// The only line of that key, or null; throws where there are several.
     [[nodiscard]] const BlockLine* find(std::string_view key) const;
@@ -58,6 +59,8 @@ using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
 [[nodiscard]] glm::ivec2 read_place(std::string_view text, int line);
 [[nodiscard]] glm::ivec2 read_place(std::string_view text, int line, PictureSize picture);
 [[nodiscard]] double read_decimal(std::string_view text, int line);
+/// Decimal digits within [least, most].
+[[nodiscard]] int read_whole(std::string_view text, int line, int least, int most);
 /// "640x360", each side 1 to max_lesson_side.
 [[nodiscard]] PictureSize read_lesson_size(std::string_view text, int line);
 [[nodiscard]] Assignment read_set(const BlockLine& line);

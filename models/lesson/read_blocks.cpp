@@ -31,6 +31,12 @@ void require_mistake(const std::string& name, int line) {
         fail_at(line, in_quotes(name) + " is not a mistake", in_quotes(nearest(name, known)));
 }
 
+/// Takes what an option has once.
+void take_once(const BlockLine& line, std::string& value) {
+    if (!value.empty()) fail_at(line.line, in_quotes(line.key) + " stands twice", "one line of it");
+    value = line.value;
+}
+
 void read_options(const SourceBlock& block, Prediction& p) {
     for (const BlockLine& line : block.lines) {
         if (line.is_run || line.key == "question") continue;
@@ -50,13 +56,36 @@ void read_options(const SourceBlock& block, Prediction& p) {
             option.is_right = read_expression(line, p.runs);
         } else if (line.key == "mistake") {
             require_mistake(line.value, line.line);
-            option.mistake = line.value;
+            take_once(line, option.mistake);
         } else {
-            option.thinks = line.value;
+            take_once(line, option.thinks);
         }
     }
     if (p.options.size() < 2 || p.options.back().is_right.text().empty())
         fail_at(block.line, "a choice lacks options", "two at least, each with a line if: behind it");
+}
+
+std::vector<std::string> keys_of(PredictionKind kind) {
+    if (kind == PredictionKind::Choice) return {"question", "option", "if", "thinks", "mistake"};
+    std::vector<std::string> keys{"question", "answer", "tolerance", "term"};
+    if (kind == PredictionKind::Number) keys.emplace_back("unit");
+    if (kind == PredictionKind::Sketch) keys.emplace_back("along");
+    return keys;
+}
+
+/// Throws where a line has no part in a prediction of that kind, and where it has none in any.
+void allow_keys(const SourceBlock& block, PredictionKind kind) {
+    const auto has = [](const std::vector<std::string>& keys, const std::string& key) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    const std::vector<std::string> known = keys_of(kind);
+    for (const BlockLine& line : block.lines)
+        for (const PredictionKind other :
+             {PredictionKind::Number, PredictionKind::Choice, PredictionKind::Sketch})  // together all keys
+            if (!line.is_run && !has(known, line.key) && has(keys_of(other), line.key))
+                fail_at(line.line, in_quotes(line.key) + " has no part in predict " + block.kind,
+                        fmt::format("{}", fmt::join(known, ", ")));
+    block.allow(known, true);
 }
 
 Prediction read_prediction(const SourceBlock& block, PictureSize picture) {
@@ -68,11 +97,7 @@ Prediction read_prediction(const SourceBlock& block, PictureSize picture) {
     Prediction p;
     p.kind = static_cast<PredictionKind>(kind - kinds.begin());
     p.line = block.line;
-    if (p.kind == PredictionKind::Choice) {
-        block.allow({"question", "option", "if", "thinks", "mistake"}, true);
-    } else {
-        block.allow({"question", "answer", "tolerance", "unit", "term", "along"}, true);
-    }
+    allow_keys(block, p.kind);
     p.question = block.require("question").value;
     p.runs = read_runs(block.lines);
     if (p.kind == PredictionKind::Choice) {

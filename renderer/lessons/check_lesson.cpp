@@ -60,18 +60,37 @@ class Checker {
     }
 
     Shortfall operator()(const Exercise& exercise) {
-        constexpr std::uint64_t seeds = 4;
-        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-            const Result<PosedQuestion> posed = pose(runner_, document_, lesson_, exercise, seed);
+        for (const std::vector<double>& values : values_to_try(exercise, most_tries(exercise))) {
+            const Result<PosedQuestion> posed = pose_with(runner_, document_, lesson_, exercise, values);
             if (const Problem* problem = problem_of(posed)) return text_of(problem);
             const auto& q = std::get<PosedQuestion>(posed);
-            if (q.closed && !(std::abs(*q.closed - q.answer) <= q.tolerance))
+            if (!agrees(q))
                 return fmt::format("{}: the engine says {}, the formula {}", q.question, q.answer, *q.closed);
         }
         return {};
     }
 
   private:
+    /// How many values of an exercise are tried: as many as its runs leave time for.
+    [[nodiscard]] std::size_t most_tries(const Exercise& exercise) const {
+        constexpr std::size_t fewest = 8, most = 500, pixels = 4'000'000;
+        std::vector<double> first;
+        for (const Exercise::Variable& variable : exercise.variables)
+            first.push_back(variable.values.front());
+        const Result<ExerciseInstance> made = exercise_with(exercise, first, lesson_.path);
+        if (problem_of(made) != nullptr) return fewest;  // posing it says what is wrong
+        std::size_t drawn = 1;
+        for (const LessonRun& run : std::get<ExerciseInstance>(made).runs) drawn += pixels_worth(run);
+        return std::clamp(pixels / drawn, fewest, most);
+    }
+
+    /// How many pixels are drawn in the time that the run takes, roughly.
+    [[nodiscard]] std::size_t pixels_worth(const LessonRun& run) const {
+        constexpr std::size_t of_ray = 100;
+        return run.kind == RunKind::Microfacets ? of_ray * static_cast<std::size_t>(run.rays + run.facets)
+                                                : run.size.value_or(lesson_.size).pixels();
+    }
+
     Shortfall unless_holds(const Expression& condition, const NamedValues& values) const {
         const Result<bool> holds = condition.holds(values);
         if (const Problem* problem = problem_of(holds)) return text_of(problem);
@@ -108,7 +127,8 @@ class Checker {
     Shortfall wrong_term(const Prediction& p) {
         const auto explains = [](const LessonRun& run) { return run.kind == RunKind::Explain; };
         const auto run = std::find_if(p.runs.begin(), p.runs.end(), explains);
-        if (p.term.empty() || run == p.runs.end()) return {};
+        if (p.term.empty()) return {};
+        if (run == p.runs.end()) return "term: no run explains a pixel; expected e = explain --pixel X,Y";
         const Result<Expression> field = Expression::parse(run->name + "." + p.term);
         if (const Problem* problem = problem_of(field)) return "term: " + *text_of(problem);
         const Result<NamedValues> values = runner_.answers(document_, lesson_, {*run});

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -18,30 +19,17 @@
 namespace glint {
 namespace {
 
-/// SplitMix64. Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014.
-std::uint64_t next_random(std::uint64_t& state) {
-    state += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t z = state;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-}
-
-Problem in_exercise(Problem problem, const Lesson& lesson, const Exercise& exercise) {
-    if (problem.file.empty()) {
-        problem.file = lesson.path;
-        problem.line = exercise.line;
-    }
-    return problem;
-}
-
-/// Writes the answer with as many digits as are meaningful within the tolerance: by the formula, where there
-/// is one, since what is measured at a pixel has fewer.
-std::string answer_text(const PosedQuestion& q) {
+/// Writes a number with as many digits as are meaningful within the tolerance.
+std::string number_of(const PosedQuestion& q, double number) {
     const int digits = q.tolerance > 0 ? static_cast<int>(std::ceil(-std::log10(q.tolerance))) + 1 : 4;
-    const double exact = q.closed.value_or(q.answer), answer = std::abs(exact) < 1e-12 ? 0 : exact;
-    return fmt::format("{:.{}f}{}{}", answer, std::min(std::max(digits, 0), 9), q.unit.empty() ? "" : " ",
-                       q.unit);
+    return fmt::format("{:.{}f}", std::abs(number) < 1e-12 ? 0 : number, std::min(std::max(digits, 0), 9));
+}
+
+/// The answer by the formula, where there is one, since what is measured at a pixel has fewer digits; by both
+/// where one of them is wrong.
+std::string answer_text(const PosedQuestion& q) {
+    const std::string text = number_of(q, q.closed.value_or(q.answer)) + (q.unit.empty() ? "" : " ") + q.unit;
+    return agrees(q) ? text : text + " by the formula, but " + number_of(q, q.answer) + " by the engine";
 }
 
 /// k_d, escaped, with its index set low: of one letter each.
@@ -123,36 +111,6 @@ std::string latex_text(std::string_view text) {
 
 }  // namespace
 
-Result<PosedQuestion> pose(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
-                           const Exercise& exercise, std::uint64_t seed) {
-    std::uint64_t state = seed * 1'000'003 + static_cast<std::uint64_t>(exercise.line);
-    std::vector<double> drawn;
-    for (const Exercise::Variable& variable : exercise.variables)
-        drawn.push_back(variable.values[next_random(state) % variable.values.size()]);
-    const Result<ExerciseInstance> made = exercise_with(exercise, drawn, lesson.path);
-    if (const Problem* problem = problem_of(made)) return *problem;
-    const auto& instance = std::get<ExerciseInstance>(made);
-    const Result<SceneDocument> set = LessonRunner::with(document, instance.set, lesson, exercise.line);
-    if (const Problem* problem = problem_of(set)) return *problem;
-    Result<NamedValues> run = runner.answers(std::get<SceneDocument>(set), lesson, instance.runs);
-    if (const Problem* problem = problem_of(run)) return *problem;
-    auto& values = std::get<NamedValues>(run);
-    values.insert(instance.values.begin(), instance.values.end());
-
-    PosedQuestion posed{instance.question, instance.unit, 0, 0, {}};
-    const Result<double> answer = instance.answer.number(values),
-                         tolerance = instance.tolerance.number(values);
-    if (const Problem* problem = problem_of(answer)) return in_exercise(*problem, lesson, exercise);
-    if (const Problem* problem = problem_of(tolerance)) return in_exercise(*problem, lesson, exercise);
-    posed.answer = std::get<double>(answer);
-    posed.tolerance = std::get<double>(tolerance);
-    if (instance.closed.text().empty()) return posed;
-    const Result<double> closed = instance.closed.number(values);
-    if (const Problem* problem = problem_of(closed)) return in_exercise(*problem, lesson, exercise);
-    posed.closed = std::get<double>(closed);
-    return posed;
-}
-
 Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const Lesson& lesson,
                                                    std::uint64_t seed, int count) {
     const Result<SceneDocument> opened = runner.open(lesson);
@@ -182,6 +140,28 @@ Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const L
         sheets.push_back(std::move(sheet));
     }
     return sheets;
+}
+
+Warnings key_warnings(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets) {
+    struct Missed {
+        std::size_t count = 0;
+        std::string first;
+    };
+    std::map<int, Missed> missed;  // by the exercise's line
+    for (const ExerciseSheet& sheet : sheets)
+        for (const PosedQuestion& q : sheet.questions) {
+            if (agrees(q)) continue;
+            Missed& one = missed[q.line];
+            if (one.count++ == 0)
+                one.first = fmt::format("sheet {}: {} by the formula, {} by the engine", sheet.seed,
+                                        *q.closed, q.answer);
+        }
+    Warnings warnings;
+    for (const auto& [line, one] : missed)
+        warnings.push_back(
+            fmt::format("{}:{}: the formula misses the engine's answer on {} of {} sheets, first on {}",
+                        on_one_line(lesson.path), line, one.count, sheets.size(), one.first));
+    return warnings;
 }
 
 std::string exercises_html(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets,

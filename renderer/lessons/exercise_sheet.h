@@ -1,27 +1,15 @@
 #pragma once
-// Exercises with numbers drawn by a seed, and their keys, which the engine computes, or an exercise's formula
-// that it has been held against.
+// Sheets of exercises, each with numbers of its own, and their keys, which the engine computes, or an
+// exercise's formula that it is held against.
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "renderer/lessons/run_lesson.h"
+#include "renderer/lessons/pose_exercise.h"
 
 namespace glint {
-
-struct PosedQuestion {
-    std::string question, unit;
-    double answer = 0, tolerance = 0;
-    std::optional<double> closed;  // the same by the exercise's formula, where it has one
-};
-
-/// Poses the exercise on that scene with values drawn by the seed. The same seed gives the same numbers on
-/// every machine.
-[[nodiscard]] Result<PosedQuestion> pose(LessonRunner& runner, const SceneDocument& document,
-                                         const Lesson& lesson, const Exercise& exercise, std::uint64_t seed);
 
 struct ExerciseSheet {
     std::uint64_t seed = 0;
@@ -36,8 +24,11 @@ inline constexpr int max_exercise_sheets = 500;
 [[nodiscard]] Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const Lesson& lesson,
                                                                  std::uint64_t seed, int count);
 
-/// A self-contained HTML page: the sheets, each on a page of its own, then their keys. `picture` is an HTML
-/// element, or empty.
+/// For each exercise whose formula misses the engine's answer on one of the sheets, a line that says so.
+[[nodiscard]] Warnings key_warnings(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets);
+
+/// A self-contained HTML page: the sheets, each on a page of its own, then their keys, which hold both where
+/// formula and engine disagree. `picture` is an HTML element, or empty.
 [[nodiscard]] std::string exercises_html(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets,
                                          const std::string& picture);
 /// The sheets and keys for LaTeX, without the picture. A letter that LaTeX's usual fonts lack is written as a

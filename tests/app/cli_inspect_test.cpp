@@ -143,6 +143,24 @@ TEST_CASE("glint sheet names the axis whose value is wrong", "[cli][sheet][bad-i
     CHECK(large.err.ends_with(" pixels large; expected at most 16384x16384\n"));
 }
 
+TEST_CASE(
+    "glint sheet names the axis whose value is wrong also where the pointers are alike or end in a list",
+    "[cli][sheet][bad-input]") {
+    const auto check_axes = [](const std::string& rows, const std::string& columns, const std::string& line) {
+        check_wrong({"sheet", "-", "--rows", rows, "--cols", columns, "-o", "/dev/null"}, line);
+    };
+    const std::string negative = ": -1 is out of range; expected 0 to 1e30";
+    check_axes("/npr/stroke_width_px=-1,2", "/npr/stroke=[0,0,0],[1,0,0]",
+               "--rows: /npr/stroke_width_px" + negative);
+    check_axes("/shading/mode=flat,phong", "/lights/-/intensity=-1,2",
+               "--cols: /lights/1/intensity" + negative);
+    check_axes("/lights/-/intensity=-1,2", "/lights/-/type=spot", "--rows: /lights/1/intensity" + negative);
+    check_axes("/lights/-/intensity=1", "/lights/1/intensity=-1", "--cols: /lights/1/intensity" + negative);
+    // The rows' near is beyond the far of the scene, but that is not what is wrong here.
+    check_axes("/camera/projection/near=200", "/camera/projection/far=-1",
+               "--cols: /camera/projection/far: -1 is out of range; expected more than 0, up to 1e30");
+}
+
 TEST_CASE("glint sheet without a font says in one line what to install", "[cli][sheet][bad-input]") {
     setenv("GLINT_FONT", "/nonexistent.ttf", 1);
     const Ended ended = run_glint(

@@ -229,3 +229,45 @@ TEST_CASE("a lesson's words command no terminal", "[cli][lesson][bad-input]") {
         for (const char* const control : {"\x1b", "\x07", "\xC2\x9B"})
             CHECK(out.find(control) == std::string::npos);
 }
+
+TEST_CASE("a lesson's run and the command of its name allow the same", "[cli][lesson][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("ball.json", ball_scene);
+    const auto refusal = [&](std::vector<std::string> words, const std::string& option,
+                             const std::string& value) {
+        std::string run = words[0] + " " + option + " " + value;
+        const std::string lesson =
+            directory.file("l.md", lesson_text("ball.json", "e.hit") + "\n```claim\nsays: Two.\nx = " + run +
+                                       "\ncheck: true\n```\n");
+        words.insert(words.end(), {option, value});
+        CAPTURE(run);
+        const Ended direct = run_glint(words), inside = run_glint({"lessons", lesson});
+        CHECK((direct.status == 0) == (inside.status == 0));
+        const auto why = [](const std::string& err) {
+            return err.substr(std::min(err.find(" is "), err.size()));
+        };
+        std::string told = why(inside.err);  // the lesson quotes what the command line does not
+        CHECK(told == why(direct.err));
+        return told;
+    };
+    const std::vector<std::string> lobe{"lobe", scene}, microfacets{"microfacets"};
+    CHECK(refusal(lobe, "--angle", "89.9").empty());
+    CHECK(refusal(lobe, "--angle", "89.95") == " is out of range; expected 0 to 89.9\n");
+    CHECK(refusal(microfacets, "--angle", "89").empty());
+    CHECK(refusal(microfacets, "--angle", "89.5") == " is out of range; expected 0 to 89\n");
+    CHECK(refusal(microfacets, "--view", "89.5") == " is out of range; expected 0 to 89\n");
+    CHECK(refusal(lobe, "--object", "0.7") == " is not a whole number; expected 0 to 9999\n");
+    CHECK(refusal(microfacets, "--rays", "1.9") == " is not a whole number; expected 1 to 100000\n");
+    CHECK(refusal(microfacets, "--facets", "10.5") == " is not a whole number; expected 4 to 100000\n");
+}
+
+TEST_CASE("glint exercise prints both answers where the formula is wrong", "[cli][lesson][exercise]") {
+    const TemporaryDirectory directory;
+    (void)directory.file("ball.json", ball_scene);
+    const std::string lesson = directory.file(
+        "l.md", lesson_text("ball.json", "e.hit") +
+                    "\n```exercise\nvary: a = 2\nquestion: {a}?\nanswer: a\ntolerance: 1\nclosed: 4\n```\n");
+    const std::string out = directory.path("x.tex");
+    CHECK(run_glint({"exercise", lesson, "-o", out}).status == 0);
+    CHECK(bytes_of(out).find("1. 4.0 by the formula, but 2.0 by the engine") != std::string::npos);
+}

@@ -249,6 +249,54 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
     CHECK(with_edit("# Lambert's law\n", "# Lambert's law\r\n").empty());
 }
 
+TEST_CASE("a run of a lesson takes whole numbers where the command line does, and an option once",
+          "[lesson][bad-input]") {
+    CHECK(with_edit("--object 1", "--object 0.7") ==
+          "l.md:73: \"0.7\" is not a whole number; expected 0 to 9999");
+    CHECK(with_edit("--object 1", "--object -1") == "l.md:73: \"-1\" is out of range; expected 0 to 9999");
+    CHECK(with_edit("--object 1", "--object 99999999999") ==
+          "l.md:73: \"99999999999\" is out of range; expected 0 to 9999");
+    CHECK(with_edit("--rays 100", "--rays 1.9") ==
+          "l.md:72: \"1.9\" is not a whole number; expected 1 to 100000");
+    CHECK(with_edit("--rays 100", "--facets 10.5") ==
+          "l.md:72: \"10.5\" is not a whole number; expected 4 to 100000");
+    CHECK(with_edit("--angle 30", "--angle 89.9").empty());
+    CHECK(with_edit("--angle 30", "--angle 89.95") ==
+          "l.md:73: \"89.95\" is out of range; expected 0 to 89.9");
+    CHECK(with_edit("--rays 100", "--angle 89 --view 89").empty());
+    CHECK(with_edit("--rays 100", "--angle 89.5") == "l.md:72: \"89.5\" is out of range; expected 0 to 89");
+    CHECK(with_edit("--pixel 10,20", "--pixel 10,20 --pixel 30,40") ==
+          "l.md:27: --pixel is given twice; expected it once");
+    CHECK(with_edit("--size 64x48", "--set /display/exposure=2 --size 64x48").empty());
+}
+
+TEST_CASE("what an option of a choice has once stands once, and no line of a block is empty",
+          "[lesson][bad-input]") {
+    CHECK(with_edit("option: no\n", "option: no\nthinks: a\nmistake: missing_pi\n").empty());
+    CHECK(with_edit("option: no\n", "option: no\nthinks: a\nthinks: b\n") ==
+          "l.md:52: \"thinks\" stands twice; expected one line of it");
+    CHECK(with_edit("option: no\n", "option: no\nmistake: missing_pi\nmistake: absolute_cosine\n") ==
+          "l.md:52: \"mistake\" stands twice; expected one line of it");
+    const std::string empty = " is empty; expected something behind it";
+    CHECK(with_edit("option: yes", "option:") == "l.md:48: \"option\"" + empty);
+    CHECK(with_edit("option: no\n", "option: no\nthinks:\n") == "l.md:51: \"thinks\"" + empty);
+    CHECK(with_edit("unit: of the light", "unit:") == "l.md:30: \"unit\"" + empty);
+    CHECK(with_edit("rows: 13 14", "rows:") == "l.md:7: \"rows\"" + empty);
+    CHECK(with_edit("answer: e.lights[0].n_dot_l", "answer:") == "l.md:28: \"answer\"" + empty);
+}
+
+TEST_CASE("a line that has no part in its kind of prediction is told", "[lesson][bad-input]") {
+    CHECK(
+        with_edit("unit: of the light", "along: 0,9 63,9") ==
+        "l.md:30: \"along\" has no part in predict number; expected question, answer, tolerance, term, unit");
+    CHECK(
+        with_edit("answer: p.intensity", "unit: of the light\nanswer: p.intensity") ==
+        "l.md:57: \"unit\" has no part in predict sketch; expected question, answer, tolerance, term, along");
+    CHECK(
+        with_edit("option: no\n", "option: no\nanswer: 1\n") ==
+        "l.md:51: \"answer\" has no part in predict choice; expected question, option, if, thinks, mistake");
+}
+
 TEST_CASE("a lesson that cannot be read says why", "[lesson][bad-input]") {
     const TemporaryDirectory directory;
     const Result<Lesson> missing = read_lesson(directory.path("none.md"));

@@ -1,5 +1,8 @@
-// What a task is tried on.
+// What a task and an exercise are tried on.
 #include "renderer/lessons/check_lesson.h"
+
+#include <algorithm>
+#include <set>
 
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
@@ -43,4 +46,37 @@ TEST_CASE(
     CHECK(last_checked(reveal + "## Two\n\n" + task).holds);
     const std::string question = "```predict number\nquestion: ?\nanswer: 1\ntolerance: 1\n```\n\n";
     CHECK(last_checked(reveal + question + task).holds);
+}
+
+TEST_CASE("a formula is held against the engine at every value, or where they are many at their ends",
+          "[lesson][exercise]") {
+    const auto checked = [](const std::string& vary, const std::string& closed) {
+        return last_checked("```exercise\n" + vary + "question: {a}\nanswer: a\ntolerance: 1e-4\nclosed: a" +
+                            closed + "\n```\n");
+    };
+    const std::string few = "vary: a = 1 to 2 step 0.01\n",
+                      many = "vary: a = 1 to 1000 step 1\nvary: b = 1 to 1000 step 1\n";
+    CHECK(checked(few, "").holds);
+    CHECK(
+        checked(few, " + max(a - 1.989, 0)").why.starts_with("1.99: the engine says 1.99, the formula 1.99"));
+    CHECK(checked(few, " + max(0.001 - abs(a - 1.57), 0)").why.starts_with("1.57: the engine says 1.57"));
+    CHECK(checked(many, "").holds);
+    CHECK(checked(many, " + max(a + b - 1999, 0)").why.starts_with("1000: the engine says 1000"));
+    CHECK(checked(many, " + max(3 - a - b, 0)").why.starts_with("1: the engine says 1"));
+}
+
+TEST_CASE("an exercise is tried with all values where they are few, with no more than asked where many",
+          "[lesson][exercise]") {
+    const Exercise exercise{{{"a", {1, 2, 3}}, {"b", {4, 5, 6}}}, {}, 1};
+    const auto all = values_to_try(exercise, 9);
+    CHECK(all.size() == 9);
+    CHECK(std::set(all.begin(), all.end()).size() == 9);
+    const auto some = values_to_try(exercise, 8);
+    CHECK(some.size() == 8);
+    const std::set tried(some.begin(), some.end());
+    for (const std::vector<double>& corner : std::vector<std::vector<double>>{{1, 4}, {1, 6}, {3, 4}, {3, 6}})
+        CHECK(tried.contains(corner));
+    Exercise long_one;
+    for (int i = 0; i < 40; ++i) long_one.variables.push_back({"x" + std::to_string(i), {0, 1}});
+    CHECK(values_to_try(long_one, 16).size() == 16);
 }

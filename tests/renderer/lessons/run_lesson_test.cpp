@@ -122,6 +122,8 @@ TEST_CASE("what falls short of a prediction, a task and an exercise is told", "[
               .find("]]; expected a list of 2 numbers") != std::string::npos);
     CHECK(why("predict number\nquestion: ?" + run + "term: lights[7].][(z\nanswer: 1\ntolerance: 1")
               .find("term: ") == 0);
+    CHECK(why("predict number\nquestion: ?\nterm: nonsense\nanswer: 1\ntolerance: 1") ==
+          "term: no run explains a pixel; expected e = explain --pixel X,Y");
     CHECK(why("predict number\nquestion: ?" + run + "term: lights[7].n_dot_l\nanswer: 1\ntolerance: 1")
               .find("no element 7") != std::string::npos);
     CHECK(why("predict number\nquestion: ?" + run + "term: lights[0].n_dot_l\nanswer: 1\ntolerance: 1")
@@ -274,13 +276,43 @@ closed: k / 2
         different += q.question != sheets[0].questions[0].question;
     }
     CHECK(different >= 5);
+    CHECK(key_warnings(bench.lesson, sheets).empty());
     const std::string tex = exercises_tex(bench.lesson, sheets),
                       html = exercises_html(bench.lesson, sheets, "");
+    CHECK(html.find("by the engine") == std::string::npos);
     CHECK(tex.find("k\\textsubscript{d} is ") != std::string::npos);
     CHECK(tex.find("\\& n\\textperiodcentered{}l a half") != std::string::npos);
     CHECK(tex.find("Sheet 12:\\quad 1. ") != std::string::npos);
     CHECK(html.find("k_d is ") != std::string::npos);
     CHECK(html.find("Keys: A plate") != std::string::npos);
+}
+
+TEST_CASE("a key does not hide that the formula and the engine disagree", "[lesson][exercise]") {
+    const Bench bench(R"(```exercise
+vary: k = 0.25, 0.5
+question: How much is {k}?
+answer: k
+tolerance: 0.01
+unit: m
+closed: max(k, 0.4)
+```
+)");
+    LessonRunner runner(1);
+    const auto sheets = std::get<std::vector<ExerciseSheet>>(exercise_sheets(runner, bench.lesson, 1, 12));
+    const auto is_wrong = [](const ExerciseSheet& sheet) { return sheet.questions[0].answer == 0.25; };
+    const auto first = std::find_if(sheets.begin(), sheets.end(), is_wrong);
+    REQUIRE(first != sheets.end());
+    const auto wrong = std::count_if(sheets.begin(), sheets.end(), is_wrong);
+    REQUIRE(wrong < 12);
+    const std::string told = ":9: the formula misses the engine's answer on " + std::to_string(wrong) +
+                             " of 12 sheets, first on sheet " + std::to_string(first->seed) +
+                             ": 0.4 by the formula, 0.25 by the engine";
+    CHECK(key_warnings(bench.lesson, sheets) == Warnings{bench.lesson.path + told});
+    for (const std::string& key :
+         {exercises_html(bench.lesson, sheets, ""), exercises_tex(bench.lesson, sheets)}) {
+        CHECK(key.find("0.400 m by the formula, but 0.250 by the engine") != std::string::npos);
+        CHECK(key.find("0.500 m by the formula") == std::string::npos);
+    }
 }
 
 TEST_CASE("letters that LaTeX's usual fonts lack are commands, and the rest is told", "[lesson][exercise]") {
