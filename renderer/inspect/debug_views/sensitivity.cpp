@@ -242,13 +242,23 @@ Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize s
     return run.result();
 }
 
+namespace {
+
+/// A change in its column; one that so many decimals would show as 0 as a power of ten.
+std::string change_text(double change) {
+    const bool is_small = change != 0 && std::abs(change) < 1e-5;
+    return is_small ? fmt::format("{:+9.1e}", change) : fmt::format("{:+.6f}", change);
+}
+
+}  // namespace
+
 std::string sensitivity_text(const Sensitivities& s) {
     std::string text =
         "Change of the pixel (linear RGB times exposure) for each unit of a number, largest first:\n";
     for (const Sensitivity& n : s.numbers)
-        text +=
-            fmt::format("  {:+.6f} {:+.6f} {:+.6f}  {} = {}{}\n", n.change.x, n.change.y, n.change.z,
-                        n.pointer, static_cast<float>(n.value), n.one_sided ? "  (moves one way only)" : "");
+        text += fmt::format("  {} {} {}  {} = {}{}\n", change_text(n.change.x), change_text(n.change.y),
+                            change_text(n.change.z), n.pointer, static_cast<float>(n.value),
+                            n.one_sided ? "  (moves one way only)" : "");
     const auto list = [&text](const char* title, const std::vector<std::string>& pointers) {
         if (pointers.empty()) return;
         text += title;

@@ -47,23 +47,26 @@ void add_maker(EquationLine& line, const LightOfEquation& in, const char* key) {
 
 /// The factor of the diffuse term: max(n·l, 0), and what roughness makes of it.
 void add_cosine(EquationLine& line, const LightOfEquation& in) {
-    EquationFactor cosine = plain(Quantity::NL, in.light.diffuse_factor);
+    const float n_dot_l = in.light.n_dot_l;
+    // That mistake is a factor of its own, whatever the model makes of the cosine.
+    const double times = in.scene.shading.mistakes.missing_pi ? std::numbers::pi : 1;
+    const bool counts_behind = in.light.diffuse_factor != 0;  // by a mistake
+    EquationFactor cosine = plain(Quantity::NL, counts_behind ? n_dot_l : std::max(n_dot_l, 0.0f));
     cosine.is_mean = !in.light.samples.empty();
     if (cosine.is_mean) {
         const std::vector<double> weights = sample_weights(in.light);
         cosine.value = glm::dvec3(0);
         for (std::size_t i = 0; i < weights.size(); ++i)
-            cosine.value += weights[i] * double(in.light.samples[i].diffuse_factor);
-    } else if (in.light.diffuse_factor == 0) {
-        cosine.clamped_from = std::min(in.light.n_dot_l, 0.0f);
+            cosine.value += weights[i] * times * double(in.light.samples[i].diffuse_factor);
+    } else if (!counts_behind) {
+        cosine.clamped_from = std::min(n_dot_l, 0.0f);
     }
     const bool rough = info_of(in.explanation.reflection).rough_diffuse;
     if (rough) add_maker(line, in, "roughness");
-    if (!rough || cosine.is_mean || in.light.n_dot_l <= 0) return line.factors.push_back(cosine);
-    cosine.value = glm::dvec3(in.light.n_dot_l);
     line.factors.push_back(cosine);
+    if (!rough || cosine.is_mean || n_dot_l <= 0) return;
     line.factors.push_back(
-        plain(Quantity::Rough, double(in.light.diffuse_factor) / double(in.light.n_dot_l)));
+        plain(Quantity::Rough, times * double(in.light.diffuse_factor) / double(in.light.n_dot_l)));
 }
 
 /// The shininess as the picture uses it: OpenGL's fixed function knows none above 128.
@@ -100,8 +103,8 @@ std::pair<Quantity, float> highlight_cosine(const ReflectionInfo& info, const Ex
 /// The factors of the highlight, whether it is dropped or not.
 std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
     const ReflectionInfo info = info_of(in.explanation.reflection);
-    const bool dropped = in.light.n_dot_l <= 0;
     const glm::dvec3 s = in.light.specular_factor;
+    const bool dropped = in.light.n_dot_l <= 0 && s == glm::dvec3(0);  // a mistake keeps it
     if (info.uses_shininess()) {
         const auto [quantity, cosine] = highlight_cosine(info, in.light);
         EquationFactor base = plain(quantity, std::max(cosine, 0.0f));
@@ -114,6 +117,11 @@ std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
         if (s.x > 0 && base.power->exponent > 0 && is_close(glm::dvec3(power), s))
             base.value = glm::dvec3(std::pow(s.x, 1 / base.power->exponent));
         if (is_close(glm::dvec3(power), s)) return {base};
+        if (cosine < 0 && is_close(glm::dvec3(std::pow(double(cosine), base.power->exponent)), s)) {
+            base.value = glm::dvec3(cosine);  // a mistake does not clamp it
+            base.clamped_from = 0;
+            return {base};
+        }
     }
     const ExplainedFacets& facets = in.light.facets;
     const bool faces_eye = facets.n_dot_v > 0;
@@ -165,6 +173,21 @@ EquationLine specular_line(const LightOfEquation& in, std::vector<EquationFactor
     return line;
 }
 
+/// Where the scene's mistakes make something else of a term than the product of its factors: that is a factor
+/// of its own, or the whole term where the product is 0.
+void add_mistake(const Scene& scene, EquationLine& line) {
+    if (scene.shading.mistakes == Mistakes() || !line.left_out.empty()) return;
+    const glm::dvec3 product{line.product(0), line.product(1), line.product(2)};
+    if (is_close(product, line.result)) return;
+    EquationFactor mistake{.quantity = Quantity::Mistake, .value = line.result};
+    bool from_nothing = false;
+    for (int c = 0; c < 3; ++c) from_nothing |= product[c] == 0 && line.result[c] != 0;
+    if (from_nothing) line.factors.clear();
+    for (int c = 0; c < 3 && !from_nothing; ++c)
+        mistake.value[c] = product[c] == 0 ? 1 : line.result[c] / product[c];
+    line.factors.push_back(mistake);
+}
+
 }  // namespace
 
 double EquationLine::product(int channel) const {
@@ -174,6 +197,17 @@ double EquationLine::product(int channel) const {
         p = f.divides ? p / x : p * x;
     }
     return p;
+}
+
+glm::vec3 counted_share(const ExplainedLight& light) {
+    glm::vec3 sum = light.share;
+    for (const ExplainedLight& sample : light.samples) sum += sample.share;
+    return sum;
+}
+
+bool is_clamped(const LightOfEquation& in) {
+    const glm::dvec3 terms = in.light.ambient + in.light.diffuse + in.light.specular;
+    return in.scene.shading.mistakes.clamp_each_light && !is_close(counted_share(in.light), terms);
 }
 
 std::vector<double> sample_weights(const ExplainedLight& area) {
@@ -210,7 +244,10 @@ std::vector<EquationLine> light_lines(const LightOfEquation& in) {
     std::vector<EquationLine> lines;
     if (has_highlight)
         lines.push_back(std::move(specular));  // a factor that the model does not have is not a line
-    if (in.scene.npr.cool_to_warm) return lines;
+    if (in.scene.npr.cool_to_warm) {
+        for (EquationLine& line : lines) add_mistake(in.scene, line);
+        return lines;
+    }
     EquationLine ambient{Quantity::AmbientTerm,
                          common_factors(in, Quantity::LightAmbient, Quantity::MaterialAmbient,
                                         &Light::ambient, &Material::ambient, "ambient"),
@@ -223,6 +260,7 @@ std::vector<EquationLine> light_lines(const LightOfEquation& in) {
     if (!on.ambient) ambient.left_out = switched_off;
     if (!on.diffuse) diffuse.left_out = switched_off;
     lines.insert(lines.begin(), {ambient, diffuse});
+    for (EquationLine& line : lines) add_mistake(in.scene, line);
     return lines;
 }
 
@@ -240,6 +278,7 @@ std::vector<EquationLine> unlit_lines(const Scene& scene, const Explanation& exp
         point.global_ambient};
     if (!scene.shading.terms.emission) emission.left_out = switched_off;
     if (!scene.shading.terms.ambient) ambient.left_out = switched_off;
+    add_mistake(scene, ambient);
     return {emission, ambient};
 }
 

@@ -66,6 +66,11 @@ struct LightOfEquation {
 [[nodiscard]] std::vector<EquationLine> unlit_lines(const Scene& scene, const Explanation& explanation,
                                                     const ExplainedPoint& point);
 
+/// Returns what a light adds to the sum: its share, or its samples' shares together.
+[[nodiscard]] glm::vec3 counted_share(const ExplainedLight& light);
+/// Returns whether a mistake clamps what the light adds, so that it is less than its terms.
+[[nodiscard]] bool is_clamped(const LightOfEquation& in);
+
 /// The weights of an area light's samples in its means: the falloff of each as a share of their sum, or 0
 /// where no light arrives.
 [[nodiscard]] std::vector<double> sample_weights(const ExplainedLight& area);

@@ -90,6 +90,7 @@ std::string light_rows(const Explanation& e, const ExplainedLight& light, const 
     const EquationLine share = share_line(in);
     text += fmt::format("f_{{{}}} = ", index) + row(share, index);
     for (const EquationLine& line : light_lines(in)) text += row(line, index);
+    if (is_clamped(in)) text += row("\\text{the terms together, clamped}", column(counted_share(light)));
     return text;
 }
 

@@ -81,7 +81,7 @@ class Writer {
         text += weights();
         for (std::size_t i = 0; i < e_.corners.size(); ++i) {
             const ExplainedCorner& corner = e_.corners[i];
-            text += e_.mode == ShadingMode::Flat ? "Lit at one point for the whole polygon\n"
+            text += e_.mode == ShadingMode::Flat ? lit_once()
                                                  : fmt::format("Corner {} of {}, weight {}\n", i + 1,
                                                                e_.corners.size(), brief(corner.weight));
             text += place(corner.at) + "\n" + equation(corner.at);
@@ -101,6 +101,15 @@ class Writer {
         return text.empty() ? text : text + "\n";
     }
 
+    [[nodiscard]] std::string lit_once() const {
+        const bool of_triangle = scene_.shading.flat_point == FlatPoint::Provoking;
+        return fmt::format("Lit at one point for the whole {}\n", of_triangle ? "triangle" : "polygon");
+    }
+
+    [[nodiscard]] bool is_lit_in_camera() const {
+        return info_of(e_.reflection).is_lit && !scene_.shading.mistakes.lit_after_projection;
+    }
+
     /// The point on its way from the mesh to the screen.
     [[nodiscard]] std::string spaces() const {
         const ExplainedSpaces& in = e_.spaces;
@@ -108,7 +117,8 @@ class Writer {
             return fmt::format("  {:<8}{}{}\n", name, values, note);
         };
         return line("object", in_columns(in.object), "") + line("world", in_columns(in.world), "") +
-               line("camera", in_columns(in.camera), "              here it is lit") +
+               line("camera", in_columns(in.camera),
+                    is_lit_in_camera() ? "              here it is lit" : "") +
                line("clip", in_columns(glm::vec3(in.clip)) + in_column(in.clip.w), "    w last") +
                line("ndc", in_columns(in.ndc), "") +
                line("pixel", in_column(in.pixel.x) + in_column(in.pixel.y), "");
@@ -165,6 +175,7 @@ class Writer {
         std::string text = fmt::format("  f = {} = {}\n", written_product(share, 0, result_text),
                                        result_text(share.result.x));
         for (const EquationLine& line : light_lines(in)) text += term(line);
+        if (is_clamped(in)) text += term("counts", "the terms together, clamped to 0 to 1", counted_share(e));
         return text;
     }
 
@@ -182,7 +193,9 @@ class Writer {
     [[nodiscard]] std::string result() const {
         const Display& display = scene_.display;
         const std::string exposed = display.exposure == 1 ? "" : " · exposure " + brief(display.exposure);
-        const std::string encoded = display.transfer == Transfer::Srgb ? ", sRGB encoded" : "";
+        std::string encoded = display.transfer == Transfer::Srgb ? ", sRGB encoded" : "";
+        if (scene_.shading.mistakes.encoded_twice)
+            encoded += encoded.empty() ? ", sRGB encoded by mistake" : " twice";
         const std::string how = e_.corners.size() > 1 ? "of weight · corner" : "of all terms";
         const std::string what = e_.hit ? how : "the background";
         const ExplainedStroke& s = e_.stroke;
@@ -206,7 +219,11 @@ class Writer {
             if (shown >= 0 && shown <= 1) continue;
             const bool grey = e_.sum.x == e_.sum.y && e_.sum.y == e_.sum.z;
             const char* channel = grey ? "" : i == 0 ? "red " : i == 1 ? "green " : "blue ";
-            text += fmt::format("            {}clips: {} → {}\n", channel, brief(shown), shown > 1 ? 1 : 0);
+            const std::string as =
+                scene_.shading.mistakes.bytes_wrap
+                    ? fmt::format("wraps: {} → byte {}", brief(shown), e_.byte[static_cast<std::size_t>(i)])
+                    : fmt::format("clips: {} → {}", brief(shown), shown > 1 ? 1 : 0);
+            text += fmt::format("            {}{}\n", channel, as);
             if (grey) break;
         }
         return text;

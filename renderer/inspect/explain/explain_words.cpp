@@ -33,12 +33,17 @@ std::string dark_reason(const ExplainedLight& explained, const Light& light) {
                               : "";
     }
     const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
-    if (cone && explained.spot_angle_deg > light.spot.cutoff_deg)
+    const bool is_outside = cone && explained.spot_angle_deg > light.spot.cutoff_deg;
+    if (is_outside && explained.spot == 0)  // a mistake's cone may be wider
         return fmt::format("outside the cone by {:.1f}°", explained.spot_angle_deg - light.spot.cutoff_deg);
-    if (explained.n_dot_l < 0) return "behind the surface: n·l < 0";
-    if (explained.n_dot_l == 0) return "grazes the surface: n·l = 0";
-    if (explained.falloff < 0.01f) return fmt::format("hardly reaches: falloff {:.2g}", explained.falloff);
-    if (explained.spot < 0.01f) return fmt::format("at the faint edge of its cone: {:.2g}", explained.spot);
+    const bool adds = explained.diffuse + explained.specular != glm::vec3(0);  // behind it by a mistake
+    if (explained.n_dot_l < 0 && !adds) return "behind the surface: n·l < 0";
+    if (explained.n_dot_l == 0 && !adds) return "grazes the surface: n·l = 0";
+    const float arrives = light.intensity * explained.falloff;  // a strong light reaches far
+    if (arrives < 0.01f && explained.falloff < 0.01f)
+        return fmt::format("hardly reaches: falloff {:.2g}", explained.falloff);
+    if (arrives * explained.spot < 0.01f && explained.spot < 0.01f)
+        return fmt::format("its cone lets through {:.2g}", explained.spot);
     return {};
 }
 

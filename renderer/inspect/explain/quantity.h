@@ -50,7 +50,8 @@ enum class Quantity {
     Rough,
     WarmShare,
     Cool,
-    Warm
+    Warm,
+    Mistake
 };
 
 struct QuantityRow {
@@ -118,6 +119,8 @@ inline constexpr std::array quantity_rows{
     QuantityRow{Quantity::WarmShare, "k", "w", "k_w", "Share of the warm tone: (1 + n·l) / 2"},
     QuantityRow{Quantity::Cool, "cool", "", "\\text{cool}", "Tone of what is turned away from the light"},
     QuantityRow{Quantity::Warm, "warm", "", "\\text{warm}", "Tone of what is turned to the light"},
+    QuantityRow{Quantity::Mistake, "mistake", "", "\\text{mistake}",
+                "What the scene's mistakes make of the product of the others"},
 };
 
 [[nodiscard]] constexpr const QuantityRow& row_of(Quantity quantity) {

@@ -6,11 +6,13 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <random>
 #include <set>
 #include <sstream>
 
 #include "models/fields/choices.h"
+#include "models/scene/mistakes.h"
 #include "renderer/inspect/explain/explain_format.h"
 #include "renderer/inspect/explain/printed_number.h"
 #include "renderer/renderer.h"
@@ -263,4 +265,130 @@ TEST_CASE("a Gouraud pixel has what each way of weighing the corners makes of it
     }
     CHECK(pixels > 100);
     CHECK(different > 20);
+}
+
+TEST_CASE(
+    "what is written under each mistake multiplies to what is written, and names what the mistake makes of "
+    "it",
+    "[explain][why]") {
+    Dice dice(15);
+    Renderer renderer(1);
+    constexpr PictureSize size{32, 24};
+    int lines = 0, with_mistake = 0;
+    for (const MistakeName& mistake : mistake_names())
+        for (const LightKind kind : enumerators<LightKind>)
+            for (const Reflection reflection : enumerators<Reflection>) {
+                if (reflection == Reflection::None) continue;
+                Scene scene = random_scene(dice, kind, reflection);
+                scene.shading.mode = ShadingMode::Phong;
+                // Of vectors that are not unit, larger powers have no number.
+                for (Object& object : scene.objects)
+                    object.material.shininess = std::min(object.material.shininess, 4.0f);
+                scene.shading.mistakes.*mistake.flag = true;
+                (void)renderer.render(scene, size);
+                for (int tries = 0, hits = 0; tries < 40 && hits < 2; ++tries) {
+                    const Explanation e = renderer.explain(dice.below(size.width), dice.below(size.height));
+                    if (!e.hit || !std::isfinite(e.sum.x + e.sum.y + e.sum.z)) continue;
+                    ++hits;
+                    INFO(mistake.name << ' ' << name_of(kind) << ' ' << name_of(reflection) << ' ' << e.x
+                                      << ", " << e.y);
+                    lines += check_lines(scene, e, e.at);
+                    const std::string text = explain_text(e, scene);
+                    (void)check_text(text);
+                    with_mistake += text.find(" mistake ") != std::string::npos ? 1 : 0;
+                }
+            }
+    CHECK(lines > 1000);
+    CHECK(with_mistake > 50);
+}
+
+TEST_CASE("ambient light that a mistake adds twice is written times 2, and a cosine without its pi over pi",
+          "[explain][why]") {
+    Scene scene = test::busy_scene();
+    scene.shading.reflection = Reflection::Lambert;
+    const auto at = [&](const Mistakes& mistakes) {
+        scene.shading.mistakes = mistakes;
+        Renderer renderer(1);
+        (void)renderer.render(scene, {32, 24});
+        Explanation e;
+        for (int i = 0; i < 32 * 24 && !(e.hit && !e.at.lights.empty() && e.at.lights[0].n_dot_l > 0.1f); ++i)
+            e = renderer.explain(i % 32, i / 32);
+        return light_lines({scene, e, e.at.lights.at(0)});
+    };
+    scene.lights[0].ambient = glm::vec3(0.3f);
+    scene.objects[0].material.ambient = glm::vec3(0.5f);
+    Mistakes twice, pi;
+    twice.ambient_per_light_added_twice = true;
+    pi.missing_pi = true;
+    const EquationFactor doubled = at(twice)[0].factors.back();
+    CHECK(doubled.quantity == Quantity::Mistake);
+    CHECK(doubled.value.x == Approx(2));
+    const std::vector<EquationLine> without_pi = at(pi);
+    const std::vector<EquationFactor>& diffuse = without_pi[1].factors;
+    CHECK(diffuse.back().quantity == Quantity::Mistake);
+    CHECK(diffuse.back().value.x == Approx(1 / std::numbers::pi));
+    CHECK(diffuse[diffuse.size() - 2].quantity == Quantity::NL);
+    CHECK(at({})[0].factors.back().quantity == Quantity::MaterialAmbient);
+    scene.shading.reflection = Reflection::OrenNayar;
+    const std::vector<EquationLine> rough = at({}), rough_without_pi = at(pi);
+    REQUIRE(rough[1].factors.back().quantity == Quantity::Rough);
+    const auto& factors = rough_without_pi[1].factors;
+    CHECK(factors.back().value.x == Approx(1 / std::numbers::pi));
+    CHECK(factors[factors.size() - 2].value.x == Approx(rough[1].factors.back().value.x));
+}
+
+TEST_CASE("what a mistake clamps, and how a byte wraps, is written", "[explain]") {
+    Scene scene = test::busy_scene();
+    for (Light& light : scene.lights) light.intensity = 9;
+    Renderer renderer(1);
+    const auto brightest = [&](const Mistakes& mistakes) {
+        scene.shading.mistakes = mistakes;
+        (void)renderer.render(scene, {32, 24});
+        Explanation best;
+        for (int i = 0; i < 32 * 24; ++i)
+            if (Explanation e = renderer.explain(i % 32, i / 32); e.hit && e.sum.x >= best.sum.x)
+                best = std::move(e);
+        return best;
+    };
+    Mistakes clamps, wraps;
+    clamps.clamp_each_light = true;
+    wraps.bytes_wrap = true;
+    const Explanation right = brightest({});
+    REQUIRE(right.sum.x > 1.2f);
+    CHECK(explain_text(right, scene).find("  counts ") == std::string::npos);
+    CHECK(explain_text(right, scene).find("clips: ") != std::string::npos);
+    const Explanation clamped = brightest(clamps);
+    CHECK(explain_text(clamped, scene).find("  counts    the terms together, clamped") != std::string::npos);
+    CHECK(explain_latex(clamped, scene).find("the terms together, clamped") != std::string::npos);
+    const Explanation wrapped = brightest(wraps);
+    const std::string text = explain_text(wrapped, scene);
+    CHECK(text.find("clips") == std::string::npos);
+    CHECK(text.find(fmt::format("→ byte {}", wrapped.byte[0])) != std::string::npos);
+}
+
+TEST_CASE("what a point is lit in, once for what, and how it is encoded is said as it is", "[explain]") {
+    Scene scene = test::busy_scene();
+    const auto says = [&](const char* words) {
+        Renderer renderer(1);
+        (void)renderer.render(scene, {32, 24});
+        Explanation e;
+        for (int i = 0; i < 32 * 24 && !e.hit; ++i) e = renderer.explain(i % 32, i / 32);
+        return explain_text(e, scene).find(words) != std::string::npos;
+    };
+    CHECK(says("here it is lit"));
+    scene.shading.mistakes.encoded_twice = true;
+    CHECK(says("sRGB encoded by mistake"));
+    scene.display.transfer = Transfer::Srgb;
+    CHECK(says("sRGB encoded twice"));
+    scene.shading.mistakes = {};
+    CHECK_FALSE(says("twice"));
+    scene.shading.mistakes.lit_after_projection = true;
+    CHECK_FALSE(says("here it is lit"));
+    scene.shading.mistakes = {};
+    scene.shading.mode = ShadingMode::Flat;
+    CHECK(says("for the whole polygon"));
+    scene.shading.flat_point = FlatPoint::Provoking;
+    CHECK(says("for the whole triangle"));
+    scene.shading.reflection = Reflection::None;
+    CHECK_FALSE(says("here it is lit"));
 }

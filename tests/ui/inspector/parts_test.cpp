@@ -73,11 +73,21 @@ TEST_CASE("a dark pixel is explained in words", "[ui]") {
     e.spot_angle_deg = 10;
     e.spot = 0.9f;
     CHECK(dark_reason(e, spot).empty());
+    e.spot = 0;  // a mistake makes the cone narrower than the scene says
+    CHECK(dark_reason(e, spot) == "its cone lets through 0");
+    e.spot_angle_deg = 44;
+    e.spot = 1;  // or wider
+    CHECK(dark_reason(e, spot).empty());
     e.n_dot_l = -0.12f;
     CHECK(dark_reason(e, spot) == "behind the surface: n·l < 0");
     e.n_dot_l = 0.3f;
     e.falloff = 0.003f;
     CHECK(dark_reason(e, spot) == "hardly reaches: falloff 0.003");
+    spot.intensity = 400;
+    CHECK(dark_reason(e, spot).empty());
+    e.n_dot_l = -0.3f;
+    e.diffuse = glm::vec3(0.2f);  // by a mistake
+    CHECK(dark_reason(e, spot).empty());
     Light area;
     area.kind = LightKind::Area;
     ExplainedLight samples;
