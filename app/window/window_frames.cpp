@@ -108,6 +108,7 @@ void WindowFrames::note_size() {
     Preferences& settings = state_.persistence.preferences;
     settings.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
     if (!settings.maximized) settings.width = noted_.x, settings.height = noted_.y;
+    state_.persistence.preferences_changed = ImGui::GetTime();  // written when the hand rests
 }
 
 UiRequests WindowFrames::frame() {

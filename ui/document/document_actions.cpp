@@ -156,6 +156,7 @@ void take_scene(UiState& state, SceneDocument document) {
     take_document(state.editor, std::move(document));
     if (given_scene_beside(state.lecture.given_scenes, state.editor.document.path, 0))
         state.lecture.last_given = state.editor.document.path;
+    state.outside.placed = false;
     state.viewport.probe.reset();
     state.viewport.probe_before.reset();
     state.viewport.pivot.reset();

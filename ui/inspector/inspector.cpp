@@ -8,12 +8,14 @@
 
 namespace glint {
 
+bool asks_at_cursor(const UiState& state) {
+    return ImGui::GetIO().KeyAlt && state.viewport.hovered && state.viewport.gesture == Gesture::None;
+}
+
 std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& view) {
-    const ImGuiIO& io = ImGui::GetIO();
     const PictureSize size = view.map.size;
-    if (!io.KeyAlt || !state.viewport.hovered || state.viewport.gesture != Gesture::None)
-        return probe_pixel(state.viewport, size);
-    return nearest_pixel(size, view.to_pixel(io.MousePos));
+    if (!asks_at_cursor(state)) return probe_pixel(state.viewport, size);
+    return nearest_pixel(size, view.to_pixel(ImGui::GetIO().MousePos));
 }
 
 const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& explanation) {

@@ -9,6 +9,7 @@
 #include <exception>
 #include <glm/common.hpp>
 #include <iterator>
+#include <map>
 
 #include "ui/document/job.h"
 #include "ui/inspector/equation/words.h"
@@ -168,8 +169,10 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
 void owners(UiState& state, const char* title, const std::vector<std::string>& pointers) {
     if (pointers.empty() || !fold(title, false)) return;
     std::vector<std::pair<NamedNumber, std::string>> lines;
+    std::map<std::string, std::string> pointer_of;  // one of each owner's
     for (const std::string& pointer : pointers) {
         const NamedNumber named = named_number(pointer, state.sensitivity.shown_scene);
+        pointer_of.emplace(named.owner, pointer);
         const auto same = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
             return line.first.owner == named.owner && line.first.selection == named.selection;
         });
@@ -178,7 +181,10 @@ void owners(UiState& state, const char* title, const std::vector<std::string>& p
     }
     for (const auto& [named, words] : lines) {
         ImGui::PushID(named.owner.c_str());
-        if (ImGui::Selectable(whole_label(named.owner).c_str())) state.editor.selection = named.selection;
+        const bool clicked = ImGui::Selectable(whole_label(named.owner).c_str());
+        // Until it is measured again another may have that place.
+        if (clicked && named_number(pointer_of.at(named.owner), state.editor.scene()).owner == named.owner)
+            state.editor.selection = named.selection;
         ImGui::PopID();
         ImGui::Indent(px(12));
         small_dim(words.empty() ? "does not show at this pixel" : words);

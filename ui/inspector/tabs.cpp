@@ -94,7 +94,7 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
             fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
     ImGui::SameLine(0, px(10));
     ImGui::BeginGroup();
-    pixel_line(fmt::format("{} ", ImGui::GetIO().KeyAlt ? "at the cursor" : "pixel"),
+    pixel_line(fmt::format("{} ", asks_at_cursor(state) ? "at the cursor" : "pixel"),
                fmt::format("{}, {}", state.asked.x, state.asked.y), fmt::format("   {} {} {}", r, g, b));
     if (explanation.hit) {
         const char* const side = explanation.front_facing ? "front side" : "back side";

@@ -164,6 +164,7 @@ bool pick_colour(const char* id, JsonValue& colour) {
                             ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
                                 ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_NoLabel);
     list_control("Colour to predict", "", last_item());
+    for (float& channel : c) channel = std::clamp(channel, 0.0f, 1.0f);  // more may be typed
     if (touched) colour = JsonValue(c);
     return touched;
 }

@@ -51,9 +51,12 @@ void stop_picture(UiState& state) {
     state.lecture.frozen = as_made(state, state.editor.scene());  // not what the mouse over a term may show
 }
 
+/// Shows the predicted pixel as it is now, whatever was looked at or asked meanwhile.
 void reveal(UiState& state) {
     state.predict.stage = PredictStage::Revealed;
-    state.lecture.frozen.reset();
+    show_edited_alone(state);
+    state.viewport.probe = state.predict.probe;
+    state.explanation.reset();
     redraw_within(0);
 }
 
@@ -120,13 +123,17 @@ void end_prediction(UiState& state) {
 
 void poll_prediction(UiState& state) {
     PredictState& predict = state.predict;
-    if (predict.stage == PredictStage::Pick && state.viewport.probe && is_explained(state))
-        stop_picture(state);
+    if (predict.stage == PredictStage::Pick && state.viewport.probe) {
+        if (is_explained(state))
+            stop_picture(state);
+        else if (is_out_of_hand(state))  // B, or a frozen picture, was clicked: the scene is shown first
+            show_edited_alone(state);
+    }
     if (predict.stage == PredictStage::Change && !state.lecture.frozen) end_prediction(state);  // by F8
     if (predict.stage != PredictStage::Revealed || predict.answer) return;
     if (!state.viewport.probe) return end_prediction(state);
     const bool drawn = state.rendered_is_edited && state.rendered_scene == state.editor.scene();
-    if (drawn && state.explanation) predict.answer = state.explanation->byte;
+    if (drawn && state.explanation && is_explained(state)) predict.answer = state.explanation->byte;
     redraw_within(0);
 }
 

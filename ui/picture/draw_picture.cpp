@@ -233,10 +233,11 @@ void draw_picture(UiState& state, const PictureView& view) {
             return explain_asked(state, view);  // at another size
         }
         state.rendered_scene = shown;
-        state.rendered_is_edited = !preview && !awaits_mesh(state);
         ++state.picture_serial;
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
+    // What was frozen may be the edited scene, too: then it is not drawn again.
+    if (changed || !same_size || !preview) state.rendered_is_edited = !preview && !awaits_mesh(state);
     if (!is_of_its_scene(state)) state.explanation.reset();
     const bool passes = preview && !(state.resting && state.resting->scene == *preview);
     if (passes) return follow_size(state, view);

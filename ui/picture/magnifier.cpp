@@ -30,6 +30,11 @@ PixelRange visible(const ImDrawList& list, const PictureView& view) {
             std::clamp(saturated_int(std::ceil(high.y)), 0, size.height)};
 }
 
+PixelRange within(const PixelRange& range, const PartRect& rect) {
+    return {std::max(range.x0, rect.low.x), std::max(range.y0, rect.low.y), std::min(range.x1, rect.high.x),
+            std::min(range.y1, rect.high.y)};
+}
+
 std::pair<int, std::int64_t> face_at(const Renderer& renderer, PictureSize size, int x, int y) {
     if (!is_inside(size, {x, y})) return {-1, -1};
     const auto seen = renderer.seen_at(x, y);
@@ -150,7 +155,6 @@ bool magnifier_drag(ToolFrame& frame) {
 /// before a pixel is large enough.
 void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) {
     const Picture& shown = *state.displayed;
-    const Renderer& renderer = *state.renderer;
     const auto picked = probe_pixel(state.viewport, view.map.size);
     if (state.views.magnifier.zoom <= 1 || view.units_per_pixel < px(least_square) ||
         !(shown.size == view.map.size))
@@ -161,8 +165,13 @@ void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) 
         list.AddLine(view.to_window({x, range.y0}), view.to_window({x, range.y1}), line);
     for (int y = range.y0; y <= range.y1; ++y)
         list.AddLine(view.to_window({range.x0, y}), view.to_window({range.x1, y}), line);
-    draw_edges(list, view, renderer, range);
-    if (picked) draw_picked(list, view, renderer, state.rendered_scene, *picked);
+    const CompareState& compare = state.views.compare;
+    for (const DrawnPart& part : drawn_parts(compare, *state.renderer, view.map.size)) {
+        draw_edges(list, view, *part.renderer, within(range, part.rect));
+        if (!picked || !part.rect.holds(*picked)) continue;
+        const Scene scene = scene_under(part.variant, state.rendered_scene, compare.choice.stored.get());
+        draw_picked(list, view, *part.renderer, scene, *picked);
+    }
     if (view.units_per_pixel < px(least_number)) return;
     const Picture& numbered = unpainted_picture(state);
     for (int y = range.y0; y < range.y1; ++y)

@@ -16,7 +16,8 @@ void follow_shape(UiState& state, PictureSize size) {
     const glm::dmat4 from = clip_from_view(projection, before), to = clip_from_view(projection, size);
     const glm::dvec2 scale(to[0][0] / from[0][0], to[1][1] / from[1][1]);
     const auto follow = [&scale](glm::dvec2& share) { share = (share - 0.5) * scale + 0.5; };
-    for (std::optional<glm::dvec2>* probe : {&state.viewport.probe, &state.viewport.probe_before})
+    for (std::optional<glm::dvec2>* probe :
+         {&state.viewport.probe, &state.viewport.probe_before, &state.predict.probe})
         if (*probe) follow(**probe);
     ScopeState& scope = state.views.scope;
     if (scope.open && !scope.armed) {  // else nothing was laid on anything yet

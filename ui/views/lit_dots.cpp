@@ -56,6 +56,7 @@ void update_lit_dots(LitDotsState& state, const std::vector<DrawnPart>& parts, P
                      std::uint64_t serial) {
     if (!state.dots && !state.needles) return state.found.forget();
     (void)state.found.of(serial, [&] {
+        state.size = size;
         std::vector<PartDots> found;
         found.reserve(parts.size());
         for (const DrawnPart& part : parts)
@@ -108,8 +109,11 @@ void draw_needle(ImDrawList& list, const PictureView& view, const LitDot& dot, c
 
 void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureView& view) {
     if (state.found.value() == nullptr) return;
+    const PictureSize whole = view.map.size;
+    const glm::dvec2 larger(double(whole.width) / state.size.width, double(whole.height) / state.size.height);
+    const auto corner = [&](glm::ivec2 pixel) { return view.to_window(glm::dvec2(pixel) * larger); };
     for (const PartDots& part : *state.found.value()) {
-        list.PushClipRect(view.to_window(part.rect.low), view.to_window(part.rect.high), true);
+        list.PushClipRect(corner(part.rect.low), corner(part.rect.high), true);
         for (const LitDot& dot : part.dots) {
             const OnScreen foot = project(view.map, dot.place);
             if (!foot.in_front) continue;

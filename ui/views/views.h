@@ -56,6 +56,7 @@ struct PartDots {
 struct LitDotsState {
     bool dots = false, needles = false;
     Kept<std::uint64_t, std::vector<PartDots>> found;  // in the picture of this serial
+    PictureSize size;  // of that picture, which during a motion is smaller than what it is shown as
 };
 
 /// The places at which the equation was evaluated for pixels within `rect`, of a grid of about `across`

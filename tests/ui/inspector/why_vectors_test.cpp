@@ -219,3 +219,16 @@ TEST_CASE("the diagram of a light behind the surface keeps clear of what stands 
     CHECK(lowest > below - 260);
     CHECK(lowest < below - 40);
 }
+
+TEST_CASE("what a pixel is called follows the hand only over the picture", "[ui][why]") {
+    HeadlessWindow bench({1280, 800});
+    bench.frames(2);
+    ImGui::GetIO().KeyAlt = true;
+    bench.move(bench.at_pixel({100, 100}));
+    bench.frames(2);
+    CHECK(asks_at_cursor(bench.state));
+    bench.move({1200, 400});  // over the column
+    bench.frames(2);
+    CHECK_FALSE(asks_at_cursor(bench.state));
+    ImGui::GetIO().KeyAlt = false;
+}

@@ -135,3 +135,54 @@ TEST_CASE("a prediction begins whatever is frozen or plays", "[ui][window][lesso
     bench.frames(3);
     CHECK(bench.state.predict.stage == PredictStage::Change);
 }
+
+TEST_CASE(
+    "whatever is looked at or asked while a prediction waits, the picked pixel of the scene is revealed",
+    "[ui][window][lesson]") {
+    PredictWindow bench;
+    REQUIRE(bench.state.predict.stage == PredictStage::Change);
+    const std::array<int, 3> was = bench.state.predict.before;
+    bench.key(Key::B, true);
+    const int looked_at = GENERATE(0, 1, 2);
+    CAPTURE(looked_at);
+    if (looked_at == 0) ask_about(bench.state.viewport, glm::dvec2(0.02, 0.02));  // background
+    if (looked_at == 1) {
+        bench.scene().lights.clear();
+        bench.scene().global_ambient = {};
+        bench.frames(2);
+        bench.key(Key::B);
+    }
+    if (looked_at == 2) bench.key(Key::C);
+    bench.frames(2);
+    bench.click(bench.control("Lock the colour in"));
+    bench.frames(4);
+    REQUIRE(bench.state.predict.answer);
+    CHECK(*bench.state.predict.answer == (looked_at == 1 ? std::array<int, 3>{0, 0, 0} : was));
+}
+
+TEST_CASE("a prediction's pixel stays where it is on the surface when the window changes its shape",
+          "[ui][window][lesson]") {
+    PredictWindow bench;
+    const std::array<int, 3> was = bench.state.predict.before;
+    ImGui::GetIO().DisplaySize = {1600, 900};
+    bench.frames(3);
+    bench.click(bench.control("Lock the colour in"));
+    bench.frames(4);
+    REQUIRE(bench.state.predict.answer);
+    for (std::size_t c = 0; c < 3; ++c) CHECK(std::abs((*bench.state.predict.answer)[c] - was[c]) <= 6);
+    CHECK(*bench.state.viewport.probe == *bench.state.predict.probe);
+}
+
+TEST_CASE("a pixel of B that is picked to be predicted is one of the scene", "[ui][window][lesson]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    (void)bench.key(Key::B, true);
+    (void)bench.key(Key::Q);
+    (void)bench.key(Key::B);
+    bench.frames(2);
+    const PictureSize size = bench.state.rendered->size;
+    bench.click(bench.at_pixel({size.width / 2.0, size.height / 2.0}));
+    bench.frames(4);
+    CHECK(bench.state.predict.stage == PredictStage::Change);
+    CHECK_FALSE(bench.state.views.compare.choice.shows_stored);
+}

@@ -95,6 +95,9 @@ TEST_CASE("what is typed into a number may be a calculation", "[ui][numbers]") {
     CHECK(value_of(".5") == 0.5);
     CHECK(value_of("0,25") == 0.25);
     CHECK(value_of("30°") == 30);
+    CHECK(value_of("(30 + 5)° / 2") == 17.5);
+    CHECK(value_of("cos(60°)") == Approx(0.5));
+    CHECK(value_of("2 * sin((20 + 10)°) + 5°") == Approx(6));
     CHECK(value_of("−2 × 3") == -6);
     CHECK(value_of("π") == Approx(3.141592654));
 }

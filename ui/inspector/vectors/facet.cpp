@@ -45,10 +45,12 @@ void facet_section(const UiState& state, const Explanation& explanation) {
     vector_line(Symbol::N, "made unit", facet->of_edges);
     vector_line(Symbol::N, "Newell", facet->newell);
     const float length = glm::length(facet->cross);
+    const Object& object = asked_scene(state).objects[static_cast<std::size_t>(explanation.object_index)];
+    const bool is_mirrored = glm::determinant(glm::dmat3(world_from_object(object.transform))) < 0;
     small_dim(fmt::format(
         "The product is {:.4g} long: twice the area of the triangle 1 2 3. {} corners, counter-clockwise "
         "seen from outside; seen from here {}.",
-        length, facet->corners.size(), explanation.front_facing ? "too" : "clockwise"));
+        length, facet->corners.size(), explanation.front_facing != is_mirrored ? "too" : "clockwise"));
     if (glm::dot(facet->of_edges, facet->newell) < 0.9999f && length > 0)
         warning_text("The corners are not in one plane, or not convex: Newell's takes all of them.");
 }

@@ -104,10 +104,11 @@ void drag_on_surface(Held& held, const ViewportFrame& frame, glm::dvec2 cursor_p
 }
 
 /// A held axis key takes the place of the part that was grabbed.
-void drag_object(ObjectDrag drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
+void drag_object(ObjectDrag drag, Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
                  const HandKeys& keys) {
     for (std::size_t i = 0; i < 3; ++i)
         if (keys.axis[i] && drag.mode != GizmoMode::Scale) drag.part = static_cast<GizmoPart>(i);
+    held.grip.part = drag.part;  // what is lit and named
     frame.scene.objects[static_cast<std::size_t>(held.grip.item)].transform =
         dragged_object(drag, held.view, cursor_px, keys.ctrl);
 }

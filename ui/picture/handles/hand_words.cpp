@@ -143,6 +143,8 @@ std::string hint_of(const Grip& grip, const Scene& scene) {
     case GripKind::None:
         return {};
     case GripKind::Light:
+        if (!grip.in_picture)
+            return fmt::format("{}, outside the picture · Click: select", light_of(grip, scene).name);
         return fmt::format(
             "{}: drag in the view plane · Shift: in depth · X Y Z: axis · Ctrl: snap · Ctrl+Shift: "
             "brightness",
@@ -153,8 +155,9 @@ std::string hint_of(const Grip& grip, const Scene& scene) {
                                light_of(grip, scene).name);
         return fmt::format("{}: {} · Ctrl: snap", light_of(grip, scene).name, shape_words(grip.shape.part));
     case GripKind::Object:
-        return fmt::format("{} · X Y Z: axis · Ctrl: snap · G R T: move, rotate, scale",
-                           action_text(grip.mode, grip.part));
+        return fmt::format("{}{} · Ctrl: snap · G R T: move, rotate, scale",
+                           action_text(grip.mode, grip.part),
+                           grip.mode == GizmoMode::Scale ? "" : " · X Y Z: axis");
     case GripKind::Highlight:
         return fmt::format(
             "Drag the highlight of {} · Shift: in depth · Ctrl+Shift: brightness · Click: why · Alt+drag: "
@@ -184,7 +187,9 @@ std::string hint_of(const Held& held) {
                    ? "It shines at what is under the cursor · Ctrl: snap · Shift: turn freely · Esc: cancel"
                    : "Ctrl: snap · Esc: cancel";
     case GripKind::Object:
-        return "X Y Z: along or round an axis · Ctrl: snap · Esc: cancel";
+        return held.grip.mode == GizmoMode::Scale
+                   ? "Ctrl: snap · Esc: cancel"
+                   : "X Y Z: along or round an axis · Ctrl: snap · Esc: cancel";
     case GripKind::Highlight:
         return held.no_solution ? "No light could shine there: the light waits · Esc: cancel"
                                 : "The light stands where v is mirrored at n · Shift: in depth · Ctrl+Shift: "

@@ -18,8 +18,8 @@ constexpr int deepest = 40;  // brackets in brackets: what is typed must not exh
 
 /// Signs that the window itself writes, and the comma of other languages, in the signs of the calculation.
 std::string in_plain_signs(std::string_view text) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> signs{
-        {{"−", "-"}, {"×", "*"}, {"·", "*"}, {"÷", "/"}, {"π", "pi"}, {"°", " "}, {"px", " "}, {",", "."}}};
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> signs{
+        {{"−", "-"}, {"×", "*"}, {"·", "*"}, {"÷", "/"}, {"π", "pi"}, {"px", " "}, {",", "."}}};
     std::string plain;
     while (!text.empty()) {
         bool found = false;
@@ -103,6 +103,7 @@ class Calculation {
             value = signed_power();
         else {
             value = operand();
+            if (take("°")) value *= degree_;
             if (take("^")) value = std::pow(value, signed_power());
         }
         --depth_;
@@ -145,7 +146,9 @@ class Calculation {
         for (const auto& [name, function] : functions) {
             if (!take(name)) continue;
             if (!take("(")) return fail(fmt::format("“(” is missing after {}", name));
+            const double outside = std::exchange(degree_, std::numbers::pi / 180);
             const double value = sum();
+            degree_ = outside;
             if (!take(")")) return fail("“)” is missing");
             return function(value);
         }
@@ -155,6 +158,7 @@ class Calculation {
     std::string_view rest_;
     std::string problem_;
     int depth_ = 0;
+    double degree_ = 1;  // what ° multiplies by: fields of angles are in degrees, a function takes radians
 };
 
 }  // namespace
