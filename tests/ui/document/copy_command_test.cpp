@@ -303,7 +303,9 @@ TEST_CASE("a picture that was opened and saved as a scene is drawn by its comman
     const TemporaryDirectory folder;
     Bench bench;
     open_file(bench, folder.file("s.json", R"({"glint": 1, "lights": [{}], "objects": [{}]})"));
-    begin_export(bench.state, {{120, 160}, 1}, folder.path("s.png"));  // narrow, so that it is fitted
+    const PictureSize size = bench.state.rendered->size;
+    REQUIRE(9 * size.width < 16 * size.height);  // narrow, so that it is fitted
+    begin_export(bench.state, {size, 1}, folder.path("s.png"));
     while (bench.state.exporting.job) (void)bench.frame();
     open_file(bench, folder.path("s.png"));
     REQUIRE_FALSE(save_file(bench.state.editor, folder.path("saved.json"), bench.scene()));
