@@ -44,8 +44,7 @@ class Checker {
         if (const Problem* problem = problem_of(right)) return text_of(problem);
         const double tolerance = std::get<RightAnswer>(right).tolerance;
         if (p.kind == PredictionKind::Choice) return wrong_mistake(p);
-        if (!(tolerance > 0))
-            return "the tolerance is " + JsonValue(tolerance).text() + "; expected more than 0";
+        if (Shortfall wrong = wrong_tolerance(tolerance)) return wrong;
         return wrong_term(p);
     }
 
@@ -64,6 +63,7 @@ class Checker {
             const Result<PosedQuestion> posed = pose_with(runner_, document_, lesson_, exercise, values);
             if (const Problem* problem = problem_of(posed)) return text_of(problem);
             const auto& q = std::get<PosedQuestion>(posed);
+            if (Shortfall wrong = wrong_tolerance(q.tolerance)) return wrong;
             if (!agrees(q))
                 return fmt::format("{}: the engine says {}, the formula {}", q.question, q.answer, *q.closed);
         }
@@ -71,6 +71,11 @@ class Checker {
     }
 
   private:
+    static Shortfall wrong_tolerance(double tolerance) {
+        if (tolerance > 0) return {};
+        return "the tolerance is " + JsonValue(tolerance).text() + "; expected more than 0";
+    }
+
     /// How many values of an exercise are tried: as many as its runs leave time for.
     [[nodiscard]] std::size_t most_tries(const Exercise& exercise) const {
         constexpr std::size_t fewest = 8, most = 500, pixels = 4'000'000;

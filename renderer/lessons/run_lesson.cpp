@@ -121,8 +121,11 @@ Result<JsonValue> LessonRunner::answer(const SceneDocument& document, const Less
         return info_json(scene, size);
     case RunKind::Lobe:
         return lobe_answer(scene, lesson, run);
-    case RunKind::Microfacets:
-        return microfacets_answer(microfacets_of(run));
+    case RunKind::Microfacets: {
+        const JsonValue& made = microfacets_answer(microfacets_of(run));
+        const MemoryShare share(memory_need(MemoryUse::Output, made.memory()));  // of the copy
+        return made;
+    }
     case RunKind::Compare:
         break;
     }

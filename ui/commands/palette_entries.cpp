@@ -177,6 +177,18 @@ void add_scenes(Entries& entries, const UiState& state) {
     }
 }
 
+void add_lessons(Entries& entries, const UiState& state) {
+    namespace fs = std::filesystem;
+    const std::string& folder = state.lesson.folder;
+    if (folder.empty()) return;
+    for (const FolderEntry& found : list_folder(folder, FilePurpose::OpenScene)) {
+        if (found.folder || !is_lesson_file(found.name)) continue;
+        const std::string name = with_spaces(fs::path(found.name).stem().string());
+        add_open(entries, fmt::format("Lesson: {}", name), "Glint's lessons",
+                 (fs::path(folder) / found.name).string());
+    }
+}
+
 }  // namespace
 
 std::vector<PaletteEntry> palette_entries(const UiState& state) {
@@ -197,6 +209,7 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     if (is_held(state))
         for (std::size_t i = of_the_scene; i < entries.size(); ++i) entries[i].refused = why_held;
     add_scenes(entries, state);
+    add_lessons(entries, state);
     return entries;
 }
 

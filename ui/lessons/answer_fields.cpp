@@ -24,7 +24,8 @@ bool number_answer(LessonState& lesson, const Prediction& question) {
     const float width = px(130);
     ImGui::PushFont(fonts().reading);
     ImGui::SetNextItemWidth(width);
-    if (std::exchange(lesson.takes_keys, false)) ImGui::SetKeyboardFocusHere();
+    // In the first frame of a window those that appear after it take the keyboard away again.
+    if (!ImGui::IsWindowAppearing() && std::exchange(lesson.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered =
         text_field("##answer", "a number", lesson.typed, ImGuiInputTextFlags_EnterReturnsTrue);
     if (entered && !can_lock(lesson)) {  // it is to be mended

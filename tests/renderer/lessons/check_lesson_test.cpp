@@ -80,3 +80,13 @@ TEST_CASE("an exercise is tried with all values where they are few, with no more
     for (int i = 0; i < 40; ++i) long_one.variables.push_back({"x" + std::to_string(i), {0, 1}});
     CHECK(values_to_try(long_one, 16).size() == 16);
 }
+
+TEST_CASE("an exercise whose answers cannot be told from others falls short", "[lesson][exercise]") {
+    for (const char* const tolerance : {"0", "-1", "0 / 0"}) {
+        const Checked checked =
+            last_checked(std::string("```exercise\nvary: a = 1, 2\nquestion: {a}\nanswer: a\ntolerance: ") +
+                         tolerance + "\n```\n");
+        INFO(checked.why);
+        CHECK_FALSE(checked.holds);
+    }
+}

@@ -157,3 +157,18 @@ TEST_CASE("what was asked of one lesson's scene does no task of the next lesson"
     CHECK_FALSE(lesson.progress.tasks[0][0]);
     CHECK(lesson.watched->course == next);
 }
+
+TEST_CASE("a lesson that the window opens with at a question takes what is typed as the answer",
+          "[ui][window][lesson]") {
+    const LessonFolder folder;
+    const std::string path = folder.file(
+        "own.md", small_lesson("```predict number\nquestion: How much?\nanswer: 0.5\ntolerance: 0.1\n```\n"));
+    const auto opened = open_course(path);
+    REQUIRE(problem_of(opened) == nullptr);
+    HeadlessWindow bench({1280, 1000});
+    take_document(bench.state.editor, std::get<std::shared_ptr<const Course>>(opened)->document);
+    begin_lesson(bench.state, std::get<std::shared_ptr<const Course>>(opened));  // before the first frame
+    bench.frames(4);
+    bench.type("7");
+    CHECK(bench.state.lesson.typed == "7");
+}

@@ -66,6 +66,8 @@ TEST_CASE("names are found as files and commands write them", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.shipped_scenes = std::string(GLINT_SOURCE_DIR) + "/assets/scenes";
+    bench.state.lesson.folder = std::string(GLINT_SOURCE_DIR) + "/assets/lessons";
+    CHECK(found(bench.state, "lesson 05").at(0).name == "Lesson: 05 lambert");
     CHECK(found(bench.state, "spot-cone").at(0).name == "Scene: spot cone");
     CHECK(found(bench.state, "lit_in_srgb").at(0).name == "Mistake: lit in srgb");
     CHECK(found(bench.state, "scan-line").at(0).name == "Scan-line scope");
