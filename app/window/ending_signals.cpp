@@ -8,7 +8,8 @@
 
 #include <atomic>
 #include <cerrno>
-#include <system_error>
+
+#include "ui/document/job.h"
 
 namespace glint {
 namespace {
@@ -45,11 +46,7 @@ EndingSignals::EndingSignals() {
     first_number = 0;
     if (::pipe2(pipe_.data(), O_CLOEXEC) != 0) return;
     ::fcntl(pipe_[1], F_SETFL, O_NONBLOCK);  // a handler must not wait
-    try {
-        watcher_ = std::thread([this] { watch(); });
-    } catch (const std::system_error&) {
-        return;
-    }
+    if (start_thread(watcher_, "", [this] { watch(); })) return;
     write_end = pipe_[1];
     struct sigaction action {};
     action.sa_handler = note_signal;

@@ -17,8 +17,8 @@ Texture::Texture(Use use) : use_(use) {
     if (!gl().complete) return;
     gl().gen_textures(1, &name_);
     gl().bind_texture(texture_2d, name_);
-    gl().tex_parameter(texture_2d, min_filter, int(nearest));
-    gl().tex_parameter(texture_2d, mag_filter, int(nearest));
+    gl().tex_parameter(texture_2d, min_filter, int(gl_value::nearest));
+    gl().tex_parameter(texture_2d, mag_filter, int(gl_value::nearest));
 }
 
 Texture::~Texture() {

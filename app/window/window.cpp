@@ -141,8 +141,7 @@ void run_window(const WindowOptions& options) {
     tell_averaged_normals(state);
     if (first.course) begin_lesson(state, first.course);
     if (first.awaited) await_opening(state, *std::move(first.awaited));
-    std::optional<EndingSignals> signals;
-    signals.emplace();
+    std::optional<EndingSignals> signals(std::in_place);
     try {
         window.run(*signals);
     } catch (...) {

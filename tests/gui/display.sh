@@ -68,6 +68,20 @@ start_glint() { # FILE
     sleep 0.5
 }
 
+gone() { ! kill -0 "$glint_pid" 2>/dev/null; }
+# MODE: the copy of the unsaved work, or the scene's file, has that shading.
+copied() { grep -q "\"mode\": \"$1\"" "$XDG_STATE_HOME"/glint/*.autosave 2>/dev/null; }
+saved() { grep -q "\"mode\": \"$1\"" "$work/scene.json"; }
+
+# MODE: answers "Recover" in a window of 1280x800, and saves what is taken up.
+recover_and_save() {
+    sleep 0.5
+    xdotool mousemove 430 136 click 1
+    sleep 0.5
+    xdotool key ctrl+s
+    within 10 saved "$1" || fail "what was taken up is not what is saved"
+}
+
 # What all threads of the window have used of a processor, in nanoseconds, and how many of them want one now.
 used_time() { cat /proc/"$glint_pid"/task/*/schedstat 2>/dev/null | awk '{ used += $1 } END { print used }'; }
 running_threads() { grep -l '^State:.R' /proc/"$glint_pid"/task/*/status 2>/dev/null | wc -l; }

@@ -64,7 +64,6 @@ within 10 looks_like dragged 200 || fail "redo does not bring the drag back"
 xdotool key ctrl+s
 sleep 0.5
 xdotool key ctrl+q
-gone() { ! kill -0 "$glint_pid" 2>/dev/null; }
 within 10 gone || fail "Ctrl+Q did not close the window"
 wait "$glint_pid"
 status=$?

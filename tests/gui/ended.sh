@@ -8,7 +8,6 @@ program=$1
 
 state=$XDG_STATE_HOME/glint
 start_display 1280x800
-gone() { ! kill -0 "$glint_pid" 2>/dev/null; }
 # end_by SIGNAL: the window ends, and by that signal.
 end_by() {
     local signal=$1 status=0
@@ -24,22 +23,16 @@ for signal in TERM HUP; do
     echo '{"glint": 1, "objects": [{"name": "Ball"}]}' >"$work/scene.json"
     start_glint "$work/scene.json"
     xdotool key 1 # flat shading: a change
-    copied() { grep -q '"mode": "flat"' "$state"/*.autosave 2>/dev/null; }
-    within 15 copied || fail "no copy of the unsaved work"
+    within 15 copied flat || fail "no copy of the unsaved work"
     xdotool key 2 # facet: the next copy would come 5 seconds later
     sleep 1
     end_by "$signal"
-    grep -q '"mode": "facet"' "$state"/*.autosave || fail "after $signal the copy is not what was on the screen"
+    copied facet || fail "after $signal the copy is not what was on the screen"
     grep -q facet "$work/scene.json" && fail "$signal wrote the file without being asked"
     [ -s "$state/window.json" ] || fail "after $signal the columns are not remembered"
 
     start_glint "$work/scene.json"
-    sleep 0.5
-    xdotool mousemove 430 136 click 1 # "Recover"
-    sleep 0.5
-    xdotool key ctrl+s
-    saved() { grep -q '"mode": "facet"' "$work/scene.json"; }
-    within 10 saved || fail "what was taken up is not what is saved"
+    recover_and_save facet
     sleep 1
     end_by "$signal"
     ls "$state"/*.autosave >/dev/null 2>&1 && fail "a copy of saved work was left behind"

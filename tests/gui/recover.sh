@@ -14,24 +14,17 @@ state=$XDG_STATE_HOME/glint
 start_display 1280x800
 start_glint "$work/scene.json"
 xdotool key 1 # flat shading
-copied() { grep -q '"mode": "flat"' "$state"/*.autosave 2>/dev/null; }
-within 15 copied || fail "no copy of the unsaved work"
+within 15 copied flat || fail "no copy of the unsaved work"
 grep -q "$work/scene.json" "$state/recent.json" || fail "the file is not among the recent ones"
 kill -9 "$glint_pid"
 wait "$glint_pid" 2>/dev/null
 grep -q flat "$work/scene.json" && fail "the file was written without being asked"
 
 start_glint "$work/scene.json"
-sleep 0.5
-xdotool mousemove 430 136 click 1 # "Recover"
-sleep 0.5
-xdotool key ctrl+s
-saved() { grep -q '"mode": "flat"' "$work/scene.json"; }
-within 10 saved || fail "what was taken up is not what is saved"
+recover_and_save flat
 gone_copy() { ! ls "$state"/*.autosave >/dev/null 2>&1; }
 within 10 gone_copy || fail "the copy is still there after saving"
 xdotool key ctrl+q
-gone() { ! kill -0 "$glint_pid" 2>/dev/null; }
 within 10 gone || fail "Ctrl+Q did not close the window"
 ls "$state"/*.lock >/dev/null 2>&1 && fail "a lock was left behind"
 glint_pid=

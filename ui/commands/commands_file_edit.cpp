@@ -169,13 +169,6 @@ std::vector<WindowCommand> file_commands() {
     };
 }
 
-/// Takes back the edit that asked for a mesh, of which there is no step yet. Whatever was edited meanwhile
-/// becomes a step and is undone, too: it can be redone. The view stays.
-void undo_awaiting(UiState& state) {
-    give_up_meshes(state);
-    if (remember_step(state.editor, false)) undo(state.editor);
-}
-
 std::vector<WindowCommand> edit_commands() {
     return {
         {.name = "Undo",

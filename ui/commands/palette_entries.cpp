@@ -166,26 +166,15 @@ void add_animation(Entries& entries, const UiState& state) {
     entries.push_back({"Write the animation's frames…", "Animation", "", refused, ask_for_frames});
 }
 
-void add_scenes(Entries& entries, const UiState& state) {
+/// The files of one kind that come with Glint, by their names.
+void add_shipped(Entries& entries, const std::string& folder, const char* ending, const char* kind,
+                 const char* group) {
     namespace fs = std::filesystem;
-    if (state.shipped_scenes.empty()) return;
-    for (const FolderEntry& found : list_folder(state.shipped_scenes, FilePurpose::OpenScene)) {
-        if (found.folder || lower_extension(found.name) != ".json") continue;
-        const std::string path = (fs::path(state.shipped_scenes) / found.name).string();
-        const std::string name = with_spaces(fs::path(found.name).stem().string());
-        add_open(entries, fmt::format("Scene: {}", name), "Glint's scenes", path);
-    }
-}
-
-void add_lessons(Entries& entries, const UiState& state) {
-    namespace fs = std::filesystem;
-    const std::string& folder = state.lesson.folder;
     if (folder.empty()) return;
     for (const FolderEntry& found : list_folder(folder, FilePurpose::OpenScene)) {
-        if (found.folder || !is_lesson_file(found.name)) continue;
+        if (found.folder || lower_extension(found.name) != ending) continue;
         const std::string name = with_spaces(fs::path(found.name).stem().string());
-        add_open(entries, fmt::format("Lesson: {}", name), "Glint's lessons",
-                 (fs::path(folder) / found.name).string());
+        add_open(entries, fmt::format("{}: {}", kind, name), group, (fs::path(folder) / found.name).string());
     }
 }
 
@@ -208,8 +197,8 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     add_presets(entries, state);
     if (is_held(state))
         for (std::size_t i = of_the_scene; i < entries.size(); ++i) entries[i].refused = why_held;
-    add_scenes(entries, state);
-    add_lessons(entries, state);
+    add_shipped(entries, state.shipped_scenes, ".json", "Scene", "Glint's scenes");
+    add_shipped(entries, state.lesson.folder, ".md", "Lesson", "Glint's lessons");
     return entries;
 }
 

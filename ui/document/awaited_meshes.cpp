@@ -196,6 +196,11 @@ void give_up_meshes(UiState& state) {
     loading.leave(loading.meshes);
 }
 
+void undo_awaiting(UiState& state) {
+    give_up_meshes(state);
+    if (remember_step(state.editor, false)) undo(state.editor);
+}
+
 bool is_quick(const PrimitiveMesh& mesh) {
     if (mesh.decimate > 0 || mesh.subdivide > 3) return false;
     // Triangles go with the square of the detail; a largest one has about 8 million

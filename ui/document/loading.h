@@ -92,6 +92,9 @@ void poll_meshes(UiState& state);
 void cancel_loads(UiState& state);
 /// Ends those of meshes: each object is again what its mesh was made of.
 void give_up_meshes(UiState& state);
+/// Takes back the edit that asked for a mesh, of which there is no step yet. Whatever was edited meanwhile
+/// becomes a step and is undone, too: it can be redone. The view stays.
+void undo_awaiting(UiState& state);
 
 /// Draws the bar that says what is being loaded, over the middle of the picture's upper edge.
 void loading_panel(UiState& state, const Rect& picture);

@@ -9,7 +9,6 @@
 #include <exception>
 #include <glm/common.hpp>
 #include <iterator>
-#include <map>
 
 #include "ui/document/job.h"
 #include "ui/inspector/equation/words.h"
@@ -136,6 +135,13 @@ void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
             number.pointer);
 }
 
+/// Selects what the number belongs to in the scene that was measured. Until it is measured again another may
+/// have that place: then nothing is selected.
+void select_owner(UiState& state, const std::string& pointer, const NamedNumber& named) {
+    if (named_number(pointer, state.editor.scene()).owner == named.owner)
+        state.editor.selection = named.selection;
+}
+
 /// A line: how much, as a bar and in figures, and of what. A click selects it.
 void number_row(UiState& state, const Sensitivity& number, double most) {
     const NamedNumber named = named_number(number.pointer, state.sensitivity.shown_scene);
@@ -143,9 +149,7 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
     ImGui::PushID(number.pointer.c_str());
     const bool clicked =
         ImGui::Selectable("##row", false, 0, {ImGui::GetContentRegionAvail().x, line + px(5)});
-    // Until it is measured again another may have that place.
-    const NamedNumber now = named_number(number.pointer, state.editor.scene());
-    if (clicked && now.owner == named.owner) state.editor.selection = named.selection;
+    if (clicked) select_owner(state, number.pointer, named);
     const auto [low, high] = last_item();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto share = static_cast<float>(largest(number.effect) / std::max(most, 1e-30));
@@ -168,23 +172,22 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
 /// Numbers without effect, an owner a line.
 void owners(UiState& state, const char* title, const std::vector<std::string>& pointers) {
     if (pointers.empty() || !fold(title, false)) return;
-    std::vector<std::pair<NamedNumber, std::string>> lines;
-    std::map<std::string, std::string> pointer_of;  // one of each owner's
+    struct Line {
+        NamedNumber named;
+        std::string pointer, words;  // of the owner's first number; of all
+    };
+    std::vector<Line> lines;
     for (const std::string& pointer : pointers) {
         const NamedNumber named = named_number(pointer, state.sensitivity.shown_scene);
-        pointer_of.emplace(named.owner, pointer);
         const auto same = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
-            return line.first.owner == named.owner && line.first.selection == named.selection;
+            return line.named.owner == named.owner && line.named.selection == named.selection;
         });
-        const auto line = same != lines.end() ? same : lines.insert(lines.end(), {named, std::string()});
-        if (!named.what.empty()) line->second.append(line->second.empty() ? "" : ", ").append(named.what);
+        const auto line = same != lines.end() ? same : lines.insert(lines.end(), {named, pointer, ""});
+        if (!named.what.empty()) line->words.append(line->words.empty() ? "" : ", ").append(named.what);
     }
-    for (const auto& [named, words] : lines) {
+    for (const auto& [named, pointer, words] : lines) {
         ImGui::PushID(named.owner.c_str());
-        const bool clicked = ImGui::Selectable(whole_label(named.owner).c_str());
-        // Until it is measured again another may have that place.
-        if (clicked && named_number(pointer_of.at(named.owner), state.editor.scene()).owner == named.owner)
-            state.editor.selection = named.selection;
+        if (ImGui::Selectable(whole_label(named.owner).c_str())) select_owner(state, pointer, named);
         ImGui::PopID();
         ImGui::Indent(px(12));
         small_dim(words.empty() ? "does not show at this pixel" : words);

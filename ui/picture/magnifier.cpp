@@ -169,8 +169,10 @@ void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) 
     for (const DrawnPart& part : drawn_parts(compare, *state.renderer, view.map.size)) {
         draw_edges(list, view, *part.renderer, within(range, part.rect));
         if (!picked || !part.rect.holds(*picked)) continue;
-        const Scene scene = scene_under(part.variant, state.rendered_scene, compare.choice.stored.get());
-        draw_picked(list, view, *part.renderer, scene, *picked);
+        // Each part but B has the objects of the drawn scene.
+        const bool is_b = part.variant.kind == Variant::Kind::Stored && compare.choice.stored != nullptr;
+        draw_picked(list, view, *part.renderer, is_b ? *compare.choice.stored : state.rendered_scene,
+                    *picked);
     }
     if (view.units_per_pixel < px(least_number)) return;
     const Picture& numbered = unpainted_picture(state);

@@ -165,11 +165,34 @@ std::string drop_reason(const LightOfEquation& in) {
     return {};
 }
 
-EquationLine specular_line(const LightOfEquation& in, std::vector<EquationFactor> common) {
-    EquationLine line{Quantity::SpecularTerm, std::move(common), in.light.specular};
+EquationLine ambient_line(const LightOfEquation& in) {
+    EquationLine line{Quantity::AmbientTerm,
+                      common_factors(in, Quantity::LightAmbient, Quantity::MaterialAmbient, &Light::ambient,
+                                     &Material::ambient, "ambient"),
+                      in.light.ambient};
+    if (!in.scene.shading.terms.ambient) line.left_out = switched_off;
+    return line;
+}
+
+EquationLine diffuse_line(const LightOfEquation& in) {
+    EquationLine line{Quantity::DiffuseTerm,
+                      common_factors(in, Quantity::LightDiffuse, Quantity::MaterialDiffuse, &Light::diffuse,
+                                     &Material::diffuse, "diffuse"),
+                      in.light.diffuse};
+    add_cosine(line, in);
+    if (!in.scene.shading.terms.diffuse) line.left_out = switched_off;
+    return line;
+}
+
+EquationLine specular_line(const LightOfEquation& in) {
+    EquationLine line{Quantity::SpecularTerm,
+                      common_factors(in, Quantity::LightSpecular, Quantity::MaterialSpecular,
+                                     &Light::specular, &Material::specular, "specular"),
+                      in.light.specular};
     line.left_out = drop_reason(in);
     if (!line.left_out.empty()) line.factors.clear();  // the highlight alone, lest it read as a product of 0
     add_highlight(line, in);
+    if (!in.scene.shading.terms.specular) line.left_out = switched_off;
     return line;
 }
 
@@ -234,32 +257,11 @@ EquationLine share_line(const LightOfEquation& in) {
 }
 
 std::vector<EquationLine> light_lines(const LightOfEquation& in) {
-    const Terms& on = in.scene.shading.terms;
-    EquationLine specular =
-        specular_line(in, common_factors(in, Quantity::LightSpecular, Quantity::MaterialSpecular,
-                                         &Light::specular, &Material::specular, "specular"));
-    if (!on.specular) specular.left_out = switched_off;
-    const bool has_highlight =
-        info_of(in.explanation.reflection).has_highlight || in.light.specular != glm::vec3(0);
     std::vector<EquationLine> lines;
-    if (has_highlight)
-        lines.push_back(std::move(specular));  // a factor that the model does not have is not a line
-    if (in.scene.npr.cool_to_warm) {
-        for (EquationLine& line : lines) add_mistake(in.scene, line);
-        return lines;
-    }
-    EquationLine ambient{Quantity::AmbientTerm,
-                         common_factors(in, Quantity::LightAmbient, Quantity::MaterialAmbient,
-                                        &Light::ambient, &Material::ambient, "ambient"),
-                         in.light.ambient};
-    EquationLine diffuse{Quantity::DiffuseTerm,
-                         common_factors(in, Quantity::LightDiffuse, Quantity::MaterialDiffuse,
-                                        &Light::diffuse, &Material::diffuse, "diffuse"),
-                         in.light.diffuse};
-    add_cosine(diffuse, in);
-    if (!on.ambient) ambient.left_out = switched_off;
-    if (!on.diffuse) diffuse.left_out = switched_off;
-    lines.insert(lines.begin(), {ambient, diffuse});
+    if (!in.scene.npr.cool_to_warm) lines = {ambient_line(in), diffuse_line(in)};
+    // A factor that the model does not have is not a line.
+    if (info_of(in.explanation.reflection).has_highlight || in.light.specular != glm::vec3(0))
+        lines.push_back(specular_line(in));
     for (EquationLine& line : lines) add_mistake(in.scene, line);
     return lines;
 }
