@@ -8,6 +8,7 @@
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
 #include "tests/allocations/counted_new.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -17,7 +18,7 @@ namespace {
 constexpr PictureSize size{320, 180};
 
 Scene knot() {
-    const std::string path = std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json";
+    const std::string path = project_file("tests/bench/knot.json");
     return std::get<SceneDocument>(open_document(path, {{"/objects/0/mesh/detail", "90"}})).scene;
 }
 

@@ -7,6 +7,7 @@
 #include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 #include "tests/allocations/counted_new.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -14,7 +15,7 @@ using namespace glint;
 namespace {
 
 Scene opened(const std::string& path, const std::vector<Assignment>& changes = {}) {
-    return std::get<SceneDocument>(open_document(std::string(GLINT_SOURCE_DIR) + "/" + path, changes)).scene;
+    return std::get<SceneDocument>(open_document(project_file(path), changes)).scene;
 }
 
 /// The largest number of bytes that were held at once while `action` ran, beside those held before.

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 

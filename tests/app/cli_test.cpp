@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/gltf_triangle.h"
 #include "tests/support/program.h"

@@ -9,6 +9,7 @@
 #include "models/io/file.h"
 #include "models/scene/mistakes.h"
 #include "models/scene_file/scene_file.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/field_table.h"
 
@@ -17,7 +18,7 @@ using namespace glint;
 namespace {
 
 std::string document() {
-    return std::get<std::string>(read_file(GLINT_SOURCE_DIR "/docs/interface.md", 1 << 20));
+    return std::get<std::string>(read_file(project_file("docs/interface.md"), 1 << 20));
 }
 
 void collect_keys(const nlohmann::json& value, std::set<std::string>& keys) {
@@ -57,7 +58,7 @@ TEST_CASE("every limit names a test that is there", "[interface_doc]") {
     const std::size_t start = text.find("### What growing costs");
     REQUIRE(start != std::string::npos);
     std::string tests;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(GLINT_SOURCE_DIR "/tests"))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(project_file("tests")))
         if (entry.path().extension() == ".cpp")
             tests += std::get<std::string>(read_file(entry.path().string(), 1 << 20));
     std::istringstream lines(text.substr(start, text.find("\n## ", start) - start));
@@ -131,7 +132,7 @@ void check_table(const std::string& name, const std::string& expected) {
     REQUIRE(end != std::string::npos);
     if (std::getenv("GLINT_UPDATE") != nullptr) {
         text.replace(from, end - from, expected);
-        REQUIRE(problem_of(write_file(GLINT_SOURCE_DIR "/docs/interface.md", text)) == nullptr);
+        REQUIRE(problem_of(write_file(project_file("docs/interface.md"), text)) == nullptr);
         return;
     }
     CHECK(text.substr(from, end - from) == expected);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/lesson/lesson.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path source_dir = GLINT_SOURCE_DIR;
+const fs::path source_dir = project_folder;
 
 std::string text_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);

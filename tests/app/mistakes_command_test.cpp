@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 
@@ -48,7 +49,7 @@ std::vector<std::string> settings_in(const std::string& line) {
 }  // namespace
 
 TEST_CASE("docs/diagnose.md shows every mistake as it is drawn now", "[cli][mistakes][docs][release]") {
-    const std::string docs = std::string(GLINT_SOURCE_DIR) + "/docs/";
+    const std::string docs = project_file("docs/");
     const std::string page = text_of(docs + "diagnose.md");
     const std::string pictures = docs + "pictures/museum/";
     const TemporaryDirectory directory;

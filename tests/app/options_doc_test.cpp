@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 
@@ -54,7 +55,7 @@ Words commands_in(const std::string& cell, const std::map<std::string, std::stri
 
 /// Returns the options of each command as the table has them.
 std::map<std::string, Words> options_in_table(const std::map<std::string, std::string>& help_of) {
-    const std::string text = bytes_of(GLINT_SOURCE_DIR "/docs/interface.md");
+    const std::string text = bytes_of(project_file("docs/interface.md"));
     const std::size_t begin = text.find("| option | of |");
     REQUIRE(begin != std::string::npos);
     std::istringstream lines(text.substr(begin, text.find("\n\n", begin) - begin));

@@ -17,6 +17,7 @@
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
 #include "tests/bench/llvmpipe/rival.h"
+#include "tests/places.h"
 
 namespace glint::bench {
 namespace {
@@ -27,7 +28,7 @@ constexpr std::array<int, 3> details{90, 572,
 
 struct Arguments {
     int frames = 10, rounds = 7, threads = 2;
-    std::string only, scene = std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json";
+    std::string only, scene = project_file("tests/bench/knot.json");
 };
 
 struct Row {

@@ -20,6 +20,7 @@
 #include "renderer/renderer.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/surface/surface.h"
+#include "tests/places.h"
 
 namespace glint::bench {
 namespace {
@@ -27,7 +28,7 @@ namespace {
 constexpr std::size_t blocks = 1024;
 
 Scene knot(int detail = 572) {
-    const std::string path = std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json";
+    const std::string path = project_file("tests/bench/knot.json");
     const Result<SceneDocument> opened =
         open_document(path, {{"/objects/0/mesh/detail", std::to_string(detail)}});
     return std::get<SceneDocument>(opened).scene;

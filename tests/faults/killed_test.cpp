@@ -14,6 +14,7 @@
 
 #include "models/io/file.h"
 #include "models/json/json_value.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
@@ -161,7 +162,7 @@ TEST_CASE("a command may be killed at any moment: its file is whole, and the nex
     const std::string scene = folder.file("scene.json", scene_text(test::busy_scene()));
     const std::string out = folder.path("picture.png");
     const std::vector<std::string> command{
-        GLINT_PROGRAM, "render", scene, "-o", out, "--size", "320x200", "--set", "/lights/0/intensity=1"};
+        glint_program, "render", scene, "-o", out, "--size", "320x200", "--set", "/lights/0/intensity=1"};
     REQUIRE(status_of(command, 0) == 0);
     const std::string one = bytes_of(out);
     std::vector<std::string> other_command = command;

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/places.h"
+
 namespace glint::test {
 namespace {
 
@@ -25,7 +27,7 @@ GLuint compile(GLenum kind, const ShaderSource& source) {
 }  // namespace
 
 std::string shader_text(const std::string& path) {
-    const std::ifstream file(std::string(GLINT_SOURCE_DIR) + "/tests/" + path);
+    const std::ifstream file(project_file("tests/") + path);
     if (!file) throw std::runtime_error("the shader " + path + " cannot be read");
     std::ostringstream text;
     text << file.rdbuf();

@@ -9,13 +9,13 @@
 
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 
 namespace glint::test {
 
 inline Scene lecture_scene(const std::string& name, const std::vector<Assignment>& assignments = {}) {
-    const auto document =
-        open_document(std::string(GLINT_SOURCE_DIR "/assets/scenes/") + name + ".json", assignments);
+    const auto document = open_document(project_file("assets/scenes/") + name + ".json", assignments);
     if (const Problem* problem = problem_of(document)) FAIL(problem->text());
     return std::get<SceneDocument>(document).scene;
 }

@@ -5,13 +5,14 @@
 #include <string>
 #include <thread>
 
+#include "tests/places.h"
 #include "tests/support/headless_window.h"
 
 namespace glint::test {
 
 /// The file of a lesson that comes with the program.
 inline std::string shipped_lesson(const std::string& name) {
-    return (std::filesystem::path(GLINT_SOURCE_DIR) / "assets/lessons" / (name + ".md")).string();
+    return (std::filesystem::path(project_folder) / "assets/lessons" / (name + ".md")).string();
 }
 
 inline void drop(HeadlessWindow& bench, const std::string& path) {

@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "tests/places.h"
+
 namespace glint {
 namespace {
 
@@ -64,8 +66,6 @@ std::string redirected(const std::vector<std::string>& words, const std::string&
 }
 
 }  // namespace
-
-const char* const glint_program = GLINT_PROGRAM;
 
 Ended run_glint(const std::vector<std::string>& arguments, const std::string& input,
                 const std::string& redirect) {

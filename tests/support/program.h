@@ -6,9 +6,6 @@
 
 namespace glint {
 
-/// The path of the program that is tested.
-extern const char* const glint_program;
-
 struct Ended {
     int status = -1;  // of the exit; 128 and the signal when one ended it
     std::string out, err;

@@ -4,6 +4,7 @@
 #include "models/gltf/gltf.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 
@@ -95,12 +96,12 @@ TEST_CASE("a spot's exponent is written as the cone that reads back to it, where
 TEST_CASE("what glTF cannot say is one line a kind", "[gltf]") {
     const TemporaryDirectory folder;
     const std::string glb = folder.path("out.glb");
-    const Ended ended = run_glint({"export", GLINT_SOURCE_DIR "/assets/scenes/default.json", "-o", glb});
+    const Ended ended = run_glint({"export", project_file("assets/scenes/default.json"), "-o", glb});
     REQUIRE(ended.status == 0);
     CHECK(ended.err.find("the reflection model is written as metal and roughness") != std::string::npos);
     CHECK(ended.err.find("the ambient light is left out") != std::string::npos);
     CHECK(problem_of(open_document(glb)) == nullptr);
-    const Ended wrong = run_glint({"export", GLINT_SOURCE_DIR "/assets/scenes/default.json", "-o", "x.obj"});
+    const Ended wrong = run_glint({"export", project_file("assets/scenes/default.json"), "-o", "x.obj"});
     CHECK(wrong.status == 2);
     CHECK(wrong.err == "glint: error: -o: x.obj has another extension; expected .glb\n");
 }

@@ -7,6 +7,7 @@
 #include "models/memory_limit.h"
 #include "models/mesh_formats/mesh_file.h"
 #include "models/scene_file/scene_file.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/gltf_triangle.h"
 #include "tests/support/program.h"
@@ -17,9 +18,9 @@ namespace {
 
 /// The file that the script writes; Debian's own Python comes first: it is the one with numpy.
 std::string written(const TemporaryDirectory& folder, const std::string& how) {
-    const std::string command = fmt::format("PATH=/usr/bin:$PATH python3 " GLINT_SOURCE_DIR
-                                            "/tests/models/gltf/write_gltf.py '{}' {}",
-                                            folder.path(), how);
+    const std::string command =
+        fmt::format("PATH=/usr/bin:$PATH python3 {} '{}' {}", project_file("tests/models/gltf/write_gltf.py"),
+                    folder.path(), how);
     REQUIRE(std::system(command.c_str()) == 0);
     return folder.path(how.find("glb") != std::string::npos ? "box.glb" : "box.gltf");
 }

@@ -3,6 +3,7 @@
 #include "models/mesh_formats/mesh_file.h"
 
 #include "models/mesh/normals.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_file_bytes.h"
 
@@ -23,8 +24,8 @@ TEST_CASE("the extension names the format, in any case", "[mesh_file]") {
 
 TEST_CASE("what is not a readable file is an error that names it", "[mesh_file]") {
     CHECK(problem_of(read_mesh("/dev/null.obj")) != nullptr);
-    CHECK(problem_of(read_mesh(GLINT_SOURCE_DIR "/no-such-file.obj")) != nullptr);
-    const Result<Mesh> directory = read_mesh(GLINT_SOURCE_DIR);
+    CHECK(problem_of(read_mesh(project_file("no-such-file.obj"))) != nullptr);
+    const Result<Mesh> directory = read_mesh(project_folder);
     CHECK(problem_of(directory) != nullptr);
 }
 

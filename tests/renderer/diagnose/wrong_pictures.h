@@ -12,6 +12,7 @@
 #include "models/scene_file/scene_file.h"
 #include "renderer/diagnose/diagnose.h"
 #include "renderer/renderer.h"
+#include "tests/places.h"
 #include "tests/support/scenes.h"
 
 namespace glint::test {
@@ -20,7 +21,7 @@ inline constexpr PictureSize diagnosed_size{160, 120};
 
 /// A scene that comes with the program, by its file's name.
 inline SceneDocument shipped(const std::string& name) {
-    return std::get<SceneDocument>(open_document(std::string(GLINT_SOURCE_DIR) + "/assets/scenes/" + name));
+    return std::get<SceneDocument>(open_document(project_file("assets/scenes/") + name));
 }
 
 /// Two or three objects under one to four lights, as a student's first scenes are.

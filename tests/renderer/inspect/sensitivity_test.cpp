@@ -7,6 +7,7 @@
 
 #include "models/fields/scene_numbers.h"
 #include "renderer/inspect/debug_views/buffers.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 
@@ -193,7 +194,7 @@ TEST_CASE("sensitivity: what has no effect is named, and what cannot move a litt
 
 TEST_CASE("sensitivity: a step that clears the last digits does not reach the next face", "[sensitivity]") {
     constexpr PictureSize size{160, 90};
-    auto opened = open_document(GLINT_SOURCE_DIR "/assets/scenes/spot-cone.json");
+    auto opened = open_document(project_file("assets/scenes/spot-cone.json"));
     REQUIRE(problem_of(opened) == nullptr);
     SceneDocument document = std::get<SceneDocument>(opened);
     document.scene.shading.mode = ShadingMode::Flat;

@@ -7,6 +7,7 @@
 #include "models/io/file.h"
 #include "models/scene/mistakes.h"
 #include "renderer/lessons/check_lesson.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -16,7 +17,7 @@ namespace {
 const std::vector<Lesson>& own_lessons() {
     static const std::vector<Lesson> lessons = [] {
         std::vector<Lesson> read;
-        const auto files = lesson_files({GLINT_SOURCE_DIR "/assets/lessons"});
+        const auto files = lesson_files({project_file("assets/lessons")});
         for (const std::string& file : std::get<std::vector<std::string>>(files)) {
             const Result<Lesson> lesson = read_lesson(file);
             if (const Problem* problem = problem_of(lesson)) FAIL(problem->text());
@@ -125,7 +126,7 @@ std::string falls() {
 
 TEST_CASE("each claim of a lesson falls under exactly the mistakes that are written down",
           "[lesson][mistakes][long][release]") {
-    const std::string path = GLINT_SOURCE_DIR "/tests/renderer/lessons/claims_that_fall.txt";
+    const std::string path = project_file("tests/renderer/lessons/claims_that_fall.txt");
     const std::string found = falls();
     if (std::getenv("GLINT_UPDATE") != nullptr) REQUIRE(problem_of(write_file(path, found)) == nullptr);
     INFO("GLINT_UPDATE=1 writes " << path << " anew");

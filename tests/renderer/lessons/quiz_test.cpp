@@ -6,6 +6,7 @@
 #include <set>
 
 #include "renderer/lessons/check_lesson.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -13,7 +14,7 @@ using namespace glint;
 namespace {
 
 Lesson inventory() {
-    const Result<Lesson> lesson = read_lesson(GLINT_SOURCE_DIR "/assets/inventory.md");
+    const Result<Lesson> lesson = read_lesson(project_file("assets/inventory.md"));
     if (const Problem* problem = problem_of(lesson)) FAIL(problem->text());
     return std::get<Lesson>(lesson);
 }

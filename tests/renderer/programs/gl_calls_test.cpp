@@ -7,6 +7,7 @@
 
 #include "models/fields/scene_numbers.h"
 #include "models/scene_file/scene_file.h"
+#include "tests/places.h"
 #include "tests/support/asset_scenes.h"
 #include "tests/support/catch.h"
 
@@ -14,7 +15,7 @@ using namespace glint;
 
 namespace {
 
-const char* const first = GLINT_SOURCE_DIR "/assets/scenes/default.json";
+const std::string first = project_file("assets/scenes/default.json");
 
 Scene shipped(const std::string& path) { return std::get<SceneDocument>(open_document(path)).scene; }
 

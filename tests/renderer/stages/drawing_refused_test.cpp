@@ -7,6 +7,7 @@
 #include "renderer/geometry/geometry.h"
 #include "renderer/geometry/object_normals.h"
 #include "renderer/renderer.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
@@ -147,7 +148,7 @@ TEST_CASE("all that is asked for is given back with the renderer", "[memory][ren
 }
 
 TEST_CASE("the largest picture is refused at once where it does not fit", "[memory][cli]") {
-    const std::string teapot = GLINT_SOURCE_DIR "/assets/scenes/default.json";
+    const std::string teapot = project_file("assets/scenes/default.json");
     const auto start = std::chrono::steady_clock::now();
     const TemporaryDirectory directory;
     const Ended ended = run_glint({"render", teapot, "-o", directory.path("o.png"), "--size", "16384x16384",

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 
@@ -22,9 +23,8 @@ class Forced {
 /// The bytes of a float picture.
 std::string drawn(const std::vector<std::string>& settings) {
     const TemporaryDirectory folder;
-    std::vector<std::string> words{"render", std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json",
-                                   "--size", "159x91",
-                                   "-o",     folder.path("out.pfm")};
+    std::vector<std::string> words{
+        "render", project_file("tests/bench/knot.json"), "--size", "159x91", "-o", folder.path("out.pfm")};
     for (const std::string& setting : settings) {
         words.emplace_back("--set");
         words.push_back(setting);

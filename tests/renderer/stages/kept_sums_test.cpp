@@ -7,6 +7,7 @@
 
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
+#include "tests/places.h"
 #include "tests/support/as_fresh.h"
 #include "tests/support/catch.h"
 
@@ -17,7 +18,7 @@ namespace {
 constexpr PictureSize sum_size{160, 90};
 
 Scene eight_lights() {
-    const std::string path = std::string(GLINT_SOURCE_DIR) + "/tests/bench/knot.json";
+    const std::string path = project_file("tests/bench/knot.json");
     const Result<SceneDocument> opened = open_document(path, {{"/objects/0/mesh/detail", "60"}});
     return std::get<SceneDocument>(opened).scene;
 }

@@ -7,6 +7,7 @@
 
 #include "models/json/json_value.h"
 #include "renderer/image/image_file.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
@@ -34,7 +35,7 @@ struct Bench : HeadlessWindow {
     std::string clipboard;
 };
 
-std::string scenes_folder() { return (fs::path(GLINT_SOURCE_DIR) / "assets" / "scenes").string(); }
+std::string scenes_folder() { return (fs::path(project_folder) / "assets" / "scenes").string(); }
 
 void open_scene(HeadlessWindow& bench, const std::string& name) {
     auto document = open_document((fs::path(scenes_folder()) / name).string());
@@ -123,7 +124,7 @@ TEST_CASE("the command of a shipped scene is short, and relative to where one st
     open_scene(bench, "sun.json");
     ImGui::GetIO().DisplaySize = {2400, 800};  // its picture is wider than 16:9: nothing is to be widened
     bench.frames(2);
-    fs::current_path(GLINT_SOURCE_DIR);
+    fs::current_path(project_folder);
     bench.copy();
     fs::current_path(before);
     CHECK(bench.clipboard.find("glint render assets/scenes/sun.json --size ") == 0);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "models/scene_file/scene_file.h"
+#include "tests/places.h"
 #include "tests/support/asset_scenes.h"
 #include "tests/support/headless_window.h"
 
@@ -16,13 +17,13 @@ using namespace glint::test;
 
 namespace {
 
-const std::string shipped_folder = GLINT_SOURCE_DIR "/assets/scenes";
+const std::string shipped_folder = project_file("assets/scenes");
 
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
 /// The scenes of the lecture map's rows, each where it comes first.
 std::vector<std::string> lecture_map_order() {
-    std::ifstream file(GLINT_SOURCE_DIR "/docs/lecture_map.md");
+    std::ifstream file(project_file("docs/lecture_map.md"));
     std::stringstream text;
     text << file.rdbuf();
     const std::string rows = text.str();

@@ -6,6 +6,7 @@
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"

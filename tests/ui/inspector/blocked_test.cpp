@@ -1,4 +1,5 @@
 // The inspector says where a shadow would fall, which the picture does not have.
+#include "tests/places.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/inspector.h"
@@ -8,8 +9,7 @@ using test::HeadlessWindow;
 
 TEST_CASE("the inspector names the object that stands before a light, and only there", "[ui][why][lecture]") {
     HeadlessWindow bench;
-    const Result<SceneDocument> opened =
-        open_document(std::string(GLINT_SOURCE_DIR) + "/assets/scenes/no-shadows.json");
+    const Result<SceneDocument> opened = open_document(project_file("assets/scenes/no-shadows.json"));
     REQUIRE(problem_of(opened) == nullptr);
     take_document(bench.state.editor, std::get<SceneDocument>(opened));
     const auto words_at = [&bench](glm::dvec2 pixel_of_1280x720) {

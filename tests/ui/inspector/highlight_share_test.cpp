@@ -2,6 +2,7 @@
 #include "ui/fields/highlight_share.h"
 
 #include "models/scene_file/scene_file.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 
@@ -13,7 +14,7 @@ namespace {
 constexpr PictureSize size{320, 180};
 
 SceneDocument lost_highlight() {
-    return std::get<SceneDocument>(open_document(GLINT_SOURCE_DIR "/assets/scenes/lost-highlight.json"));
+    return std::get<SceneDocument>(open_document(project_file("assets/scenes/lost-highlight.json")));
 }
 
 Scene with_detail(int detail) {

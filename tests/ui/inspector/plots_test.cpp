@@ -6,6 +6,7 @@
 
 #include "renderer/inspect/reflectance/curves.h"
 #include "renderer/inspect/reflectance/highlight.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/scenes.h"
@@ -243,7 +244,7 @@ TEST_CASE("plots: a fold's picture is drawn while it is open", "[ui][window][plo
 TEST_CASE("plots: the tab draws for every scene that is shipped, and without lights", "[ui][window][plots]") {
     namespace fs = std::filesystem;
     HeadlessWindow bench({1024, 640});
-    for (const auto& entry : fs::directory_iterator(fs::path(GLINT_SOURCE_DIR) / "assets" / "scenes")) {
+    for (const auto& entry : fs::directory_iterator(fs::path(project_folder) / "assets" / "scenes")) {
         if (entry.path().extension() != ".json") continue;
         INFO(entry.path());
         const Result<SceneDocument> opened = open_document(entry.path().string());

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "models/scene_file/scene_file.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/inspector/inspector.h"
@@ -139,7 +140,7 @@ TEST_CASE("a Gouraud pixel's corner off the picture is marked at its edge, on th
           "[ui][window][why]") {
     HeadlessWindow bench;
     bench.scene() =
-        std::get<SceneDocument>(open_document(GLINT_SOURCE_DIR "/assets/scenes/receding-floor.json")).scene;
+        std::get<SceneDocument>(open_document(project_file("assets/scenes/receding-floor.json"))).scene;
     test::ask(bench, InspectorTab::Equation, {0.42, 0.5});
     const PictureSize size = bench.state.rendered->size;
     const ScreenMap map = screen_map(bench.scene().camera, size);

@@ -7,6 +7,7 @@
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
 #include "renderer/lessons/quiz.h"
+#include "tests/places.h"
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
 #include "ui/document/document_actions.h"
@@ -311,7 +312,7 @@ namespace {
 /// Opens the quiz of a window that keeps its memory in `folder`.
 void open_quiz_in(HeadlessWindow& bench, const std::string& folder) {
     begin_persistence(bench.state, folder);
-    bench.state.lesson.inventory = std::string(GLINT_SOURCE_DIR) + "/assets/inventory.md";
+    bench.state.lesson.inventory = project_file("assets/inventory.md");
     bench.frames(2);
     test::command_named("Quiz: what do you believe about lighting?").run(bench.state);
     do {
@@ -381,7 +382,7 @@ TEST_CASE("the quiz is answered by keys, and the next window goes on with it unt
 
 TEST_CASE("the quiz is answered in the window, and what it saves is counted by glint quiz",
           "[ui][window][quiz][long]") {
-    const std::string inventory = std::string(GLINT_SOURCE_DIR) + "/assets/inventory.md";
+    const std::string inventory = project_file("assets/inventory.md");
     HeadlessWindow bench({1280, 1000});
     bench.state.lesson.inventory = inventory;
     bench.frames(2);

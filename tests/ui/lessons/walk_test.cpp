@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "tests/places.h"
 #include "tests/support/lesson_window.h"
 
 using namespace glint;
@@ -87,7 +88,7 @@ TEST_CASE("every lesson is walked through by hand: held, predicted, revealed, do
           "[ui][window][lesson][long]") {
     std::vector<std::string> files;
     for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(GLINT_SOURCE_DIR) / "assets/lessons"))
+         std::filesystem::directory_iterator(std::filesystem::path(project_folder) / "assets/lessons"))
         if (entry.path().extension() == ".md") files.push_back(entry.path().string());
     REQUIRE(files.size() >= 17);
     std::sort(files.begin(), files.end());

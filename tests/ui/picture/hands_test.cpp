@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
@@ -319,9 +320,8 @@ TEST_CASE(
     "[ui][hands][window]") {
     for (const Interpolation interpolation : {Interpolation::Scanline, Interpolation::Perspective}) {
         HeadlessWindow bench;
-        take_document(bench.state.editor,
-                      std::get<SceneDocument>(open_document(
-                          std::string(GLINT_SOURCE_DIR) + "/assets/scenes/skew-quad.json", {})));
+        take_document(bench.state.editor, std::get<SceneDocument>(open_document(
+                                              project_file("assets/scenes/skew-quad.json"), {})));
         bench.scene().shading.interpolation = interpolation;
         bench.frames(2);
         CHECK_FALSE(why_disabled(bench.state, test::command_named("Rotate the object about the picked point"))

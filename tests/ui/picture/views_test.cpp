@@ -1,6 +1,7 @@
 // Ways to look at the scene: views by key, kept views, scrolling, and the view from outside.
 #include <glm/geometric.hpp>
 
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
@@ -182,9 +183,8 @@ TEST_CASE("from outside the eye, what it sees, all axes and every light are in s
 TEST_CASE("the words of the outside view stand apart", "[ui][window]") {
     for (const char* name : {"default", "every-term", "sun-and-headlight", "still-life"}) {
         HeadlessWindow bench;
-        take_document(bench.state.editor,
-                      std::get<SceneDocument>(open_document(
-                          std::string(GLINT_SOURCE_DIR) + "/assets/scenes/" + name + ".json", {})));
+        take_document(bench.state.editor, std::get<SceneDocument>(open_document(
+                                              project_file("assets/scenes/") + name + ".json", {})));
         bench.state.inspector.tab = InspectorTab::Outside;
         bench.frames(3);
         std::vector<Rect> words;

@@ -7,6 +7,7 @@
 #include "models/fields/choices.h"
 #include "models/fields/scene_numbers.h"
 #include "renderer/inspect/explain/explain_format.h"
+#include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
@@ -65,8 +66,8 @@ TEST_CASE("a command is found by a word about it", "[ui][palette]") {
 TEST_CASE("names are found as files and commands write them", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
-    bench.state.shipped_scenes = std::string(GLINT_SOURCE_DIR) + "/assets/scenes";
-    bench.state.lesson.folder = std::string(GLINT_SOURCE_DIR) + "/assets/lessons";
+    bench.state.shipped_scenes = project_file("assets/scenes");
+    bench.state.lesson.folder = project_file("assets/lessons");
     CHECK(found(bench.state, "lesson 05").at(0).name == "Lesson: 05 lambert");
     CHECK(found(bench.state, "spot-cone").at(0).name == "Scene: spot cone");
     CHECK(found(bench.state, "lit_in_srgb").at(0).name == "Mistake: lit in srgb");
