@@ -83,6 +83,9 @@ function(precompile target)
   endif()
   if(GLINT_PCH)
     target_precompile_headers(${target} PRIVATE ${headers})
+    foreach(kind gch pch)
+      file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx.${kind}.sum "")  # see GLINT_CCACHE
+    endforeach()
     target_link_libraries(${target} PRIVATE glint_precompiled)
   endif()
 endfunction()
@@ -143,14 +146,19 @@ set(GLINT_LAUNCHER ${CMAKE_COMMAND} -E env GLIBC_TUNABLES=glibc.malloc.hugetlb=1
 
 # ccache where there is one. A precompiled header holds the time of its files, which ccache is to pass over, and a digest of each,
 # comments too. So what is hashed is the files (CCACHE_DEPEND) and not the preprocessed text, which has no comments: a precompiled
-# header from before another comment would let what has `#pragma once` be included twice.
+# header from before another comment would let what has `#pragma once` be included twice. What one checkout compiled serves the
+# others: paths are hashed relative to the checkout, and of a precompiled header, whose bytes are others each time, its files alone
+# (CCACHE_PCH_EXTSUM takes the empty .sum in place of the bytes). clang writes into it where its files are: none may serve elsewhere.
+# CMake would name clang the header beside it, too, which clang needs not and ccache leaves absolute.
 find_program(GLINT_CCACHE ccache)
 if(GLINT_CCACHE)
-  # What one checkout compiled serves the others, by GCC; clang writes into a precompiled header where it read what.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    list(APPEND GLINT_LAUNCHER CCACHE_BASEDIR=${CMAKE_SOURCE_DIR})
+  list(APPEND GLINT_LAUNCHER CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1 CCACHE_PCH_EXTSUM=1
+       CCACHE_SLOPPINESS=pch_defines,time_macros ${GLINT_CCACHE})
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    string(MD5 checkout ${CMAKE_BINARY_DIR})
+    list(APPEND CMAKE_CXX_COMPILE_OPTIONS_CREATE_PCH -DGLINT_PRECOMPILED_IN_${checkout})
+    set(CMAKE_CXX_COMPILE_OPTIONS_USE_PCH -Xclang -include-pch -Xclang <PCH_FILE>)
   endif()
-  list(APPEND GLINT_LAUNCHER CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros ${GLINT_CCACHE})
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
   add_compile_options("$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 endif()

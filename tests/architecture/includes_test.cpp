@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 TEST_CASE("includes point down only, and GL, GLFW, ImGui and OpenMesh stay where they belong",
           "[architecture]") {
-    const fs::path root = project_folder;
+    const fs::path root = glint::project_folder;
     std::vector<std::string> found;
     int files = 0;
     for (const char* folder : {"app", "ui", "renderer", "models"}) {
@@ -56,7 +56,7 @@ TEST_CASE("a room of the renderer that includes a later one is reported", "[arch
 TEST_CASE("fields and handles know the window's state neither directly nor through another header",
           "[architecture]") {
     std::map<std::string, std::string> files;
-    const fs::path root = project_folder;
+    const fs::path root = glint::project_folder;
     for (const auto& entry : fs::recursive_directory_iterator(root / "ui")) {
         if (!entry.is_regular_file()) continue;
         std::ostringstream text;
@@ -84,7 +84,7 @@ TEST_CASE("no two headers define a class of one name, which the linker would tak
     const std::regex definition(R"(^(?:struct|class|enum class|enum)(?: alignas\(\d+\))? (\w+)[^;<]*\{.*)");
     std::map<std::string, std::string> header_of;
     for (const char* folder : {"app", "ui", "renderer", "models"})
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(project_folder) / folder)) {
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(glint::project_folder) / folder)) {
             if (entry.path().extension() != ".h") continue;
             std::ifstream file(entry.path());
             for (std::string line; std::getline(file, line);) {
@@ -100,7 +100,7 @@ TEST_CASE("no two headers define a class of one name, which the linker would tak
 
 TEST_CASE("no folder of code or tests holds more than 20 files", "[architecture]") {
     std::map<std::string, int> files;
-    const fs::path root = project_folder;
+    const fs::path root = glint::project_folder;
     for (const char* folder : {"app", "ui", "renderer", "models", "tests"})
         for (const auto& entry : fs::recursive_directory_iterator(root / folder))
             if (entry.is_regular_file())

@@ -65,7 +65,7 @@ std::vector<std::string> shared_names(const std::map<std::string, std::set<std::
 }  // namespace
 
 TEST_CASE("the program links no libGL, not even through another library", "[architecture]") {
-    const auto libraries = lines_of(std::string("ldd '") + glint_program + "'");
+    const auto libraries = lines_of(std::string("ldd '") + glint::glint_program + "'");
     CHECK(libraries.size() > 3);
     for (const auto& line : libraries) {
         INFO(line);

@@ -301,6 +301,39 @@ TEST_CASE("a picture that shows its object elsewhere is not taken for one that d
     }
 }
 
+TEST_CASE("each mistake that is named is held against the pixel of the picture that it names", "[diagnose]") {
+    SceneDocument document;
+    Scene& scene = document.scene;
+    scene.camera.eye = {0, 0, 5};
+    scene.global_ambient = {0.1f, 0.3f, 0.2f};
+    Light left, right;
+    left.kind = right.kind = LightKind::Point;
+    left.position = {-1, 1, 2, 1};
+    right.position = {1, 1, 3, 1};
+    right.falloff = {1, 0.3f, 0};
+    scene.lights = {left, right};
+    // Mirrored it lies where the picture shows its background, of one colour, as a mistake makes the plane of
+    // one.
+    Object plane = object_of(primitive(Primitive::Plane, 1));
+    plane.transform.translate = {-0.9f, 0.5f, 0};
+    plane.transform.rotate_deg = {90, 0, 38};
+    plane.transform.scale = {0.3f, 1, 0.5f};
+    plane.material.ambient = {0.2f, 0.4f, 0.3f};
+    plane.material.diffuse = {0.3f, 0.6f, 0.2f};
+    scene.objects = {plane};
+    scene.shading.mode = ShadingMode::Gouraud;
+    scene.shading.reflection = Reflection::Lambert;
+    scene.display.background = {0.06f, 0.13f, 0.04f};
+    scene.shading.mistakes.normals_flipped = true;
+    Renderer renderer;
+    const Picture wrong = renderer.render(scene, diagnosed_size);
+    scene.shading.mistakes = {};
+    const Diagnosis d = diagnosed(document, wrong);
+    REQUIRE(d.verdict == Verdict::Mistake);
+    CHECK(d.display.change == DisplayChange{});
+    for (const Candidate& c : d.candidates) CHECK(c.mine == rgb_at(wrong, wrong.pixel(c.pixel.x, c.pixel.y)));
+}
+
 TEST_CASE("a picture's name begins no formula in a table", "[diagnose]") {
     for (const std::string name : {"=1+2.png", "+a.png", "-a.png", "@a.png"})
         CHECK(diagnoses_csv({{name, {}, {}, {}}}).find("\n./" + name + ",") != std::string::npos);
