@@ -13,6 +13,7 @@ project(changed_comment CXX)
 set(CMAKE_CXX_STANDARD 20)
 set(GLINT_FOLDERS_AS_ONE ON)
 include($root/cmake/options.cmake)
+include_directories(.)
 add_library(includes STATIC includes.cpp)
 precompile(includes OURS header.h)
 END
