@@ -1,5 +1,7 @@
 #include "models/lesson/expression.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,11 +34,18 @@ struct Found {
 
 Found found_by(const Node& node, const NamedValues& names);
 
+/// A value as a message writes it; JSON has no number beyond the finite ones.
+std::string shown(const JsonValue& value) {
+    if (!value.is_number() || std::isfinite(value.number())) return shortened(value.text());
+    if (std::isnan(value.number())) return "undefined";
+    return value.number() < 0 ? "-infinite" : "infinite";
+}
+
 bool truth_of(const Node& node, const NamedValues& names) {
     const Found found = found_by(node, names);
     const JsonValue& value = found.value();
     if (!value.is_boolean())
-        throw ExpressionProblem{shortened(value.text()) + " is neither true nor false", "a condition"};
+        throw ExpressionProblem{shown(value) + " is neither true nor false", "a condition"};
     return value.boolean();
 }
 
@@ -60,9 +69,8 @@ const JsonValue& element_of(const JsonValue& list, const JsonValue& place) {
     const double at = as_number(place);
     const std::size_t size = list.elements().size();
     if (!(at >= 0 && at < static_cast<double>(size)) || at != std::floor(at))
-        throw ExpressionProblem{
-            "there is no element " + shortened(place.text()) + " of a list of " + std::to_string(size),
-            size == 0 ? "a list" : "0 to " + std::to_string(size - 1)};
+        throw ExpressionProblem{fmt::format("there is no element {} of a list of {}", at, size),
+                                size == 0 ? "a list with elements" : "0 to " + std::to_string(size - 1)};
     return list.elements()[static_cast<std::size_t>(at)];
 }
 
@@ -102,6 +110,8 @@ bool all_hold(const std::string& symbol, const JsonValue& a, const JsonValue& b,
         const std::size_t size = a.is_array() ? a.elements().size() : b.elements().size();
         if (a.is_array() && b.is_array() && b.elements().size() != size)
             throw ExpressionProblem{"lists of different lengths are compared", "equally many elements"};
+        if (size == 0 && a.is_array() != b.is_array())
+            throw ExpressionProblem{"a list of 0 is compared", "a list with elements"};
         for (std::size_t i = 0; i < size; ++i)
             if (!all_hold(symbol, a.is_array() ? a.elements()[i] : a, b.is_array() ? b.elements()[i] : b,
                           tolerance))
@@ -254,7 +264,7 @@ Result<bool> Expression::holds(const NamedValues& names) const {
     if (const Problem* problem = problem_of(found)) return *problem;
     const auto& truth = std::get<JsonValue>(found);
     if (truth.is_boolean()) return truth.boolean();
-    return Problem{"", "", in_quotes(text_) + " is " + shortened(truth.text()), "true or false"};
+    return Problem{"", "", in_quotes(text_) + " is " + shown(truth), "true or false"};
 }
 
 Result<double> Expression::number(const NamedValues& names) const {
@@ -262,7 +272,7 @@ Result<double> Expression::number(const NamedValues& names) const {
     if (const Problem* problem = problem_of(found)) return *problem;
     const auto& number = std::get<JsonValue>(found);
     if (number.is_number() && std::isfinite(number.number())) return number.number();
-    return Problem{"", "", in_quotes(text_) + " is " + shortened(number.text()), "a number"};
+    return Problem{"", "", in_quotes(text_) + " is " + shown(number), "a number"};
 }
 
 Result<std::vector<double>> Expression::numbers(const NamedValues& names) const {
@@ -281,9 +291,9 @@ std::string Expression::with_values(const NamedValues& names) const {
     try {
         const Node& part = first_false(*root_, names);
         if (part.kind != Kind::Compare) return text_;
-        const auto shown = [&](std::size_t i) { return found_by(part.parts[i], names).value().text(); };
-        std::string text = shortened(shown(0)) + " " + part.word + " " + shortened(shown(1));
-        if (part.parts.size() > 2) text += " within " + shown(2);
+        const auto part_shown = [&](std::size_t i) { return shown(found_by(part.parts[i], names).value()); };
+        std::string text = part_shown(0) + " " + part.word + " " + part_shown(1);
+        if (part.parts.size() > 2) text += " within " + part_shown(2);
         return text;
     } catch (const ExpressionProblem& problem) {
         return problem.what;

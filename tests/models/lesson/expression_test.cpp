@@ -121,7 +121,10 @@ TEST_CASE("an expression says what is wrong with it", "[lesson][bad-input]") {
     CHECK(problem_with("b.n") == "\"b.n\": \"b\" is not known; expected \"a\"");
     CHECK(problem_with("a.m") == "\"a.m\": there is no \"m\"; expected \"n\"");
     CHECK(problem_with("a.list[3]") ==
-          "\"a.list[3]\": there is no element 3.0 of a list of 3; expected 0 to 2");
+          "\"a.list[3]\": there is no element 3 of a list of 3; expected 0 to 2");
+    CHECK(problem_with("[][0]") ==
+          "\"[][0]\": there is no element 0 of a list of 0; expected a list with elements");
+    CHECK(problem_with("[] = 2") == "\"[] = 2\": a list of 0 is compared; expected a list with elements");
     CHECK(problem_with("a.list[0.5]").find("no element 0.5") != std::string::npos);
     CHECK(problem_with("part(a.list, 0.5, 1)").find("part() is asked for what the list does not have") !=
           std::string::npos);
@@ -170,6 +173,9 @@ TEST_CASE("the part of a condition that is false is shown with its values", "[le
     CHECK(shown("a.n = 0.4 within 0.01") == "0.5 = 0.4 within 0.01");
     CHECK(shown("1 = 1 and a.n > cos(0)") == "0.5 > 1.0");
     CHECK(shown("1 = 1 and not true") == "1 = 1 and not true");
+    CHECK(shown("1 / 0 = 5") == "infinite = 5.0");
+    CHECK(shown("-1 / 0 > 5") == "-infinite > 5.0");
+    CHECK(shown("0 / 0 = 5") == "undefined = 5.0");
 }
 
 TEST_CASE("no text that anyone writes as an expression ends the program", "[lesson][fuzz]") {
