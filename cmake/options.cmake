@@ -92,7 +92,7 @@ endfunction()
 # The files of a folder, with those of the folders in it, as one, where nobody changes a single one of them: what they include
 # and instantiate is compiled once, in a third of the time. Names in anonymous namespaces are then those of a folder. The preset
 # `edit` compiles each file alone. A folder lies two below the root, among the tests three.
-# What has SKIP_UNITY_BUILD_INCLUSION before is compiled alone. CMake's own UNITY_BUILD writes the checkout's place into its files, and
+# What has SKIP_UNITY_BUILD_INCLUSION before, and what the build makes, is compiled alone. CMake's own UNITY_BUILD writes the checkout's place into its files, and
 # what ccache keeps of one checkout would not serve in another.
 function(compile_by_folder target)
   if(NOT GLINT_FOLDERS_AS_ONE)
@@ -103,7 +103,8 @@ function(compile_by_folder target)
   set(folders "")
   foreach(source ${sources})
     get_source_file_property(skips ${source} SKIP_UNITY_BUILD_INCLUSION)
-    if(skips OR NOT source MATCHES "\\.cpp$")
+    get_source_file_property(is_made ${source} GENERATED)
+    if(skips OR is_made OR NOT source MATCHES "\\.cpp$")
       list(APPEND alone ${source})
     else()
       get_filename_component(path ${source} ABSOLUTE)
