@@ -92,8 +92,8 @@ endfunction()
 # The files of a folder, with those of the folders in it, as one, where nobody changes a single one of them: what they include
 # and instantiate is compiled once, in a third of the time. Names in anonymous namespaces are then those of a folder. The preset
 # `edit` compiles each file alone. A folder lies two below the root, among the tests three.
-# What has SKIP_UNITY_BUILD_INCLUSION before, and what the build makes, is compiled alone. CMake's own UNITY_BUILD writes the checkout's place into its files, and
-# what ccache keeps of one checkout would not serve in another.
+# What has SKIP_UNITY_BUILD_INCLUSION before, and what the build makes, is compiled alone. CMake's own UNITY_BUILD writes the
+# checkout's place into its files, and what ccache keeps of one checkout would not serve in another.
 function(compile_by_folder target)
   if(NOT GLINT_FOLDERS_AS_ONE)
     return()
