@@ -142,8 +142,7 @@ bool differ(const JsonValue& a, const JsonValue& b, double tolerance) {
 double tolerance_of(const Node& comparison, const NamedValues& names) {
     if (comparison.parts.size() < 3) return 0;
     const double tolerance = as_number(found_by(comparison.parts[2], names).value());
-    if (tolerance < 0)
-        throw ExpressionProblem{"has the tolerance " + JsonValue(tolerance).text(), "0 or more"};
+    if (!(tolerance >= 0)) throw ExpressionProblem{"has the tolerance " + shown(tolerance), "0 or more"};
     return tolerance;
 }
 

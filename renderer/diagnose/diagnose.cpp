@@ -47,7 +47,7 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         d.verdict = Verdict::NoMistake;
         return;
     }
-    d.candidates = candidates_of(exhibit, all);
+    d.candidates = candidates_of(exhibit, all, shown.change);
     // What is shown of those that are not believed is what each explains.
     std::stable_sort(d.candidates.begin() + (best.is_believed ? 1 : 0), d.candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.explained > b.explained; });

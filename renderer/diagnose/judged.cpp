@@ -95,12 +95,6 @@ bool shows_otherwise(const DisplayChange& a, const DisplayChange& b) {
            b.gain > clearly * a.gain;
 }
 
-/// Whether two changes differ in brightness at most.
-bool are_of_one_display(const DisplayChange& a, const DisplayChange& b) {
-    return way_turned(a) == way_turned(b) && a.red_blue == b.red_blue && a.before == b.before &&
-           a.after == b.after;
-}
-
 /// Whether an explanation supposes more than that of no mistake does, and shows the same: a gain of pi
 /// against a mistake that divides by pi. Where the display does something else in it, a few pixels may be
 /// unlike.
@@ -175,7 +169,8 @@ const Judged& of_no_mistake(const std::vector<Judged>& all) {
     return *std::find_if(all.begin(), all.end(), [](const Judged& j) { return j.mistakes.empty(); });
 }
 
-std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all) {
+std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all,
+                                     const DisplayChange& told) {
     constexpr std::size_t most = 3;
     std::vector<Candidate> candidates;
     std::vector<const Judged*> shown;
@@ -188,7 +183,7 @@ std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<J
         if (like != shown.end()) {
             Candidate& first = candidates[static_cast<std::size_t>(like - shown.begin())];
             if (first.mistakes.size() == j.mistakes.size()) first.also.push_back(j.mistakes);
-        } else if (candidates.size() < most && are_of_one_display(j.change, all.front().change)) {
+        } else if (candidates.size() < most && are_of_one_display(j.change, told)) {
             candidates.push_back(candidate_of(exhibit, j));
             shown.push_back(&j);
         }

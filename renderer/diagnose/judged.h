@@ -26,8 +26,10 @@ struct Judged {
 [[nodiscard]] const Judged& of_no_mistake(const std::vector<Judged>& all);
 
 /// The best few mistakes, each with those that look like it. One that a change at the display undoes, so that
-/// both together show the right picture, is left out.
-[[nodiscard]] std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all);
+/// both together show the right picture, is left out, and so is one that supposes another display than the
+/// one that is told.
+[[nodiscard]] std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all,
+                                                   const DisplayChange& told);
 
 /// Bytes that judge_all() takes beside what drawing takes.
 [[nodiscard]] std::uint64_t judging_memory(PictureSize size);

@@ -56,11 +56,13 @@ void say_what_is_unexplained(Diagnosis& d, Renderer& renderer, const Scene& scen
         return;
     }
     d.verdict = Verdict::NotInCatalogue;
-    constexpr double much = 0.5;  // the nearest candidates are kept if they explain this share
-    std::erase_if(d.candidates, [](const Candidate& c) { return c.explained < much; });
     (void)renderer.render(under_mistakes(scene, {}), d.size);
     DisplayChange change;
     DescribedDifference found = cautious_difference(change, renderer, exhibit, none.change, scene.display);
+    constexpr double much = 0.5;  // the nearest candidates are kept if they explain this share
+    std::erase_if(d.candidates, [&](const Candidate& c) {
+        return c.explained < much || !are_of_one_display(c.change, change);
+    });
     d.display = display_finding(exhibit, none.drawing, change);
     d.pixels = count_unlike(exhibit, none.drawing, change);
     d.regions = std::move(found.regions);

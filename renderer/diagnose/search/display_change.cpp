@@ -82,6 +82,11 @@ std::array<DisplayChange, 4> ways_of_turning() {
     return ways;
 }
 
+bool are_of_one_display(const DisplayChange& a, const DisplayChange& b) {
+    return way_turned(a) == way_turned(b) && a.red_blue == b.red_blue && a.before == b.before &&
+           a.after == b.after;
+}
+
 glm::ivec2 changed_place(const DisplayChange& change, PictureSize size, glm::ivec2 pixel) {
     return {change.mirrored ? size.width - 1 - pixel.x : pixel.x,
             change.upside_down ? size.height - 1 - pixel.y : pixel.y};

@@ -51,11 +51,14 @@ struct DisplayChange {
 /// Where a pixel of the scene's picture went in the changed picture of that size, and its index there.
 [[nodiscard]] glm::ivec2 changed_place(const DisplayChange& change, PictureSize size, glm::ivec2 pixel);
 [[nodiscard]] std::size_t changed_index(const DisplayChange& change, PictureSize size, int x, int y);
+/// Whether two changes differ in brightness, softness and noise at most.
+[[nodiscard]] bool are_of_one_display(const DisplayChange& a, const DisplayChange& b);
 /// The channel of the changed picture to which a channel went.
 [[nodiscard]] inline std::size_t changed_channel(const DisplayChange& change, std::size_t channel) {
     return change.red_blue ? 2 - channel : channel;
 }
-/// The three channels of a colour, or what there is for each, brought from one picture's order to the other's.
+/// The three channels of a colour, or what there is for each, brought from one picture's order to the
+/// other's.
 template <class T>
 [[nodiscard]] std::array<T, 3> exchanged(const DisplayChange& change, const std::array<T, 3>& colour) {
     return {colour[changed_channel(change, 0)], colour[1], colour[changed_channel(change, 2)]};

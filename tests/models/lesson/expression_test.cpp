@@ -125,6 +125,7 @@ TEST_CASE("an expression says what is wrong with it", "[lesson][bad-input]") {
     CHECK(problem_with("[][0]") ==
           "\"[][0]\": there is no element 0 of a list of 0; expected a list with elements");
     CHECK(problem_with("[] = 2") == "\"[] = 2\": a list of 0 is compared; expected a list with elements");
+    CHECK(problem_with("1 = 1 within 0 / 0").ends_with("has the tolerance undefined; expected 0 or more"));
     CHECK(problem_with("a.list[0.5]").find("no element 0.5") != std::string::npos);
     CHECK(problem_with("part(a.list, 0.5, 1)").find("part() is asked for what the list does not have") !=
           std::string::npos);
