@@ -107,7 +107,9 @@ void check_state(const std::string& folder, const std::string& scene) {
 }  // namespace
 
 TEST_CASE(worker, "[.]") {
-    const std::string folder = std::getenv("GLINT_KILLED_FOLDER");
+    const char* const named = std::getenv("GLINT_KILLED_FOLDER");
+    REQUIRE(named != nullptr);
+    const std::string folder = named;
     const std::string scene = folder + "/scene.json";
     const bool only_once = std::getenv("GLINT_KILLED_ONCE") != nullptr;
     HeadlessWindow bench({320, 200});
@@ -116,7 +118,7 @@ TEST_CASE(worker, "[.]") {
     bench.frames(2);
     Persistence& memory = bench.state.persistence;
     int step = int(::getpid()) % 1000 * 1000;
-    do {
+    for (bool again = true; again; again = !only_once) {
         bench.scene().lights[0].intensity = float(++step);
         (void)bench.key(Key::S, true);
         bench.scene().lights[0].intensity = float(++step);
@@ -126,7 +128,7 @@ TEST_CASE(worker, "[.]") {
         memory.preferences.width = 700 + step % 500;
         memory.opened.clear();
         while (bench.state.exporting.job || memory.autosave_writing.valid()) (void)bench.frame();
-    } while (!only_once);
+    }
     end_persistence(bench.state);
 }
 
