@@ -34,18 +34,11 @@ struct Found {
 
 Found found_by(const Node& node, const NamedValues& names);
 
-/// A value as a message writes it; JSON has no number beyond the finite ones.
-std::string shown(const JsonValue& value) {
-    if (!value.is_number() || std::isfinite(value.number())) return shortened(value.text());
-    if (std::isnan(value.number())) return "undefined";
-    return value.number() < 0 ? "-infinite" : "infinite";
-}
-
 bool truth_of(const Node& node, const NamedValues& names) {
     const Found found = found_by(node, names);
     const JsonValue& value = found.value();
     if (!value.is_boolean())
-        throw ExpressionProblem{shown(value) + " is neither true nor false", "a condition"};
+        throw ExpressionProblem{in_words(value) + " is neither true nor false", "a condition"};
     return value.boolean();
 }
 
@@ -142,7 +135,7 @@ bool differ(const JsonValue& a, const JsonValue& b, double tolerance) {
 double tolerance_of(const Node& comparison, const NamedValues& names) {
     if (comparison.parts.size() < 3) return 0;
     const double tolerance = as_number(found_by(comparison.parts[2], names).value());
-    if (!(tolerance >= 0)) throw ExpressionProblem{"has the tolerance " + shown(tolerance), "0 or more"};
+    if (!(tolerance >= 0)) throw ExpressionProblem{"has the tolerance " + in_words(tolerance), "0 or more"};
     return tolerance;
 }
 
@@ -263,7 +256,7 @@ Result<bool> Expression::holds(const NamedValues& names) const {
     if (const Problem* problem = problem_of(found)) return *problem;
     const auto& truth = std::get<JsonValue>(found);
     if (truth.is_boolean()) return truth.boolean();
-    return Problem{"", "", in_quotes(text_) + " is " + shown(truth), "true or false"};
+    return Problem{"", "", in_quotes(text_) + " is " + in_words(truth), "true or false"};
 }
 
 Result<double> Expression::number(const NamedValues& names) const {
@@ -271,7 +264,7 @@ Result<double> Expression::number(const NamedValues& names) const {
     if (const Problem* problem = problem_of(found)) return *problem;
     const auto& number = std::get<JsonValue>(found);
     if (number.is_number() && std::isfinite(number.number())) return number.number();
-    return Problem{"", "", in_quotes(text_) + " is " + shown(number), "a number"};
+    return Problem{"", "", in_quotes(text_) + " is " + in_words(number), "a number"};
 }
 
 Result<std::vector<double>> Expression::numbers(const NamedValues& names) const {
@@ -282,7 +275,7 @@ Result<std::vector<double>> Expression::numbers(const NamedValues& names) const 
     for (const JsonValue& element : list.elements())
         if (element.is_number() && std::isfinite(element.number())) numbers.push_back(element.number());
     if (list.is_array() && numbers.size() == list.elements().size()) return numbers;
-    return Problem{"", "", in_quotes(text_) + " is " + shortened(list.text()), "a list of numbers"};
+    return Problem{"", "", in_quotes(text_) + " is " + in_words(list), "a list of numbers"};
 }
 
 std::string Expression::with_values(const NamedValues& names) const {
@@ -290,7 +283,9 @@ std::string Expression::with_values(const NamedValues& names) const {
     try {
         const Node& part = first_false(*root_, names);
         if (part.kind != Kind::Compare) return text_;
-        const auto part_shown = [&](std::size_t i) { return shown(found_by(part.parts[i], names).value()); };
+        const auto part_shown = [&](std::size_t i) {
+            return in_words(found_by(part.parts[i], names).value());
+        };
         std::string text = part_shown(0) + " " + part.word + " " + part_shown(1);
         if (part.parts.size() > 2) text += " within " + part_shown(2);
         return text;

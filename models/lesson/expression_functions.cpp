@@ -15,7 +15,7 @@ namespace {
 using Values = std::vector<JsonValue>;
 
 const JsonValue::Elements& as_list(const JsonValue& value) {
-    if (!value.is_array()) throw ExpressionProblem{shortened(value.text()) + " is not a list", "a list"};
+    if (!value.is_array()) throw ExpressionProblem{in_words(value) + " is not a list", "a list"};
     return value.elements();
 }
 
@@ -159,7 +159,13 @@ const Function* function_of(std::string_view name) {
 double as_number(const JsonValue& value) {
     if (value.is_number()) return value.number();
     if (value == JsonValue()) return std::numeric_limits<double>::quiet_NaN();
-    throw ExpressionProblem{shortened(value.text()) + " is not a number", "a number"};
+    throw ExpressionProblem{in_words(value) + " is not a number", "a number"};
+}
+
+std::string in_words(const JsonValue& value) {
+    if (!value.is_number() || std::isfinite(value.number())) return shortened(value.text());
+    if (std::isnan(value.number())) return "undefined";
+    return value.number() < 0 ? "-infinite" : "infinite";
 }
 
 JsonValue combined(const JsonValue& a, const JsonValue& b, double (*op)(double, double)) {

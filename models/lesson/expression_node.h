@@ -47,5 +47,7 @@ void require_tolerances(const ExpressionNode& node);
 [[nodiscard]] JsonValue combined(const JsonValue& a, const JsonValue& b, double (*op)(double, double));
 /// The number; throws ExpressionProblem for anything but a number and null, which is not a number (NaN).
 [[nodiscard]] double as_number(const JsonValue& value);
+/// The value as a message writes it: JSON has no number beyond the finite ones.
+[[nodiscard]] std::string in_words(const JsonValue& value);
 
 }  // namespace glint

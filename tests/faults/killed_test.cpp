@@ -118,7 +118,7 @@ TEST_CASE(worker, "[.]") {
     bench.frames(2);
     Persistence& memory = bench.state.persistence;
     int step = int(::getpid()) % 1000 * 1000;
-    for (bool again = true; again; again = !only_once) {
+    while (true) {
         bench.scene().lights[0].intensity = float(++step);
         (void)bench.key(Key::S, true);
         bench.scene().lights[0].intensity = float(++step);
@@ -128,6 +128,7 @@ TEST_CASE(worker, "[.]") {
         memory.preferences.width = 700 + step % 500;
         memory.opened.clear();
         while (bench.state.exporting.job || memory.autosave_writing.valid()) (void)bench.frame();
+        if (only_once) break;
     }
     end_persistence(bench.state);
 }

@@ -334,6 +334,26 @@ TEST_CASE("each mistake that is named is held against the pixel of the picture t
     for (const Candidate& c : d.candidates) CHECK(c.mine == rgb_at(wrong, wrong.pixel(c.pixel.x, c.pixel.y)));
 }
 
+TEST_CASE("what is nearest to a picture that nothing explains is held against the pixel that it names",
+          "[diagnose]") {
+    // Turned over and darkened, a mistake would be nearest.
+    const SceneDocument document = std::get<SceneDocument>(open_document(
+        project_file("assets/scenes/inverse-square.json"),
+        {{"/lights/-",
+          R"({"type":"spot","position":[1.48627,4,2.35087],"spot":{"direction":[-0.140561,-1,0.2],"cutoff_deg":35,"exponent":3}})"},
+         {"/lights/0/intensity", "1.62"},
+         {"/lights/0/falloff/quadratic", "0.49"}}));
+    Scene scene = document.scene;
+    scene.shading.mistakes.no_normals_given = scene.shading.mistakes.falloff_without_constant = true;
+    Renderer renderer;
+    const Picture wrong = renderer.render(scene, {320, 180});
+    const Diagnosis d = diagnosed(document, wrong);
+    REQUIRE(d.verdict == Verdict::NotInCatalogue);
+    CHECK(d.display.change == DisplayChange{});
+    CHECK(!d.candidates.empty());
+    for (const Candidate& c : d.candidates) CHECK(c.mine == rgb_at(wrong, wrong.pixel(c.pixel.x, c.pixel.y)));
+}
+
 TEST_CASE("a picture's name begins no formula in a table", "[diagnose]") {
     for (const std::string name : {"=1+2.png", "+a.png", "-a.png", "@a.png"})
         CHECK(diagnoses_csv({{name, {}, {}, {}}}).find("\n./" + name + ",") != std::string::npos);
