@@ -447,7 +447,7 @@ def weights_at(c, x, y):
     """The weights of triangles' corners where the rays through places of the screen (-1 to 1) meet their planes,
     from clip coordinates (4 x 3 x points) alone: so nothing needs to be clipped. And the points' depths."""
     dx, dy = c[0] - x * c[3], c[1] - y * c[3]
-    e = np.roll(dx, -1, 0) * np.roll(dy, -2, 0) - np.roll(dy, -1, 0) * np.roll(dx, -2, 0)
+    e = dx[[1, 2, 0]] * dy[[2, 0, 1]] - dy[[1, 2, 0]] * dx[[2, 0, 1]]  # of the two corners beside each
     weights = over(e, e.sum(0))
     z, w = (weights * c[2]).sum(0), (weights * c[3]).sum(0)
     return weights, np.where(w > 0, over(z, w), 2.0), e.sum(0) < 0
