@@ -49,8 +49,13 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
     }
     d.candidates = candidates_of(exhibit, all, shown.change);
     // What is shown of those that are not believed is what each explains.
-    std::stable_sort(d.candidates.begin() + (best.is_believed ? 1 : 0), d.candidates.end(),
+    constexpr double hardly_any = 0.01;
+    const auto others = d.candidates.begin() + (best.is_believed ? 1 : 0);
+    std::stable_sort(others, d.candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.explained > b.explained; });
+    d.candidates.erase(
+        std::find_if(others, d.candidates.end(), [](const Candidate& c) { return c.explained < hardly_any; }),
+        d.candidates.end());
     if (!best.is_believed) return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
     d.verdict = Verdict::Mistake;
     d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
@@ -84,6 +89,7 @@ bool shows_nothing(const Picture& wrong, const Picture& right) {
 Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, const DiagnosisOptions& options) {
     Diagnosis d;
     d.size = wrong.size;
+    d.of_pairs = options.pairs;
     const MemoryShare share(memory_need(MemoryUse::Pixels, judging_memory(d.size)));
     Renderer renderer(options.threads);
     const Picture right = renderer.render(under_mistakes(document.scene, {}), d.size);

@@ -33,7 +33,7 @@ struct DisplayFinding {
 
 struct Candidate {
     MistakeSet mistakes;
-    std::vector<MistakeSet> also;  // whose pictures are the same within one level in this scene
+    std::vector<MistakeSet> also;  // whose pictures show surfaces the same within one level in this scene
     DisplayChange change;          // under which it explains the picture
     double residual = 0;           // RMS in levels of 0 to 255, over what can be compared
     double explained = 0;          // share of the wrong pixels that it explains, 0 to 1
@@ -70,6 +70,7 @@ struct Experiment {
 
 struct Diagnosis {
     PictureSize size;
+    bool of_pairs = false;  // two mistakes at once were looked for, too
     Verdict verdict = Verdict::NotComparable;
     std::string why;  // of NotComparable
     DisplayFinding display;

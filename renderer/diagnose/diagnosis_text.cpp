@@ -32,8 +32,10 @@ std::string verdict_line(const Diagnosis& d) {
     case Verdict::NotComparable:
         return "Not comparable: " + d.why + ".";
     case Verdict::NotInCatalogue:
-        return fmt::format("Not in the catalogue: {} of the pixels are wrong, and no mistake explains them.",
-                           percent_text(count_of(d.pixels, PixelKind::Surface).share()));
+        return fmt::format(
+            "Not in the catalogue: {} of the pixels are wrong, and no {}.",
+            percent_text(count_of(d.pixels, PixelKind::Surface).share()),
+            d.of_pairs ? "mistake explains them, nor do any two at once" : "single mistake explains them");
     case Verdict::Mistake:
         break;
     }
@@ -52,7 +54,7 @@ std::string candidate_lines(const Candidate& c, PictureSize size) {
         explained_percent(c), c.residual, place.x, place.y, stored_text(c.change, c.mine),
         stored_text(c.change, c.reference), stored_text(c.change, c.as_mistaken));
     text += place == c.pixel ? ".\n" : fmt::format("; the scene has that at {},{}.\n", c.pixel.x, c.pixel.y);
-    if (!c.also.empty()) text += "In this scene these look the same: " + names_of(c.also) + ".\n";
+    if (!c.also.empty()) text += "In this scene surfaces look the same under " + names_of(c.also) + ".\n";
     return text;
 }
 

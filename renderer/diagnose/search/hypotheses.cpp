@@ -205,21 +205,24 @@ struct Drawn {
     double cost = 0;  // least_cost()
 };
 
-/// Adds all twos of mistakes that show alone and change something together.
+/// Adds all twos of mistakes that show together what neither shows alone. One that changes nothing alone may
+/// do so beside another: coefficients that are exchanged bring a highlight, to which the vectors then matter.
 void draw_pairs(std::vector<Drawn>& all, Renderer& renderer, const Scene& scene, PictureSize size, Singles& s,
                 const DiagnosisProgress& progress) {
-    const std::size_t n = s.mistakes.size() - 1, twos = n * (n - 1) / 2;
+    const std::size_t n = mistake_names().size(), twos = n * (n - 1) / 2;
+    std::vector<std::size_t> alone(n,
+                                   0);  // where a mistake stands in `all`: in front with those that are inert
+    for (std::size_t i = 1; i < s.mistakes.size(); ++i) alone[s.mistakes[i][0]] = i;
     std::size_t done = 0;
-    for (std::size_t a = 1; a <= n; ++a)
-        for (std::size_t b = a + 1; b <= n; ++b) {
+    for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = a + 1; b < n; ++b) {
             if (progress) progress(++done, twos);
-            const MistakeSet both{s.mistakes[a][0], s.mistakes[b][0]};
-            const Picture& picture = renderer.render(under_mistakes(scene, both), size);
+            const Picture& picture = renderer.render(under_mistakes(scene, {a, b}), size);
             DrawnProbes at =
                 drawn_at(s.probes, picture, [&](int x, int y) { return renderer.object_at(x, y) < 0; });
-            if (at == all[a].at || at == all[b].at) continue;  // one hides the other
+            if (at == all[alone[a]].at || at == all[alone[b]].at) continue;  // one hides the other
             s.share.add(memory_need(MemoryUse::Pixels, 3 * at.at.size() + at.bare.size()));
-            all.push_back({both, std::move(at)});
+            all.push_back({{a, b}, std::move(at)});
         }
 }
 
