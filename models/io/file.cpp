@@ -107,7 +107,10 @@ std::string reason(int error) {
 }
 
 std::string lower_extension(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
+    const std::filesystem::path name = std::filesystem::path(path).filename();
+    std::string extension = name.extension().string();
+    if (extension.empty() && name.string().starts_with('.'))
+        extension = name.string();  // ".png" ends so, too
     for (char& c : extension)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return extension;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <limits>
 
 #include "models/memory_limit.h"
 #include "models/mesh_formats/mesh_reader.h"
@@ -126,9 +128,9 @@ class ObjReader {
 
     static bool integer(const char*& at, const char* end, std::int64_t& value) {
         const auto [last, error] = std::from_chars(at, end, value);
-        const bool good = error == std::errc();
+        if (error == std::errc::result_out_of_range) value = *at == '-' ? -beyond : beyond;
         at = last;
-        return good;
+        return error != std::errc::invalid_argument;
     }
 
     void add_vertex(std::int64_t index) {
@@ -165,7 +167,10 @@ class ObjReader {
         const std::size_t count = mesh_.positions.size();
         std::string expected = count == 0 ? "vertices before it" : fmt::format("1 to {}", count);
         if (corner.index < 0 && count > 0) expected = fmt::format("-1 to -{}, or {}", count, expected);
-        cursor_.fail_at(corner.line, fmt::format("vertex index {} is out of range", corner.index), expected);
+        const std::string which = std::abs(corner.index) == beyond
+                                      ? "a vertex index beyond 64 bits"
+                                      : fmt::format("vertex index {}", corner.index);
+        cursor_.fail_at(corner.line, which + " is out of range", expected);
     }
 
     void check_ahead() const {
@@ -191,6 +196,9 @@ class ObjReader {
             mesh_.normals.size() == mesh_.positions.size() && mesh_.corner_normal == mesh_.corner_position;
         if (by_position) mesh_.corner_normal = {};
     }
+
+    static constexpr std::int64_t beyond =
+        std::numeric_limits<std::int64_t>::max();  // what 64 bits do not hold
 
     TextCursor cursor_;
     const std::string& file_;

@@ -168,7 +168,7 @@ Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text, co
         when != nullptr && when->is_string() && (when->string() == "before" || when->string() == "after");
     if (!known || answers == nullptr || answers->elements().size() != questions.size())
         return Problem{
-            file, "", "these are not answers to " + lesson.name,
+            file, "", "these are not answers to " + json_string(lesson.title),
             fmt::format("\"when\": \"before\" or \"after\", and {} \"answers\"", questions.size())};
     QuizAnswers read{when->string() == "after", {}};
     for (std::size_t i = 0; i < questions.size(); ++i) {

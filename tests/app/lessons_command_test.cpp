@@ -160,11 +160,14 @@ TEST_CASE("glint quiz writes the inventory and counts what a class has answered"
     CHECK(json["questions"][0]["options"][0]["before"] == 2);
     const Ended wrong = run_glint({"quiz", a, b});
     CHECK(wrong.status == 1);
-    CHECK(wrong.err.find(b + ": these are not answers to inventory") != std::string::npos);
+    CHECK(wrong.err.find(b + ": these are not answers to \"What do you believe about lighting?\"") !=
+          std::string::npos);
     check_refused({"quiz"}, "-o: is missing");
     check_refused({"quiz", a, "-o", page}, "-o: stands beside ANSWERS");
     check_refused({"quiz", a, "--key"}, "--key: stands beside ANSWERS");
-    CHECK(run_glint({"quiz", "-"}).err.find("-: these are not answers to inventory") != std::string::npos);
+    CHECK(run_glint({"quiz", "-"})
+              .err.find("-: these are not answers to \"What do you believe about lighting?\"") !=
+          std::string::npos);
     check_refused({"quiz", "-o", "x.png"}, "expected a name that ends in .html, or -");
 }
 

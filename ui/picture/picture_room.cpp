@@ -23,16 +23,19 @@
 namespace glint {
 namespace {
 
-/// Says what can be done: in one line, or in three where the picture is too narrow for that.
+/// Says what can be done: in one line, in three where the picture is too narrow for that, or not at all.
 void first_hints(ImDrawList& list, const UiState& state) {
     const bool covered = !state.notifications.list.empty();
     if (covered || state.viewport.touched || state.views.debug_view.set.choice.view != DebugView::Picture)
         return;
+    const Rect shown = clip_area(list);
+    const auto fits = [&](const char* text) {
+        return ImGui::CalcTextSize(text).x + px(40) <= shown.size().x;
+    };
     const char* text =
         "Drag a light or a highlight   ·   Click a pixel to ask why   ·   Drag elsewhere to orbit";
-    const Rect shown = clip_area(list);
-    if (ImGui::CalcTextSize(text).x + px(40) > shown.size().x)
-        text = "Drag a light or a highlight\nClick a pixel to ask why\nDrag elsewhere to orbit";
+    if (!fits(text)) text = "Drag a light or a highlight\nClick a pixel to ask why\nDrag elsewhere to orbit";
+    if (!fits(text)) return;
     badge(list, {shown.middle().x, shown.high.y - px(18)}, text, {0.5f, 1});
 }
 

@@ -88,6 +88,15 @@ mode_t mode_of(const std::string& path) {
 
 }  // namespace
 
+TEST_CASE("a format is told by what a name ends in, in any case, even where that is the whole name",
+          "[file]") {
+    CHECK(lower_extension("a.b/c.PnG") == ".png");
+    CHECK(lower_extension("a.b/.png") == ".png");
+    CHECK(lower_extension("a.b/.c.obj") == ".obj");
+    CHECK(lower_extension("a.b/c").empty());
+    CHECK(lower_extension("a.b/").empty());
+}
+
 TEST_CASE("what is written reads back, and nothing else is left in the directory", "[file]") {
     const Place place;
     const std::string bytes = std::string("a\0b\r\n\xff", 6) + std::string(200'000, 'x');

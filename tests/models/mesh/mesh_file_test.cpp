@@ -151,7 +151,11 @@ TEST_CASE("a malformed OBJ is answered with its line and what was expected", "[m
     CHECK(line_4("f 1 2 3.5") ==
           "m.obj:4: \"3.5\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f 1 2 99999999999999999999") ==
-          "m.obj:4: \"99999999999999999999\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
+          "m.obj:4: a vertex index beyond 64 bits is out of range; expected 1 to 3");
+    CHECK(line_4("f 1 2 -99999999999999999999") ==
+          "m.obj:4: a vertex index beyond 64 bits is out of range; expected -1 to -3, or 1 to 3");
+    // As any other number of a texture's or a normal's place that is not there.
+    CHECK(line_4("f 1/99999999999999999999 2/-99999999999999999999 3//99999999999999999999") == "");
     CHECK(line_4("f") == "m.obj:4: a face has no corners; expected at least 3 after \"f\"");
     CHECK(line_4("v 1 2") == "m.obj:4: z is missing; expected a number");
     CHECK(line_4("v 1 two 3") == "m.obj:4: \"two\" is not a number; expected a number");
