@@ -1,0 +1,75 @@
+// Two mistakes at once, and what is said of those that were tried.
+#include "renderer/diagnose/diagnose.h"
+#include "renderer/diagnose/diagnosis_format.h"
+#include "tests/renderer/diagnose/wrong_pictures.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+DiagnosisOptions of_pairs() {
+    DiagnosisOptions options;
+    options.pairs = true;
+    return options;
+}
+
+Picture drawn(const Scene& scene, PictureSize size) {
+    Renderer renderer(1);
+    return renderer.render(scene, size);
+}
+
+}  // namespace
+
+TEST_CASE("looking for two mistakes finds what explains the picture without them", "[diagnose]") {
+    const SceneDocument document = shipped("mach-bands.json");
+    const DiagnosisOptions options = of_pairs();
+    const Diagnosis d = diagnose(document, exposed(document, 0.85f, {200, 150}), options);
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.change.gain == Approx(0.85).epsilon(0.01));
+    const SceneDocument sun = shipped("sun.json");
+    SceneDocument flipped = sun;
+    flipped.scene.shading.mistakes.some_faces_flipped = true;
+    const Diagnosis one = diagnose(sun, exposed(flipped, 0.85f, {200, 150}), options);
+    REQUIRE(one.verdict == Verdict::Mistake);
+    CHECK(name_of(one.candidates[0].mistakes) == "some_faces_flipped");
+}
+
+TEST_CASE("a mistake that changes nothing alone is found beside one that brings it out", "[diagnose]") {
+    SceneDocument document = diagnosed_scene(2);
+    for (Object& object : document.scene.objects) object.material.specular = glm::vec3(0);
+    Scene wrong = document.scene;
+    wrong.shading.mistakes.unnormalized_view = true;
+    REQUIRE(drawn(wrong, diagnosed_size).rgba == drawn(document.scene, diagnosed_size).rgba);
+    wrong.shading.mistakes.coefficients_swapped = true;
+    const Diagnosis d = diagnose(document, drawn(wrong, diagnosed_size), of_pairs());
+    REQUIRE(d.verdict == Verdict::Mistake);
+    CHECK(name_of(d.candidates[0].mistakes) == "unnormalized_view + coefficients_swapped");
+    CHECK(d.candidates[0].residual == 0);
+}
+
+TEST_CASE("of a picture that nothing explains it is said whether two mistakes at once were tried",
+          "[diagnose]") {
+    const SceneDocument document = shipped("still-life.json");
+    Picture picture = drawn(document.scene, diagnosed_size);
+    for (std::size_t i = 0; i < picture.rgba.size() / 2; ++i)
+        if (i % 4 != 3) picture.rgba[i] = static_cast<std::uint8_t>(255 - picture.rgba[i]);
+    const auto says = [&](const DiagnosisOptions& options) {
+        const std::string text = diagnosis_text(diagnose(document, picture, options), document.scene);
+        return text.substr(0, text.find('\n'));
+    };
+    CHECK(says({}).ends_with("of the pixels are wrong, and no single mistake explains them."));
+    CHECK(says(of_pairs())
+              .ends_with("of the pixels are wrong, and no mistake explains them, nor do any two at once."));
+}
+
+TEST_CASE("a mistake that explains nothing of what is wrong is no candidate", "[diagnose]") {
+    const SceneDocument document = shipped("still-life.json");
+    Scene wrong = document.scene;
+    wrong.shading.mistakes.missing_pi = true;
+    const Diagnosis d = diagnosed(document, drawn(wrong, {320, 180}));
+    REQUIRE(d.verdict == Verdict::Mistake);
+    CHECK(name_of(d.candidates[0].mistakes) == "missing_pi");
+    for (const Candidate& candidate : d.candidates) CHECK(explained_percent(candidate) > 0);
+}
