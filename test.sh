@@ -18,4 +18,5 @@ fi
 install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-test.txt"
 build "$preset" ON
 cd "$glint_root/build/$preset"
-exec ctest --output-on-failure --no-tests=error --timeout 300 -j"$(nproc)" ${filter[@]+"${filter[@]}"}
+# One more than there are processors, as tests of the window sleep.
+exec ctest --output-on-failure --no-tests=error --timeout 300 -j"$(($(nproc) + 1))" ${filter[@]+"${filter[@]}"}

@@ -5,7 +5,7 @@ set -eu
 source=$1 tree=$2/tree cmake=$3
 # clang compiles without optimising in half of GCC's time.
 compiler=$(command -v clang++ || true)
-build=$2/${compiler:+clang_}build
+build=$tree/build/${compiler:+clang} # in the tree, beside which ccache leaves names absolute
 here=$source/tests/changing
 new=$(mktemp -d "$2/new.XXXXXX")
 trap 'rm -rf "$new"' EXIT
@@ -25,9 +25,9 @@ for patch in light_number reflection_model primitive mistake; do
     }
 done
 find "$new" -name '*.orig' -delete
-mkdir -p "$tree"
+mkdir -p "$build"
 # Only what differs gets a new time, so that the rest need not be compiled again.
-(cd "$tree" && find . -type f) | while read -r file; do [ -e "$new/$file" ] || rm "$tree/$file"; done
+(cd "$tree" && find . -path ./build -prune -o -type f -print) | while read -r file; do [ -e "$new/$file" ] || rm "$tree/$file"; done
 (cd "$new" && find . -type f) | while read -r file; do
     cmp -s "$new/$file" "$tree/$file" || install -D -m 644 "$new/$file" "$tree/$file"
 done
