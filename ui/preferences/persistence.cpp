@@ -245,8 +245,8 @@ void drop_autosave(UiState& state) {
     if (memory.autosave_writing.valid()) (void)result_of(memory.autosave_writing);
     std::error_code failed;
     fs::remove(memory.autosave->path(), failed);
-    memory.autosave.reset();
     memory.autosaved_scene.reset();
+    if (!failed) memory.autosave.reset();  // else it is tried again, and the next copy takes its place
 }
 
 void keep_orphan(UiState& state, const std::string& path) {

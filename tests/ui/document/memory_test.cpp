@@ -327,6 +327,32 @@ TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][m
     CHECK(notes_with(bench, "No copy") == 1);
 }
 
+TEST_CASE("a copy that cannot be removed now goes when it can be, and none takes its place", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
+    edit_and_wait(bench, 0.25f);
+    const std::string copy = bench.state.persistence.autosave->path();
+    std::filesystem::remove(copy);
+    std::filesystem::create_directories(copy + "/full");  // not even root removes that at once
+    bench.scene() = bench.state.editor.saved;
+    bench.frames(2);
+    std::filesystem::remove(copy + "/full");
+    bench.frames(2);
+    CHECK_FALSE(std::filesystem::exists(copy));
+    CHECK_FALSE(bench.state.persistence.autosave.has_value());
+    copy_again(bench, 0.5f);
+    std::filesystem::remove(copy);
+    std::filesystem::create_directories(copy + "/full");
+    bench.scene() = bench.state.editor.saved;
+    bench.frames(2);
+    std::filesystem::remove_all(copy);
+    copy_again(bench, 0.75f);
+    CHECK(bytes_of(copy).find("0.75") != std::string::npos);
+    end_persistence(bench.state);
+    CHECK_FALSE(std::filesystem::exists(copy));
+}
+
 TEST_CASE("a copy that no thread can write is said once, and tried again", "[ui][memory]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
