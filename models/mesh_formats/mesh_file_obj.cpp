@@ -197,8 +197,8 @@ class ObjReader {
         if (by_position) mesh_.corner_normal = {};
     }
 
-    static constexpr std::int64_t beyond =
-        std::numeric_limits<std::int64_t>::max();  // what 64 bits do not hold
+    // Stands for what 64 bits do not hold.
+    static constexpr std::int64_t beyond = std::numeric_limits<std::int64_t>::max();
 
     TextCursor cursor_;
     const std::string& file_;

@@ -86,6 +86,30 @@ bool shows_nothing(const Picture& wrong, const Picture& right) {
     return spread_of(wrong) <= rounding && spread_of(right) > clearly;
 }
 
+/// The mean colours of its squares of 8 x 8 pixels: of noise of single pixels hardly anything is left in
+/// them.
+Picture means_of_squares(const Picture& picture) {
+    constexpr int edge = 8;
+    Picture means{{picture.size.width / edge, picture.size.height / edge}, {}, {}};
+    means.rgba.resize(4 * means.size.pixels());
+    for (int y = 0; y < means.size.height; ++y)
+        for (int x = 0; x < means.size.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c) {
+                int sum = edge * edge / 2;
+                for (int i = 0; i < edge * edge; ++i)
+                    sum += picture.rgba[4 * picture.pixel(edge * x + i % edge, edge * y + i / edge) + c];
+                means.rgba[4 * means.pixel(x, y) + c] = static_cast<std::uint8_t>(sum / (edge * edge));
+            }
+    return means;
+}
+
+/// Whether nothing but noise of so many levels tells the picture from one of a single colour.
+bool shows_noise_alone(const Picture& wrong, const Picture& right, float noise) {
+    constexpr float rounding = 1, clearly = 8;
+    return static_cast<float>(spread_of(means_of_squares(wrong))) <= rounding + 1.5f * noise &&
+           static_cast<float>(spread_of(right)) > clearly;
+}
+
 Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, const DiagnosisOptions& options) {
     Diagnosis d;
     d.size = wrong.size;
@@ -115,6 +139,10 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
         d.why = fmt::format(
             "noise of about {:.0f} levels hides what mistakes would change; {:.0f} at most can be judged",
             noise, most_noise);
+        return d;
+    }
+    if (shows_noise_alone(wrong, right, noise)) {
+        d.why = fmt::format("it is of one colour but for noise of about {:.0f} levels", noise);
         return d;
     }
     all.clear();  // its drawings are large

@@ -35,7 +35,8 @@ std::string verdict_line(const Diagnosis& d) {
         return fmt::format(
             "Not in the catalogue: {} of the pixels are wrong, and no {}.",
             percent_text(count_of(d.pixels, PixelKind::Surface).share()),
-            d.of_pairs ? "mistake explains them, nor do any two at once" : "single mistake explains them");
+            d.of_pairs ? "mistake explains them, nor do any two at once as far as a small picture tells"
+                       : "single mistake explains them");
     case Verdict::Mistake:
         break;
     }

@@ -12,10 +12,23 @@ namespace {
 constexpr std::uint64_t drawings_bytes = std::uint64_t{256} << 20;
 constexpr std::size_t fewest_drawings = 3, most_drawings = 16;
 
-/// The size at which to search, of about that many pixels; odd divisors keep the centres of pixels.
-PictureSize search_size(PictureSize size, std::size_t pixels) {
+/// The size at which to search, of about that many pixels. Odd divisors keep the centres of pixels, and with
+/// them a pattern of faces, where they leave no rest: such a one is taken if it gives no more than `room`
+/// times or one `room`-th of the pixels.
+PictureSize search_size(PictureSize size, std::size_t pixels, std::size_t room) {
+    const auto pixels_at = [size](int divisor) {
+        return size.pixels() / static_cast<std::size_t>(divisor * divisor);
+    };
+    const auto divides = [size](int divisor) {
+        return size.width % divisor == 0 && size.height % divisor == 0;
+    };
     int divisor = 1;
-    while (size.pixels() / static_cast<std::size_t>(divisor * divisor) > pixels) divisor += 2;
+    while (pixels_at(divisor) > pixels) divisor += 2;
+    int exact = divisor;
+    while (exact > 1 && !divides(exact) && pixels_at(exact - 2) <= room * pixels) exact -= 2;
+    if (!divides(exact))
+        for (exact = divisor; !divides(exact) && room * pixels_at(exact + 2) >= pixels;) exact += 2;
+    if (divides(exact)) divisor = exact;
     return {std::max(1, size.width / divisor), std::max(1, size.height / divisor)};
 }
 
@@ -126,7 +139,8 @@ std::vector<Hypothesis> worth_drawing(const Scene& scene, const Exhibit& exhibit
                                       const DiagnosisProgress& progress) {
     constexpr std::size_t singles_pixels = 400'000, pairs_pixels = 24'000;
     const auto likely = [&](bool pairs, std::size_t of_these, const DiagnosisProgress& told) {
-        const PictureSize at = search_size(exhibit.right.size, pairs ? pairs_pixels : singles_pixels);
+        const PictureSize at = pairs ? search_size(exhibit.right.size, pairs_pixels, 3)
+                                     : search_size(exhibit.right.size, singles_pixels, 1);
         return likely_hypotheses(scene, exhibit.wrong, exhibit.least_change.noise, at, pairs, of_these,
                                  options.threads, told);
     };

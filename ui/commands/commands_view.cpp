@@ -149,6 +149,18 @@ std::vector<WindowCommand> comparing_commands() {
              [](const UiState& s) {
                  return unless(s.mine.shown != nullptr, "No picture was brought to compare with");
              }},
+        {.name = "Look for two mistakes at once",
+         .run = [](UiState& s) { ask_for_pairs(s.mine); },
+         .why_disabled = [](const UiState& s) { return why_no_pairs(s.mine); },
+         .words = "diagnose my picture pairs"},
+        {.name = "Change the scene as my picture asks",
+         .run = [](UiState& s) { try_experiment(s, *offered_experiment(s)); },
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(offered_experiment(s) != nullptr,
+                               "No change would tell more of the mistake in a picture");
+             },
+         .words = "diagnose experiment sure so"},
         {.name = "Look at B, the stored scene",
          .keys = {{Key::B}},
          .menu = Menu::View,

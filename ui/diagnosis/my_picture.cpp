@@ -192,6 +192,14 @@ void ask_for_pairs(MyPictureState& mine) {
     ask_again(mine);
 }
 
+std::string why_no_pairs(const MyPictureState& mine) {
+    if (!mine.answer || !mine.current) return "No picture was compared with this scene";
+    if (mine.pairs) return "Two mistakes at once have been looked for";
+    return mine.answer->diagnosis.verdict == Verdict::NotInCatalogue
+               ? std::string()
+               : "Nothing is left that two mistakes would explain";
+}
+
 void poll_my_picture(UiState& state) {
     poll_reading(state);
     MyPictureState& mine = state.mine;
@@ -241,6 +249,14 @@ void try_experiment(UiState& state, const Experiment& experiment) {
     const glm::dvec2 there = glm::dvec2(experiment.pixel) + 0.5;
     const glm::dvec2 here = pixels_between(scene.camera, state.mine.shown->size, size)(there);
     if (is_inside(size, here)) ask_about(state.viewport, here / glm::dvec2(size.width, size.height));
+}
+
+const Experiment* offered_experiment(const UiState& state) {
+    const MyPictureState& mine = state.mine;
+    // Its pointers are those of the scene that was asked about.
+    if (!mine.answer || !mine.current || shown_experiment(state) != nullptr) return nullptr;
+    const std::optional<Experiment>& found = mine.answer->diagnosis.experiment;
+    return found ? &*found : nullptr;
 }
 
 const Experiment* shown_experiment(const UiState& state) {

@@ -72,6 +72,8 @@ void cancel_diagnosis(MyPictureState& mine);
 void ask_again(MyPictureState& mine);
 /// The diagnosis anew, of every two mistakes at once, which takes longer.
 void ask_for_pairs(MyPictureState& mine);
+/// Why there is no need for that; empty: no single mistake explains the picture, and two may.
+[[nodiscard]] std::string why_no_pairs(const MyPictureState& mine);
 
 /// Call this once a frame. It takes finished results, and begins a new diagnosis when the scene, apart from
 /// its mistakes, has changed and stood still for a moment.
@@ -92,6 +94,9 @@ void switch_mistakes(Scene& scene, const MistakeSet& mistakes);
 /// Applies the experiment to the scene and picks the pixel that tells, as one step to undo. A notification
 /// says if it cannot be applied.
 void try_experiment(UiState& state, const Experiment& experiment);
+/// The experiment of the answer, where the scene is as it was asked about and does not show it yet; null:
+/// none.
+[[nodiscard]] const Experiment* offered_experiment(const UiState& state);
 /// The experiment that the open scene shows now; null: none.
 [[nodiscard]] const Experiment* shown_experiment(const UiState& state);
 

@@ -113,7 +113,7 @@ void verdict(const Diagnosis& d, const Scene& scene) {
 
 /// Where no single mistake explains the picture, two at once may.
 void offer_pairs(MyPictureState& mine) {
-    if (mine.pairs || !mine.current || mine.answer->diagnosis.verdict != Verdict::NotInCatalogue) return;
+    if (!why_no_pairs(mine).empty()) return;
     if (ImGui::Button("Look for two at once")) ask_for_pairs(mine);
     tooltip("Look for two mistakes at once", "Every two of the catalogue are tried: some seconds");
 }
@@ -172,9 +172,7 @@ void candidates(UiState& state) {
 /// The change of the scene that parts the candidates, and what each shows then.
 void experiment(UiState& state) {
     const Experiment* shown = shown_experiment(state);
-    const auto& found = state.mine.answer->diagnosis.experiment;
-    // Its pointers are those of the scene that was asked about.
-    const Experiment* e = shown != nullptr ? shown : found && state.mine.current ? &*found : nullptr;
+    const Experiment* e = shown != nullptr ? shown : offered_experiment(state);
     if (e == nullptr) return;
     section_heading("To be sure");
     for (const Assignment& a : e->set) {

@@ -166,6 +166,16 @@ void write_autosave(UiState& state) {
     redraw_within(seconds_between_copies);
 }
 
+/// A window that was killed a moment before this one began may have held its copy's lock still.
+void look_again_for_copies(Persistence& memory) {
+    constexpr double a_moment = 2;  // seconds
+    if (memory.looked_again) return;
+    if (ImGui::GetTime() < a_moment) return redraw_within(a_moment - ImGui::GetTime());
+    memory.looked_again = true;
+    for (OrphanedAutosave& copy : orphaned_autosaves(memory.folder))
+        memory.orphans.push_back(std::move(copy));
+}
+
 void note_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     if (!state.editor.unsaved()) return drop_autosave(state);
@@ -236,6 +246,7 @@ void poll_persistence(UiState& state) {
     if (state.persistence.folder.empty()) return;
     if (!note_recent(state)) redraw_within(seconds_between_asking);
     note_preferences(state);
+    look_again_for_copies(state.persistence);
     note_autosave(state);
 }
 

@@ -79,6 +79,7 @@ struct Persistence {
     bool autosave_failed = false;           // and the user was told so
     bool told_not_kept = false;             // that what was asked to be kept is not
     std::vector<OrphanedAutosave> orphans;  // by windows that are gone: offered one by one
+    bool looked_again = false;              // for copies, a moment after the start
 
     /// The path of a file in the folder. Precondition: there is one.
     [[nodiscard]] std::string file(const char* name) const;

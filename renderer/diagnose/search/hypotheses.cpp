@@ -210,8 +210,7 @@ struct Drawn {
 void draw_pairs(std::vector<Drawn>& all, Renderer& renderer, const Scene& scene, PictureSize size, Singles& s,
                 const DiagnosisProgress& progress) {
     const std::size_t n = mistake_names().size(), twos = n * (n - 1) / 2;
-    std::vector<std::size_t> alone(n,
-                                   0);  // where a mistake stands in `all`: in front with those that are inert
+    std::vector<std::size_t> alone(n);  // where each stands in `all`; what is inert is the right picture
     for (std::size_t i = 1; i < s.mistakes.size(); ++i) alone[s.mistakes[i][0]] = i;
     std::size_t done = 0;
     for (std::size_t a = 0; a < n; ++a)

@@ -60,6 +60,20 @@ TEST_CASE("a picture with more noise than can be judged is not comparable, and t
     CHECK(d.why.starts_with("noise of about "));
 }
 
+TEST_CASE("noise around one colour is no picture of a scene", "[diagnose]") {
+    for (const char* name : {"sun.json", "still-life.json", "default.json"})
+        for (const int level : {0, 40, 128})
+            for (const double deviation : {2.0, 4.0, 9.0}) {
+                const SceneDocument document = shipped(name);
+                Picture grey = picture_under(document.scene, {});
+                std::fill(grey.rgba.begin(), grey.rgba.end(), static_cast<std::uint8_t>(level));
+                INFO(name << ", " << level << ", noise " << deviation);
+                const Diagnosis d = diagnosed(document, noisy(grey, deviation, 6));
+                CHECK(d.verdict == Verdict::NotComparable);
+                CHECK(d.why.starts_with("it is of one colour but for noise of about "));
+            }
+}
+
 TEST_CASE("a mistake is named in a noisy picture", "[diagnose][release]") {
     SceneDocument document = shipped("default.json");
     document.scene.shading.reflection = Reflection::Phong;

@@ -49,6 +49,20 @@ TEST_CASE("a mistake that changes nothing alone is found beside one that brings 
     CHECK(d.candidates[0].residual == 0);
 }
 
+TEST_CASE("two mistakes that make a pattern of faces are found at a size that has no small divisor",
+          "[diagnose]") {
+    const SceneDocument document = shipped("lost-highlight.json");
+    Scene wrong = document.scene;
+    wrong.shading.mistakes.some_faces_flipped = wrong.shading.mistakes.normals_as_points = true;
+    for (const PictureSize size : {PictureSize{200, 300}, {320, 185}}) {
+        const Diagnosis d = diagnose(document, drawn(wrong, size), of_pairs());
+        REQUIRE(d.verdict == Verdict::Mistake);
+        CHECK(name_of(d.candidates[0].mistakes) == "normals_as_points + some_faces_flipped");
+        CHECK(d.candidates[0].residual == 0);
+        CHECK(display_text(d.display).empty());
+    }
+}
+
 TEST_CASE("of a picture that nothing explains it is said whether two mistakes at once were tried",
           "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
@@ -61,7 +75,8 @@ TEST_CASE("of a picture that nothing explains it is said whether two mistakes at
     };
     CHECK(says({}).ends_with("of the pixels are wrong, and no single mistake explains them."));
     CHECK(says(of_pairs())
-              .ends_with("of the pixels are wrong, and no mistake explains them, nor do any two at once."));
+              .ends_with("of the pixels are wrong, and no mistake explains them, nor do any two at "
+                         "once as far as a small picture tells."));
 }
 
 TEST_CASE("a mistake that explains nothing of what is wrong is no candidate", "[diagnose]") {

@@ -556,6 +556,23 @@ TEST_CASE("a copy is loaded aside like any other file, and one that is cancelled
     CHECK(copies_in(folder) == 1);
 }
 
+TEST_CASE("a copy whose window was just being killed when this one began is offered a moment later",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    auto dying = new_autosave(folder.path(""));
+    REQUIRE(dying.has_value());
+    const std::string copy = dying->path();
+    REQUIRE(problem_of(write_file(copy, autosave_text(first_scene(), folder.path("")))) == nullptr);
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path(""));
+    bench.frames(1);
+    CHECK(bench.state.persistence.orphans.empty());
+    dying.reset();
+    while (ImGui::GetTime() < 3) bench.frames(1);
+    REQUIRE(bench.state.persistence.orphans.size() == 1);
+    CHECK(bench.state.persistence.orphans[0].lock.path() == copy);
+}
+
 TEST_CASE("two windows keep two copies, and a window that is closed takes its own away", "[ui][memory]") {
     const TemporaryDirectory folder;
     auto first = std::make_unique<UiState>(1);

@@ -181,10 +181,21 @@ TEST_CASE("an experiment is offered for the scene that it was found for alone", 
         return std::any_of(bench.controls().begin(), bench.controls().end(),
                            [](const NamedControl& c) { return c.name == "Change the scene so"; });
     };
+    const WindowCommand& by_command = test::command_named("Change the scene as my picture asks");
     CHECK(is_offered());
+    CHECK(can_run(bench.state, by_command));
     bench.scene().lights.erase(bench.scene().lights.begin());
     bench.frames(2);
     CHECK_FALSE(is_offered());
+    CHECK_FALSE(can_run(bench.state, by_command));
+    bench.key(Key::Z, true);
+    wait_for_answer(bench);
+    const Scene before = bench.scene();
+    run_command(bench.state, by_command);
+    bench.frames(2);
+    CHECK(shown_experiment(bench.state) != nullptr);
+    CHECK_FALSE(bench.scene() == before);
+    CHECK_FALSE(can_run(bench.state, by_command));
 }
 
 TEST_CASE("the search ends when it is told to, and begins anew when the scene changes",
@@ -315,10 +326,14 @@ TEST_CASE("two mistakes at once are looked for when it is asked, and named toget
     wrong.shading.mistakes.absolute_cosine = wrong.shading.mistakes.light_in_wrong_space = true;
     Renderer renderer(1);
     const TemporaryDirectory folder;
+    CHECK_FALSE(can_run(bench.state, test::command_named("Look for two mistakes at once")));
     bring(bench, folder, renderer.render(wrong, brought_size));
     CHECK(found(bench).verdict == Verdict::NotInCatalogue);
+    const WindowCommand& by_command = test::command_named("Look for two mistakes at once");
+    CHECK(can_run(bench.state, by_command));
     bench.click(test::in_column(bench, "Look for two mistakes at once"));
     wait_for_answer(bench);
+    CHECK_FALSE(can_run(bench.state, by_command));
     CHECK(found(bench).verdict == Verdict::Mistake);
     REQUIRE_FALSE(found(bench).candidates.empty());
     INFO(name_of(found(bench).candidates[0].mistakes));
