@@ -153,14 +153,14 @@ std::vector<WindowCommand> comparing_commands() {
          .run = [](UiState& s) { ask_for_pairs(s.mine); },
          .why_disabled = [](const UiState& s) { return why_no_pairs(s.mine); },
          .words = "diagnose my picture pairs"},
-        {.name = "Change the scene as my picture asks",
+        {.name = "Change the scene so, to be sure",
          .run = [](UiState& s) { try_experiment(s, *offered_experiment(s)); },
          .why_disabled =
              [](const UiState& s) {
                  return unless(offered_experiment(s) != nullptr,
                                "No change would tell more of the mistake in a picture");
              },
-         .words = "diagnose experiment sure so"},
+         .words = "diagnose my picture experiment"},
         {.name = "Look at B, the stored scene",
          .keys = {{Key::B}},
          .menu = Menu::View,

@@ -181,7 +181,7 @@ TEST_CASE("an experiment is offered for the scene that it was found for alone", 
         return std::any_of(bench.controls().begin(), bench.controls().end(),
                            [](const NamedControl& c) { return c.name == "Change the scene so"; });
     };
-    const WindowCommand& by_command = test::command_named("Change the scene as my picture asks");
+    const WindowCommand& by_command = test::command_named("Change the scene so, to be sure");
     CHECK(is_offered());
     CHECK(can_run(bench.state, by_command));
     bench.scene().lights.erase(bench.scene().lights.begin());
