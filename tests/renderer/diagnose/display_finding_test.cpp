@@ -182,6 +182,21 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("looking for two mistakes finds what explains the picture without them", "[diagnose]") {
+    const SceneDocument document = shipped("mach-bands.json");
+    DiagnosisOptions options;
+    options.pairs = true;
+    const Diagnosis d = diagnose(document, exposed(document, 0.85f, {200, 150}), options);
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.change.gain == Approx(0.85).epsilon(0.01));
+    const SceneDocument sun = shipped("sun.json");
+    SceneDocument flipped = sun;
+    flipped.scene.shading.mistakes.some_faces_flipped = true;
+    const Diagnosis one = diagnose(sun, exposed(flipped, 0.85f, {200, 150}), options);
+    REQUIRE(one.verdict == Verdict::Mistake);
+    CHECK(name_of(one.candidates[0].mistakes) == "some_faces_flipped");
+}
+
 TEST_CASE("another background, smooth edges and half a pixel's shift are found", "[diagnose]") {
     const SceneDocument document = bright_scene();
     const Picture right = picture_under(document.scene, {});

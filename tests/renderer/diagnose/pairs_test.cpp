@@ -22,20 +22,6 @@ Picture drawn(const Scene& scene, PictureSize size) {
 
 }  // namespace
 
-TEST_CASE("looking for two mistakes finds what explains the picture without them", "[diagnose]") {
-    const SceneDocument document = shipped("mach-bands.json");
-    const DiagnosisOptions options = of_pairs();
-    const Diagnosis d = diagnose(document, exposed(document, 0.85f, {200, 150}), options);
-    CHECK(d.verdict == Verdict::NoMistake);
-    CHECK(d.display.change.gain == Approx(0.85).epsilon(0.01));
-    const SceneDocument sun = shipped("sun.json");
-    SceneDocument flipped = sun;
-    flipped.scene.shading.mistakes.some_faces_flipped = true;
-    const Diagnosis one = diagnose(sun, exposed(flipped, 0.85f, {200, 150}), options);
-    REQUIRE(one.verdict == Verdict::Mistake);
-    CHECK(name_of(one.candidates[0].mistakes) == "some_faces_flipped");
-}
-
 TEST_CASE("a mistake that changes nothing alone is found beside one that brings it out", "[diagnose]") {
     SceneDocument document = diagnosed_scene(2);
     for (Object& object : document.scene.objects) object.material.specular = glm::vec3(0);
