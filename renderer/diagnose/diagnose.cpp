@@ -79,11 +79,12 @@ int spread_of(const Picture& picture) {
     return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
-/// Whether the picture has one colour, which many mistakes give and a program that draws nothing, and the
-/// right one has not.
-bool shows_nothing(const Picture& wrong, const Picture& right) {
-    constexpr int rounding = 1, clearly = 8;
-    return spread_of(wrong) <= rounding && spread_of(right) > clearly;
+/// Whether the picture has one colour but for so many levels, which many mistakes give and a program that
+/// draws nothing, and the right one has not.
+bool is_of_one_colour(const Picture& wrong, const Picture& right, float room) {
+    constexpr float rounding = 1, clearly = 8;
+    return static_cast<float>(spread_of(wrong)) <= rounding + room &&
+           static_cast<float>(spread_of(right)) > clearly;
 }
 
 /// The mean colours of its squares of 8 x 8 pixels: of noise of single pixels hardly anything is left in
@@ -103,13 +104,6 @@ Picture means_of_squares(const Picture& picture) {
     return means;
 }
 
-/// Whether nothing but noise of so many levels tells the picture from one of a single colour.
-bool shows_noise_alone(const Picture& wrong, const Picture& right, float noise) {
-    constexpr float rounding = 1, clearly = 8;
-    return static_cast<float>(spread_of(means_of_squares(wrong))) <= rounding + 1.5f * noise &&
-           static_cast<float>(spread_of(right)) > clearly;
-}
-
 Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, const DiagnosisOptions& options) {
     Diagnosis d;
     d.size = wrong.size;
@@ -123,7 +117,7 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
         d.why = "the scene shows no surface of some size in a picture of this size";
         return d;
     }
-    if (shows_nothing(wrong, right)) {
+    if (is_of_one_colour(wrong, right, 0)) {
         d.why = fmt::format("it is of one colour, ({}, {}, {}): nothing is drawn, or nothing lit",
                             wrong.rgba[0], wrong.rgba[1], wrong.rgba[2]);
         return d;
@@ -141,7 +135,7 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
             noise, most_noise);
         return d;
     }
-    if (shows_noise_alone(wrong, right, noise)) {
+    if (is_of_one_colour(means_of_squares(wrong), right, 1.5f * noise)) {
         d.why = fmt::format("it is of one colour but for noise of about {:.0f} levels", noise);
         return d;
     }

@@ -58,7 +58,8 @@ class QuickerBuild {
         const std::size_t output = build.find(" -o "), source = build.find(" main.c");
         const std::string compile = build.substr(0, output);
         std::string included;
-        if (is_cpp) included = " -include " + precompiled(headers, at->second, compile, folder);
+        if (is_cpp)
+            included = " -fpch-preprocess -include " + precompiled(headers, at->second, compile, folder);
         const std::size_t libraries = std::min(build.find(' ', source + 1), build.size());
         return kept + compile + included + " -c -o main.o" + build.substr(source, libraries - source) +
                " && " + compile + " -fuse-ld=gold" + build.substr(output, source - output) + " main.o" +
@@ -70,7 +71,7 @@ class QuickerBuild {
     /// `compile`.
     std::string precompiled(const std::string& headers, std::size_t number, const std::string& compile,
                             const TemporaryDirectory& folder) {
-        const std::string name = "headers" + std::to_string(number) + ".h";
+        std::string name = "headers" + std::to_string(number) + ".h";
         if (!std::filesystem::exists(folder_.path(name + ".gch"))) {
             (void)folder_.file(name, headers);
             std::string said;
@@ -79,7 +80,7 @@ class QuickerBuild {
         }
         for (const std::string& file : {name, name + ".gch"})
             std::filesystem::create_symlink(folder_.path(file), folder.path(file));
-        return name + " -fpch-preprocess";
+        return name;
     }
 
     // What ccache must pass over so as to take a precompiled header.

@@ -115,7 +115,7 @@ void verdict(const Diagnosis& d, const Scene& scene) {
 void offer_pairs(MyPictureState& mine) {
     if (!why_no_pairs(mine).empty()) return;
     if (ImGui::Button("Look for two at once")) ask_for_pairs(mine);
-    tooltip("Look for two mistakes at once", "Every two of the catalogue are tried: some seconds");
+    tooltip("Look for two mistakes at once", "Every two of the catalogue are tried: a second or two");
 }
 
 /// Draws a candidate's small picture and its words, in rows as high as they need.
