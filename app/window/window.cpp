@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -152,6 +153,8 @@ void run_window(const WindowOptions& options) {
     const int signal = signals->number();
     // Where the window was closed all is answered: what is not saved was not to be.
     const bool kept = signal != 0 && keep_unsaved_work(state);
+    if (signal != 0 && !kept && state.editor.unsaved())
+        (void)std::fputs("glint: error: no copy of the unsaved work could be kept\n", stderr);
     end_persistence(state, kept);
     leave_lesson(state);
     signals.reset();

@@ -211,12 +211,21 @@ Result<std::monostate> write_file_at_once(const std::string& path, std::string_v
 
 bool is_standard_output(const std::string& path) { return descriptor_named(path) == STDOUT_FILENO; }
 
+/// Why a directory will not let the file be replaced: an errno, or 0.
+static int why_not_replaceable(const Target& target) {
+    const std::string directory = directory_of_target(target.path);
+    if (::access(directory.c_str(), W_OK | X_OK) != 0) return errno;
+    struct stat status {};
+    if (!target.old || ::geteuid() == 0 || ::stat(directory.c_str(), &status) != 0) return 0;
+    // In a sticky one, such as /tmp, only the owner of the file or of the directory may (rename(2)).
+    const bool sticky = (status.st_mode & S_ISVTX) != 0;
+    return sticky && target.old->st_uid != ::geteuid() && status.st_uid != ::geteuid() ? EPERM : 0;
+}
+
 std::optional<Problem> why_not_writable(const std::string& path) {
     const Target target = target_of(path);
     int error = target.error;
-    if (error == 0 && !target.straight) {
-        if (::access(directory_of_target(target.path).c_str(), W_OK | X_OK) != 0) error = errno;
-    }
+    if (error == 0 && !target.straight) error = why_not_replaceable(target);
     if (error != 0) return cannot_write(path, error);
     return std::nullopt;
 }

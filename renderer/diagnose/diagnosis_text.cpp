@@ -84,8 +84,9 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
         const DifferenceTerm& t = d.terms.front();
         const std::string light =
             t.light < 0 ? "" : " of " + on_one_line(scene.lights[static_cast<std::size_t>(t.light)].name);
+        const double factor = std::round(100 * t.factor) / 100 + 0.0;  // never "-0.00"
         text += fmt::format("It goes with {}{}, as if that were multiplied by {:.2f} ({:.0f} % of it).\n",
-                            t.term == "all" ? "all light" : "the " + t.term + " term", light, t.factor,
+                            t.term == "all" ? "all light" : "the " + t.term + " term", light, factor,
                             100 * t.explained);
     }
     if (!d.candidates.empty())

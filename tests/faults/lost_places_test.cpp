@@ -112,10 +112,37 @@ TEST_CASE("where the folder has gone the work is kept", "[faults][ui]") {
     bench.check_nothing_is_lost("no such file or directory");
 }
 
-TEST_CASE("where the folder of copies has gone, that is said once, and copies go on when it is back",
+TEST_CASE("where the folder of copies has gone it is made again, with the copy and what is remembered",
           "[faults][ui]") {
     Edited bench;
     fs::remove_all(bench.state_folder);
+    bench.state.persistence.autosaved_at = -1e9;
+    bench.scene().lights[0].intensity = 8;
+    bench.frames(3);
+    while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
+    CHECK(bench.state.notifications.list.empty());
+    CHECK(fs::status(bench.state_folder).permissions() == fs::perms::owner_all);
+    CHECK(orphaned_autosaves(bench.state_folder).empty());  // another window takes it for no left one
+    bench.state.persistence.autosave.reset();
+    {
+        const auto left = orphaned_autosaves(bench.state_folder);
+        REQUIRE(left.size() == 1);
+        CHECK(std::get<SceneDocument>(open_autosave(left[0].lock.path())).scene.lights[0].intensity == 8);
+    }
+    fs::remove_all(bench.state_folder);
+    bench.state.dark = !bench.state.dark;
+    bench.frames(1);
+    end_persistence(bench.state);
+    CHECK(fs::exists(bench.state_folder + "/window.json"));
+}
+
+TEST_CASE(
+    "where a file has taken the place of the folder of copies, that is said once, and copies go on without "
+    "it",
+    "[faults][ui]") {
+    Edited bench;
+    fs::remove_all(bench.state_folder);
+    (void)bench.folder.file("state", "");
     for (int i = 0; i < 3; ++i) {
         bench.state.persistence.autosaved_at = -1e9;
         bench.scene().lights[0].intensity = 8 + float(i);
@@ -125,7 +152,7 @@ TEST_CASE("where the folder of copies has gone, that is said once, and copies go
     }
     REQUIRE(bench.state.notifications.list.size() == 1);
     CHECK(bench.state.notifications.list[0].text.starts_with("No copy of the unsaved work can be kept: "));
-    fs::create_directory(bench.state_folder);
+    fs::remove(bench.state_folder);
     bench.state.persistence.autosaved_at = -1e9;
     bench.scene().lights[0].intensity = 12;
     bench.frames(3);

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -106,6 +107,14 @@ class HeadlessWindow {
         set_parts(state.views.compare.choice, std::move(parts));
         (void)key(Key::C);
         frames(2);
+    }
+
+    /// How many notifications have these words.
+    [[nodiscard]] std::size_t notes_with(const std::string& words) const {
+        const auto& list = state.notifications.list;
+        return std::size_t(std::count_if(list.begin(), list.end(), [&words](const Notification& note) {
+            return note.text.find(words) != std::string::npos;
+        }));
     }
 
     /// Frames until nothing is being loaded any more.

@@ -114,8 +114,12 @@ void answer_copy(UiState& state, CopyAnswer answer) {
     auto& left = state.persistence.orphans;
     if (answer == CopyAnswer::Recover)
         return begin_pending(state, Pending::What::Recover, left.front().lock.path());
+    const std::string copy = left.front().lock.path();
     std::error_code failed;
-    if (answer == CopyAnswer::Discard) std::filesystem::remove(left.front().lock.path(), failed);
+    if (answer == CopyAnswer::Discard) std::filesystem::remove(copy, failed);
+    if (failed)
+        state.notifications.add(
+            Problem{copy, "", "cannot be removed: " + failed.message(), "a folder of your own"});
     left.erase(left.begin());
 }
 

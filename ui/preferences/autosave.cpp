@@ -38,9 +38,11 @@ std::string time_words(std::time_t when) {
     std::tm then{}, today{};
     ::localtime_r(&when, &then);
     ::localtime_r(&now, &today);
-    const bool same_day = then.tm_year == today.tm_year && then.tm_yday == today.tm_yday;
+    const bool same_year = then.tm_year == today.tm_year;
+    const bool same_day = same_year && then.tm_yday == today.tm_yday;
+    const char* const words = same_day ? "%H:%M" : same_year ? "%e %B, %H:%M" : "%e %B %Y, %H:%M";
     char text[64];
-    return {text, std::strftime(text, sizeof text, same_day ? "%H:%M" : "%e %B, %H:%M", &then)};
+    return {text, std::strftime(text, sizeof text, words, &then)};
 }
 
 struct Copy {
@@ -61,24 +63,46 @@ std::optional<Copy> read_copy(const std::string& path) {
                 stamped ? stamp_of(stamp->string()).value_or(FileStamp{}) : FileStamp{}};
 }
 
+/// Whether the file of this descriptor still has this name.
+bool is_named(int descriptor, const std::string& path) {
+    struct stat ours {
+    }, named{};
+    return ::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &named) == 0 &&
+           ours.st_ino == named.st_ino;
+}
+
+/// Takes the lock of an opened file; -1, and it is closed, when another holds it. Whoever held it may have
+/// removed the file between our opening and our locking.
+int locked(int descriptor, const std::string& path) {
+    if (descriptor < 0) return -1;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_named(descriptor, path)) return descriptor;
+    ::close(descriptor);
+    return -1;
+}
+
 }  // namespace
 
 std::optional<AutosaveLock> AutosaveLock::take(const std::string& path) {
     std::optional<AutosaveLock> lock(AutosaveLock{path});  // from here on nothing asks for memory
-    const int descriptor = ::open(lock->lock_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-    if (descriptor < 0) return {};
-    struct stat ours {
-    }, named{};
-    // Whoever held it may have removed the file between our opening and our locking.
-    const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &ours) == 0 &&
-                      ::stat(lock->lock_.c_str(), &named) == 0 && ours.st_ino == named.st_ino;
-    if (held) {
-        lock->descriptor_ = descriptor;
-        return lock;
-    }
-    ::close(descriptor);
-    return {};
+    const int file = ::open(lock->lock_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    lock->descriptor_ = locked(file, lock->lock_);
+    if (lock->descriptor_ < 0) return {};
+    return lock;
 }
+
+std::optional<AutosaveLock> AutosaveLock::take_left(const std::string& path) {
+    const std::string lock_file = lock_path(path);
+    if (::faccessat(AT_FDCWD, directory_of(path).c_str(), W_OK, AT_EACCESS) == 0) return take(path);
+    std::optional<AutosaveLock> lock(AutosaveLock{path});
+    int file = ::open(lock_file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    const bool missing = file < 0 && errno == ENOENT;
+    if (missing) file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    lock->descriptor_ = locked(file, missing ? path : lock_file);
+    if (lock->descriptor_ < 0) return {};
+    return lock;
+}
+
+bool AutosaveLock::stands() const { return is_named(descriptor_, lock_); }
 
 AutosaveLock::AutosaveLock(const std::string& path) : path_(path), lock_(lock_path(path)) {}
 
@@ -151,7 +175,7 @@ std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder) {
         const std::string path = entry.string();
         remove_left_lock(entry);
         if (entry.extension() != ending || fs::is_symlink(entry, failed)) continue;
-        auto lock = AutosaveLock::take(path);
+        auto lock = AutosaveLock::take_left(path);
         if (!lock) continue;  // its window lives
         struct stat status {};
         if (::stat(path.c_str(), &status) != 0) continue;

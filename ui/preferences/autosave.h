@@ -16,6 +16,9 @@ class AutosaveLock {
   public:
     /// Takes the lock of the copy `path`, making its file; nothing when another holds it.
     [[nodiscard]] static std::optional<AutosaveLock> take(const std::string& path);
+    /// Likewise for a copy that is there. In a folder that cannot be written no lock that is missing can be
+    /// another's, so the copy itself is locked then.
+    [[nodiscard]] static std::optional<AutosaveLock> take_left(const std::string& path);
     AutosaveLock(AutosaveLock&& other) noexcept;
     AutosaveLock& operator=(AutosaveLock&& other) noexcept;
     AutosaveLock(const AutosaveLock&) = delete;
@@ -24,6 +27,9 @@ class AutosaveLock {
 
     /// The copy that it is for.
     [[nodiscard]] const std::string& path() const { return path_; }
+    /// Whether the lock's file is still there: without it another window takes the copy for one that was
+    /// left.
+    [[nodiscard]] bool stands() const;
 
   private:
     explicit AutosaveLock(const std::string& path);
@@ -44,7 +50,7 @@ class AutosaveLock {
 struct OrphanedAutosave {
     AutosaveLock lock;
     std::string title;  // of the document: file_title() its path
-    std::string when;   // "14:05", or "3 May, 14:05": when it was written
+    std::string when;   // it was written: "14:05", "3 May, 14:05" or "3 May 2025, 14:05"
 };
 
 /// The copies in `folder` that nobody holds, newest first. What is not a copy is passed over; locks

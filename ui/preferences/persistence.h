@@ -3,6 +3,7 @@
 
 #include <future>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,7 @@ struct Persistence {
     bool autosave_failed = false;           // and the user was told so
     bool told_not_kept = false;             // that what was asked to be kept is not
     std::vector<OrphanedAutosave> orphans;  // by windows that are gone: offered one by one
+    std::set<std::string> offered;          // their paths, of those found at the start
     bool looked_again = false;              // for copies, a moment after the start
 
     /// The path of a file in the folder. Precondition: there is one.
@@ -93,6 +95,9 @@ struct Persistence {
 /// Source: XDG Base Directory Specification 0.8 (a relative path is to be ignored).
 [[nodiscard]] std::string state_folder();
 
+/// Makes the folder if it is not there; why it cannot be used.
+[[nodiscard]] std::optional<Problem> why_no_folder(const std::string& folder);
+
 /// Says once in a window that something which the user counts on cannot be kept: "What is answered".
 void tell_not_kept(UiState& state, const std::string& what, const Problem& why);
 /// Whether there is a folder to keep something in that the user counts on; where one was asked for and there
@@ -106,19 +111,27 @@ void begin_persistence(UiState& state, const std::string& folder);
 /// Once a frame: saves preferences that have been unchanged for a second, the recent files, and unsaved work.
 void poll_persistence(UiState& state);
 
-/// Removes the copy once the scene is saved or given up, also when the window closes.
-void drop_autosave(UiState& state);
-
 /// Writes at once what would be written later of preferences and recent files. The copy of the unsaved work
 /// goes, unless `keeps_copy`.
 void end_persistence(UiState& state, bool keeps_copy = false);
 
+/// Columns, theme, sizes and views as in a first window; kept views stay.
+void reset_layout(UiState& state);
+
+// The copy of unsaved work (unsaved_work.cpp).
+
+/// Once a frame, where there is a folder: writes the copy, and looks for those of windows that are gone.
+void poll_unsaved_work(UiState& state);
+
+/// Says that there can be no copy, once until one could be written again.
+void tell_no_copy(UiState& state, const Problem& problem);
+
+/// Removes the copy once the scene is saved or given up, also when the window closes.
+void drop_autosave(UiState& state);
+
 /// Writes the copy of the unsaved work, if there is any, for a window that cannot go on. Returns true if
 /// there is a copy for the next window to offer.
 bool keep_unsaved_work(UiState& state);
-
-/// Columns, theme, sizes and views as in a first window; kept views stay.
-void reset_layout(UiState& state);
 
 /// The copy that a window left behind and that is in hand now becomes this window's own.
 void keep_orphan(UiState& state, const std::string& path);

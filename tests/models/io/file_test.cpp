@@ -263,6 +263,30 @@ TEST_CASE("where the group cannot be kept nobody may do more than before", "[fil
     }
 }
 
+TEST_CASE("that a sticky directory keeps another's file is known beforehand", "[file]") {
+    if (::geteuid() != 0) return;  // only root may become somebody
+    constexpr uid_t owner = 4242, us = 4343;
+    const Place place;
+    for (const auto& [mode, file_of, kept] :
+         {std::tuple<mode_t, uid_t, bool>{01777, owner, true}, {01777, us, false}, {0777, owner, false}}) {
+        const std::string file = place / "a";
+        REQUIRE(problem_of(write_file(file, "old")) == nullptr);
+        REQUIRE(::chown(file.c_str(), file_of, file_of) == 0);
+        REQUIRE(::chmod(file.c_str(), 0666) == 0);
+        REQUIRE(::chmod(place.path.c_str(), mode) == 0);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            if (::setgroups(0, nullptr) != 0 || ::setgid(us) != 0 || ::setuid(us) != 0) ::_exit(9);
+            const bool foreseen = why_not_writable(file).has_value();
+            const bool refused = problem_of(write_file(file, "new")) != nullptr;
+            ::_exit((foreseen ? 1 : 0) + (refused ? 2 : 0));
+        }
+        int status = -1;
+        REQUIRE(::waitpid(child, &status, 0) == child);
+        CHECK(WEXITSTATUS(status) == (kept ? 3 : 0));
+    }
+}
+
 TEST_CASE("the directory is put on the disk when the new file is in its place", "[file]") {
     const Place place;
     REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);

@@ -116,12 +116,6 @@ TEST_CASE("a file and a mesh that no thread can load are told of once, and the s
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
-    const auto told = [&bench](const std::string& words) {
-        const auto& list = bench.state.notifications.list;
-        return std::count_if(list.begin(), list.end(), [&words](const Notification& note) {
-            return note.text.find(words) != std::string::npos;
-        });
-    };
     {
         const test::NoThreads none;
         begin_open(bench.state, path);
@@ -129,8 +123,8 @@ TEST_CASE("a file and a mesh that no thread can load are told of once, and the s
         bench.frames(10);
         CHECK_FALSE(bench.state.loading.active());
     }
-    CHECK(told("given.json: no thread can do it") == 1);
-    CHECK(told("no thread can do it") == 2);
+    CHECK(bench.notes_with("given.json: no thread can do it") == 1);
+    CHECK(bench.notes_with("no thread can do it") == 2);
     CHECK(bench.scene() == before);
     begin_open(bench.state, path);
     bench.wait_for_loads();
@@ -197,12 +191,7 @@ TEST_CASE("of a mesh without normals it is said that they are averaged, where it
     (void)bench.frame(drop);
     bench.wait_for_loads();
     bench.frames(2);
-    const auto said = [&bench] {
-        const auto& list = bench.state.notifications.list;
-        return std::any_of(list.begin(), list.end(), [](const Notification& note) {
-            return note.text.find("brings no normals") != std::string::npos;
-        });
-    };
+    const auto said = [&bench] { return bench.notes_with("brings no normals") > 0; };
     CHECK(said());
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, 0});
     const Rect crease = bench.area_of("/objects/0/normals/crease_deg");  // in sight, without scrolling

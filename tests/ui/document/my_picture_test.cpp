@@ -369,12 +369,7 @@ TEST_CASE("where no thread can search it is said once, and again when the scene 
     bench.frames(2);
     const TemporaryDirectory folder;
     bring(bench, folder, flipped_picture(bench));
-    const auto told = [&bench] {
-        const auto& list = bench.state.notifications.list;
-        return std::count_if(list.begin(), list.end(), [](const Notification& note) {
-            return note.text.find("mine.png: no thread can do it") != std::string::npos;
-        });
-    };
+    const auto told = [&bench] { return bench.notes_with("mine.png: no thread can do it"); };
     {
         const test::NoThreads none;
         bench.scene().global_ambient = {1, 1, 1};

@@ -1,0 +1,392 @@
+// The copy of unsaved work: written, offered to the next window, taken up or removed.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+
+#include "models/io/file.h"
+#include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
+#include "tests/support/memory_helpers.h"
+#include "tests/support/program.h"
+#include "tests/support/scenes.h"
+#include "ui/document/document_actions.h"
+#include "ui/document/loading.h"
+#include "ui/preferences/autosave.h"
+#include "ui/preferences/persistence.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+std::size_t copies_in(const TemporaryDirectory& folder) {
+    const auto names = folder.names();
+    return std::size_t(std::count_if(names.begin(), names.end(),
+                                     [](const std::string& name) { return name.ends_with(".autosave"); }));
+}
+
+/// Edits until a copy is there.
+void edit_and_wait(HeadlessWindow& bench, float intensity) {
+    bench.scene().lights[0].intensity = intensity;
+    bench.frames(3);
+    REQUIRE(bench.state.persistence.autosave.has_value());
+    while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
+}
+
+/// The next copy is written, whatever the time.
+void copy_again(HeadlessWindow& bench, float intensity) {
+    bench.state.persistence.autosaved_at = -1e9;
+    bench.scene().lights[0].intensity = intensity;
+    bench.frames(3);
+    while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
+}
+
+}  // namespace
+
+TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
+    bench.frames(2);
+    edit_and_wait(bench, 0.25f);
+    CHECK(bench.notes_with("No copy") == 0);
+    const std::string copy = bench.state.persistence.autosave->path();
+    std::filesystem::remove(copy);
+    std::filesystem::create_directory(copy);  // not even root writes a file over that
+    copy_again(bench, 0.5f);
+    CHECK(bench.notes_with("No copy") == 1);
+    CHECK(bench.state.persistence.autosaved_scene != bench.scene());
+    bench.state.notifications.list.clear();
+    copy_again(bench, 0.75f);
+    CHECK(bench.notes_with("No copy") == 0);
+    std::filesystem::remove(copy);
+    bench.state.persistence.autosaved_at = -1e9;
+    bench.frames(3);  // nothing was edited
+    while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
+    CHECK(bytes_of(copy).find("0.75") != std::string::npos);
+    std::filesystem::remove(copy);
+    std::filesystem::create_directory(copy);
+    copy_again(bench, 1.5f);
+    CHECK(bench.notes_with("No copy") == 1);
+}
+
+TEST_CASE("a copy that cannot be removed now goes when it can be, and none takes its place", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
+    edit_and_wait(bench, 0.25f);
+    const std::string copy = bench.state.persistence.autosave->path();
+    std::filesystem::remove(copy);
+    std::filesystem::create_directories(copy + "/full");  // not even root removes that at once
+    bench.scene() = bench.state.editor.saved;
+    bench.frames(2);
+    std::filesystem::remove(copy + "/full");
+    bench.frames(2);
+    CHECK_FALSE(std::filesystem::exists(copy));
+    CHECK_FALSE(bench.state.persistence.autosave.has_value());
+    copy_again(bench, 0.5f);
+    std::filesystem::remove(copy);
+    std::filesystem::create_directories(copy + "/full");
+    bench.scene() = bench.state.editor.saved;
+    bench.frames(2);
+    std::filesystem::remove_all(copy);
+    copy_again(bench, 0.75f);
+    CHECK(bytes_of(copy).find("0.75") != std::string::npos);
+    end_persistence(bench.state);
+    CHECK_FALSE(std::filesystem::exists(copy));
+}
+
+TEST_CASE("a copy that no thread can write is said once, and tried again", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
+    bench.frames(2);
+    edit_and_wait(bench, 0.25f);
+    {
+        const test::NoThreads none;
+        copy_again(bench, 0.6875f);
+        CHECK(bench.notes_with("No copy") == 1);
+        bench.state.persistence.autosaved_at = -1e9;
+        bench.frames(3);
+    }
+    CHECK(bench.notes_with("") == 1);
+    bench.state.persistence.autosaved_at = -1e9;
+    bench.frames(3);  // nothing was edited
+    while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
+    CHECK(bytes_of(bench.state.persistence.autosave->path()).find("0.6875") != std::string::npos);
+}
+
+TEST_CASE("that no folder for a copy can be made is said too", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
+    std::filesystem::remove_all(folder.path("state"));
+    (void)folder.file("state", "a file in its place");
+    bench.frames(2);
+    copy_again(bench, 0.25f);
+    CHECK(bench.notes_with("No copy") == 1);
+}
+
+TEST_CASE("a window that cannot go on leaves its newest work behind", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path(""));
+    bench.frames(2);
+    CHECK_FALSE(keep_unsaved_work(bench.state));  // nothing is unsaved
+    CHECK(copies_in(folder) == 0);
+    edit_and_wait(bench, 0.25f);
+    bench.scene().lights[0].intensity = 0.625f;  // no copy is due for 5 seconds
+    bench.frames(3);
+    CHECK(bytes_of(bench.state.persistence.autosave->path()).find("0.625") == std::string::npos);
+    CHECK(keep_unsaved_work(bench.state));
+    CHECK(bytes_of(bench.state.persistence.autosave->path()).find("0.625") != std::string::npos);
+}
+
+TEST_CASE("unsaved work is copied, found after a crash and taken up, and no window takes another's",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    Scene left;
+    {
+        HeadlessWindow crashes;
+        begin_persistence(crashes.state, folder.path(""));
+        crashes.frames(2);
+        CHECK(copies_in(folder) == 0);
+        edit_and_wait(crashes, 0.25f);
+        CHECK(copies_in(folder) == 1);
+        left = crashes.scene();
+        CHECK(orphaned_autosaves(folder.path("")).empty());  // it lives
+    }
+    REQUIRE(copies_in(folder) == 1);
+    HeadlessWindow next;
+    begin_persistence(next.state, folder.path(""));
+    REQUIRE(next.state.persistence.orphans.size() == 1);
+    CHECK(next.state.persistence.orphans[0].title == "New scene");
+    CHECK(orphaned_autosaves(folder.path("")).empty());  // it is offered to one window only
+    next.frames(2);
+    recover_autosave(next.state, next.state.persistence.orphans[0].lock.path());
+    next.wait_for_loads();
+    next.frames(2);
+    CHECK(same_description(next.scene(), left));
+    CHECK(next.state.editor.unsaved());
+    CHECK(copies_in(folder) == 1);           // still kept, until it is saved
+    next.state.editor.saved = next.scene();  // as saving does it
+    next.state.editor.saved_edited_camera = next.scene().camera;
+    next.frames(2);
+    CHECK(copies_in(folder) == 0);
+}
+
+TEST_CASE("a copy of which only the camera was edited is unsaved work, and stays until it is saved",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    SceneDocument document = first_scene();
+    document.path = folder.file("seen.json", scene_text(document.scene));
+    {
+        HeadlessWindow crashes;
+        begin_persistence(crashes.state, folder.path("state"));
+        crashes.frames(2);
+        take_document(crashes.state.editor, document);
+        crashes.frames(2);
+        crashes.state.editor.edits_camera = true;  // as columns.cpp says it
+        crashes.scene().camera.eye.z += 1;
+        crashes.frames(3);
+        REQUIRE(keep_unsaved_work(crashes.state));
+    }
+    HeadlessWindow next;
+    begin_persistence(next.state, folder.path("state"));
+    REQUIRE(next.state.persistence.orphans.size() == 1);
+    const std::string copy = next.state.persistence.orphans[0].lock.path();
+    recover_autosave(next.state, copy);
+    next.wait_for_loads();
+    next.frames(3);
+    CHECK(next.scene().camera.eye.z == document.scene.camera.eye.z + 1);
+    CHECK(next.state.editor.unsaved());
+    CHECK(std::filesystem::exists(copy));
+}
+
+TEST_CASE("of copies that were left the newest stands first", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const auto leave = [&folder](const std::string& name, int hours_ago) {
+        const std::string copy =
+            folder.file(name + ".autosave", "{\"path\": \"/" + name + ".json\", \"scene\": {\"glint\": 1}}");
+        std::filesystem::last_write_time(
+            copy, std::filesystem::file_time_type::clock::now() - std::chrono::hours(hours_ago));
+    };
+    leave("middle", 2);
+    leave("newest", 1);
+    leave("oldest", 3);
+    std::vector<std::string> titles;
+    for (const OrphanedAutosave& copy : orphaned_autosaves(folder.path(""))) titles.push_back(copy.title);
+    CHECK(titles == std::vector<std::string>{"newest.json", "middle.json", "oldest.json"});
+}
+
+TEST_CASE("a copy is loaded aside like any other file, and one that is cancelled is offered again",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    {
+        HeadlessWindow crashes;
+        begin_persistence(crashes.state, folder.path(""));
+        edit_and_wait(crashes, 0.25f);
+    }
+    HeadlessWindow next;
+    begin_persistence(next.state, folder.path(""));
+    next.frames(2);
+    const Scene before = next.scene();
+    const std::string copy = next.state.persistence.orphans.at(0).lock.path();
+    recover_autosave(next.state, copy);
+    CHECK(next.state.loading.active());
+    CHECK(next.scene() == before);
+    CHECK_FALSE(next.state.editor.unsaved());
+    next.key(Key::Escape);
+    next.frames(3);
+    CHECK_FALSE(next.state.loading.active());
+    CHECK(next.scene() == before);
+    REQUIRE(next.state.persistence.orphans.size() == 1);
+    recover_autosave(next.state, copy);
+    next.scene().shading.mode = ShadingMode::Flat;  // work that is not thrown away unasked
+    next.wait_for_loads();
+    REQUIRE(next.state.pending.asking);
+    CHECK(next.scene().shading.mode == ShadingMode::Flat);
+    finish_pending(next.state);
+    next.frames(2);
+    CHECK(next.scene().lights[0].intensity == 0.25f);
+    CHECK(next.scene().shading.mode == before.shading.mode);
+    CHECK(next.state.editor.unsaved());
+    CHECK(next.state.persistence.orphans.empty());
+    CHECK(copies_in(folder) == 1);
+}
+
+TEST_CASE("a copy whose window was just being killed when this one began is offered a moment later",
+          "[ui][memory]") {
+    const TemporaryDirectory folder;
+    auto dying = new_autosave(folder.path(""));
+    REQUIRE(dying.has_value());
+    const std::string copy = dying->path();
+    REQUIRE(problem_of(write_file(copy, autosave_text(first_scene(), folder.path("")))) == nullptr);
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path(""));
+    bench.frames(1);
+    CHECK(bench.state.persistence.orphans.empty());
+    dying.reset();
+    while (ImGui::GetTime() < 3) bench.frames(1);
+    REQUIRE(bench.state.persistence.orphans.size() == 1);
+    CHECK(bench.state.persistence.orphans[0].lock.path() == copy);
+}
+
+TEST_CASE("a copy is offered by name and time, and no second time after an answer", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const std::string copy = folder.file("1-0.autosave", autosave_text(first_scene(), folder.path("")));
+    // Noon of 29 February 2024, in the time zone of wherever this runs.
+    std::tm noon{};
+    noon.tm_year = 124, noon.tm_mon = 1, noon.tm_mday = 29, noon.tm_hour = 12, noon.tm_isdst = -1;
+    const timespec then[2]{{std::mktime(&noon), 0}, {std::mktime(&noon), 0}};
+    REQUIRE(::utimensat(AT_FDCWD, copy.c_str(), then, 0) == 0);
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path(""));
+    bench.frames(1);
+    REQUIRE(bench.state.persistence.orphans.size() == 1);
+    CHECK(bench.state.persistence.orphans[0].when == "29 February 2024, 12:00");
+    answer_copy(bench.state, CopyAnswer::NotNow);
+    while (ImGui::GetTime() < 3) bench.frames(1);
+    CHECK(bench.state.persistence.orphans.empty());
+    CHECK(copies_in(folder) == 1);
+}
+
+TEST_CASE(
+    "a copy in a folder that cannot be written any more is offered, and one that cannot be removed is named",
+    "[ui][memory]") {
+    const TemporaryDirectory folder;
+    const bool with_lock = GENERATE(false, true);
+    const std::string copy = folder.file("1-0.autosave", autosave_text(first_scene(), folder.path("")));
+    if (with_lock) (void)folder.file("1-0.autosave.lock", "");
+    REQUIRE(::chmod(folder.path().c_str(), 0555) == 0);
+    const uid_t us = ::geteuid();
+    constexpr uid_t somebody = 4242;
+    if (us == 0) REQUIRE(::seteuid(somebody) == 0);  // root may write anywhere
+    {
+        HeadlessWindow bench;
+        begin_persistence(bench.state, folder.path(""));
+        bench.frames(1);
+        CHECK(orphaned_autosaves(folder.path("")).empty());  // it is offered to one window only
+        REQUIRE(bench.state.persistence.orphans.size() == 1);
+        answer_copy(bench.state, CopyAnswer::Discard);
+        REQUIRE(bench.state.notifications.list.size() == 1);
+        CHECK(bench.state.notifications.list[0].text ==
+              copy + ": cannot be removed: Permission denied; expected a folder of your own");
+        CHECK(bench.state.persistence.orphans.empty());
+    }
+    if (us == 0) REQUIRE(::seteuid(0) == 0);
+    REQUIRE(::chmod(folder.path().c_str(), 0755) == 0);
+    CHECK(copies_in(folder) == 1);
+}
+
+TEST_CASE("two windows keep two copies, and a window that is closed takes its own away", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    auto first = std::make_unique<UiState>(1);
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path(""));
+    edit_and_wait(bench, 0.25f);
+    auto other = new_autosave(folder.path(""));
+    REQUIRE(other.has_value());
+    CHECK(other->path() != bench.state.persistence.autosave->path());
+    CHECK(problem_of(write_file(other->path(), autosave_text(first_scene(), folder.path("")))) == nullptr);
+    CHECK(copies_in(folder) == 2);
+    end_persistence(bench.state);
+    CHECK(copies_in(folder) == 1);
+    CHECK(orphaned_autosaves(folder.path("")).empty());
+    other.reset();
+    CHECK(orphaned_autosaves(folder.path("")).size() == 1);
+}
+
+TEST_CASE("a copy finds its meshes, wherever the scene stands", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    std::filesystem::create_directories(folder.path("work/meshes"));
+    (void)folder.file("work/meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    Scene scene = test::busy_scene();
+    scene.objects.resize(1);
+    scene.objects[0].source = MeshFile{"meshes/t.obj"};
+    const std::string path = folder.file("work/scene.json", scene_text(scene));
+    const auto opened = open_document(path);
+    REQUIRE(problem_of(opened) == nullptr);
+    const auto& document = std::get<SceneDocument>(opened);
+    const std::string copy = folder.file("1-0.autosave", autosave_text(document, folder.path("")));
+    const auto again = open_autosave(copy);
+    REQUIRE(problem_of(again) == nullptr);
+    CHECK(std::get<SceneDocument>(again).path == path);
+    CHECK(std::get<SceneDocument>(again).scene.objects[0].mesh->face_count() == 1);
+}
+
+TEST_CASE("a copy knows its file's name byte for byte", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    SceneDocument document = first_scene();
+    for (const char* const name : {"n\xff.json", "B\u00e4lle.json"}) {
+        document.path = folder.path(name);
+        const auto again =
+            open_autosave(folder.file("1-0.autosave", autosave_text(document, folder.path(""))));
+        REQUIRE(problem_of(again) == nullptr);
+        CHECK(std::get<SceneDocument>(again).path == document.path);
+    }
+}
+
+TEST_CASE("what is not a copy is passed over", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    (void)folder.file("a.autosave", "");
+    (void)folder.file("b.autosave", "{\"path\": 5, \"scene\": {}}");
+    (void)folder.file("c.autosave", std::string(100'000, '['));
+    std::filesystem::create_directories(folder.path("d.autosave"));
+    CHECK(orphaned_autosaves(folder.path("")).empty());
+    // Nested so deep that whatever calls itself once a level would end the program.
+    const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+    (void)folder.file("f.autosave", R"({"path": "", "scene": {"lights": )" + deep + "}}");
+    CHECK(orphaned_autosaves(folder.path("")).empty());
+    CHECK(problem_of(open_autosave(folder.path("f.autosave"))) != nullptr);
+    const std::string less_deep = std::string(32'000, '[') + std::string(32'000, ']');
+    CHECK(read_preferences(R"({"height": 9, "view": {"kept_views": [)" + less_deep + "]}}") == Preferences());
+    CHECK(read_recent_files(less_deep).empty());
+    const std::string bad = folder.file("e.autosave", R"({"path": "", "scene": {"glint": 1, "lights": 3}})");
+    CHECK(orphaned_autosaves(folder.path("")).size() == 1);
+    CHECK(problem_of(open_autosave(bad)) != nullptr);
+}
