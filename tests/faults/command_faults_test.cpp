@@ -35,9 +35,10 @@ void fail_in_turn(Kind kind, long most) {
         if (kind == Kind::Memory && command.name == "render exr") continue;
         const Made right = made_by(command);
         const long count = count_of(calls_of(command), kind);
+        FailingProgram program(command);
         for (const long number : numbers(count, most))
             for (const long in_a_row : {1L, LONG_MAX}) {
-                const std::string wrong = wrong_end(command, {kind, number, in_a_row, 0}, right);
+                const std::string wrong = program.wrong_end({kind, number, in_a_row, 0}, right);
                 CHECK(wrong == "");
             }
     }
@@ -83,8 +84,9 @@ TEST_CASE("an OpenEXR file that is not whole is not said to be done", "[faults][
     const Command& command = room.commands.back();
     const Made right = made_by(command);
     const long count = count_of(calls_of(command), Kind::Memory);
+    FailingProgram program(command);
     for (long number = count - 88; number < count; ++number)
-        CHECK(wrong_end(command, {Kind::Memory, number, 1, 0}, right) == "");
+        CHECK(program.wrong_end({Kind::Memory, number, 1, 0}, right) == "");
 }
 
 TEST_CASE("a file is on the disk before it takes the old one's place, and its name after", "[faults]") {

@@ -1,7 +1,8 @@
 // A library to be loaded before the C library (LD_PRELOAD) or linked to before it. In the environment:
 // GLINT_FAULT="KIND FIRST COUNT ERRNO" is what fails, GLINT_FAULT_LOG=FILE gets a line for each call that
 // touches files ("rename FROM TO", "fsync DESCRIPTOR PATH") and at the end one for each kind ("calls KIND
-// N").
+// N"). GLINT_FAULT_SOCKET=DESCRIPTOR is where faults are asked for one after another, in that form: each time
+// a copy of the process goes on with its main(), and how it ended is answered, as wait() tells it.
 #include "tests/faults/failing_calls.h"
 
 #include <dirent.h>
@@ -9,8 +10,10 @@
 #include <fcntl.h>
 #include <pthread.h>
 #include <sys/file.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -96,10 +99,41 @@ void read_environment() {
     fault = read;
 }
 
+/// Empties the file that standard output or standard error goes to.
+void empty(int descriptor) {
+    (void)!::ftruncate(descriptor, 0);
+    (void)::lseek(descriptor, 0, SEEK_SET);
+}
+
+/// Returns in a copy of the process for each fault that is asked for. This one ends when nobody asks any
+/// more.
+void serve(int socket) {
+    constexpr unsigned longest_run_s = 10;
+    char asked[128];
+    for (ssize_t length; (length = ::recv(socket, asked, sizeof asked - 1, 0)) > 0;) {
+        asked[length] = 0;
+        const pid_t copy = ::fork();
+        if (copy == 0) {
+            ::setenv("GLINT_FAULT", asked, 1);
+            empty(STDOUT_FILENO);
+            empty(STDERR_FILENO);
+            (void)::close(socket);
+            ::alarm(longest_run_s);
+            return;
+        }
+        int status = 0;
+        ::waitpid(copy, &status, 0);
+        (void)::send(socket, &status, sizeof status, 0);
+    }
+    ::_exit(0);
+}
+
 int (*main_of_program)(int, char**, char**) = nullptr;
 
 // main() may have another type than the C library gives it.
 __attribute__((no_sanitize("undefined"))) int counted_main(int count, char** arguments, char** environment) {
+    if (const char* const socket = std::getenv("GLINT_FAULT_SOCKET"))
+        serve(std::atoi(socket));  // NOLINT(cert-err34-c)
     read_environment();
     is_on = true;
     return main_of_program(count, arguments, environment);
@@ -142,7 +176,9 @@ int __libc_start_main(int (*main)(int, char**, char**), int count, char** argume
                       void (*fini)(), void (*linker_fini)(), void* stack_end) {
     using Start = int(int (*)(int, char**, char**), int, char**, void (*)(), void (*)(), void (*)(), void*);
     glint::faults::main_of_program = main;
-    const bool asked = std::getenv("GLINT_FAULT") != nullptr || std::getenv("GLINT_FAULT_LOG") != nullptr;
+    bool asked = false;
+    for (const char* const name : {"GLINT_FAULT", "GLINT_FAULT_LOG", "GLINT_FAULT_SOCKET"})
+        asked |= std::getenv(name) != nullptr;
     return real<Start>("__libc_start_main")(asked ? glint::faults::counted_main : main, count, arguments,
                                             init, fini, linker_fini, stack_end);
 }

@@ -2,15 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 namespace glint::faults {
 namespace {
@@ -38,11 +41,11 @@ void send_to(int descriptor, const std::string& path) {
     ::close(file);
 }
 
-/// Turns the child process into the program.
-[[noreturn]] void become(const Command& command, const std::string& fault, const TemporaryDirectory& notes) {
+/// Turns the child process into the program. `told`: what the environment is to say beside what was there.
+[[noreturn]] void become(const Command& command, const TemporaryDirectory& notes,
+                         const std::vector<std::pair<std::string, std::string>>& told) {
     if (*GLINT_FAILING_CALLS != 0) ::setenv("LD_PRELOAD", GLINT_FAILING_CALLS, 1);
-    ::setenv("GLINT_FAULT", fault.c_str(), 1);
-    ::setenv("GLINT_FAULT_LOG", notes.path("calls").c_str(), 1);
+    for (const auto& [name, value] : told) ::setenv(name.c_str(), value.c_str(), 1);
     for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY"}) ::unsetenv(name);
     send_to(STDOUT_FILENO, notes.path("out"));
     send_to(STDERR_FILENO, notes.path("err"));
@@ -50,7 +53,6 @@ void send_to(int descriptor, const std::string& path) {
     for (const std::string& argument : command.arguments)
         arguments.push_back(const_cast<char*>(argument.c_str()));  // NOLINT
     arguments.push_back(nullptr);
-    ::alarm(longest_run_s);
     ::execv(GLINT_FAILING_PROGRAM, arguments.data());
     ::_exit(127);
 }
@@ -61,14 +63,22 @@ std::string without_times(std::string out) {
     return at == std::string::npos ? out : out.erase(at, out.find('\n', at) - at);
 }
 
+/// How it ended, by what wait() says, and what it said.
+Ended ended(int status, const TemporaryDirectory& notes) {
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            without_times(bytes_of(notes.path("out"))), bytes_of(notes.path("err"))};
+}
+
 Ended run(const Command& command, const std::string& fault, const TemporaryDirectory& notes) {
     put_old_file(command);
     const pid_t child = ::fork();
-    if (child == 0) become(command, fault, notes);
+    if (child == 0) {
+        ::alarm(longest_run_s);
+        become(command, notes, {{"GLINT_FAULT", fault}, {"GLINT_FAULT_LOG", notes.path("calls")}});
+    }
     int status = 0;
     ::waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-            without_times(bytes_of(notes.path("out"))), bytes_of(notes.path("err"))};
+    return ended(status, notes);
 }
 
 std::string text_of(const Fault& fault) {
@@ -121,18 +131,42 @@ Made made_by(const Command& command) {
     return {ended.out, command.out.empty() ? "" : bytes_of(command.out)};
 }
 
-std::string wrong_end(const Command& command, const Fault& fault, const Made& right) {
-    const TemporaryDirectory notes;
-    const Ended ended = run(command, text_of(fault), notes);
-    const Made made{ended.out, command.out.empty() ? "" : bytes_of(command.out)};
+FailingProgram::FailingProgram(Command command) : command_(std::move(command)) {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return;
+    socket_ = ends[0];
+    process_ = ::fork();
+    if (process_ == 0) {
+        const int kept = ::dup(ends[1]);  // over exec
+        become(command_, notes_, {{"GLINT_FAULT_SOCKET", std::to_string(kept)}});
+    }
+    ::close(ends[1]);
+}
+
+FailingProgram::~FailingProgram() {
+    ::close(socket_);  // which ends it
+    ::waitpid(process_, nullptr, 0);
+}
+
+Ended FailingProgram::run(const std::string& fault) {
+    put_old_file(command_);
+    int status = 0;
+    const bool answered = ::send(socket_, fault.data(), fault.size(), MSG_NOSIGNAL) > 0 &&
+                          ::recv(socket_, &status, sizeof status, 0) == sizeof status;
+    return answered ? ended(status, notes_) : Ended{-1, "", "the program was not begun"};
+}
+
+std::string FailingProgram::wrong_end(const Fault& fault, const Made& right) {
+    const Ended ended = run(text_of(fault));
+    const Made made{ended.out, command_.out.empty() ? "" : bytes_of(command_.out)};
     std::string wrong;
     if (ended.status != 0)
-        wrong = wrong_failure(command, ended, right);
+        wrong = wrong_failure(command_, ended, right);
     else if (!(made == right))
         wrong = "says that it is done, and made something else";
-    if (wrong.empty() && fault.kind != Kind::Unlink) wrong = wrong_folder(command);
+    if (wrong.empty() && fault.kind != Kind::Unlink) wrong = wrong_folder(command_);
     if (wrong.empty()) return {};
-    return fmt::format("{}, {}: {}\n{}", command.name, words_of(fault), wrong, ended.err.substr(0, 500));
+    return fmt::format("{}, {}: {}\n{}", command_.name, words_of(fault), wrong, ended.err.substr(0, 500));
 }
 
 std::string error_of(const Command& command, const Fault& fault) {

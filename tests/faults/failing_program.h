@@ -32,10 +32,27 @@ struct Made {
 };
 [[nodiscard]] Made made_by(const Command& command);
 
-/// Runs the command with the fault, over an old file. Empty when it ended as it may: all was made, or one
-/// line on standard error, exit status 1, nothing on standard output, and the file the old or the new one;
-/// and nothing else is in the file's folder. Else what was wrong with it. After ten seconds it hangs.
-[[nodiscard]] std::string wrong_end(const Command& command, const Fault& fault, const Made& right);
+/// A command of the program, begun once up to its main(): each run goes on from there in a copy of that
+/// process.
+class FailingProgram {
+  public:
+    explicit FailingProgram(Command command);
+    ~FailingProgram();
+    FailingProgram(const FailingProgram&) = delete;
+    FailingProgram& operator=(const FailingProgram&) = delete;
+
+    /// Runs it with the fault, over an old file. Empty when it ended as it may: all was made, or one line on
+    /// standard error, exit status 1, nothing on standard output, and the file the old or the new one; and
+    /// nothing else is in the file's folder. Else what was wrong with it. After ten seconds it hangs.
+    [[nodiscard]] std::string wrong_end(const Fault& fault, const Made& right);
+
+  private:
+    [[nodiscard]] Ended run(const std::string& fault);
+
+    Command command_;
+    TemporaryDirectory notes_;
+    int socket_ = -1, process_ = -1;
+};
 
 /// What the command says on standard error with that fault.
 [[nodiscard]] std::string error_of(const Command& command, const Fault& fault);

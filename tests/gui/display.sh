@@ -82,19 +82,28 @@ recover_and_save() {
     within 10 saved "$1" || fail "what was taken up is not what is saved"
 }
 
-# What all threads of the window have used of a processor, in nanoseconds, and how many of them want one now.
-used_time() { cat /proc/"$glint_pid"/task/*/schedstat 2>/dev/null | awk '{ used += $1 } END { print used }'; }
-running_threads() { grep -l '^State:.R' /proc/"$glint_pid"/task/*/status 2>/dev/null | wc -l; }
+# Sets `used` to what all threads of the window have used of a processor, in nanoseconds, and `running` to how many of them
+# want one now. Begins no process: it is asked many times a second.
+look_at_threads() {
+    local task time state rest
+    used=0 running=0
+    for task in /proc/"$glint_pid"/task/*; do
+        { read -r time rest <"$task/schedstat" && used=$((used + time)); } 2>/dev/null
+        { read -r state <"$task/stat" && rest=${state##*) } && [ "${rest%% *}" = R ] && running=$((running + 1)); } 2>/dev/null
+    done
+}
 
 # Waits until the window has drawn what it was told and what comes when the hand rests (tooltips, full pictures):
 # until it has used no time for so many tenths of a second, 10 when not said. A sleep of fixed length is too short where
 # the machine is busy.
 wait_for_rest() { # [TENTHS]
-    local before still=0
+    local before used running still=0
     for ((i = 0; i < 300; i++)); do
-        before=$(used_time)
+        look_at_threads
+        before=$used
         sleep 0.1
-        if [ "$before" = "$(used_time)" ] && [ "$(running_threads)" = 0 ]; then still=$((still + 1)); else still=0; fi
+        look_at_threads
+        if [ "$before" = "$used" ] && [ "$running" = 0 ]; then still=$((still + 1)); else still=0; fi
         [ "$still" -lt "${1:-10}" ] || return 0
     done
     fail "the window did not come to rest in half a minute"
