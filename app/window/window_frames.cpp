@@ -26,6 +26,7 @@ WindowFrames::WindowFrames(GLFWwindow* window, UiState& state, void (*display_go
     ImGui::GetIO().IniFilename = nullptr;
     collect_input(window, input_);
     ready_ = ImGui_ImplGlfw_InitForOpenGL(window, true) && ImGui_ImplOpenGL3_Init("#version 130");
+    collect_text(window);
     ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // by Canvas, where GL has none
     if (ready_) clipboard_.serve_imgui();
     if (ready_ && gl().complete) canvas_ = std::make_unique<Canvas>();
@@ -121,8 +122,7 @@ UiRequests WindowFrames::frame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     use_extent();
-    if (feed_keys(window_, input_)) frames_due_ = frames_after_event;
-    if (feed_button(input_)) frames_due_ = frames_after_event;
+    if (feed_input(window_, input_)) frames_due_ = frames_after_event;
     ImGui::NewFrame();
     name_sheets();
     UiRequests wants = ui_frame(state_, input_.ui);

@@ -4,7 +4,9 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -86,22 +88,32 @@ WindowInput& input_of(GLFWwindow* window) {
 
 void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     if (action == GLFW_RELEASE) return;
-    const Key ours = key_of(key, scancode, mods);
-    const bool ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
-    const bool shift = (mods & GLFW_MOD_SHIFT) != 0, alt = (mods & GLFW_MOD_ALT) != 0;
+    KeyEvent event;
+    event.ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
+    event.shift = (mods & GLFW_MOD_SHIFT) != 0, event.alt = (mods & GLFW_MOD_ALT) != 0;
+    event.repeats = action == GLFW_REPEAT;
     const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
-    if (key >= 0 && !modifier) input_of(window).taps.push_back({key, ctrl, shift, alt});
+    if (!modifier) event.key = key;
+    const Key ours = key_of(key, scancode, mods);
     // Undo, redo and moving through a list repeat while the key is held.
-    const bool repeats = ours == Key::Z || ours == Key::Y || ours == Key::Up || ours == Key::Down;
-    if (action == GLFW_REPEAT && !repeats) return;
-    input_of(window).ui.presses.push_back({ours, ctrl, shift, alt});
+    const bool may_repeat = ours == Key::Z || ours == Key::Y || ours == Key::Up || ours == Key::Down;
+    if (!event.repeats || may_repeat) event.press = KeyPress{ours, event.ctrl, event.shift, event.alt};
+    if (!modifier) input_of(window).waiting.emplace_back(std::move(event));
+}
+
+/// Comes right behind the key that types it; alone where several keys make one letter.
+void on_text(GLFWwindow* window, unsigned int letter) {
+    std::deque<InputEvent>& waiting = input_of(window).waiting;
+    auto* key = waiting.empty() ? nullptr : std::get_if<KeyEvent>(&waiting.back());
+    if (key == nullptr || !key->text.empty()) key = &std::get<KeyEvent>(waiting.emplace_back(KeyEvent{}));
+    key->text += static_cast<char32_t>(letter);
 }
 
 void on_button(GLFWwindow* window, int button, int action, int /*mods*/) {
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
     // The cursor is not asked for by glfwGetCursorPos: that says where it is by now.
     WindowInput& input = input_of(window);
-    input.buttons.push_back({button, action == GLFW_PRESS, input.cursor});
+    input.waiting.emplace_back(ButtonEvent{button, action == GLFW_PRESS, input.cursor});
 }
 
 void on_cursor(GLFWwindow* window, double x, double y) { input_of(window).cursor = {float(x), float(y)}; }
@@ -132,6 +144,8 @@ void collect_input(GLFWwindow* window, WindowInput& input) {
     glfwSetWindowCloseCallback(window, on_close);
 }
 
+void collect_text(GLFWwindow* window) { glfwSetCharCallback(window, on_text); }
+
 void read_held_keys(GLFWwindow* window, UiInput& input) {
     // A key is known by the letter that the keyboard's layout gives it.
     input.axis_held = {};
@@ -144,37 +158,96 @@ void read_held_keys(GLFWwindow* window, UiInput& input) {
     }
 }
 
-bool feed_keys(GLFWwindow* window, WindowInput& input) {
+namespace {
+
+/// What opens does so in the first, and has the keyboard in the second or third.
+constexpr int frames_to_open = 3;
+
+bool is_down(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
+
+/// Lets go of the keys of the last frame that are not held, and shows none that still waits.
+void show_held_keys(GLFWwindow* window, WindowInput& input) {
     ImGuiIO& io = ImGui::GetIO();
-    const auto held = [window](int key) { return glfwGetKey(window, key) == GLFW_PRESS; };
-    for (const int key : input.shown_down) io.KeysDown[key] = held(key);
+    for (const int key : input.shown_down) io.KeysDown[key] = is_down(window, key);
     if (!input.shown_down.empty()) {
-        io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL) || held(GLFW_KEY_RIGHT_CONTROL);
-        io.KeyShift = held(GLFW_KEY_LEFT_SHIFT) || held(GLFW_KEY_RIGHT_SHIFT);
-        io.KeyAlt = held(GLFW_KEY_LEFT_ALT) || held(GLFW_KEY_RIGHT_ALT);
+        io.KeyCtrl = is_down(window, GLFW_KEY_LEFT_CONTROL) || is_down(window, GLFW_KEY_RIGHT_CONTROL);
+        io.KeyShift = is_down(window, GLFW_KEY_LEFT_SHIFT) || is_down(window, GLFW_KEY_RIGHT_SHIFT);
+        io.KeyAlt = is_down(window, GLFW_KEY_LEFT_ALT) || is_down(window, GLFW_KEY_RIGHT_ALT);
     }
-    input.shown_down.clear();
-    for (const KeyTap& tap : input.taps) {
-        io.KeysDown[tap.key] = true;
-        io.KeyCtrl = tap.ctrl, io.KeyShift = tap.shift, io.KeyAlt = tap.alt;
-        input.shown_down.push_back(tap.key);
-    }
-    input.taps.clear();
-    return !input.shown_down.empty();
+    for (const InputEvent& event : input.waiting)
+        if (const auto* key = std::get_if<KeyEvent>(&event); key != nullptr && key->key >= 0 && !key->repeats)
+            io.KeysDown[key->key] = false;
 }
 
-bool feed_button(WindowInput& input) {
-    // The queue decides the state of three buttons; the backend has set the latest, which may be too new.
+/// Whether a field or a dialog may open by it, or another field. Letters in a field do not.
+bool may_open(const KeyEvent& event) {
+    return !event.repeats && (event.text.empty() || event.ctrl || !ImGui::GetIO().WantTextInput);
+}
+
+void tell(WindowInput& input, const KeyEvent& event) {
     ImGuiIO& io = ImGui::GetIO();
-    const bool fed = !input.buttons.empty();
-    if (fed) {
-        const ButtonEvent event = input.buttons.front();
-        input.buttons.pop_front();
-        input.down[static_cast<std::size_t>(event.button)] = event.down;
-        io.MousePos = {event.at.x, event.at.y};
+    if (event.key >= 0) {
+        io.KeysDown[event.key] = true;
+        io.KeyCtrl = event.ctrl, io.KeyShift = event.shift, io.KeyAlt = event.alt;
+        input.shown_down.push_back(event.key);
     }
-    for (std::size_t i = 0; i < input.down.size(); ++i) io.MouseDown[i] = input.down[i];
-    return fed;
+    for (const char32_t letter : event.text) io.AddInputCharacter(letter);
+    if (event.press) input.ui.presses.push_back(*event.press);
+}
+
+/// Tells keys and text. `before`: the keys that the last frame has shown.
+void feed_keys(WindowInput& input, const std::vector<int>& before) {
+    ImGuiIO& io = ImGui::GetIO();
+    const KeyEvent* last = nullptr;
+    KeyEvent told;
+    while (!input.waiting.empty() && input.frames_to_open == 0) {
+        const auto* event = std::get_if<KeyEvent>(&input.waiting.front());
+        if (event == nullptr) return;
+        // ImGui knows one set of modifiers a frame, and a key that goes down again was up before.
+        if (last != nullptr &&
+            (last->ctrl != event->ctrl || last->shift != event->shift || last->alt != event->alt))
+            return;
+        const auto has = [event](const std::vector<int>& keys) {
+            return std::find(keys.begin(), keys.end(), event->key) != keys.end();
+        };
+        if (event->text.empty() && !event->repeats && has(input.shown_down)) return;
+        if (event->text.empty() && !event->repeats && has(before)) {
+            io.KeysDown[event->key] = false;
+            return;
+        }
+        told = *event;
+        last = &told;
+        input.waiting.pop_front();
+        tell(input, told);
+        if (may_open(told)) input.frames_to_open = frames_to_open;
+    }
+}
+
+/// Tells a press or a release, each of which has a frame of its own.
+void feed_button(WindowInput& input) {
+    const ButtonEvent event = std::get<ButtonEvent>(input.waiting.front());
+    input.waiting.pop_front();
+    input.down[static_cast<std::size_t>(event.button)] = event.down;
+    ImGui::GetIO().MousePos = {event.at.x, event.at.y};
+    input.frames_to_open = frames_to_open;
+}
+
+}  // namespace
+
+bool feed_input(GLFWwindow* window, WindowInput& input) {
+    const bool had_any = !input.waiting.empty();
+    show_held_keys(window, input);
+    const std::vector<int> before = std::exchange(input.shown_down, {});
+    const bool is_button = had_any && std::holds_alternative<ButtonEvent>(input.waiting.front());
+    if (is_button) {
+        feed_button(input);
+    } else {
+        if (input.frames_to_open > 0) --input.frames_to_open;
+        feed_keys(input, before);
+    }
+    // The queue decides the state of three buttons; the backend has set the latest, which may be too new.
+    for (std::size_t i = 0; i < input.down.size(); ++i) ImGui::GetIO().MouseDown[i] = input.down[i];
+    return had_any || !input.shown_down.empty();
 }
 
 }  // namespace glint

@@ -5,6 +5,9 @@
 #include <array>
 #include <deque>
 #include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "ui/commands/keys.h"
@@ -21,37 +24,42 @@ struct ButtonEvent {
     glm::vec2 at{0};  // window coordinates
 };
 
-/// A key (GLFW's number) that went down, and the modifiers held with it. ImGui's backend reads only the
-/// current state: it would miss a key that goes down and up within one slow frame.
-struct KeyTap {
-    int key = 0;
+/// A key that went down or repeats, the modifiers held with it, and the text that it types. ImGui's backend
+/// reads only the current state: it would miss a key that goes down and up within one slow frame.
+struct KeyEvent {
+    int key = -1;                   // GLFW's number; -1: only the text is told to ImGui
+    bool repeats = false;           // it is held
+    std::optional<KeyPress> press;  // for ui/
     bool ctrl = false, shift = false, alt = false;
+    std::u32string text;
 };
+
+using InputEvent = std::variant<KeyEvent, ButtonEvent>;
 
 struct WindowInput {
     UiInput ui;
-    glm::vec2 cursor{0};              // as the events so far say
-    std::deque<ButtonEvent> buttons;  // not yet seen by ImGui
-    std::array<bool, 3> down{};       // as ImGui has seen them: left, right, middle
-    std::vector<KeyTap> taps;         // keys that went down since the last frame
-    bool refresh_asked = false;       // the display lost what was shown
-    bool maximize_changed = true;     // or it is not known yet whether the window is maximized
-    std::vector<int> shown_down;      // keys of the last frame's taps: up again unless they are held
+    glm::vec2 cursor{0};             // as the events so far say
+    std::deque<InputEvent> waiting;  // not yet seen by ImGui, in the order in which they came
+    int frames_to_open = 0;          // frames in which what the last event opens may come to take the keys
+    std::array<bool, 3> down{};      // as ImGui has seen them: left, right, middle
+    bool refresh_asked = false;      // the display lost what was shown
+    bool maximize_changed = true;    // or it is not known yet whether the window is maximized
+    std::vector<int> shown_down;     // keys told in the last frame: up again unless they are held
 };
 
 /// Collects the events of a window into `input`, which must outlive it. Call this before ImGui's backend
 /// installs its own callbacks, which then call these.
 void collect_input(GLFWwindow* window, WindowInput& input);
 
+/// Collects the text that is typed, too, in the place of ImGui's backend. Call this after it.
+void collect_text(GLFWwindow* window);
+
 /// Which of X, Y, Z and B are held down now.
 void read_held_keys(GLFWwindow* window, UiInput& input);
 
-/// Call this between the backend's new frame and ImGui's. It reports every key that went down as down for
-/// this frame, with its modifiers. True if there was one: it may be up again in the next frame.
-bool feed_keys(GLFWwindow* window, WindowInput& input);
-
-/// Call this between the backend's new frame and ImGui's. It passes on the oldest button event to ImGui's io,
-/// so that every press and every release has a frame of its own. True if there was one.
-bool feed_button(WindowInput& input);
+/// Call this between the backend's new frame and ImGui's. It tells ImGui and `input.ui` the oldest events:
+/// one of a button, or keys and text up to the first that may open a field or a dialog. What is typed behind
+/// it waits until that is open, however slow the frames are. True if frames have to follow at once.
+bool feed_input(GLFWwindow* window, WindowInput& input);
 
 }  // namespace glint

@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <functional>
+#include <utility>
 
 #include "models/fields/choices.h"
 #include "models/io/file.h"
@@ -10,6 +12,7 @@
 #include "ui/commands/palette_rows.h"
 #include "ui/document/document_actions.h"
 #include "ui/document/loading.h"
+#include "ui/document/scene_edit.h"
 #include "ui/export/animation.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
@@ -82,6 +85,52 @@ void add_light_choices(Entries& entries, const UiState& state) {
                                const Dome dome = sun_dome(scene.camera.target, scene_bounds(scene), map);
                                light_of(s) = as_kind(light_of(s), kind, dome, map);
                            }});
+}
+
+PrimitiveMesh fresh(Primitive primitive) { return {primitive, info_of(primitive).default_detail}; }
+
+/// What the + of both lists adds, but for the light that has a key.
+void add_additions(Entries& entries, const UiState& state) {
+    const Scene& scene = state.editor.scene();
+    const auto add = [&](const std::string& what, bool full, std::function<void(UiState&)> run) {
+        entries.push_back({"Add " + what, "Scene", "", full ? is_full : "", std::move(run)});
+    };
+    for (const LightKind kind : enumerators<LightKind>) {
+        if (kind == LightKind::Point) continue;
+        add(fmt::format("a light: {}", choice_of(kind).label), scene.lights.size() >= max_lights,
+            [kind](UiState& s) {
+                if (const auto index = add_light(s.editor.scene(), kind))
+                    s.editor.selection = {Selection::Kind::Light, *index};
+            });
+    }
+    const bool full = scene.objects.size() >= max_objects;
+    add("an object: mesh file…", full, [](UiState& s) { ask_mesh(s, -1); });
+    for (const Primitive primitive : enumerators<Primitive>)
+        add(fmt::format("an object: {}", choice_of(primitive).label), full, [primitive](UiState& s) {
+            if (const auto index = add_object(s.editor.scene(), fresh(primitive)))
+                s.editor.selection = {Selection::Kind::Object, *index};
+        });
+}
+
+/// What the panel's drop-down does to an object's mesh.
+void add_mesh_choices(Entries& entries, const UiState& state) {
+    const Selection selection = state.editor.selection;
+    if (selection.kind != Selection::Kind::Object) return;
+    const auto index = static_cast<std::size_t>(selection.index);
+    const Object& object = state.editor.scene().objects[index];
+    const auto* present = std::get_if<PrimitiveMesh>(&object.source);
+    for (const Primitive primitive : enumerators<Primitive>) {
+        const bool chosen = present != nullptr && present->primitive == primitive;
+        entries.push_back({fmt::format("{}: {}", object.name, choice_of(primitive).label),
+                           chosen ? "Mesh · chosen" : "Mesh", "", "", [index, chosen, primitive](UiState& s) {
+                               if (chosen) return;
+                               Object& o = s.editor.scene().objects[index];
+                               o.source = fresh(primitive);
+                               o.mesh = nullptr;  // it is made beside the window
+                           }});
+    }
+    entries.push_back({fmt::format("{}: mesh file…", object.name), "Mesh", "", "",
+                       [selection](UiState& s) { ask_mesh(s, selection.index); }});
 }
 
 void add_items(Entries& entries, const UiState& state) {
@@ -191,6 +240,8 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     add_settings(entries, state);
     add_mistakes(entries, state);
     add_light_choices(entries, state);
+    add_additions(entries, state);
+    add_mesh_choices(entries, state);
     add_items(entries, state);
     add_tabs(entries);
     add_copies(entries, state);

@@ -198,6 +198,11 @@ bool is_among_shipped(const UiState& state, const std::string& path) {
     return std::filesystem::equivalent(folder.empty() ? "." : folder, state.shipped_scenes, failed);
 }
 
+void ask_mesh(UiState& state, int object) {
+    state.mesh_for_object = object;
+    state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
+}
+
 bool save(UiState& state) {
     if (state.editor.has_scene_file() && is_among_shipped(state, state.editor.document.path)) {
         // Where the examples are nothing of the user's belongs: it is offered where the program was started.

@@ -25,6 +25,8 @@ void finish_pending(UiState& state);
 /// Makes `document` the open one. Everything about the scene before is dropped: gesture, probe, explanation,
 /// and what was about to be done to one of its lights or objects.
 void take_scene(UiState& state, SceneDocument document);
+/// Asks for the mesh file of the object of that index; of a new one for -1.
+void ask_mesh(UiState& state, int object);
 /// A name to offer for a file: the document's own, with the ending that fits.
 [[nodiscard]] std::string offered_name(const UiState& state, const char* ending);
 /// Saves the document. Asks for a name if there is none yet, and asks first if another program has changed

@@ -44,6 +44,9 @@ struct ItemCounts {
 /// `wanted`, or with the first number that makes it different from all names: "Bulb", "Bulb 2".
 [[nodiscard]] std::string free_name(const std::string& wanted, const Scene& scene);
 
+/// Why nothing more can be added.
+inline constexpr const char* is_full = "There are as many as a scene may hold";
+
 /// Adds a light where it can be seen and grabbed: above the scene, on the viewer's side. Returns its index;
 /// nothing if the scene holds as many as it may.
 std::optional<int> add_light(Scene& scene, LightKind kind);

@@ -152,7 +152,7 @@ void list_heading(const char* title, const char* popup, bool full) {
     ImGui::BeginDisabled(full);
     if (icon_button(popup, Icon::Plus)) ImGui::OpenPopup(popup);
     ImGui::EndDisabled();
-    tooltip("Add", full ? "There are as many as a scene may hold" : "Add one to the scene");
+    tooltip("Add", full ? is_full : "Add one to the scene");
 }
 
 bool object_row(Scene& scene, int index, Selection& selection) {

@@ -131,7 +131,11 @@ bool magnifier_hover(ToolFrame& frame) {
     if (!io.KeyCtrl || io.MouseWheel == 0)
         return magnifier.zoom > 1 && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     const glm::dvec2 size(frame.view.map.size.width, frame.view.map.size.height);
-    zoom_about(magnifier, io.MouseWheel > 0 ? magnifier.zoom * 2 : magnifier.zoom / 2, frame.pixel / size);
+    // Several steps may have come in one slow frame.
+    constexpr float most_steps = 6;  // from 1 to max_zoom
+    const int steps = static_cast<int>(std::lround(std::clamp(io.MouseWheel, -most_steps, most_steps)));
+    const int sure = steps != 0 ? steps : io.MouseWheel > 0 ? 1 : -1;  // of a wheel that turns smoothly
+    zoom_about(magnifier, sure > 0 ? magnifier.zoom << sure : magnifier.zoom >> -sure, frame.pixel / size);
     io.MouseWheel = 0;  // the camera does not move too
     return true;
 }

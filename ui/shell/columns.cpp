@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "ui/document/document_actions.h"
 #include "ui/fields/panels.h"
 #include "ui/inspector/tabs.h"
 #include "ui/lessons/lesson_parts.h"
@@ -20,12 +21,6 @@
 
 namespace glint {
 namespace {
-
-/// Asks for the mesh file of that object; of a new one for -1.
-void ask_mesh(UiState& state, int object) {
-    state.mesh_for_object = object;
-    state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
-}
 
 /// Puts the selected item's panel on the screen.
 void selected_panel(UiState& state, const PictureView& view) {

@@ -156,6 +156,30 @@ TEST_CASE("the distance has no default to go back to, and its menu offers none",
     CHECK_FALSE(offers_reset("Distance of Bulb"));
 }
 
+TEST_CASE("what Gouraud shading loses between the corners is said where both colours are clipped, too",
+          "[ui][window][why]") {
+    // A plate of two triangles, and a light so near to its middle that its corners hardly see it.
+    Scene scene = first_scene().scene;
+    scene.objects.resize(1);
+    scene.objects[0].source = PrimitiveMesh{Primitive::Plane, 1};
+    scene.camera.eye = {0, 4, 1};
+    scene.shading.mode = ShadingMode::Gouraud;
+    scene.lights.resize(1);
+    scene.lights[0].position = {0, 0.3f, 0, 1};
+    (void)load_meshes(scene, "", "");
+    for (const float intensity : {100.0f, 0.0f}) {
+        scene.lights[0].intensity = intensity;
+        HeadlessWindow bench({1280, 1400});
+        take_document(bench.state.editor, SceneDocument{scene, "", "", {}});
+        test::ask(bench, InspectorTab::Equation);
+        REQUIRE(bench.state.explanation->lit_per_corner);
+        REQUIRE((bench.state.explanation->byte[0] == 255) == (intensity > 0));
+        const bool says = std::any_of(bench.controls().begin(), bench.controls().end(),
+                                      [](const NamedControl& control) { return control.name == "lost"; });
+        CHECK(says == (intensity > 0));
+    }
+}
+
 TEST_CASE("an object seen from behind says so, in amber above the equation", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.scene().objects[0].source = PrimitiveMesh{Primitive::Plane, 1};

@@ -97,6 +97,28 @@ TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palett
     CHECK(bench.state.notifications.list.back().text == "No pixel is picked that shows an object");
 }
 
+TEST_CASE("the palette adds what the lists add, and gives the selected object another mesh",
+          "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const std::size_t objects = bench.scene().objects.size(), lights = bench.scene().lights.size();
+    found(bench.state, "add torus").at(0).run(bench.state);
+    bench.wait_for_loads();
+    REQUIRE(bench.scene().objects.size() == objects + 1);
+    CHECK(std::get<PrimitiveMesh>(bench.scene().objects.back().source).primitive == Primitive::Torus);
+    CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, static_cast<int>(objects)});
+    found(bench.state, "torus: cone").at(0).run(bench.state);
+    bench.wait_for_loads();
+    CHECK(std::get<PrimitiveMesh>(bench.scene().objects.back().source).primitive == Primitive::Cone);
+    CHECK(bench.scene().objects.back().mesh != nullptr);
+    found(bench.state, "add spot").at(0).run(bench.state);
+    REQUIRE(bench.scene().lights.size() == lights + 1);
+    CHECK(bench.scene().lights.back().kind == LightKind::Spot);
+    found(bench.state, "add mesh file").at(0).run(bench.state);
+    CHECK(bench.state.mesh_for_object == -1);
+    CHECK(bench.state.files.open);
+}
+
 TEST_CASE("the palette answers the offer to recover unsaved work", "[ui][palette]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;

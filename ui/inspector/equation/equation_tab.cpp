@@ -78,7 +78,8 @@ void against_phong(const UiState& state, const Explanation& explanation) {
     if (!explanation.lit_per_corner) return;
     const std::optional<Explanation> phong = under_phong(state, explanation);
     if (!phong) return;
-    if (phong->byte == explanation.byte)
+    // Not by the bytes: where both are clipped they are equal, whatever is lost.
+    if (shown_vector(phong->sum) == shown_vector(explanation.sum))
         return wrapped_dim("Phong shading gives the same colour here: nothing is lost between the corners.");
     const glm::vec3 lost = phong->sum - explanation.sum;
     const auto row = [](const char* label, const char* what, glm::vec3 value) {

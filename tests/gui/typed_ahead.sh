@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# What is typed while a frame takes long lands where it belongs: behind Ctrl+K in the palette, behind Return in the field
+# that it opens, behind a click in the field that was clicked.
+set -u
+# shellcheck disable=SC2034  # display.sh uses it
+program=$1
+# shellcheck source=tests/gui/display.sh
+. "$(dirname "$0")/display.sh"
+
+cp "$(dirname "$0")/../../assets/scenes/default.json" "$work/scene.json"
+start_display 1280x800
+start_glint "$work/scene.json"
+wait_for_rest
+holds() { grep -q "$1" "$work/scene.json"; }
+
+kill -STOP "$glint_pid"
+xdotool key ctrl+k type --delay 12 exposure
+xdotool key Return type --delay 12 1.5
+xdotool key Return ctrl+s
+kill -CONT "$glint_pid"
+within 20 holds '"exposure": 1.5' || fail "what was typed behind Ctrl+K and Return did not become the exposure"
+holds '"mode": "phong"' || fail "a letter was taken for a key that changes the shading"
+echo "passed"
