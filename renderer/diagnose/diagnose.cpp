@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "models/memory_limit.h"
+#include "renderer/diagnose/difference.h"
 #include "renderer/diagnose/display_finding.h"
 #include "renderer/diagnose/experiment.h"
 #include "renderer/diagnose/search/noise.h"
@@ -36,36 +37,54 @@ std::vector<MistakeSet> to_tell_apart(const std::vector<Candidate>& candidates) 
     return sets;
 }
 
+/// Whether an explanation leaves no more than rounding does. Between a pixel's neighbours noise finds room,
+/// too.
+bool is_exact(const Judged& best) {
+    constexpr double rounding = 0.3;  // levels
+    return best.is_believed && !best.change.soft && best.score.residual() < rounding;
+}
+
+/// Whether one term of the equation, multiplied by a number, explains nearly all that is wrong where an
+/// explanation differs from the right picture. That supposes less than a mistake beside a change at the
+/// display, or than one that leaves more than rounding.
+bool is_of_one_term(Renderer& renderer, const Scene& scene, const Exhibit& exhibit, const Judged& explained) {
+    constexpr double nearly_all = 0.98, hardly_any = 0.01;  // of the difference's energy; of the wrong pixels
+    (void)renderer.render(under_mistakes(scene, {}), exhibit.right.size);
+    const DescribedDifference found =
+        describe_difference(renderer, exhibit, exhibit.least_change, scene.display,
+                            explained.is_right ? nullptr : &explained.drawing.picture);
+    return !found.terms.empty() && found.terms.front().explained > nearly_all &&
+           found.pixels_left < hardly_any * static_cast<double>(found.pixels);
+}
+
 void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, const Exhibit& exhibit,
               const std::vector<Judged>& all, int threads) {
     const Judged& best = all.front();
     const Judged& none = of_no_mistake(all);
     d.display = display_finding(exhibit, best.drawing, best.change);
-    const Judged& shown = best.is_believed ? best : none;
+    constexpr double rounded_twice = 0.6;  // levels: what rounding leaves of two programs' pictures is less
+    const bool supposes_more = best.change.count() > (best.is_right ? 1 : 0) ||
+                               (!best.is_right && best.score.residual() > rounded_twice);
+    const bool is_believed =
+        best.is_believed && !(supposes_more && is_of_one_term(renderer, document.scene, exhibit, best));
+    const Judged& shown = is_believed ? best : none;
     d.pixels = count_unlike(exhibit, shown.drawing, shown.change);
-    if (best.is_believed && best.is_right) {
+    if (is_believed && best.is_right) {
         d.verdict = Verdict::NoMistake;
         return;
     }
     d.candidates = candidates_of(exhibit, all, shown.change);
     // What is shown of those that are not believed is what each explains.
     constexpr double hardly_any = 0.01;
-    const auto others = d.candidates.begin() + (best.is_believed ? 1 : 0);
+    const auto others = d.candidates.begin() + (is_believed ? 1 : 0);
     std::stable_sort(others, d.candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.explained > b.explained; });
     d.candidates.erase(
         std::find_if(others, d.candidates.end(), [](const Candidate& c) { return c.explained < hardly_any; }),
         d.candidates.end());
-    if (!best.is_believed) return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
+    if (!is_believed) return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
     d.verdict = Verdict::Mistake;
     d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
-}
-
-/// Whether an explanation leaves no more than rounding does. Between a pixel's neighbours noise finds room,
-/// too.
-bool is_exact(const Judged& best) {
-    constexpr double rounding = 0.3;  // levels
-    return best.is_believed && !best.change.soft && best.score.residual() < rounding;
 }
 
 /// Levels between the darkest and the brightest pixel, of the channel in which they are farthest apart.

@@ -83,6 +83,7 @@ struct Sample {
     glm::ivec2 at{0};
     int channel = 0;
     double difference = 0;
+    double room = 0;  // what rounding to levels may have done to it
 };
 
 /// The channels of a wrong pixel that are not clamped.
@@ -98,9 +99,34 @@ std::vector<Sample> samples_of(const WrongPixel& pixel, Rgb right, const Display
         const auto k = static_cast<std::size_t>(c);
         const double mine = double(right[k]) + pixel.difference[k];
         if (mine <= 0 || mine > white || double(right[k]) > white) continue;
-        samples.push_back({pixel.at, c, linear(mine) - linear(double(right[k]))});
+        constexpr double rounding = 0.75;  // levels, of both pictures
+        samples.push_back({pixel.at, c, linear(mine) - linear(double(right[k])),
+                           (linear(mine + rounding) - linear(mine - rounding)) / 2});
     }
     return samples;
+}
+
+/// Those of some hundred pixels, a pixel's one after another.
+std::vector<Sample> sampled(const std::vector<WrongPixel>& wrong, const Picture& right,
+                            const Display& display) {
+    constexpr std::size_t pixels = 300;
+    std::vector<Sample> samples;
+    const std::size_t step = std::max<std::size_t>(1, wrong.size() / pixels);
+    for (std::size_t i = step / 2; i < wrong.size(); i += step) {
+        const glm::ivec2 at = wrong[i].at;
+        for (const Sample& s : samples_of(wrong[i], rgb_at(right, right.pixel(at.x, at.y)), display))
+            samples.push_back(s);
+    }
+    return samples;
+}
+
+/// Whether a pixel of a drawing differs visibly from that of the right picture.
+bool shows(const Picture& drawn, const Picture& right, glm::ivec2 at) {
+    const std::size_t pixel = right.pixel(at.x, at.y);
+    const Rgb a = rgb_at(drawn, pixel), b = rgb_at(right, pixel);
+    for (std::size_t c = 0; c < 3; ++c)
+        if (std::abs(float(a[c]) - float(b[c])) > visible_levels) return true;
+    return false;
 }
 
 /// Sums of a least-squares fit of the difference by each term alone.
@@ -140,9 +166,8 @@ std::vector<DifferenceTerm> likely_terms(const Fits& fits) {
 /// Of the samples, how many the likeliest term leaves as they are: 1 where there is no such term. The terms
 /// of a pixel are asked for again: those of all pixels, under thousands of lights, would take gigabytes.
 double share_left(const Renderer& renderer, const std::vector<Sample>& samples,
-                  const std::vector<DifferenceTerm>& terms) {
-    if (terms.empty()) return 1;
-    constexpr double near = 0.1;  // of the difference
+                  const std::vector<DifferenceTerm>& terms, double near) {
+    if (terms.empty() || samples.empty()) return 1;
     const DifferenceTerm& term = terms.front();
     glm::ivec2 known(-1);
     glm::dvec3 value(0);
@@ -150,7 +175,7 @@ double share_left(const Renderer& renderer, const std::vector<Sample>& samples,
         if (s.at != known) value = terms_at(renderer, s.at).at({term.term, term.light});
         known = s.at;  // its other channels follow
         const double explained = (term.factor - 1) * value[s.channel];
-        return std::abs(s.difference - explained) > near * std::abs(s.difference);
+        return std::abs(s.difference - explained) > near * std::abs(s.difference) + s.room;
     });
     return static_cast<double>(left) / static_cast<double>(samples.size());
 }
@@ -158,28 +183,30 @@ double share_left(const Renderer& renderer, const std::vector<Sample>& samples,
 }  // namespace
 
 DescribedDifference describe_difference(const Renderer& renderer, const Exhibit& exhibit,
-                                        const DisplayChange& change, const Display& display) {
-    constexpr std::size_t pixels = 300;
+                                        const DisplayChange& change, const Display& display,
+                                        const Picture* mistaken) {
     std::map<int, DifferenceRegion> regions;
-    const std::vector<WrongPixel> wrong = wrong_pixels(exhibit, renderer, change, regions);
+    std::vector<WrongPixel> wrong = wrong_pixels(exhibit, renderer, change, regions);
     DescribedDifference found;
     for (const auto& [object, region] : regions) found.regions.push_back(region);
     std::stable_sort(found.regions.begin(), found.regions.end(),
                      [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
-    std::vector<Sample> samples;
     Fits fits;
-    const std::size_t step = std::max<std::size_t>(1, wrong.size() / pixels);
-    for (std::size_t i = step / 2; i < wrong.size(); i += step) {
-        const glm::ivec2 at = wrong[i].at;
-        const TermValues terms = terms_at(renderer, at);
-        for (const Sample& s :
-             samples_of(wrong[i], rgb_at(exhibit.right, exhibit.right.pixel(at.x, at.y)), display)) {
-            fits.add(s, terms);
-            samples.push_back(s);
-        }
+    std::vector<Sample> samples = sampled(wrong, exhibit.right, display);
+    for (auto s = samples.begin(); s != samples.end();) {
+        const TermValues terms = terms_at(renderer, s->at);
+        for (const glm::ivec2 at = s->at; s != samples.end() && s->at == at; ++s) fits.add(*s, terms);
     }
     found.terms = likely_terms(fits);
-    found.pixels_left = share_left(renderer, samples, found.terms) * static_cast<double>(wrong.size());
+    double near = 0.1;  // of a difference, by which a term may miss it
+    if (mistaken != nullptr) {
+        near = 0.03;
+        std::erase_if(wrong,
+                      [&](const WrongPixel& pixel) { return !shows(*mistaken, exhibit.right, pixel.at); });
+        samples = sampled(wrong, exhibit.right, display);
+    }
+    found.pixels = wrong.size();
+    found.pixels_left = share_left(renderer, samples, found.terms, near) * static_cast<double>(wrong.size());
     return found;
 }
 

@@ -132,6 +132,31 @@ bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) 
     return shows_otherwise(j.change, none.change) ? few * unlike <= all : unlike == 0;
 }
 
+/// Whether the picture contradicts what is supposed of its brightness: most pixels that this would have
+/// changed clearly are as the right picture has them. A mistake that brightens may hide a gain that does not
+/// exist, and the other way round.
+bool kept_its_brightness(const Exhibit& exhibit, const DisplayChange& change) {
+    if (change.gain == 1 && change.before == Code::Same && change.after == Code::Same) return false;
+    const ByteRanges ranges = byte_ranges(change);
+    const float same = 1 + change.scatter(), clearly = visible_levels + change.scatter();
+    const PictureSize size = exhibit.right.size;
+    std::uint64_t changed = 0, kept = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const std::size_t pixel = size.index(x, y);
+            if (exhibit.kinds[pixel] != PixelKind::Surface) continue;
+            const Rgb right = rgb_at(exhibit.right, pixel), mine = mine_at(exhibit.wrong, change, x, y);
+            float by = 0, off = 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                by = std::max(by, ranges[right[c]].from_middle(right[c]));
+                off = std::max(off, std::abs(float(mine[c]) - float(right[c])));
+            }
+            changed += by > clearly ? 1 : 0;
+            kept += by > clearly && off <= same ? 1 : 0;
+        }
+    return 2 * kept > changed;
+}
+
 /// The explanations that are worth a picture of the whole size, `count` at most. Two mistakes are looked for
 /// in a small picture, in which a gain may be another one: what needs no two is what is found without them.
 std::vector<Hypothesis> worth_drawing(const Scene& scene, const Exhibit& exhibit,
@@ -238,7 +263,8 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
     judge_by_power(all.front(), exhibit);
     for (Judged& j : all) {
         j.is_right = j.mistakes.empty() || look_alike(exhibit, j.drawing, right);
-        const bool may_be = j.score.fits() && !encodes_and_decodes(j);
+        const bool may_be =
+            j.score.fits() && !encodes_and_decodes(j) && !kept_its_brightness(exhibit, j.change);
         const bool is_better = j.cost < all.front().cost && j.score.comes_nearer();
         j.is_believed = may_be && (j.is_right || (is_better && !undoes_itself(exhibit, j, all.front())));
     }

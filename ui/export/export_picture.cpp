@@ -157,13 +157,22 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
                   });
 }
 
+/// What is copied, in words: not what is composed in the place of the scene's picture.
+static const char* copied_words(const UiState& state) {
+    const bool composed =
+        state.views.compare.choice.on || state.views.debug_view.set.choice.view != DebugView::Picture;
+    return composed ? "the scene's own picture" : "this picture";
+}
+
 void begin_copy(UiState& state) {
     const PictureSize size = state.rendered->size;
-    begin_picture(state, {size, 1}, "clipboard.png", [size](const std::string& bytes) -> Result<std::string> {
-        const auto copied = copy_png(bytes);
-        if (const Problem* problem = problem_of(copied)) return *problem;
-        return fmt::format("The picture is on the clipboard ({} × {})", size.width, size.height);
-    });
+    const std::string what = copied_words(state);
+    begin_picture(state, {size, 1}, "clipboard.png",
+                  [size, what](const std::string& bytes) -> Result<std::string> {
+                      const auto copied = copy_png(bytes);
+                      if (const Problem* problem = problem_of(copied)) return *problem;
+                      return fmt::format("On the clipboard is {} ({} × {})", what, size.width, size.height);
+                  });
 }
 
 void copy_render_command(UiState& state, const ExportOptions& options, const std::string& out) {
@@ -173,10 +182,9 @@ void copy_render_command(UiState& state, const ExportOptions& options, const std
     });
     ImGui::SetClipboardText(command.c_str());
     state.notifications.add(
-        Tone::Done,
-        fmt::format("The command that draws this picture is on the clipboard: {} × {}, {} {} a pixel, {}",
-                    options.size.width, options.size.height, options.samples,
-                    options.samples == 1 ? "sample" : "samples", name));
+        Tone::Done, fmt::format("The command that draws {} is on the clipboard: {} × {}, {} {} a pixel, {}",
+                                copied_words(state), options.size.width, options.size.height, options.samples,
+                                options.samples == 1 ? "sample" : "samples", name));
 }
 
 void copy_last_command(UiState& state) {

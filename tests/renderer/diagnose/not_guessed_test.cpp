@@ -125,6 +125,62 @@ template <class Level> Picture picture_of(PictureSize size, const Level& level) 
 
 }  // namespace
 
+TEST_CASE("a term that was multiplied is said to be so, and is not a mistake beside a gain and a shift",
+          "[diagnose]") {
+    constexpr PictureSize size{320, 180};
+    const auto check = [size](const SceneDocument& document, const SceneDocument& changed,
+                              const std::string& term, int light) {
+        const Diagnosis d = diagnosed(document, right_of(changed, size));
+        CHECK(d.verdict == Verdict::NotInCatalogue);
+        REQUIRE_FALSE(d.terms.empty());
+        CHECK(d.terms[0].term == term);
+        CHECK(d.terms[0].light == light);
+        CHECK(d.terms[0].factor == Approx(0.8).margin(0.02));
+    };
+    const SceneDocument floor = shipped("receding-floor.json"), ball = shipped("glossy-ball.json");
+    SceneDocument darker = floor;
+    darker.scene.global_ambient *= 0.8f;
+    check(floor, darker, "global_ambient", -1);
+    SceneDocument weaker = ball;
+    weaker.scene.lights[0].intensity *= 0.8f;
+    check(ball, weaker, "all", 0);
+}
+
+TEST_CASE("a mistake that brightens all and a gain that darkens it are not believed where most is as it was",
+          "[diagnose]") {
+    // Each light has an ambient share, which one mistake adds twice.
+    const Result<Scene> parsed = parse_scene(R"({"glint": 1,
+        "camera": {"eye": [2, 2.5, 5], "target": [0, 0.3, 0]}, "global_ambient": [0.15, 0.15, 0.15],
+        "lights": [
+            {"type": "directional", "position": [1, 2, 1.5], "diffuse": [0.5, 0.45, 0.4], "specular": [0.5, 0.5, 0.5]},
+            {"type": "point", "position": [-2, 2, 1.5], "diffuse": [0.6, 0.8, 1], "specular": [0.8, 0.9, 1],
+             "intensity": 1.2, "ambient": [0.05, 0.05, 0.05],
+             "falloff": {"constant": 1, "linear": 0.1, "quadratic": 0.15}},
+            {"type": "spot", "position": [1.5, 3.5, 1], "diffuse": [1, 0.6, 0.3], "specular": [1, 0.6, 0.3],
+             "spot": {"direction": [-0.3, -1, -0.2], "cutoff_deg": 25, "exponent": 4},
+             "falloff": {"constant": 1, "linear": 0, "quadratic": 0.05}}],
+        "objects": [
+            {"mesh": {"primitive": "sphere"}, "transform": {"translate": [-1.2, 0.3, 0], "scale": [1, 0.8, 1]},
+             "material": {"ambient": [0.6, 0.2, 0.2], "diffuse": [0.6, 0.2, 0.2], "specular": [0.6, 0.6, 0.6],
+                          "shininess": 40}},
+            {"mesh": {"primitive": "torus"},
+             "transform": {"translate": [1.2, 0.2, 0.3], "rotate_deg": [60, 20, 0], "scale": [0.8, 1.2, 0.8]},
+             "material": {"ambient": [0.2, 0.5, 0.2], "diffuse": [0.2, 0.5, 0.25], "specular": [0.3, 0.3, 0.3],
+                          "shininess": 12}},
+            {"mesh": {"primitive": "plane"}, "transform": {"translate": [0, -0.6, 0], "scale": [4, 1, 4]},
+             "material": {"ambient": [0.5, 0.5, 0.5], "diffuse": [0.5, 0.5, 0.5], "specular": [0.1, 0.1, 0.1],
+                          "shininess": 8}}]})",
+                                             "");
+    SceneDocument document;
+    document.scene = std::get<Scene>(parsed);
+    REQUIRE(problem_of(load_meshes(document.scene, "", "")) == nullptr);
+    SceneDocument changed = document;
+    for (Object& object : changed.scene.objects) object.material.specular *= 0.8f;
+    const Diagnosis d = diagnosed(document, right_of(changed, {320, 240}));
+    CHECK(d.verdict != Verdict::Mistake);
+    CHECK(d.display.change.gain == Approx(1).margin(0.01));
+}
+
 TEST_CASE("a right picture that was enlarged or sharpened is not a mistake", "[diagnose][release]") {
     for (const char* const name : {"given-normals", "classic-materials", "sun", "default", "bulb",
                                    "glossy-ball", "mach-bands", "red-light-on-green"}) {

@@ -56,6 +56,23 @@ std::string printed_by(const std::string& command) {
 
 }  // namespace
 
+TEST_CASE("where something is composed in its place it is said that the scene's own picture is copied",
+          "[ui][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto told = [&bench] {
+        bench.state.notifications.list.clear();
+        copy_render_command(bench.state, {{64, 48}, 1}, "mine.png");
+        return bench.state.notifications.list.at(0).text;
+    };
+    CHECK(told().starts_with("The command that draws this picture is on the clipboard: 64 × 48"));
+    bench.state.views.debug_view.set.choice.view = DebugView::Normal;
+    CHECK(told().starts_with("The command that draws the scene's own picture is on"));
+    bench.state.views.debug_view.set.choice.view = DebugView::Picture;
+    bench.state.views.compare.choice.on = true;
+    CHECK(told().starts_with("The command that draws the scene's own picture is on"));
+}
+
 TEST_CASE("Copy as command gives the size and samples of the last export", "[ui][window][export]") {
     Bench bench;
     TemporaryDirectory folder;
