@@ -179,9 +179,32 @@ void show_held_keys(GLFWwindow* window, WindowInput& input) {
             io.KeysDown[key->key] = false;
 }
 
-/// Whether a field or a dialog may open by it, or another field. Letters in a field do not.
+/// Whether a field or a dialog may open by it, or another field. What is pressed many times a second does
+/// not: it would wait for frames that nobody needs.
 bool may_open(const KeyEvent& event) {
-    return !event.repeats && (event.text.empty() || event.ctrl || !ImGui::GetIO().WantTextInput);
+    if (event.repeats || !event.press) return false;
+    switch (event.press->key) {
+    case Key::Tab:
+    case Key::Enter:
+    case Key::Escape:
+    case Key::Question:
+    case Key::F1:
+    case Key::F8:
+    case Key::F9:
+    case Key::F10:
+    case Key::F11:
+    case Key::F12:
+        return true;
+    case Key::A:  // all, copy, paste, cut in a field; undo and redo
+    case Key::C:
+    case Key::V:
+    case Key::X:
+    case Key::Y:
+    case Key::Z:
+        return false;
+    default:
+        return event.ctrl && event.text.empty();
+    }
 }
 
 void tell(WindowInput& input, const KeyEvent& event) {

@@ -38,4 +38,8 @@ namespace glint {
 /// The size of the sheet in pixels.
 [[nodiscard]] PictureSize diagnosis_sheet_size(const Diagnosis& diagnosis, const Font& font);
 
+/// What a candidate supposes of the brightness beyond what is said to have happened at the display:
+/// "with all brightness times 0.04"; empty where that is nothing.
+[[nodiscard]] std::string own_brightness(const Diagnosis& diagnosis, const Candidate& candidate);
+
 }  // namespace glint

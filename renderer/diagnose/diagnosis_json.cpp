@@ -38,6 +38,7 @@ JsonValue candidate_json(const Candidate& c) {
     json["also"] = names_json(c.also);
     json["residual"] = c.residual;
     json["explained"] = c.explained;
+    json["gain"] = c.change.gain;
     json["pixel"] = json_of(c.pixel);
     json["mine"] = rgb_json(c.mine);
     json["reference"] = rgb_json(c.reference);

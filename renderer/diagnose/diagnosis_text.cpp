@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/scene/mistakes.h"
@@ -89,9 +90,13 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
                             t.term == "all" ? "all light" : "the " + t.term + " term", light, factor,
                             100 * t.explained);
     }
-    if (!d.candidates.empty())
-        text += fmt::format("Nearest is {}, which explains {} % of the wrong pixels: too few.\n",
-                            name_of(d.candidates.front().mistakes), explained_percent(d.candidates.front()));
+    if (!d.candidates.empty()) {
+        const Candidate& nearest = d.candidates.front();
+        const std::string brightness = own_brightness(d, nearest);
+        text += fmt::format("Nearest is {}{}, which explains {} % of the wrong pixels: too few.\n",
+                            name_of(nearest.mistakes), brightness.empty() ? "" : " " + brightness,
+                            explained_percent(nearest));
+    }
     return text;
 }
 
@@ -187,6 +192,13 @@ std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
     if (d.experiment) text += "To be sure, " + experiment_line(*d.experiment);
     if (d.verdict == Verdict::NotInCatalogue) text += difference_lines(d, scene);
     return text;
+}
+
+std::string own_brightness(const Diagnosis& diagnosis, const Candidate& candidate) {
+    constexpr float hardly = 0.005f;
+    const float gain = candidate.change.gain, told = diagnosis.display.change.gain;
+    if (std::abs(gain - told) <= hardly * std::max(gain, told)) return {};
+    return fmt::format("with all brightness times {:.3g}", gain);
 }
 
 }  // namespace glint

@@ -125,8 +125,10 @@ void candidate_row(UiState& state, const Candidate& candidate, std::size_t index
     const ImVec2 small = px(shown_share) * ImVec2(float(cell.width), float(cell.height));
     const float pad = px(5), width = ImGui::GetContentRegionAvail().x, left = small.x + 3 * pad;
     const std::string title = title_of(candidate.mistakes);
-    const std::string words = fmt::format("explains {} % of what is wrong, leaves {:.2f} levels",
-                                          explained_percent(candidate), candidate.residual);
+    const std::string brightness = own_brightness(mine.answer->diagnosis, candidate);
+    const std::string words =
+        fmt::format("explains {} % of what is wrong, leaves {:.2f} levels{}{}", explained_percent(candidate),
+                    candidate.residual, brightness.empty() ? "" : ", ", brightness);
     const float wrap = std::max(width - left - pad, px(40));
     const ImVec2 title_size = ImGui::CalcTextSize(title.c_str(), nullptr, false, wrap);
     const ImVec2 words_size = fonts().small->CalcTextSizeA(small_text_height(), 1e9f, wrap, words.c_str());

@@ -226,7 +226,8 @@ void animate_panel(UiState& state) {
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_AlwaysAutoResize)) {
         const Animation before = animate.animation;
-        (void)segment_field("Motion", animate.animation.motion, {"What moves", ""});
+        if (segment_field("Motion", animate.animation.motion, {"What moves", ""}))
+            animate.takes_keys = animate.animation.motion == Motion::PingPong;
         if (animate.animation.motion == Motion::PingPong) choose_number(animate, state.editor.scene());
         (void)integer_field("Frames", animate.animation.frames, Count{1, max_frames}, 48,
                             {"Frames of one period; then it begins again", ""});

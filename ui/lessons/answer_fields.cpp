@@ -218,10 +218,12 @@ std::string why_no_answer(const LessonState& lesson) {
     if (is_number) return calculated(lesson.typed, 0).problem;
     if (question.kind != PredictionKind::Sketch) return {};
     const JsonValue::Elements& values = lesson.chosen.elements();
-    const bool whole =
-        values.size() == sketch_length(question) &&
-        std::all_of(values.begin(), values.end(), [](const JsonValue& v) { return v.is_number(); });
-    return whole ? "" : "The curve has gaps: draw it from A, at the left edge, to B, at the right one";
+    const auto is_drawn = [](const JsonValue& v) { return v.is_number(); };
+    const auto gap = std::find_if_not(values.begin(), values.end(), is_drawn);
+    if (values.size() == sketch_length(question) && gap == values.end()) return {};
+    const auto end = std::find_if(gap, values.end(), is_drawn);
+    return fmt::format("The curve has a gap from {} to {} on the lower axis: draw it there, too",
+                       gap - values.begin(), end - values.begin());
 }
 
 bool can_lock(const LessonState& lesson) { return why_no_answer(lesson).empty(); }

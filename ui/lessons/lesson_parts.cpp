@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "ui/lessons/prose.h"
 #include "ui/plots/plot.h"
@@ -26,12 +27,14 @@ std::array<float, 3> channels_of(const JsonValue& colour) {
     return channels;
 }
 
-/// The drawn values of a sketch; gaps stay gaps.
+/// The drawn values of a sketch; not a number where nothing was drawn, which draw_curve() leaves out.
 Points points_of(const JsonValue& values) {
     Points points;
     const JsonValue::Elements& list = values.elements();
     for (std::size_t i = 0; i < list.size(); ++i)
-        if (list[i].is_number()) points.emplace_back(static_cast<double>(i), list[i].number());
+        points.emplace_back(static_cast<double>(i), list[i].is_number()
+                                                        ? list[i].number()
+                                                        : std::numeric_limits<double>::quiet_NaN());
     return points;
 }
 

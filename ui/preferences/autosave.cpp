@@ -102,7 +102,12 @@ std::optional<AutosaveLock> AutosaveLock::take_left(const std::string& path) {
     return lock;
 }
 
-bool AutosaveLock::stands() const { return is_named(descriptor_, lock_); }
+bool AutosaveLock::stands() const {
+    struct stat named {};
+    if (::stat(lock_.c_str(), &named) != 0) return errno != ENOENT;
+    struct stat ours {};
+    return ::fstat(descriptor_, &ours) != 0 || ours.st_ino == named.st_ino;
+}
 
 AutosaveLock::AutosaveLock(const std::string& path) : path_(path), lock_(lock_path(path)) {}
 

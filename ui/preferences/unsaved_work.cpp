@@ -46,7 +46,11 @@ bool take_written_autosave(UiState& state) {
 /// Returns why there can be none.
 std::optional<Problem> why_no_autosave_name(Persistence& memory) {
     if (auto problem = why_no_folder(memory.folder)) return problem;
-    if (memory.autosave && !memory.autosave->stands()) memory.autosave.reset();
+    if (memory.autosave && !memory.autosave->stands()) {
+        const std::string path = memory.autosave->path();
+        memory.autosave.reset();
+        memory.autosave = AutosaveLock::take(path);  // what is there of the copy stays this window's
+    }
     if (!memory.autosave) memory.autosave = new_autosave(memory.folder);
     if (memory.autosave) return {};
     return Problem{memory.folder, "", "cannot be written", "a folder of your own"};

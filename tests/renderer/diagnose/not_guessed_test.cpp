@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderer/diagnose/diagnose.h"
+#include "renderer/diagnose/diagnosis_format.h"
 #include "renderer/diagnose/search/noise.h"
 #include "tests/renderer/diagnose/wrong_pictures.h"
 #include "tests/support/catch.h"
@@ -179,6 +180,20 @@ TEST_CASE("a mistake that brightens all and a gain that darkens it are not belie
     const Diagnosis d = diagnosed(document, right_of(changed, {320, 240}));
     CHECK(d.verdict != Verdict::Mistake);
     CHECK(d.display.change.gain == Approx(1).margin(0.01));
+}
+
+TEST_CASE("what a candidate supposes of the brightness stands beside it", "[diagnose]") {
+    Diagnosis d;
+    d.verdict = Verdict::NotInCatalogue;
+    Candidate& nearest = d.candidates.emplace_back();
+    nearest.mistakes = {0};
+    nearest.change.gain = 0.04f;
+    CHECK(own_brightness(d, nearest) == "with all brightness times 0.04");
+    CHECK(diagnosis_text(d, Scene{}).find(" with all brightness times 0.04, which explains") !=
+          std::string::npos);
+    d.display.change.gain = 0.04f;
+    CHECK(own_brightness(d, nearest).empty());
+    CHECK(diagnosis_text(d, Scene{}).find("brightness times 0.04, which") == std::string::npos);
 }
 
 TEST_CASE("a right picture that was enlarged or sharpened is not a mistake", "[diagnose][release]") {

@@ -101,6 +101,22 @@ TEST_CASE("the interval of a number that is chosen begins within what it may be"
     CHECK(choose("view angle", "Camera: view angle") == 60);
 }
 
+TEST_CASE("what is typed after a click on Back and forth is searched for", "[ui][window][animate]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    begin_animation(bench.state, Motion::Turntable);
+    bench.frames(3);
+    const Scene before = bench.scene();
+    bench.click(bench.control(choice_of(Motion::PingPong).label));
+    bench.frames(3);
+    for (const char letter : std::string("rough")) {
+        bench.type(std::string(1, letter).c_str());
+        bench.frames(1);
+    }
+    CHECK(bench.state.animate.search == "rough");
+    CHECK(bench.scene() == before);
+}
+
 TEST_CASE("a turntable goes once round, at one distance and height, and begins with the scene itself",
           "[ui][animate]") {
     const SceneDocument document = busy_document();

@@ -2,6 +2,7 @@
 #include "ui/lessons/lesson.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "models/io/file.h"
@@ -217,9 +218,20 @@ TEST_CASE("a curve that is drawn from edge to edge is whole, and what is drawn c
     const Rect plot = bench.area_of("Sketch");
     const float middle = (plot.low.y + plot.high.y) / 2;
     bench.drag({plot.low.x + 30, middle}, {plot.high.x - 30, middle});
-    CHECK(why_no_answer(lesson).find("gaps") != std::string::npos);
+    CHECK(why_no_answer(lesson).starts_with("The curve has a gap from 0 to "));
     (void)bench.key(Key::Enter);
     REQUIRE(asks_for(bench, PredictionKind::Sketch));
+    bench.click(bench.control("Wipe"));
+    // Two strokes, and nothing between them.
+    const float third = (plot.high.x - plot.low.x) / 3;
+    bench.drag({plot.low.x - 6, middle}, {plot.low.x + third, middle});
+    bench.drag({plot.high.x - third, middle}, {plot.high.x + 6, middle});
+    int from = 0, to = 0;
+    REQUIRE(std::sscanf(why_no_answer(lesson).c_str(), "The curve has a gap from %d to %d on", &from, &to) ==
+            2);
+    const double pixels = double(lesson.chosen.elements().size()) / 3;
+    CHECK(from == Approx(pixels).margin(4));
+    CHECK(to == Approx(2 * pixels).margin(4));
     bench.click(bench.control("Wipe"));
     // Begun beside the plot, and far above it at the end.
     bench.drag({plot.low.x - 6, middle}, {plot.high.x - 6, plot.low.y - 200});
