@@ -87,18 +87,19 @@ WindowInput& input_of(GLFWwindow* window) {
 }
 
 void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
-    if (action == GLFW_RELEASE) return;
-    KeyEvent event;
-    event.ctrl = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
-    event.shift = (mods & GLFW_MOD_SHIFT) != 0, event.alt = (mods & GLFW_MOD_ALT) != 0;
-    event.repeats = action == GLFW_REPEAT;
     const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
-    if (!modifier) event.key = key;
+    if (action == GLFW_RELEASE || modifier) return;
+    KeyEvent event;
+    event.key = key;
+    event.with = {(mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0, (mods & GLFW_MOD_SHIFT) != 0,
+                  (mods & GLFW_MOD_ALT) != 0};
+    event.repeats = action == GLFW_REPEAT;
     const Key ours = key_of(key, scancode, mods);
     // Undo, redo and moving through a list repeat while the key is held.
     const bool may_repeat = ours == Key::Z || ours == Key::Y || ours == Key::Up || ours == Key::Down;
-    if (!event.repeats || may_repeat) event.press = KeyPress{ours, event.ctrl, event.shift, event.alt};
-    if (!modifier) input_of(window).waiting.emplace_back(std::move(event));
+    if (!event.repeats || may_repeat)
+        event.press = KeyPress{ours, event.with.ctrl, event.with.shift, event.with.alt};
+    input_of(window).waiting.emplace_back(std::move(event));
 }
 
 /// Comes right behind the key that types it; alone where several keys make one letter.
@@ -203,7 +204,7 @@ bool may_open(const KeyEvent& event) {
     case Key::Z:
         return false;
     default:
-        return event.ctrl && event.text.empty();
+        return event.with.ctrl && event.text.empty();
     }
 }
 
@@ -211,7 +212,7 @@ void tell(WindowInput& input, const KeyEvent& event) {
     ImGuiIO& io = ImGui::GetIO();
     if (event.key >= 0) {
         io.KeysDown[event.key] = true;
-        io.KeyCtrl = event.ctrl, io.KeyShift = event.shift, io.KeyAlt = event.alt;
+        io.KeyCtrl = event.with.ctrl, io.KeyShift = event.with.shift, io.KeyAlt = event.with.alt;
         input.shown_down.push_back(event.key);
     }
     for (const char32_t letter : event.text) io.AddInputCharacter(letter);
@@ -221,15 +222,12 @@ void tell(WindowInput& input, const KeyEvent& event) {
 /// Tells keys and text. `before`: the keys that the last frame has shown.
 void feed_keys(WindowInput& input, const std::vector<int>& before) {
     ImGuiIO& io = ImGui::GetIO();
-    const KeyEvent* last = nullptr;
-    KeyEvent told;
+    std::optional<Modifiers> with;
     while (!input.waiting.empty() && input.frames_to_open == 0) {
         const auto* event = std::get_if<KeyEvent>(&input.waiting.front());
         if (event == nullptr) return;
         // ImGui knows one set of modifiers a frame, and a key that goes down again was up before.
-        if (last != nullptr &&
-            (last->ctrl != event->ctrl || last->shift != event->shift || last->alt != event->alt))
-            return;
+        if (with && !(*with == event->with)) return;
         const auto has = [event](const std::vector<int>& keys) {
             return std::find(keys.begin(), keys.end(), event->key) != keys.end();
         };
@@ -238,11 +236,10 @@ void feed_keys(WindowInput& input, const std::vector<int>& before) {
             io.KeysDown[event->key] = false;
             return;
         }
-        told = *event;
-        last = &told;
+        with = event->with;
+        tell(input, *event);
+        if (may_open(*event)) input.frames_to_open = frames_to_open;
         input.waiting.pop_front();
-        tell(input, told);
-        if (may_open(told)) input.frames_to_open = frames_to_open;
     }
 }
 

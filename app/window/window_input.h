@@ -24,13 +24,19 @@ struct ButtonEvent {
     glm::vec2 at{0};  // window coordinates
 };
 
+/// The modifiers held with a key.
+struct Modifiers {
+    bool ctrl = false, shift = false, alt = false;
+    bool operator==(const Modifiers&) const = default;
+};
+
 /// A key that went down or repeats, the modifiers held with it, and the text that it types. ImGui's backend
 /// reads only the current state: it would miss a key that goes down and up within one slow frame.
 struct KeyEvent {
     int key = -1;                   // GLFW's number; -1: only the text is told to ImGui
     bool repeats = false;           // it is held
     std::optional<KeyPress> press;  // for ui/
-    bool ctrl = false, shift = false, alt = false;
+    Modifiers with;
     std::u32string text;
 };
 

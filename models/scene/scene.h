@@ -39,6 +39,10 @@ struct PrimitiveMesh {
     int decimate = 0, subdivide = 0;  // of Fineness
     bool operator==(const PrimitiveMesh&) const = default;
 };
+/// As finely cut as where a scene says no detail.
+[[nodiscard]] constexpr PrimitiveMesh default_mesh(Primitive primitive) {
+    return {primitive, info_of(primitive).default_detail};
+}
 using MeshSource = std::variant<PrimitiveMesh, MeshFile>;
 
 /// The decimation and subdivision that a source asks for, and the same source without them.

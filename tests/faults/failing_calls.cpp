@@ -108,7 +108,6 @@ void empty(int descriptor) {
 /// Returns in a copy of the process for each fault that is asked for. This one ends when nobody asks any
 /// more.
 void serve(int socket) {
-    constexpr unsigned longest_run_s = 10;
     char asked[128];
     for (ssize_t length; (length = ::recv(socket, asked, sizeof asked - 1, 0)) > 0;) {
         asked[length] = 0;

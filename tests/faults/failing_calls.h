@@ -13,6 +13,9 @@ inline constexpr std::array kind_names{"memory", "open", "read", "write", "fsync
                                        "rename", "stat", "lock", "mode",  "unlink", "thread"};
 inline constexpr int kinds = int(kind_names.size());
 
+/// A run that takes longer hangs: seconds.
+inline constexpr unsigned longest_run_s = 10;
+
 /// Which calls of a kind fail, and how. A write that is the first of several to fail still writes the half of
 /// its bytes, as on a disk that is full.
 struct Fault {

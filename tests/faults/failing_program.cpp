@@ -18,7 +18,6 @@
 namespace glint::faults {
 namespace {
 
-constexpr unsigned longest_run_s = 10;
 const std::string old_bytes = "the old file";
 
 std::string folder_of(const Command& command) {

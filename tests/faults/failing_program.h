@@ -43,7 +43,7 @@ class FailingProgram {
 
     /// Runs it with the fault, over an old file. Empty when it ended as it may: all was made, or one line on
     /// standard error, exit status 1, nothing on standard output, and the file the old or the new one; and
-    /// nothing else is in the file's folder. Else what was wrong with it. After ten seconds it hangs.
+    /// nothing else is in the file's folder. Else what was wrong with it. After longest_run_s it hangs.
     [[nodiscard]] std::string wrong_end(const Fault& fault, const Made& right);
 
   private:

@@ -34,10 +34,7 @@ std::string copy_disabled_reason(const UiState& state) {
     return state.rendered == nullptr ? unless_drawn(nullptr) : clipboard_disabled_reason();
 }
 
-void add_bulb(UiState& state) {
-    if (const auto index = add_light(state.editor.scene(), LightKind::Point))
-        state.editor.selection = {Selection::Kind::Light, *index};
-}
+void add_bulb(UiState& state) { add_light(state.editor.scene(), state.editor.selection, LightKind::Point); }
 
 template <LightEffect effect> void follow_by_effect(UiState& state) {
     begin_effect(state.viewport, state.editor.scene(), state.editor.selection, effect);

@@ -87,8 +87,6 @@ void add_light_choices(Entries& entries, const UiState& state) {
                            }});
 }
 
-PrimitiveMesh fresh(Primitive primitive) { return {primitive, info_of(primitive).default_detail}; }
-
 /// What the + of both lists adds, but for the light that has a key.
 void add_additions(Entries& entries, const UiState& state) {
     const Scene& scene = state.editor.scene();
@@ -98,17 +96,13 @@ void add_additions(Entries& entries, const UiState& state) {
     for (const LightKind kind : enumerators<LightKind>) {
         if (kind == LightKind::Point) continue;
         add(fmt::format("a light: {}", choice_of(kind).label), scene.lights.size() >= max_lights,
-            [kind](UiState& s) {
-                if (const auto index = add_light(s.editor.scene(), kind))
-                    s.editor.selection = {Selection::Kind::Light, *index};
-            });
+            [kind](UiState& s) { add_light(s.editor.scene(), s.editor.selection, kind); });
     }
     const bool full = scene.objects.size() >= max_objects;
     add("an object: mesh file…", full, [](UiState& s) { ask_mesh(s, -1); });
     for (const Primitive primitive : enumerators<Primitive>)
         add(fmt::format("an object: {}", choice_of(primitive).label), full, [primitive](UiState& s) {
-            if (const auto index = add_object(s.editor.scene(), fresh(primitive)))
-                s.editor.selection = {Selection::Kind::Object, *index};
+            add_object(s.editor.scene(), s.editor.selection, default_mesh(primitive));
         });
 }
 
@@ -125,7 +119,7 @@ void add_mesh_choices(Entries& entries, const UiState& state) {
                            chosen ? "Mesh · chosen" : "Mesh", "", "", [index, chosen, primitive](UiState& s) {
                                if (chosen) return;
                                Object& o = s.editor.scene().objects[index];
-                               o.source = fresh(primitive);
+                               o.source = default_mesh(primitive);
                                o.mesh = nullptr;  // it is made beside the window
                            }});
     }

@@ -132,10 +132,8 @@ void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) 
     for (Object& object : editor.scene().objects)
         if (waits(object, awaited)) object.mesh = mesh;
     if (awaited.mesh_before) return;
-    if (const auto index = add_object(editor.scene(), awaited.wanted)) {
-        editor.scene().objects[static_cast<std::size_t>(*index)].mesh = mesh;
-        editor.selection = {Selection::Kind::Object, *index};
-    }
+    if (add_object(editor.scene(), editor.selection, awaited.wanted))
+        editor.scene().objects.back().mesh = mesh;
 }
 
 /// Whether only the fineness of a mesh was edited: its panel has words of its own beside the sliders, and a

@@ -124,8 +124,9 @@ SceneDocument first_scene() {
     scene.lights = {sun, bulb};
     Object ball;
     ball.name = "Ball";
-    ball.source = PrimitiveMesh{Primitive::Sphere, info_of(Primitive::Sphere).default_detail};
-    ball.mesh = share_mesh(make_primitive(Primitive::Sphere, info_of(Primitive::Sphere).default_detail));
+    const PrimitiveMesh sphere = default_mesh(Primitive::Sphere);
+    ball.source = sphere;
+    ball.mesh = share_mesh(make_primitive(sphere.primitive, sphere.detail));
     ball.material.diffuse = {0.8f, 0.35f, 0.25f};
     scene.objects = {ball};
     return document;

@@ -100,8 +100,8 @@ std::string short_name(const MeshSource& source) {
     return name.substr(name.find_last_of('/') + 1);
 }
 
-std::optional<int> add_light(Scene& scene, LightKind kind) {
-    if (scene.lights.size() >= max_lights) return {};
+bool add_light(Scene& scene, Selection& selection, LightKind kind) {
+    if (scene.lights.size() >= max_lights) return false;
     const Bounds bounds = scene_bounds(scene);
     const glm::vec3 middle = (bounds.min + bounds.max) / 2.0f;
     const float radius = std::max(glm::length(bounds.max - bounds.min) / 2, 1e-3f);
@@ -117,17 +117,19 @@ std::optional<int> add_light(Scene& scene, LightKind kind) {
     light.kind = kind;
     aim(light, place, middle, radius);
     scene.lights.push_back(light);
-    return static_cast<int>(scene.lights.size()) - 1;
+    selection = {Selection::Kind::Light, static_cast<int>(scene.lights.size()) - 1};
+    return true;
 }
 
-std::optional<int> add_object(Scene& scene, const MeshSource& source) {
-    if (scene.objects.size() >= max_objects) return {};
+bool add_object(Scene& scene, Selection& selection, const MeshSource& source) {
+    if (scene.objects.size() >= max_objects) return false;
     Object object;
     object.name = free_name(object_name(source), scene);
     object.source = source;
     if (!scene.objects.empty()) object.transform.translate.x = scene_bounds(scene).max.x + 1.2f;
     scene.objects.push_back(object);
-    return static_cast<int>(scene.objects.size()) - 1;
+    selection = {Selection::Kind::Object, static_cast<int>(scene.objects.size()) - 1};
+    return true;
 }
 
 void duplicate(Scene& scene, Selection& selection) {

@@ -47,12 +47,12 @@ struct ItemCounts {
 /// Why nothing more can be added.
 inline constexpr const char* is_full = "There are as many as a scene may hold";
 
-/// Adds a light where it can be seen and grabbed: above the scene, on the viewer's side. Returns its index;
-/// nothing if the scene holds as many as it may.
-std::optional<int> add_light(Scene& scene, LightKind kind);
+/// Adds a light where it can be seen and grabbed, above the scene, on the viewer's side, and selects it.
+/// False, and nothing changes, if the scene holds as many as it may.
+bool add_light(Scene& scene, Selection& selection, LightKind kind);
 
-/// A new object beside the others, its mesh not loaded. Its index, or nothing as above.
-std::optional<int> add_object(Scene& scene, const MeshSource& source);
+/// Likewise an object beside the others. Its mesh is not loaded.
+bool add_object(Scene& scene, Selection& selection, const MeshSource& source);
 
 /// A copy after the original, a little aside (a light) or in the same place (an object), selected.
 void duplicate(Scene& scene, Selection& selection);

@@ -159,9 +159,7 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
 
 /// What is copied, in words: not what is composed in the place of the scene's picture.
 static const char* copied_words(const UiState& state) {
-    const bool composed =
-        state.views.compare.choice.on || state.views.debug_view.set.choice.view != DebugView::Picture;
-    return composed ? "the scene's own picture" : "this picture";
+    return is_composed(state.views) ? "the scene's own picture" : "this picture";
 }
 
 void begin_copy(UiState& state) {

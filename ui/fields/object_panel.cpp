@@ -98,11 +98,10 @@ bool source_field(Object& object, const std::string& pointer, ObjectRequests& re
     }
     bool edited = false;
     for (const Primitive primitive : enumerators<Primitive>) {
-        const PrimitiveMesh fresh{primitive, info_of(primitive).default_detail};
         const auto* present = std::get_if<PrimitiveMesh>(&object.source);
         const bool chosen = present != nullptr && present->primitive == primitive;
         if (ImGui::Selectable(choice_of(primitive).label, chosen) && !chosen) {
-            object.source = fresh;
+            object.source = default_mesh(primitive);
             object.mesh = nullptr;
             edited = true;
         }

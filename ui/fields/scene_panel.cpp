@@ -115,11 +115,7 @@ bool add_light_menu(Scene& scene, Selection& selection) {
     for (const LightKind kind : enumerators<LightKind>) {
         const Choice choice = choice_of(kind);
         const std::string keys = kind == LightKind::Point ? keys_of(CommandId::AddLight) : "";
-        if (ImGui::MenuItem(choice.label, keys.c_str()))
-            if (const auto index = add_light(scene, kind)) {
-                selection = {Selection::Kind::Light, *index};
-                edited = true;
-            }
+        if (ImGui::MenuItem(choice.label, keys.c_str())) edited |= add_light(scene, selection, kind);
         tooltip(choice.label, choice.meaning);
     }
     ImGui::EndPopup();
@@ -131,14 +127,9 @@ bool add_object_menu(Scene& scene, Selection& selection, bool& browse_mesh) {
     if (!ImGui::BeginPopup("##add-object")) return false;
     if (ImGui::MenuItem("Mesh file…")) browse_mesh = true;
     ImGui::Separator();
-    for (const Primitive primitive : enumerators<Primitive>) {
-        if (!ImGui::MenuItem(choice_of(primitive).label)) continue;
-        if (const auto index =
-                add_object(scene, PrimitiveMesh{primitive, info_of(primitive).default_detail})) {
-            selection = {Selection::Kind::Object, *index};
-            edited = true;
-        }
-    }
+    for (const Primitive primitive : enumerators<Primitive>)
+        if (ImGui::MenuItem(choice_of(primitive).label))
+            edited |= add_object(scene, selection, default_mesh(primitive));
     ImGui::EndPopup();
     return edited;
 }

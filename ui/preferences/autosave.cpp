@@ -63,19 +63,21 @@ std::optional<Copy> read_copy(const std::string& path) {
                 stamped ? stamp_of(stamp->string()).value_or(FileStamp{}) : FileStamp{}};
 }
 
-/// Whether the file of this descriptor still has this name.
-bool is_named(int descriptor, const std::string& path) {
+/// Whether the file of this descriptor still has this name; nothing when that cannot be found out.
+std::optional<bool> is_named(int descriptor, const std::string& path) {
     struct stat ours {
     }, named{};
-    return ::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &named) == 0 &&
-           ours.st_ino == named.st_ino;
+    if (::stat(path.c_str(), &named) != 0) return errno == ENOENT ? std::optional(false) : std::nullopt;
+    if (::fstat(descriptor, &ours) != 0) return {};
+    return ours.st_ino == named.st_ino;
 }
 
 /// Takes the lock of an opened file; -1, and it is closed, when another holds it. Whoever held it may have
 /// removed the file between our opening and our locking.
 int locked(int descriptor, const std::string& path) {
     if (descriptor < 0) return -1;
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_named(descriptor, path)) return descriptor;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_named(descriptor, path).value_or(false))
+        return descriptor;
     ::close(descriptor);
     return -1;
 }
@@ -102,12 +104,7 @@ std::optional<AutosaveLock> AutosaveLock::take_left(const std::string& path) {
     return lock;
 }
 
-bool AutosaveLock::stands() const {
-    struct stat named {};
-    if (::stat(lock_.c_str(), &named) != 0) return errno != ENOENT;
-    struct stat ours {};
-    return ::fstat(descriptor_, &ours) != 0 || ours.st_ino == named.st_ino;
-}
+bool AutosaveLock::stands() const { return is_named(descriptor_, lock_).value_or(true); }
 
 AutosaveLock::AutosaveLock(const std::string& path) : path_(path), lock_(lock_path(path)) {}
 

@@ -154,6 +154,10 @@ void show_quantity(ViewsState& views, DebugView view, bool keep_comparing) {
     if (!keep_comparing) views.compare.choice.on = false;
 }
 
+bool is_composed(const ViewsState& views) {
+    return views.compare.choice.on || views.debug_view.set.choice.view != DebugView::Picture;
+}
+
 void begin_views(UiState& state) { state.layout.scope = state.views.scope.open; }
 
 bool views_need_linear(const ViewsState& views) {

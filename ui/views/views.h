@@ -106,6 +106,9 @@ struct ViewsState {
 /// Shows one quantity in place of the picture. It and a comparison take each other's place.
 void show_quantity(ViewsState& views, DebugView view, bool keep_comparing = false);
 
+/// Whether parts of a comparison or a quantity show in the place of the scene's own picture.
+[[nodiscard]] bool is_composed(const ViewsState& views);
+
 /// Asks for the room of panels that are open; before the layout.
 void begin_views(UiState& state);
 

@@ -10,8 +10,12 @@ using namespace glint;
 TEST_CASE("as many lights are added as a scene may have, and not one more", "[ui][edit]") {
     Scene scene;
     scene.lights.resize(max_lights - 1);
-    CHECK(add_light(scene, LightKind::Point) == static_cast<int>(max_lights) - 1);
-    CHECK_FALSE(add_light(scene, LightKind::Point));
+    Selection selection;
+    CHECK(add_light(scene, selection, LightKind::Point));
+    const Selection last{Selection::Kind::Light, static_cast<int>(max_lights) - 1};
+    CHECK(selection == last);
+    CHECK_FALSE(add_light(scene, selection, LightKind::Point));
+    CHECK(selection == last);
     CHECK(scene.lights.size() == max_lights);
 }
 
@@ -45,8 +49,9 @@ TEST_CASE("a new object stands to the right of all that is there", "[ui][edit]")
     REQUIRE_FALSE(problem_of(parsed));
     Scene scene = std::get<Scene>(std::move(parsed));
     REQUIRE(problem_of(load_meshes(scene, "", "")) == nullptr);
-    const std::optional<int> added = add_object(scene, scene.objects[0].source);
-    REQUIRE(added == 1);
+    Selection selection;
+    REQUIRE(add_object(scene, selection, scene.objects[0].source));
+    CHECK(selection == Selection{Selection::Kind::Object, 1});
     CHECK(scene.objects[1].transform.translate.x > 6);
 }
 

@@ -45,16 +45,27 @@ void copy_again(HeadlessWindow& bench, float intensity) {
     while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
 }
 
+/// A window whose unsaved work has been copied.
+struct CopiedWindow {
+    TemporaryDirectory folder;
+    HeadlessWindow bench;
+    std::string copy;  // its path
+
+    CopiedWindow() {
+        begin_persistence(bench.state, folder.path("state"));
+        bench.frames(2);
+        edit_and_wait(bench, 0.25f);
+        copy = bench.state.persistence.autosave->path();
+    }
+};
+
 }  // namespace
 
 TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    bench.frames(2);
-    edit_and_wait(bench, 0.25f);
+    CopiedWindow window;
+    HeadlessWindow& bench = window.bench;
+    const std::string& copy = window.copy;
     CHECK(bench.notes_with("No copy") == 0);
-    const std::string copy = bench.state.persistence.autosave->path();
     std::filesystem::remove(copy);
     std::filesystem::create_directory(copy);  // not even root writes a file over that
     copy_again(bench, 0.5f);
@@ -75,11 +86,9 @@ TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][m
 }
 
 TEST_CASE("a copy that cannot be removed now goes when it can be, and none takes its place", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    edit_and_wait(bench, 0.25f);
-    const std::string copy = bench.state.persistence.autosave->path();
+    CopiedWindow window;
+    HeadlessWindow& bench = window.bench;
+    const std::string& copy = window.copy;
     std::filesystem::remove(copy);
     std::filesystem::create_directories(copy + "/full");  // not even root removes that at once
     bench.scene() = bench.state.editor.saved;
@@ -101,11 +110,8 @@ TEST_CASE("a copy that cannot be removed now goes when it can be, and none takes
 }
 
 TEST_CASE("a copy that no thread can write is said once, and tried again", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    bench.frames(2);
-    edit_and_wait(bench, 0.25f);
+    CopiedWindow window;
+    HeadlessWindow& bench = window.bench;
     {
         const test::NoThreads none;
         copy_again(bench, 0.6875f);
@@ -117,7 +123,7 @@ TEST_CASE("a copy that no thread can write is said once, and tried again", "[ui]
     bench.state.persistence.autosaved_at = -1e9;
     bench.frames(3);  // nothing was edited
     while (bench.state.persistence.autosave_writing.valid()) bench.frames(1);
-    CHECK(bytes_of(bench.state.persistence.autosave->path()).find("0.6875") != std::string::npos);
+    CHECK(bytes_of(window.copy).find("0.6875") != std::string::npos);
 }
 
 TEST_CASE("that no folder for a copy can be made is said too", "[ui][memory]") {

@@ -148,8 +148,9 @@ TEST_CASE("F frames the selected object, and all where none is selected", "[ui][
 TEST_CASE("from outside the eye, what it sees, all axes and every light are in sight", "[ui][hands]") {
     Scene scene = first_scene().scene;
     REQUIRE(problem_of(load_meshes(scene, "", "")) == nullptr);
+    Selection selection;
     for (const LightKind kind : {LightKind::Directional, LightKind::Spot, LightKind::Area})
-        add_light(scene, kind);
+        add_light(scene, selection, kind);
     for (const glm::vec3 eye :
          {glm::vec3(0, 0, 5), glm::vec3(4, 9, -1), glm::vec3(0.01f, 7, 0), glm::vec3(0.4f, 0, 0)}) {
         scene.camera.eye = eye;

@@ -16,7 +16,8 @@ namespace {
 /// A scene with one of every kind.
 Scene rich_scene() {
     Scene scene = first_scene().scene;
-    for (const LightKind kind : {LightKind::Spot, LightKind::Point}) add_light(scene, kind);
+    Selection selection;
+    for (const LightKind kind : {LightKind::Spot, LightKind::Point}) add_light(scene, selection, kind);
     scene.lights.back().space = LightSpace::Camera;
     scene.objects.front().source = PrimitiveMesh{Primitive::Cube, 2};
     scene.objects.front().mesh = nullptr;
