@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "models/memory_limit.h"
 #include "renderer/diagnose/difference.h"
@@ -44,17 +46,24 @@ bool is_exact(const Judged& best) {
     return best.is_believed && !best.change.soft && best.score.residual() < rounding;
 }
 
-/// Whether one term of the equation, multiplied by a number, explains nearly all that is wrong where an
-/// explanation differs from the right picture. That supposes less than a mistake beside a change at the
-/// display, or than one that leaves more than rounding.
-bool is_of_one_term(Renderer& renderer, const Scene& scene, const Exhibit& exhibit, const Judged& explained) {
+/// The term of the equation that, multiplied by a number, explains nearly all that is wrong where an
+/// explanation differs from the right picture; nothing where none does.
+std::optional<DifferenceTerm> term_that_explains(Renderer& renderer, const Scene& scene,
+                                                 const Exhibit& exhibit, const Judged& explained) {
     constexpr double nearly_all = 0.98, hardly_any = 0.01;  // of the difference's energy; of the wrong pixels
     (void)renderer.render(under_mistakes(scene, {}), exhibit.right.size);
     const DescribedDifference found =
         describe_difference(renderer, exhibit, exhibit.least_change, scene.display,
                             explained.is_right ? nullptr : &explained.drawing.picture);
-    return !found.terms.empty() && found.terms.front().explained > nearly_all &&
-           found.pixels_left < hardly_any * static_cast<double>(found.pixels);
+    if (found.terms.empty() || found.terms.front().explained <= nearly_all ||
+        found.pixels_left >= hardly_any * static_cast<double>(found.pixels))
+        return std::nullopt;
+    return found.terms.front();
+}
+
+bool is_left_out(const std::optional<DifferenceTerm>& term) {
+    constexpr double rounding = 0.01;
+    return term && std::abs(term->factor) < rounding;
 }
 
 void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, const Exhibit& exhibit,
@@ -63,10 +72,14 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
     const Judged& none = of_no_mistake(all);
     d.display = display_finding(exhibit, best.drawing, best.change);
     constexpr double rounded_twice = 0.6;  // levels: what rounding leaves of two programs' pictures is less
+    // One term supposes less than a mistake beside a change at the display, or than one that leaves more than
+    // rounding.
     const bool supposes_more = best.change.count() > (best.is_right ? 1 : 0) ||
                                (!best.is_right && best.score.residual() > rounded_twice);
-    const bool is_believed =
-        best.is_believed && !(supposes_more && is_of_one_term(renderer, document.scene, exhibit, best));
+    std::optional<DifferenceTerm> term;
+    if (best.is_believed && (supposes_more || !best.is_right))
+        term = term_that_explains(renderer, document.scene, exhibit, best);
+    const bool is_believed = best.is_believed && !(supposes_more && term);
     const Judged& shown = is_believed ? best : none;
     d.pixels = count_unlike(exhibit, shown.drawing, shown.change);
     if (is_believed && best.is_right) {
@@ -84,6 +97,7 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         d.candidates.end());
     if (!is_believed) return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
     d.verdict = Verdict::Mistake;
+    if (is_left_out(term)) d.left_out = term;
     d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
 }
 

@@ -80,6 +80,8 @@ struct Diagnosis {
     PixelCounts pixels{};
     std::vector<DifferenceRegion> regions;
     std::vector<DifferenceTerm> terms;
+    // Of Mistake: the term without which the picture would be the same. The program may not add it.
+    std::optional<DifferenceTerm> left_out;
     std::optional<Experiment> experiment;
 };
 

@@ -57,6 +57,12 @@ JsonValue answer_json(const Experiment& e) {
     return json;
 }
 
+JsonValue term_json(const DifferenceTerm& t, const Scene& scene) {
+    JsonValue json{{"term", t.term}, {"factor", t.factor}, {"explained", t.explained}};
+    if (t.light >= 0) json["light"] = scene.lights[static_cast<std::size_t>(t.light)].name;
+    return json;
+}
+
 JsonValue difference_json(const Diagnosis& d, const Scene& scene) {
     JsonValue json;
     json["wrong"] = count_of(d.pixels, PixelKind::Surface).share();
@@ -69,11 +75,7 @@ JsonValue difference_json(const Diagnosis& d, const Scene& scene) {
                            {"to", json_of(r.high)},
                            {"mean", r.mean}});
     JsonValue& terms = json["terms"] = JsonValue::array();
-    for (const DifferenceTerm& t : d.terms) {
-        JsonValue term{{"term", t.term}, {"factor", t.factor}, {"explained", t.explained}};
-        if (t.light >= 0) term["light"] = scene.lights[static_cast<std::size_t>(t.light)].name;
-        terms.push_back(std::move(term));
-    }
+    for (const DifferenceTerm& t : d.terms) terms.push_back(term_json(t, scene));
     return json;
 }
 
@@ -99,6 +101,7 @@ JsonValue answer_json(const Diagnosis& d, const Scene& scene) {
     JsonValue& candidates = json["candidates"] = JsonValue::array();
     for (const Candidate& c : d.candidates) candidates.push_back(candidate_json(c));
     if (d.verdict == Verdict::NotInCatalogue) json["difference"] = difference_json(d, scene);
+    if (d.left_out) json["left_out"] = term_json(*d.left_out, scene);
     json["experiment"] = d.experiment ? answer_json(*d.experiment) : JsonValue();
     return json;
 }

@@ -70,6 +70,13 @@ std::string experiment_line(const Experiment& e) {
                        e.pixel.y, fmt::join(shows, ", with "));
 }
 
+/// "the specular term of Sun", "all light of Sun".
+std::string term_words(const DifferenceTerm& t, const Scene& scene) {
+    const std::string light =
+        t.light < 0 ? "" : " of " + on_one_line(scene.lights[static_cast<std::size_t>(t.light)].name);
+    return (t.term == "all" ? "all light" : "the " + t.term + " term") + light;
+}
+
 std::string difference_lines(const Diagnosis& d, const Scene& scene) {
     std::string text;
     if (!d.regions.empty()) {
@@ -83,12 +90,9 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
     }
     if (!d.terms.empty()) {
         const DifferenceTerm& t = d.terms.front();
-        const std::string light =
-            t.light < 0 ? "" : " of " + on_one_line(scene.lights[static_cast<std::size_t>(t.light)].name);
         const double factor = std::round(100 * t.factor) / 100 + 0.0;  // never "-0.00"
-        text += fmt::format("It goes with {}{}, as if that were multiplied by {:.2f} ({:.0f} % of it).\n",
-                            t.term == "all" ? "all light" : "the " + t.term + " term", light, factor,
-                            100 * t.explained);
+        text += fmt::format("It goes with {}, as if that were multiplied by {:.2f} ({:.0f} % of it).\n",
+                            term_words(t, scene), factor, 100 * t.explained);
     }
     if (!d.candidates.empty()) {
         const Candidate& nearest = d.candidates.front();
@@ -189,9 +193,15 @@ std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
             "picture "
             "would tell it from a soft one.\n";
     if (d.verdict == Verdict::Mistake) text += candidate_lines(d.candidates.front(), d.size);
+    if (d.left_out) text += left_out_text(d, scene) + "\n";
     if (d.experiment) text += "To be sure, " + experiment_line(*d.experiment);
     if (d.verdict == Verdict::NotInCatalogue) text += difference_lines(d, scene);
     return text;
+}
+
+std::string left_out_text(const Diagnosis& d, const Scene& scene) {
+    if (!d.left_out) return {};
+    return fmt::format("Or {} is left out: that shows the same.", term_words(*d.left_out, scene));
 }
 
 std::string own_brightness(const Diagnosis& diagnosis, const Candidate& candidate) {

@@ -10,12 +10,6 @@
 namespace glint {
 namespace {
 
-int distance(Rgb a, Rgb b) {
-    int most = 0;
-    for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
-    return most;
-}
-
 /// The background of a drawing; nothing where it shows none that the right picture shows, too.
 std::optional<Rgb> background_in(const Exhibit& e, const Drawing& drawn) {
     for (std::size_t i = 0; i < e.kinds.size(); ++i)
@@ -33,7 +27,7 @@ std::optional<Rgb> other_background(const Exhibit& e, const Drawing& drawn, cons
     if (!wanted) return std::nullopt;
     ground = exchanged(change, *ground);
     const float near = 2 + change.scatter();
-    if (static_cast<float>(distance(*ground, *wanted)) <= near) return std::nullopt;
+    if (static_cast<float>(most_apart(*ground, *wanted)) <= near) return std::nullopt;
     bool as_displayed = true;
     for (std::size_t c = 0; c < 3; ++c) as_displayed &= ranges[(*wanted)[c]].distance((*ground)[c]) <= near;
     if (as_displayed) return std::nullopt;
@@ -77,7 +71,7 @@ template <class Colour> Crossings crossings(const Exhibit& e, const Colour& colo
             while (end < size.width && end - x <= widest && kind(end) == PixelKind::Edge) ++end;
             if (end == size.width || kind(end) == PixelKind::Edge) continue;
             const Rgb from = colour(x - 1, y), to = colour(end, y);
-            if (distance(from, to) < far) continue;
+            if (most_apart(from, to) < far) continue;
             bool between = false;
             for (int u = x; u < end; ++u) between |= is_mixture(colour(u, y), from, to);
             ++found.clear;
@@ -213,12 +207,12 @@ Outline outline_of(const Exhibit& e, const DisplayChange& turned, Rgb right_back
         for (int x = 0; x < size.width; ++x) {
             const PixelKind kind = e.kinds[size.index(x, y)];
             const Rgb mine = rgb_at(e.wrong, changed_index(turned, size, x, y));
-            const bool is_ground = ground && static_cast<float>(distance(mine, *ground)) <= near;
+            const bool is_ground = ground && static_cast<float>(most_apart(mine, *ground)) <= near;
             if (kind == PixelKind::Background) {
                 ++background;
                 outside += is_ground ? 0 : 1;
             } else if (kind == PixelKind::Surface &&
-                       distance(rgb_at(e.right, size.index(x, y)), right_background) > clear) {
+                       most_apart(rgb_at(e.right, size.index(x, y)), right_background) > clear) {
                 ++surface;
                 bare += is_ground ? 1 : 0;
             }
@@ -226,7 +220,7 @@ Outline outline_of(const Exhibit& e, const DisplayChange& turned, Rgb right_back
     const auto share = [](std::size_t part, std::size_t of) {
         return of == 0 ? 0 : static_cast<double>(part) / static_cast<double>(of);
     };
-    const bool black = ground && distance(*ground, Rgb{}) <= dark;  // as a surface may be, too
+    const bool black = ground && most_apart(*ground, Rgb{}) <= dark;  // as a surface may be, too
     return {share(outside, background), black ? 0 : share(bare, surface)};
 }
 

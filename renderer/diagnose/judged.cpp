@@ -5,6 +5,7 @@
 
 #include "models/scene/mistakes.h"
 #include "renderer/diagnose/display_finding.h"
+#include "renderer/diagnose/search/softness.h"
 
 namespace glint {
 namespace {
@@ -58,6 +59,18 @@ void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, 
     j.cost = cost;
 }
 
+/// Judges by every row, and as a hard picture where only softness makes it fit and it cannot be softened.
+void judge_whole(Judged& j, const Exhibit& exhibit) {
+    const DisplayChange change = j.change;
+    if (change.soft) {
+        DisplayChange hard = change;
+        hard.soft = false;
+        judge(j, exhibit, hard, 1);
+        if (!j.score.fits() && !may_be_softened(exhibit, j.drawing, change)) return;
+    }
+    judge(j, exhibit, change, 1);
+}
+
 /// The best of the changes that the hypothesis allows, judged by every so many rows.
 Judged judged(Renderer& renderer, BareMasks& masks, const Scene& scene, const Exhibit& exhibit,
               const Hypothesis& hypothesis, int step) {
@@ -83,9 +96,8 @@ bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
 }
 
 /// Judges the right picture as one that was encoded by a power, too. That is what most programs do which do
-/// not encode as sRGB, so it is tried for no mistake alone.
-void judge_by_power(Judged& none, const Exhibit& exhibit) {
-    DisplayChange change = none.change;
+/// not encode as sRGB, so it is tried for no mistake alone. `change`: what else happened.
+void judge_by_power(Judged& none, const Exhibit& exhibit, DisplayChange change) {
     change.after = Code::Power;
     change.gain = 1;
     change.soft = false;
@@ -155,6 +167,21 @@ bool kept_its_brightness(const Exhibit& exhibit, const DisplayChange& change) {
             kept += by > clearly && off <= same ? 1 : 0;
         }
     return 2 * kept > changed;
+}
+
+/// Whether the surfaces of a picture have so few colours, each within some levels, that a mistake with a gain
+/// and another change at the display can turn them into any others: plates that each have one.
+bool has_few_colours(const Exhibit& exhibit) {
+    constexpr std::size_t few = 4;
+    constexpr int near = 8;
+    std::vector<Rgb> colours;
+    for (std::size_t i = 0; i < exhibit.kinds.size() && colours.size() <= few; ++i) {
+        if (exhibit.kinds[i] != PixelKind::Surface) continue;
+        const Rgb colour = rgb_at(exhibit.right, i);
+        const auto is_same = [&colour](const Rgb& other) { return most_apart(colour, other) <= near; };
+        if (std::none_of(colours.begin(), colours.end(), is_same)) colours.push_back(colour);
+    }
+    return colours.size() <= few;
 }
 
 /// The explanations that are worth a picture of the whole size, `count` at most. Two mistakes are looked for
@@ -257,16 +284,21 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
                      [](const Judged& a, const Judged& b) { return a.cost < b.cost; });
     all.resize(std::min(all.size(), judged_whole));
     const Drawing right{exhibit.right, {}};
-    for (Judged& j : all) judge(j, exhibit, j.change, 1);
+    for (Judged& j : all) judge_whole(j, exhibit);
     // The whole picture may speak against a change that few rows chose.
+    const DisplayChange of_few_rows = all.front().change;
     judge_also(all.front(), exhibit, exhibit.least_change, 1);
-    judge_by_power(all.front(), exhibit);
+    for (const DisplayChange& change : {of_few_rows, exhibit.least_change})
+        judge_by_power(all.front(), exhibit, change);
+    const bool tells_little = has_few_colours(exhibit);
     for (Judged& j : all) {
         j.is_right = j.mistakes.empty() || look_alike(exhibit, j.drawing, right);
         const bool may_be =
             j.score.fits() && !encodes_and_decodes(j) && !kept_its_brightness(exhibit, j.change);
+        const bool is_overdone = tells_little && j.change.gain != 1 && j.change.count() > 1;
         const bool is_better = j.cost < all.front().cost && j.score.comes_nearer();
-        j.is_believed = may_be && (j.is_right || (is_better && !undoes_itself(exhibit, j, all.front())));
+        j.is_believed =
+            may_be && (j.is_right || (is_better && !is_overdone && !undoes_itself(exhibit, j, all.front())));
     }
     std::stable_sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
         return a.is_believed != b.is_believed ? a.is_believed : a.cost < b.cost;

@@ -80,7 +80,10 @@ void take_picture(UiState& state, BroughtPicture picture) {
     MyPictureState& mine = state.mine;
     CompareChoice& choice = state.views.compare.choice;
     leave(mine.job, mine.left_jobs);
-    if (!mine.shown) mine.compare_before = choice;
+    if (!mine.shown) {
+        mine.compare_before = choice;
+        state.inspector.tab_before = state.inspector.tab;
+    }
     mine.path = picture.path;
     mine.name = mine.reading->name();
     mine.shown = std::move(picture.shown);
@@ -174,7 +177,7 @@ void put_picture_away(UiState& state) {
     mine.tried.reset();
     mine.right.reset();
     mine.mistaken.reset();
-    if (state.inspector.tab == InspectorTab::MyPicture) state.inspector.tab = InspectorTab::Mistakes;
+    if (state.inspector.tab == InspectorTab::MyPicture) state.inspector.tab = state.inspector.tab_before;
 }
 
 void cancel_diagnosis(MyPictureState& mine) {

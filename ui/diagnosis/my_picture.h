@@ -65,7 +65,8 @@ struct MyPictureState {
 /// Begins to read a picture drawn by any program; once complete it replaces the one before. If it cannot be
 /// read, a notification says so and everything stays.
 void bring_picture(UiState& state, const std::string& path);
-/// Removes the picture, restores the comparison from before it, and cancels what is being computed.
+/// Removes the picture, restores the comparison and the tab from before it, and cancels what is being
+/// computed.
 void put_picture_away(UiState& state);
 /// Gives the diagnosis up until the scene changes, or ask_again().
 void cancel_diagnosis(MyPictureState& mine);

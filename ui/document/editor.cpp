@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "models/fields/scene_rules.h"
 #include "models/io/file.h"
@@ -11,11 +13,28 @@
 namespace glint {
 namespace {
 
-/// Puts the scene of a step in hand. Where the selected item is gone, the next is selected by a step forward,
-/// as when it was deleted; by one back the one before it, of which it may have been a copy.
+/// Whether a list has one item more than before, at `index` or, where that was its last one, behind it: then
+/// a deletion has left `index` selected, and `index` becomes the place of what was deleted.
+template <class Item>
+bool has_back(const std::vector<Item>& before, const std::vector<Item>& after, int& index) {
+    if (after.size() != before.size() + 1) return false;
+    const auto place = std::mismatch(before.begin(), before.end(), after.begin()).first - before.begin();
+    const bool was_last = place == std::ssize(before) && index + 1 == place;
+    if (place != index && !was_last) return false;
+    index = static_cast<int>(place);
+    return true;
+}
+
+/// Puts the scene of a step in hand. What a deletion took is selected again where it comes back beside the
+/// selected item. Where that is gone, the next is selected by a step forward, as when it was deleted; by one
+/// back the one before it, of which it may have been a copy.
 void take_step(Editor& editor, const Scene& scene, bool forward = false) {
     const Scene before = std::exchange(editor.document.scene, scene);
     Selection& selection = editor.selection;
+    if (selection.kind == Selection::Kind::Light && has_back(before.lights, scene.lights, selection.index))
+        return;
+    if (selection.kind == Selection::Kind::Object && has_back(before.objects, scene.objects, selection.index))
+        return;
     int place = selection.index;
     if (selection.kind == Selection::Kind::Light) place = place_in(before.lights, scene.lights, place);
     if (selection.kind == Selection::Kind::Object) place = place_in(before.objects, scene.objects, place);

@@ -18,6 +18,12 @@ struct Selection {
     bool operator==(const Selection&) const = default;
 };
 
+/// A number for each selection, its own.
+[[nodiscard]] inline int number_of(const Selection& selection) {
+    constexpr int more_than_any_index = 100'000;
+    return static_cast<int>(selection.kind) * more_than_any_index + selection.index;
+}
+
 /// Index of the selected light, or -1.
 [[nodiscard]] inline int selected_light(const Selection& selection) {
     return selection.kind == Selection::Kind::Light ? selection.index : -1;

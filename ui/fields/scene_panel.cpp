@@ -1,13 +1,14 @@
-#include <imgui_internal.h>
+#include <imgui.h>
 
-#include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -32,8 +33,7 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
     draw_icon(list, icon, {low.x + indent + 0.5f * height, low.y + 0.5f * height}, 0.58f * height, colour);
     const float right = low.x + width - reserve;
     const ImVec2 from{low.x + indent + 1.15f * height, low.y + ImGui::GetStyle().FramePadding.y};
-    ImGui::RenderTextEllipsis(&list, from, {right, from.y + ImGui::GetTextLineHeight()}, right, right, name,
-                              name + std::strlen(name), nullptr);
+    cut_text(list, from, right, name);
     if (from.x + ImGui::CalcTextSize(name).x > right) tooltip(name, "");
     return clicked;
 }
@@ -161,11 +161,21 @@ bool object_row(Scene& scene, int index, Selection& selection) {
     return edited;
 }
 
+float row_step() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
+
+/// Scrolls as little as brings a row into sight, whose list begins at the cursor.
+void scroll_to_row(int index) {
+    const float low = ImGui::GetCursorPosY() + static_cast<float>(index) * row_step();
+    const float high = low + row_step(), sight = ImGui::GetWindowHeight();
+    if (low < ImGui::GetScrollY()) ImGui::SetScrollY(low);
+    if (high > ImGui::GetScrollY() + sight) ImGui::SetScrollY(high - sight);
+}
+
 /// Draws the rows that are in sight. A row that changes the list is the last one drawn in this frame.
 template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, DrawRow draw_row) {
     const std::size_t count = items.size();
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(count), ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y);
+    clipper.Begin(static_cast<int>(count), row_step());
     bool edited = false;
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd && items.size() == count; ++i)
@@ -178,15 +188,21 @@ template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, D
 bool scene_panel(Scene& scene, Selection& selection, bool& browse_mesh) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1)});
     bool edited = false;
+    // What is selected elsewhere, in the picture or by keys, is brought into sight.
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const int before = std::exchange(*storage.GetIntRef(ImGui::GetID("shown"), -1), number_of(selection));
+    const bool is_other = before != number_of(selection);
     plain_row(Icon::Camera, "Camera", Selection::Kind::Camera, selection);
     plain_row(Icon::Shading, "Shading", Selection::Kind::Shading, selection);
     plain_row(Icon::Display, "Display", Selection::Kind::Display, selection);
     list_heading("Lights", "##add-light", scene.lights.size() >= max_lights);
     edited |= add_light_menu(scene, selection);
+    if (is_other && selection.kind == Selection::Kind::Light) scroll_to_row(selection.index);
     edited |= rows(scene.lights, [&](int i) { return light_row(scene, i, selection); });
     if (scene.lights.empty()) dim_text("   No light yet: press + or L");
     list_heading("Objects", "##add-object", scene.objects.size() >= max_objects);
     edited |= add_object_menu(scene, selection, browse_mesh);
+    if (is_other && selection.kind == Selection::Kind::Object) scroll_to_row(selection.index);
     edited |= rows(scene.objects, [&](int i) { return object_row(scene, i, selection); });
     if (scene.objects.empty()) dim_text("   Nothing to light yet: press +");
     ImGui::PopStyleVar();

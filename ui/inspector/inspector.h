@@ -49,10 +49,11 @@ struct MarkedQuantity {
 
 struct InspectorState {
     InspectorTab tab = InspectorTab::Equation;
-    int corner = 0;                                  // whose numbers are listed under Gouraud and flat
-    int channel = 0;                                 // whose product is written out: 0 red, 1 green, 2 blue
-    bool shows_vectors = true, shows_facet = false;  // in the picture
-    bool world_frame = false;                        // vectors are listed in world coordinates, else camera
+    InspectorTab tab_before = InspectorTab::Equation;  // the user's picture came
+    int corner = 0;                                    // whose numbers are listed under Gouraud and flat
+    int channel = 0;                                   // whose product is written out: 0 red, 1 green, 2 blue
+    bool shows_vectors = true, shows_facet = false;    // in the picture
+    bool world_frame = false;                          // vectors are listed in world coordinates, else camera
     int mirror_step = 0;      // 1 to 4: r is built up in the picture; 0: r is simply shown
     float normal_length = 1;  // of the n that r is built from
     float look_at_y = 0;      // of the line gluLookAt() in the tab Program, as it was drawn last

@@ -34,9 +34,9 @@ std::string notes_on(const MistakeName& mistake) {
 }
 
 /// One line of the font in use, cut off with dots.
-void cut_line(ImDrawList& list, const Rect& line, const ImVec4& colour, const char* begin, const char* end) {
+void cut_line(ImDrawList& list, const Rect& line, const ImVec4& colour, std::string_view text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::RenderTextEllipsis(&list, line.low, line.high, line.high.x, line.high.x, begin, end, nullptr);
+    cut_text(list, line.low, line.high.x, text);
     ImGui::PopStyleColor();
 }
 
@@ -52,7 +52,7 @@ float broken_lines(ImDrawList& list, const Rect& area, const ImVec4& colour, std
             is_last ? end
                     : ImGui::GetFont()->CalcWordWrapPositionA(
                           ImGui::GetFontSize() / ImGui::GetFont()->FontSize, at, end, area.size().x);
-        cut_line(list, {{area.low.x, y}, {area.high.x, y + height}}, colour, at, next);
+        cut_line(list, {{area.low.x, y}, {area.high.x, y + height}}, colour, {at, next});
         at = next;
         while (at < end && *at == ' ') ++at;
         y += height;
@@ -79,15 +79,14 @@ void words_of(const MistakeName& mistake, bool on, bool dim, const Rect& area) {
     const Rect first{area.low + ImVec2(line + px(4), 0), {area.high.x, area.low.y + line}};
     const bool fits = ImGui::CalcTextSize(title.c_str()).x <= first.size().x;
     if (!fits) ImGui::PushFont(fonts().small);
-    cut_line(list, first, dim ? theme().dim_text : theme().text, title.data(), title.data() + title.size());
+    cut_line(list, first, dim ? theme().dim_text : theme().text, title);
     if (!fits) ImGui::PopFont();
     ImGui::PushFont(fonts().small);
     const float last = mistake.sources.empty() ? 0 : ImGui::GetTextLineHeight();
     const float y = broken_lines(list, {{area.low.x, first.high.y + px(2)}, area.high - ImVec2(0, last)},
                                  theme().dim_text, mistake.looks);
     // One line: a tracker's name and number has no place to be broken at. Its tooltip has all of them.
-    cut_line(list, {{area.low.x, y}, {area.high.x, y + last}}, theme().disabled_text, mistake.sources.data(),
-             mistake.sources.data() + mistake.sources.size());
+    cut_line(list, {{area.low.x, y}, {area.high.x, y + last}}, theme().disabled_text, mistake.sources);
     ImGui::PopFont();
 }
 

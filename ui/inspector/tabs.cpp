@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 #include <imgui.h>
-#include <imgui_internal.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -106,8 +106,7 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
             state.editor.selection = {Selection::Kind::Object, explanation.object_index};
         tooltip("Object", is_explained(state) ? "Click to show its panel" : "Of the scene that is shown",
                 what);
-        ImGui::RenderTextEllipsis(&list, at, {at.x + room, at.y + ImGui::GetTextLineHeight()}, at.x + room,
-                                  at.x + room, what.data(), what.data() + what.size(), nullptr);
+        cut_text(list, at, at.x + room, what);
         ImGui::SameLine(0, px(12));
         coloured(is_plain_front(explanation) ? theme().dim_text : theme().warning, side);
         tooltip("Side",

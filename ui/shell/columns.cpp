@@ -89,11 +89,15 @@ void scene_column(UiState& state, const PictureView& view) {
     if (browse_mesh) ask_mesh(state, -1);
     ImGui::Separator();
     ImGui::PushFont(fonts().title);
-    ImGui::TextUnformatted(selected_title(scene, state.editor.selection).c_str());
+    const ImVec2 low = ImGui::GetCursorScreenPos(),
+                 title{ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()};
+    cut_text(*ImGui::GetWindowDrawList(), low, low.x + title.x,
+             selected_title(scene, state.editor.selection));
+    ImGui::Dummy(title);
     ImGui::PopFont();
     // What is edited is told apart by the selection: no field keeps its focus for another item, and each
     // panel its own place of scrolling.
-    ImGui::PushID(static_cast<int>(state.editor.selection.kind) * 100'000 + state.editor.selection.index);
+    ImGui::PushID(number_of(state.editor.selection));
     ImGui::BeginChild("##panel");
     if (std::exchange(state.types_into_panel, false)) {
         ImGui::SetWindowFocus();

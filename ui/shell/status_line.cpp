@@ -1,6 +1,6 @@
 // The row at the bottom.
 #include <fmt/core.h>
-#include <imgui_internal.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -88,8 +88,7 @@ void status_line(UiState& state, const Rect& area) {
         const float mark = mistakes_mark(state, {right, left.y});
         const std::string hint = tools_hint(state);
         const float end = std::max(right - mark - px(16), left.x);
-        ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), left, {end, area.high.y}, end, end, hint.data(),
-                                  hint.data() + hint.size(), nullptr);
+        cut_text(*ImGui::GetWindowDrawList(), left, end, hint);
         ImGui::SetCursorScreenPos({right, left.y});
         dim_text(stats.c_str());
         ImGui::PopFont();

@@ -56,6 +56,12 @@ bool nothing_dragged() { return !ImGui::IsAnyMouseDown() && !ImGui::IsAnyItemAct
 
 }  // namespace
 
+void cut_text(ImDrawList& list, ImVec2 low, float right, std::string_view text) {
+    const char *const begin = text.data(), *const end = begin + text.size();
+    ImGui::RenderTextEllipsis(&list, low, {right, low.y + ImGui::GetTextLineHeight()}, right, right, begin,
+                              end, nullptr);
+}
+
 void coloured(const ImVec4& colour, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text.c_str());

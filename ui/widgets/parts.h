@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace glint {
 
 void coloured(const ImVec4& colour, const std::string& text);
 void coloured(Symbol symbol, const std::string& text);
+/// One line in the font in use from `low`, cut off with dots where it would pass `right`.
+void cut_text(ImDrawList& list, ImVec2 low, float right, std::string_view text);
 /// The light's icon at the cursor, which stays.
 void light_icon(const Light& light);
 /// Each word in its symbol's colour, all in one line.

@@ -1,8 +1,11 @@
 #pragma once
 // What pictures show at a few chosen pixels: enough to try very many explanations of a wrong picture on.
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -17,6 +20,13 @@ namespace glint {
 using Rgb = std::array<std::uint8_t, 3>;
 [[nodiscard]] inline Rgb rgb_at(const Picture& picture, std::size_t pixel) {
     return {picture.rgba[4 * pixel], picture.rgba[4 * pixel + 1], picture.rgba[4 * pixel + 2]};
+}
+
+/// Levels between two colours in the channel in which they are farthest apart.
+[[nodiscard]] inline int most_apart(Rgb a, Rgb b) {
+    int most = 0;
+    for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
+    return most;
 }
 
 struct Probe {

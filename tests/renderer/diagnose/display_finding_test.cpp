@@ -281,9 +281,7 @@ TEST_CASE("how much of a picture only softness explains is counted, and said whe
     const PictureSize size{160, 90};
     const Picture right = renderer.render(document.scene, size);
     const std::vector<PixelKind> kinds = pixel_kinds(renderer, size);
-    Scene dimmed = document.scene;
-    dimmed.lights[0].specular = glm::vec3(0.3f);
-    const Picture picture = renderer.render(dimmed, size);
+    const Picture picture = one_to_the_right(right);
     std::uint64_t pixels = 0;
     int most = 0;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -295,7 +293,7 @@ TEST_CASE("how much of a picture only softness explains is counted, and said whe
         most = std::max(most, off);
     }
     const Diagnosis d = diagnosed(document, picture);
-    CHECK(d.verdict == Verdict::NoMistake);  // a limit: the highlight is a few pixels wide
+    CHECK(d.verdict == Verdict::NoMistake);
     CHECK(d.display.softened == pixels);
     CHECK(d.display.softened_most == most);
     const std::string text = diagnosis_text(d, document.scene);
@@ -303,6 +301,19 @@ TEST_CASE("how much of a picture only softness explains is counted, and said whe
           std::string::npos);
     CHECK(text.find("A small highlight that is lit otherwise") != std::string::npos);
     CHECK(diagnosis_text(diagnosed(document, right), document.scene).find("highlight") == std::string::npos);
+}
+
+TEST_CASE("a highlight of a few pixels that is weaker is not smoothed, and its term is told", "[diagnose]") {
+    const SceneDocument document = shipped("every-term.json");
+    Scene dimmed = document.scene;
+    dimmed.lights[0].specular = glm::vec3(0.3f);
+    Renderer renderer(1);
+    const Diagnosis d = diagnosed(document, renderer.render(dimmed, {160, 90}));
+    CHECK(d.verdict == Verdict::NotInCatalogue);
+    REQUIRE_FALSE(d.terms.empty());
+    CHECK(d.terms[0].term == "specular");
+    CHECK(d.terms[0].light == 0);
+    CHECK(d.terms[0].factor == Approx(0.3).margin(0.02));
 }
 
 TEST_CASE("a picture at another aspect is not comparable, and which aspect is said", "[diagnose]") {

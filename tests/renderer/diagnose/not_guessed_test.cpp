@@ -182,6 +182,62 @@ TEST_CASE("a mistake that brightens all and a gain that darkens it are not belie
     CHECK(d.display.change.gain == Approx(1).margin(0.01));
 }
 
+TEST_CASE("highlights of another width are not a right picture that was smoothed", "[diagnose]") {
+    for (const char* const name : {"still-life", "phong-and-blinn-exponents", "shininess-grid",
+                                   "wide-angle-balls", "classic-materials"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        SceneDocument narrower = document;
+        for (Object& object : narrower.scene.objects) object.material.shininess *= 1.3f;
+        INFO(name);
+        CHECK(diagnosed(document, right_of(narrower, {320, 240})).verdict == Verdict::NotInCatalogue);
+    }
+}
+
+TEST_CASE("a right picture that was smoothed or moved is one, and as much as that changes", "[diagnose]") {
+    constexpr PictureSize size{320, 240};
+    for (const char* const name : {"still-life", "shininess-grid", "wide-angle-balls"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        const Picture right = right_of(document, size);
+        const auto near = [&right](int x, int y, std::size_t c) { return between(right, x, y, c); };
+        const Picture smoothed = picture_of(size, [&](int x, int y, std::size_t c) {
+            return near(x, y, c) / 2 +
+                   (near(x - 1, y, c) + near(x + 1, y, c) + near(x, y - 1, c) + near(x, y + 1, c)) / 8;
+        });
+        const Picture moved = picture_of(
+            size, [&](int x, int y, std::size_t c) { return between(right, x - 0.4, y + 0.3, c); });
+        INFO(name);
+        const Diagnosis of_smoothed = diagnosed(document, smoothed), of_moved = diagnosed(document, moved);
+        CHECK(of_smoothed.verdict == Verdict::NoMistake);
+        CHECK(of_smoothed.display.smoothed);
+        CHECK(of_moved.verdict == Verdict::NoMistake);
+        CHECK(glm::distance(of_moved.display.shift, glm::vec2(0.4f, -0.3f)) < 0.1f);
+    }
+}
+
+TEST_CASE("where a mistake takes all highlights away it is said that they may be left out", "[diagnose]") {
+    const SceneDocument document = shipped("glossy-ball.json");
+    SceneDocument dull = document, dim = document;
+    dull.scene.objects[0].material.specular = glm::vec3(0);
+    const Diagnosis d = diagnosed(document, right_of(dull, {320, 240}));
+    REQUIRE(d.verdict == Verdict::Mistake);
+    REQUIRE(d.left_out);
+    CHECK(d.left_out->term == "specular");
+    CHECK(d.left_out->light == 0);
+    CHECK(diagnosis_text(d, document.scene)
+              .find("Or the specular term of Sun is left out: that shows the same.\n") != std::string::npos);
+    CHECK(diagnosis_json(d, document.scene).find("\"left_out\": {") != std::string::npos);
+    // Of a mistake that leaves a share of the highlight nothing is said.
+    dim.scene.shading.mistakes.missing_pi = true;
+    CHECK_FALSE(diagnosed(document, right_of(dim, {320, 240})).left_out);
+}
+
+TEST_CASE("three colours are not told to be mirrored, darkened and mistaken", "[diagnose]") {
+    const SceneDocument document = shipped("three-angles.json");
+    SceneDocument duller = document;
+    duller.scene.objects[0].material.shininess = 2;
+    CHECK(diagnosed(document, right_of(duller, {320, 240})).verdict == Verdict::NotInCatalogue);
+}
+
 TEST_CASE("what a candidate supposes of the brightness stands beside it", "[diagnose]") {
     Diagnosis d;
     d.verdict = Verdict::NotInCatalogue;

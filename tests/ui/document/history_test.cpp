@@ -226,9 +226,30 @@ TEST_CASE("undoing a copy selects what was copied, and deleting again the next",
     remove(editor.scene(), editor.selection);
     remember_step(editor, false);
     REQUIRE(undo(editor));
-    editor.selection = {Selection::Kind::Light, 1};
+    CHECK(editor.selection == Selection{Selection::Kind::Light, 1});  // what was deleted
     REQUIRE(redo(editor));
     CHECK(editor.selection == Selection{Selection::Kind::Light, 1});
+}
+
+TEST_CASE("what undo brings back is selected where its deletion left its neighbour selected", "[ui]") {
+    Editor editor;
+    SceneDocument document;
+    document.scene = two_lights();
+    for (const char* const name : {"Lamp", "Torch"}) document.scene.lights.emplace_back().name = name;
+    take_document(editor, document);
+    for (int deleted = 0; deleted < 4; ++deleted) {
+        editor.selection = {Selection::Kind::Light, deleted};
+        remove(editor.scene(), editor.selection);
+        remember_step(editor, false);
+        REQUIRE(undo(editor));
+        CHECK(editor.selection == Selection{Selection::Kind::Light, deleted});
+    }
+    editor.selection = {Selection::Kind::Light, 1};
+    remove(editor.scene(), editor.selection);
+    remember_step(editor, false);
+    editor.selection = {Selection::Kind::Light, 2};  // by hand: it stays, wherever it goes
+    REQUIRE(undo(editor));
+    CHECK(editor.selection == Selection{Selection::Kind::Light, 3});
 }
 
 TEST_CASE("a mesh that was loaded again is not an edit, and no name has it", "[ui]") {

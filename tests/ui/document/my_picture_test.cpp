@@ -224,6 +224,7 @@ TEST_CASE("what cannot be compared is said, and what cannot be read is one line"
     HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();
+    bench.state.inspector.tab = InspectorTab::Vectors;
     bench.state.views.compare.choice.gain = 4;
     const CompareChoice compared = bench.state.views.compare.choice;
     const TemporaryDirectory folder;
@@ -237,8 +238,10 @@ TEST_CASE("what cannot be compared is said, and what cannot be read is one line"
                 narrow.rgba.push_back(wide.rgba[4 * wide.pixel(x * 4 / 3, y) + c]);
     bring(bench, folder, narrow);
     CHECK(found(bench).verdict == Verdict::NotComparable);
+    CHECK(bench.state.inspector.tab == InspectorTab::MyPicture);
     bench.key(Key::Escape);
     CHECK_FALSE(bench.state.mine.shown);
+    CHECK(bench.state.inspector.tab == InspectorTab::Vectors);
     CHECK(bench.state.views.compare.choice == compared);
     CHECK(bench.state.notifications.list.empty());
 

@@ -125,6 +125,15 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing 
     CHECK(std::abs(bench.state.explanation->y - 200) <= 1);
     bench.key(Key::M);
     CHECK(bench.state.views.magnifier.zoom == 1);
+    // Several steps that come in one slow frame, and one of a wheel that turns smoothly.
+    ImGui::GetIO().KeyCtrl = true;
+    for (const auto& [steps, zoom] : {std::pair{3.0f, 8}, {-2.0f, 2}, {0.2f, 4}, {9.0f, 64}, {-9.0f, 1}}) {
+        ImGui::GetIO().MouseWheel = steps;
+        bench.frames(1);
+        ImGui::GetIO().MouseWheel = 0;
+        CHECK(bench.state.views.magnifier.zoom == zoom);
+    }
+    ImGui::GetIO().KeyCtrl = false;
 }
 
 TEST_CASE("big pixels have room for their numbers on a display of any scale", "[ui][window][magnify]") {

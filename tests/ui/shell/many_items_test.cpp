@@ -76,6 +76,33 @@ TEST_CASE("a folder of thirty thousand files is listed, and only its rows in sig
     CHECK(bench.state.files.name == "mesh29999.obj");
 }
 
+TEST_CASE(
+    "what is selected by keys or in the picture is scrolled into the scene's list, and the wheel leaves it",
+    "[ui][window][many]") {
+    ManyWindow bench(scene_of_lights(many), InspectorTab::Equation);
+    const auto in_sight = [&bench](int light) {
+        const std::string key = "/lights/" + std::to_string(light) + "/enabled";
+        const auto& all = bench.controls();
+        return std::any_of(all.begin(), all.end(),
+                           [&](const NamedControl& c) { return c.key == key && c.in_sight; });
+    };
+    // The panel has the switch of the selected light, too, so its neighbours' are looked for.
+    for (const auto& [selected, neighbour] : {std::pair{299, 298}, {0, 1}, {150, 149}, {151, 149}}) {
+        bench.state.editor.selection = {Selection::Kind::Light, selected};
+        bench.frames(3);
+        INFO(selected);
+        CHECK(in_sight(neighbour));  // no farther than it has to be
+    }
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+    bench.frames(3);
+    bench.move(bench.control("/lights/1/enabled"));
+    ImGui::GetIO().MouseWheel = -1e5f;
+    (void)bench.frame();
+    ImGui::GetIO().MouseWheel = 0;
+    bench.frames(3);
+    CHECK_FALSE(in_sight(1));
+}
+
 TEST_CASE("the equation lays out the cards of the lights in sight, and all can be scrolled to",
           "[ui][window][many]") {
     ManyWindow bench(scene_of_lights(many), InspectorTab::Equation);

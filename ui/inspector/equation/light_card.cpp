@@ -193,9 +193,11 @@ void sample_rows(const ExplainedLight& area, int channel) {
 bool name_row(UiState& state, const ExplainedLight& explained, const Light& light) {
     ImGui::Dummy({0, px(3)});
     light_icon(light);
-    if (ImGui::Selectable(whole_label("      " + light.name).c_str()))
-        state.editor.selection = {Selection::Kind::Light, explained.index};
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    if (ImGui::Selectable("##light")) state.editor.selection = {Selection::Kind::Light, explained.index};
     const bool pointed = is_pointed_at();
+    const float indent = ImGui::CalcTextSize("      ").x, right = low.x + ImGui::GetContentRegionAvail().x;
+    cut_text(*ImGui::GetWindowDrawList(), {low.x + indent, low.y}, right, whole_label(light.name));
     tooltip("Light",
             is_read_only() ? "Of the scene that is shown" : "Rest here: this light alone. Click: its panel");
     return pointed;
