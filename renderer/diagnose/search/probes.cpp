@@ -8,18 +8,24 @@
 
 namespace glint {
 
+RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel) {
+    const int left = std::max(pixel.x - 1, 0), right = std::min(pixel.x + 1, picture.size.width - 1);
+    RgbBounds bounds;
+    for (int y = std::max(pixel.y - 1, 0); y <= std::min(pixel.y + 1, picture.size.height - 1); ++y) {
+        const std::uint8_t* at = &picture.rgba[4 * picture.pixel(left, y)];
+        for (int x = left; x <= right; ++x, at += 4)
+            for (std::size_t c = 0; c < 3; ++c) {
+                bounds.low[c] = std::min(bounds.low[c], at[c]);
+                bounds.high[c] = std::max(bounds.high[c], at[c]);
+            }
+    }
+    return bounds;
+}
+
 DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture, const IsBare& is_bare) {
     DrawnProbes drawn;
     for (const Probe& p : probes) {
-        Rgb low{255, 255, 255}, high{};
-        for (int y = std::max(p.y - 1, 0); y <= std::min(p.y + 1, picture.size.height - 1); ++y)
-            for (int x = std::max(p.x - 1, 0); x <= std::min(p.x + 1, picture.size.width - 1); ++x) {
-                const Rgb near = rgb_at(picture, picture.pixel(x, y));
-                for (std::size_t c = 0; c < 3; ++c) {
-                    low[c] = std::min(low[c], near[c]);
-                    high[c] = std::max(high[c], near[c]);
-                }
-            }
+        const auto [low, high] = bounds_around(picture, {p.x, p.y});
         const Rgb at = rgb_at(picture, picture.pixel(p.x, p.y));
         drawn.at.insert(drawn.at.end(), at.begin(), at.end());
         drawn.low.insert(drawn.low.end(), low.begin(), low.end());

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,12 @@ using Rgb = std::array<std::uint8_t, 3>;
     for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
     return most;
 }
+
+/// Each channel's least and largest level among a pixel of a picture and those around it.
+struct RgbBounds {
+    Rgb low{255, 255, 255}, high{};
+};
+[[nodiscard]] RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel);
 
 struct Probe {
     int x = 0, y = 0;

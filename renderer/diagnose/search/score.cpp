@@ -8,12 +8,6 @@
 namespace glint {
 namespace {
 
-/// Visits (x, y) a pixel and those around it that the picture has.
-template <class Visit> void for_each_neighbour(PictureSize size, glm::ivec2 at, const Visit& visit) {
-    for (int y = std::max(at.y - 1, 0); y <= std::min(at.y + 1, size.height - 1); ++y)
-        for (int x = std::max(at.x - 1, 0); x <= std::min(at.x + 1, size.width - 1); ++x) visit(x, y);
-}
-
 /// The colours that a picture may show at one pixel, channels in the scene's order.
 class Expected {
   public:
@@ -45,24 +39,18 @@ class Expected {
     /// Levels between the darkest and the brightest of a pixel and its neighbours, as they were drawn:
     /// without the room that rounding and clamping leave.
     [[nodiscard]] float contrast_at(glm::ivec2 at, std::size_t channel) const {
-        float low = 255, high = 0;
-        for_each_neighbour(drawn_.size, at, [&](int x, int y) {
-            const float level = ranges_[drawn_.rgba[4 * drawn_.pixel(x, y) + channel]].middle;
-            low = std::min(low, level);
-            high = std::max(high, level);
-        });
-        return high - low;
+        const RgbBounds near = bounds_around(drawn_, at);
+        return ranges_[near.high[channel]].middle - ranges_[near.low[channel]].middle;
     }
 
   private:
     void widen(std::array<ByteRange, 3>& expected, int x, int y) const {
-        for_each_neighbour(drawn_.size, {x, y}, [&](int u, int v) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const ByteRange near = ranges_[drawn_.rgba[4 * drawn_.pixel(u, v) + c]];
-                expected[c].low = std::min(expected[c].low, near.low);
-                expected[c].high = std::max(expected[c].high, near.high);
-            }
-        });
+        // No curve turns brighter into darker.
+        const RgbBounds near = bounds_around(drawn_, {x, y});
+        for (std::size_t c = 0; c < 3; ++c) {
+            expected[c].low = ranges_[near.low[c]].low;
+            expected[c].high = ranges_[near.high[c]].high;
+        }
     }
 
     const Picture& drawn_;
@@ -82,13 +70,9 @@ bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const Expecte
         if (explained[c].high - explained[c].low < far_apart) continue;
         const float contrast = expected.contrast_at(at, c);
         if (contrast < far_apart) continue;
-        int low = 255, high = 0;
-        for_each_neighbour(e.right.size, at, [&](int x, int y) {
-            const int level = mine_at(e.wrong, change, x, y)[c];
-            low = std::min(low, level);
-            high = std::max(high, level);
-        });
-        if (static_cast<float>(high - low) < least_share * contrast) return true;
+        const RgbBounds mine = bounds_around(e.wrong, changed_place(change, e.wrong.size, at));
+        const std::size_t channel = changed_channel(change, c);
+        if (static_cast<float>(mine.high[channel] - mine.low[channel]) < least_share * contrast) return true;
     }
     return false;
 }
