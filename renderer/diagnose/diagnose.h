@@ -52,10 +52,12 @@ struct DifferenceRegion {
     glm::ivec2 low{0}, high{0};    // the box around them, both inside
     std::array<double, 3> mean{};  // picture - right, levels
 };
+/// The sum of a term over all lights, in the place of one light's index.
+inline constexpr int all_lights = -2;
 /// A term of the equation to which the difference is proportional.
 struct DifferenceTerm {
     std::string term;      // emission, global_ambient, ambient, diffuse, specular; all: of a light
-    int light = -1;        // in Scene::lights; -1 for the terms without one
+    int light = -1;        // in Scene::lights; -1 for the terms without one, or all_lights
     double factor = 1;     // what the term seems to be multiplied by
     double explained = 0;  // share of the difference's energy that this explains, 0 to 1
 };

@@ -70,11 +70,12 @@ std::string experiment_line(const Experiment& e) {
                        e.pixel.y, fmt::join(shows, ", with "));
 }
 
-/// "the specular term of Sun", "all light of Sun".
+/// "the specular term of Sun", "all light of Sun", "the specular term of all lights".
 std::string term_words(const DifferenceTerm& t, const Scene& scene) {
-    const std::string light =
-        t.light < 0 ? "" : " of " + on_one_line(scene.lights[static_cast<std::size_t>(t.light)].name);
-    return (t.term == "all" ? "all light" : "the " + t.term + " term") + light;
+    std::string words = t.term == "all" ? "all light" : "the " + t.term + " term";
+    if (t.light == all_lights) words += " of all lights";
+    if (t.light >= 0) words += " of " + on_one_line(scene.lights[static_cast<std::size_t>(t.light)].name);
+    return words;
 }
 
 std::string difference_lines(const Diagnosis& d, const Scene& scene) {

@@ -57,8 +57,10 @@ std::vector<WrongPixel> wrong_pixels(const Exhibit& e, const Renderer& renderer,
 using TermValues = std::map<std::pair<std::string, int>, glm::dvec3>;
 
 void add_terms(TermValues& terms, const ExplainedPoint& at, double weight) {
+    const bool are_many = at.lights.size() > 1;
     const auto add = [&](const char* name, int light, glm::vec3 value) {
         terms[{name, light}] += weight * glm::dvec3(value);
+        if (light >= 0 && are_many) terms[{name, all_lights}] += weight * glm::dvec3(value);
     };
     add("emission", -1, at.emission);
     add("global_ambient", -1, at.global_ambient);
@@ -157,6 +159,14 @@ std::vector<DifferenceTerm> likely_terms(const Fits& fits) {
         const double gain = sums.product / sums.square, explained = gain * sums.product / fits.energy;
         if (explained >= least_explained) terms.push_back({name.first, name.second, 1 + gain, explained});
     }
+    // Where one light's term explains as much as that of all, it is that light's.
+    constexpr double as_much = 0.005;
+    const auto is_of_one = [all = terms](const DifferenceTerm& t) {
+        return t.light == all_lights && std::any_of(all.begin(), all.end(), [&t](const DifferenceTerm& one) {
+                   return one.term == t.term && one.light >= 0 && one.explained > t.explained - as_much;
+               });
+    };
+    std::erase_if(terms, is_of_one);
     std::stable_sort(terms.begin(), terms.end(),
                      [](const auto& a, const auto& b) { return a.explained > b.explained; });
     if (terms.size() > most) terms.resize(most);

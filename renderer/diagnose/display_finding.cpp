@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <glm/geometric.hpp>
+
+#include "renderer/diagnose/search/softness.h"
 
 namespace glint {
 namespace {
@@ -95,65 +96,6 @@ bool smooth_edges(const Exhibit& e, const Picture& drawn, const ByteRanges& rang
     return mine.clear >= enough && share(mine) > share(hard) + more;
 }
 
-/// A drawing in the wrong picture's levels, read between its pixels; beyond its border as at the border.
-class Levels {
-  public:
-    Levels(const Picture& drawn, const ByteRanges& ranges) : drawn_(drawn), ranges_(ranges) {}
-
-    [[nodiscard]] double at(glm::dvec2 point, std::size_t channel) const {
-        const glm::dvec2 corner(std::floor(point.x), std::floor(point.y)), t = point - corner;
-        const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
-        return (1 - t.y) * ((1 - t.x) * at(x, y, channel) + t.x * at(x + 1, y, channel)) +
-               t.y * ((1 - t.x) * at(x, y + 1, channel) + t.x * at(x + 1, y + 1, channel));
-    }
-
-  private:
-    [[nodiscard]] double at(int x, int y, std::size_t channel) const {
-        const PictureSize size = drawn_.size;
-        const std::size_t pixel =
-            size.index(std::clamp(x, 0, size.width - 1), std::clamp(y, 0, size.height - 1));
-        return double(ranges_[drawn_.rgba[4 * pixel + channel]].middle);
-    }
-
-    const Picture& drawn_;
-    const ByteRanges& ranges_;
-};
-
-/// What least squares of picture(x) = drawn(x - shift) over all surfaces adds to a shift.
-glm::dvec2 shift_step(const Exhibit& e, const Levels& levels, const DisplayChange& change, glm::dvec2 shift) {
-    double xx = 0, xy = 0, yy = 0, xd = 0, yd = 0;
-    const PictureSize size = e.right.size;
-    const glm::dvec2 right(1, 0), down(0, 1);
-    for (int y = 1; y + 1 < size.height; ++y)
-        for (int x = 1; x + 1 < size.width; ++x) {
-            if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
-            const Rgb mine = mine_at(e.wrong, change, x, y);
-            const glm::dvec2 from = glm::dvec2(x, y) - shift;
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double gx = (levels.at(from + right, c) - levels.at(from - right, c)) / 2;
-                const double gy = (levels.at(from + down, c) - levels.at(from - down, c)) / 2;
-                const double d = levels.at(from, c) - double(mine[c]);
-                xx += gx * gx, xy += gx * gy, yy += gy * gy;
-                xd += gx * d, yd += gy * d;
-            }
-        }
-    const double determinant = xx * yy - xy * xy;
-    if (determinant <= 1e-6 * xx * yy) return glm::dvec2(0);
-    return glm::dvec2(yy * xd - xy * yd, xx * yd - xy * xd) / determinant;
-}
-
-/// In pixels; zero where it cannot be told.
-glm::vec2 fitted_shift(const Exhibit& e, const Levels& levels, const DisplayChange& change) {
-    constexpr int steps = 4;        // each from where the one before has led: a picture is not a plane
-    constexpr double farthest = 4;  // pixels
-    glm::dvec2 shift(0);
-    for (int i = 0; i < steps; ++i) {
-        shift += shift_step(e, levels, change, shift);
-        if (glm::length(shift) > farthest) return glm::vec2(0);
-    }
-    return shift;
-}
-
 /// Counts what only softness explains.
 void count_softened(DisplayFinding& finding, const Exhibit& e, const Drawing& drawn) {
     DisplayChange hard = finding.change;
@@ -180,7 +122,7 @@ DisplayFinding display_finding(const Exhibit& e, const Drawing& drawing, const D
     if (!change.soft) return finding;
     constexpr float least = 0.2f;  // of a pixel; what is left is the smoothing itself
     count_softened(finding, e, drawing);
-    glm::vec2 shift = fitted_shift(e, Levels(drawn, ranges), change);
+    glm::vec2 shift = fitted_shift(e, drawn, change);
     for (int i = 0; i < 2; ++i)
         if (std::abs(shift[i]) < least) shift[i] = 0;
     finding.shift = shift;

@@ -301,7 +301,8 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
             may_be && (j.is_right || (is_better && !is_overdone && !undoes_itself(exhibit, j, all.front())));
     }
     std::stable_sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
-        return a.is_believed != b.is_believed ? a.is_believed : a.cost < b.cost;
+        if (a.is_believed != b.is_believed) return a.is_believed;
+        return a.cost != b.cost ? a.cost < b.cost : a.score.squares < b.score.squares;
     });
     return all;
 }

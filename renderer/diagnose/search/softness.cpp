@@ -1,17 +1,23 @@
 #include "renderer/diagnose/search/softness.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace glint {
 namespace {
 
-constexpr std::array<glm::ivec2, 8> offsets{
-    {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+constexpr std::array<glm::ivec2, 9> offsets{
+    {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 constexpr std::size_t unknowns = offsets.size() + 1;
 
-/// Least squares of how far each level is off by how far the eight around it are from it, which gives what
+/// Every so many rows tell enough.
+int row_step(PictureSize size) { return std::max(1, size.height / 200); }
+
+/// Least squares of how far each level is off by how far those of nine pixels are from it, which gives what
 /// each of them has in the mixture, and by the level itself, which gives a gain.
 class MixtureFit {
   public:
@@ -63,12 +69,61 @@ class MixtureFit {
     std::size_t count_ = 0;
 };
 
+/// A drawing in the wrong picture's levels, read at its pixels or between them; beyond its border as at the
+/// border.
+class Levels {
+  public:
+    Levels(const Picture& drawn, const ByteRanges& ranges) : drawn_(drawn), ranges_(ranges) {}
+
+    [[nodiscard]] double at(glm::dvec2 point, std::size_t channel) const {
+        const glm::dvec2 corner(std::floor(point.x), std::floor(point.y)), t = point - corner;
+        const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
+        return (1 - t.y) * ((1 - t.x) * at(x, y, channel) + t.x * at(x + 1, y, channel)) +
+               t.y * ((1 - t.x) * at(x, y + 1, channel) + t.x * at(x + 1, y + 1, channel));
+    }
+
+    [[nodiscard]] double at(int x, int y, std::size_t channel) const {
+        const PictureSize size = drawn_.size;
+        const std::size_t pixel =
+            size.index(std::clamp(x, 0, size.width - 1), std::clamp(y, 0, size.height - 1));
+        return double(ranges_[drawn_.rgba[4 * pixel + channel]].middle);
+    }
+
+  private:
+    const Picture& drawn_;
+    const ByteRanges& ranges_;
+};
+
+/// What least squares of picture(x) = drawn(x - shift) over all surfaces adds to a shift.
+glm::dvec2 shift_step(const Exhibit& e, const Levels& levels, const DisplayChange& change, glm::dvec2 shift,
+                      int rows) {
+    double xx = 0, xy = 0, yy = 0, xd = 0, yd = 0;
+    const PictureSize size = e.right.size;
+    const glm::dvec2 right(1, 0), down(0, 1);
+    for (int y = 1; y + 1 < size.height; y += rows)
+        for (int x = 1; x + 1 < size.width; ++x) {
+            if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
+            const Rgb mine = mine_at(e.wrong, change, x, y);
+            const glm::dvec2 from = glm::dvec2(x, y) - shift;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double gx = (levels.at(from + right, c) - levels.at(from - right, c)) / 2;
+                const double gy = (levels.at(from + down, c) - levels.at(from - down, c)) / 2;
+                const double d = levels.at(from, c) - double(mine[c]);
+                xx += gx * gx, xy += gx * gy, yy += gy * gy;
+                xd += gx * d, yd += gy * d;
+            }
+        }
+    const double determinant = xx * yy - xy * xy;
+    if (determinant <= 1e-6 * xx * yy) return glm::dvec2(0);
+    return glm::dvec2(yy * xd - xy * yd, xx * yd - xy * xd) / determinant;
+}
+
 /// Visits every level of a surface: its pixel, its channel, and how far it is off the drawing.
 template <class Visit>
 void for_each_level(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
                     const ByteRanges& ranges, const Visit& visit) {
     const PictureSize size = e.right.size;
-    for (int y = 1; y + 1 < size.height; ++y)
+    for (int y = 1; y + 1 < size.height; y += row_step(size))
         for (int x = 1; x + 1 < size.width; ++x) {
             if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
             const Rgb mine = mine_at(e.wrong, change, x, y), ours = rgb_at(drawn.picture, size.index(x, y));
@@ -91,30 +146,58 @@ bool is_one_sided(const Exhibit& e, const Drawing& drawn, const DisplayChange& c
     return std::abs(sum) > nearly_all * all;
 }
 
-}  // namespace
-
-bool may_be_softened(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
-    constexpr double most_left = 0.3;
-    constexpr float hardly = 1.1f;
-    // A gain near 1 may be what makes a highlight of another width look even: it is fitted beside the
-    // mixture.
-    DisplayChange judged = change;
-    const bool fits_gain = change.gain != 1 && change.gain < hardly && change.gain * hardly > 1;
-    if (fits_gain) judged.gain = 1;
-    const ByteRanges ranges = byte_ranges(judged);
-    if (!is_one_sided(e, drawn, judged, ranges)) return true;
+/// The share of what differs that no mixture explains of nine pixels around the place that a pixel is shifted
+/// from; `with_gain`: nor one with a gain.
+double share_unmixed(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, glm::ivec2 shift,
+                     bool with_gain) {
+    const ByteRanges ranges = byte_ranges(change);
+    const Levels levels(drawn.picture, ranges);
     MixtureFit fit;
-    for_each_level(e, drawn, judged, ranges, [&](glm::ivec2 at, std::size_t c, double off) {
-        const auto level = [&](glm::ivec2 pixel) {
-            return double(ranges[rgb_at(drawn.picture, e.right.size.index(pixel.x, pixel.y))[c]].middle);
-        };
-        const double here = level(at);
+    for_each_level(e, drawn, change, ranges, [&](glm::ivec2 at, std::size_t c, double off) {
+        const double here = levels.at(at.x, at.y, c);
         std::array<double, unknowns> of{};
-        for (std::size_t i = 0; i < offsets.size(); ++i) of[i] = level(at + offsets[i]) - here;
-        if (fits_gain) of.back() = here;
+        for (std::size_t i = 0; i < offsets.size(); ++i) {
+            const glm::ivec2 near = at - shift + offsets[i];
+            of[i] = levels.at(near.x, near.y, c) - here;
+        }
+        if (with_gain) of.back() = here;
         fit.add(of, off);
     });
-    return fit.share_left(double(change.noise)) <= most_left;
+    return fit.share_left(double(change.noise));
+}
+
+}  // namespace
+
+glm::vec2 fitted_shift(const Exhibit& e, const Picture& drawn, const DisplayChange& change, int rows) {
+    const ByteRanges ranges = byte_ranges(change);
+    const Levels levels(drawn, ranges);
+    constexpr int steps = 4;        // each from where the one before has led: a picture is not a plane
+    constexpr double farthest = 4;  // pixels
+    glm::dvec2 shift(0);
+    for (int i = 0; i < steps; ++i) {
+        shift += shift_step(e, levels, change, shift, rows);
+        if (glm::length(shift) > farthest) return glm::vec2(0);
+    }
+    return shift;
+}
+
+bool may_be_softened(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    // A resampled picture has other mixtures from place to place, of which one explains a part.
+    constexpr double most_left = 0.3, most_left_resampled = 0.79, most_left_beside_gain = 0.1;
+    constexpr float hardly = 1.1f;
+    const auto is_mixed = [&](const DisplayChange& told, double enough, bool with_gain) {
+        if (share_unmixed(e, drawn, told, glm::ivec2(0), with_gain) <= enough) return true;
+        const glm::vec2 shift = glm::round(fitted_shift(e, drawn.picture, change, row_step(e.right.size)));
+        return shift != glm::vec2(0) && share_unmixed(e, drawn, told, glm::ivec2(shift), with_gain) <= enough;
+    };
+    const bool one_sided = is_one_sided(e, drawn, change, byte_ranges(change));
+    if (!is_mixed(change, one_sided ? most_left : most_left_resampled, false)) return false;
+    // A gain near 1 may be what makes a highlight of another width look even: it is fitted beside the
+    // mixture.
+    if (change.gain == 1 || change.gain >= hardly || change.gain * hardly <= 1) return true;
+    DisplayChange without = change;
+    without.gain = 1;
+    return is_mixed(without, most_left_beside_gain, true);
 }
 
 }  // namespace glint
