@@ -50,13 +50,13 @@ bool is_exact(const Judged& best) {
 /// explanation differs from the right picture; nothing where none does.
 std::optional<DifferenceTerm> term_that_explains(Renderer& renderer, const Scene& scene,
                                                  const Exhibit& exhibit, const Judged& explained) {
-    constexpr double nearly_all = 0.98, hardly_any = 0.01;  // of the difference's energy; of the wrong pixels
+    constexpr double nearly_all = 0.98, hardly_any = 0.02;  // of the difference's energy; of the wrong pixels
     (void)renderer.render(under_mistakes(scene, {}), exhibit.right.size);
     const DescribedDifference found =
         describe_difference(renderer, exhibit, exhibit.least_change, scene.display,
                             explained.is_right ? nullptr : &explained.drawing.picture);
     if (found.terms.empty() || found.terms.front().explained <= nearly_all ||
-        found.pixels_left >= hardly_any * static_cast<double>(found.pixels))
+        found.pixels_left > hardly_any * static_cast<double>(found.pixels))
         return std::nullopt;
     return found.terms.front();
 }

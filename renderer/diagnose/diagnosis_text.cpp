@@ -98,9 +98,10 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
     if (!d.candidates.empty()) {
         const Candidate& nearest = d.candidates.front();
         const std::string brightness = own_brightness(d, nearest);
-        text += fmt::format("Nearest is {}{}, which explains {} % of the wrong pixels: too few.\n",
+        constexpr double enough = 0.95;  // it is another reason that speaks against it
+        text += fmt::format("Nearest is {}{}, which explains {} % of the wrong pixels{}.\n",
                             name_of(nearest.mistakes), brightness.empty() ? "" : " " + brightness,
-                            explained_percent(nearest));
+                            explained_percent(nearest), nearest.explained < enough ? ": too few" : "");
     }
     return text;
 }

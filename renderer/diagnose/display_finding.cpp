@@ -166,10 +166,19 @@ Outline outline_of(const Exhibit& e, const DisplayChange& turned, Rgb right_back
     return {share(outside, background), black ? 0 : share(bare, surface)};
 }
 
+/// The share of what is background in the scene that may show something: at its edges.
+constexpr double most_outside = 0.02;
+
 }  // namespace
 
+bool covers_background(const Exhibit& e, const DisplayChange& turned) {
+    const std::optional<Rgb> background = background_in(e, {e.right, {}});
+    return background && e.grounds[way_turned(turned)] &&
+           outline_of(e, turned, *background).outside > most_outside;
+}
+
 std::optional<std::string> other_outline(const Exhibit& e) {
-    constexpr double most_outside = 0.02, most_inside = 0.2;
+    constexpr double most_inside = 0.2;
     const std::optional<Rgb> background = background_in(e, {e.right, {}});
     if (!background) return std::nullopt;
     const auto misfit = [](const Outline& o) {

@@ -13,6 +13,9 @@ namespace glint {
 [[nodiscard]] bool has_other_background(const Exhibit& exhibit, const Drawing& drawn,
                                         const DisplayChange& change);
 
+/// Whether the picture, turned so, shows something in much of what is background in the scene.
+[[nodiscard]] bool covers_background(const Exhibit& exhibit, const DisplayChange& turned);
+
 /// Why the picture cannot be of this scene; nothing where its outline is the scene's, or cannot be told.
 [[nodiscard]] std::optional<std::string> other_outline(const Exhibit& exhibit);
 

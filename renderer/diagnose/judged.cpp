@@ -59,13 +59,15 @@ void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, 
     j.cost = cost;
 }
 
-/// Judges by every row, and as a hard picture where only softness makes it fit and it cannot be softened.
+/// Judges by every row, and as a hard picture where softness explains nothing more, or where only softness
+/// makes it fit and it cannot be softened.
 void judge_whole(Judged& j, const Exhibit& exhibit) {
     const DisplayChange change = j.change;
     if (change.soft) {
         DisplayChange hard = change;
         hard.soft = false;
         judge(j, exhibit, hard, 1);
+        if (j.score.excess == 0) return;
         if (!j.score.fits() && !may_be_softened(exhibit, j.drawing, change)) return;
     }
     judge(j, exhibit, change, 1);
@@ -296,9 +298,10 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
         const bool may_be =
             j.score.fits() && !encodes_and_decodes(j) && !kept_its_brightness(exhibit, j.change);
         const bool is_overdone = tells_little && j.change.gain != 1 && j.change.count() > 1;
+        const bool is_elsewhere = way_turned(j.change) != 0 && covers_background(exhibit, j.change);
         const bool is_better = j.cost < all.front().cost && j.score.comes_nearer();
-        j.is_believed =
-            may_be && (j.is_right || (is_better && !is_overdone && !undoes_itself(exhibit, j, all.front())));
+        const bool is_told = is_better && !is_overdone && !undoes_itself(exhibit, j, all.front());
+        j.is_believed = may_be && !is_elsewhere && (j.is_right || is_told);
     }
     std::stable_sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
         if (a.is_believed != b.is_believed) return a.is_believed;

@@ -132,18 +132,24 @@ void for_each_level(const Exhibit& e, const Drawing& drawn, const DisplayChange&
         }
 }
 
-/// Whether nearly all of what is off is so in one direction.
-bool is_one_sided(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
-                  const ByteRanges& ranges) {
-    constexpr double nearly_all = 0.7;
+/// The share of what differs that a mixture may leave unexplained. A resampled picture has other mixtures
+/// from place to place, of which one explains a part, and differs in few places; the more differs, the more
+/// has to be explained.
+double may_be_left(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    constexpr double nearly_all = 0.7, most = 0.79, least = 0.3;
+    constexpr double few = 0.01, many = 0.06, a_share = 3.8;
     const double clearly = double(visible_levels) + double(change.scatter());
-    double sum = 0, all = 0;
-    for_each_level(e, drawn, change, ranges, [&](glm::ivec2, std::size_t, double off) {
+    double sum = 0, all = 0, differ = 0, count = 0;
+    for_each_level(e, drawn, change, byte_ranges(change), [&](glm::ivec2, std::size_t, double off) {
+        ++count;
         if (std::abs(off) <= clearly) return;
+        ++differ;
         sum += off;
         all += std::abs(off);
     });
-    return std::abs(sum) > nearly_all * all;
+    const bool one_sided = std::abs(sum) > nearly_all * all;
+    if (one_sided || differ > many * count) return least;
+    return most - a_share * std::max(differ / count - few, 0.0);
 }
 
 /// The share of what differs that no mixture explains of nine pixels around the place that a pixel is shifted
@@ -182,16 +188,14 @@ glm::vec2 fitted_shift(const Exhibit& e, const Picture& drawn, const DisplayChan
 }
 
 bool may_be_softened(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
-    // A resampled picture has other mixtures from place to place, of which one explains a part.
-    constexpr double most_left = 0.3, most_left_resampled = 0.79, most_left_beside_gain = 0.1;
+    constexpr double most_left_beside_gain = 0.1;
     constexpr float hardly = 1.1f;
     const auto is_mixed = [&](const DisplayChange& told, double enough, bool with_gain) {
         if (share_unmixed(e, drawn, told, glm::ivec2(0), with_gain) <= enough) return true;
         const glm::vec2 shift = glm::round(fitted_shift(e, drawn.picture, change, row_step(e.right.size)));
         return shift != glm::vec2(0) && share_unmixed(e, drawn, told, glm::ivec2(shift), with_gain) <= enough;
     };
-    const bool one_sided = is_one_sided(e, drawn, change, byte_ranges(change));
-    if (!is_mixed(change, one_sided ? most_left : most_left_resampled, false)) return false;
+    if (!is_mixed(change, may_be_left(e, drawn, change), false)) return false;
     // A gain near 1 may be what makes a highlight of another width look even: it is fitted beside the
     // mixture.
     if (change.gain == 1 || change.gain >= hardly || change.gain * hardly <= 1) return true;

@@ -215,6 +215,17 @@ TEST_CASE("a right picture that was smoothed or moved is one, and as much as tha
 }
 
 TEST_CASE("where a mistake takes all highlights away it is said that they may be left out", "[diagnose]") {
+    {
+        const SceneDocument document = shipped("every-term.json");
+        SceneDocument dull = document;
+        dull.scene.shading.terms.specular = false;
+        const Diagnosis d = diagnosed(document, right_of(dull, {480, 270}));
+        REQUIRE(d.left_out);
+        CHECK(d.left_out->term == "specular");
+        CHECK(d.left_out->light == all_lights);
+        CHECK(diagnosis_text(d, document.scene).find("Or the specular term of all lights is left out") !=
+              std::string::npos);
+    }
     const SceneDocument document = shipped("glossy-ball.json");
     SceneDocument dull = document, dim = document;
     dull.scene.objects[0].material.specular = glm::vec3(0);
@@ -229,6 +240,52 @@ TEST_CASE("where a mistake takes all highlights away it is said that they may be
     // Of a mistake that leaves a share of the highlight nothing is said.
     dim.scene.shading.mistakes.missing_pi = true;
     CHECK_FALSE(diagnosed(document, right_of(dim, {320, 240})).left_out);
+}
+
+TEST_CASE("flat and Gouraud shading are neither a smoothed Phong picture nor a mistake beside one",
+          "[diagnose]") {
+    const auto check = [](const std::string& name, ShadingMode mode, PictureSize size) {
+        const SceneDocument document = shipped(name + ".json");
+        SceneDocument other = document;
+        other.scene.shading.mode = mode;
+        INFO(name);
+        CHECK(diagnosed(document, right_of(other, size)).verdict == Verdict::NotInCatalogue);
+    };
+    check("worked-camera", ShadingMode::Gouraud, {640, 400});
+    check("rough-to-smooth", ShadingMode::Gouraud, {320, 200});
+    check("sun-and-headlight", ShadingMode::Gouraud, {640, 400});
+    check("every-term", ShadingMode::Flat, {320, 200});
+    check("bulb", ShadingMode::Flat, {320, 200});
+    check("light-behind-ball", ShadingMode::Flat, {480, 300});
+}
+
+TEST_CASE("a term that was multiplied is told, though a gain, softness and a mistake would explain it, too",
+          "[diagnose]") {
+    const auto check = [](const std::string& name, PictureSize size, const std::string& term, double factor,
+                          const auto& change) {
+        const SceneDocument document = shipped(name + ".json");
+        SceneDocument other = document;
+        change(other.scene);
+        const Diagnosis d = diagnosed(document, right_of(other, size));
+        INFO(name);
+        CHECK(d.verdict == Verdict::NotInCatalogue);
+        REQUIRE_FALSE(d.terms.empty());
+        CHECK(d.terms[0].term == term);
+        CHECK(d.terms[0].factor == Approx(factor).margin(0.02));
+    };
+    check("classic-materials", {320, 200}, "global_ambient", 1.5,
+          [](Scene& scene) { scene.global_ambient *= 1.5f; });
+    check("shininess-grid", {480, 300}, "all", 0.5, [](Scene& scene) { scene.lights[0].intensity *= 0.5f; });
+}
+
+TEST_CASE("a picture is not turned over where its surfaces would then lie on the scene's background",
+          "[diagnose]") {
+    const SceneDocument document = shipped("inverse-square.json");
+    SceneDocument other = document;
+    other.scene.shading.reflection = Reflection::OrenNayar;
+    const Diagnosis d = diagnosed(document, right_of(other, {480, 300}));
+    CHECK(d.verdict == Verdict::NotInCatalogue);
+    CHECK_FALSE(d.display.change.upside_down);
 }
 
 TEST_CASE("three colours are not told to be mirrored, darkened and mistaken", "[diagnose]") {
