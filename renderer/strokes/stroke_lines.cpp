@@ -46,6 +46,8 @@ bool Occlusion::hides(std::uint32_t triangle, glm::dvec2 pixel, double inv_w) co
 namespace {
 
 constexpr std::size_t edges_a_task = 256;  // edges that one task follows
+/// Pixels. No edge in a picture is longer: it is no number where the eye is so far that nothing is left of it.
+constexpr double longest = 1e6;
 
 /// An edge on the screen.
 struct Projected {
@@ -73,7 +75,9 @@ class Follower {
     void follow(const StrokeEdge& edge, std::vector<StrokeLine>& lines) const {
         const std::optional<Projected> line = project(edge.edge);
         if (!line) return;
-        const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(line->a, line->b))));
+        const double length = glm::distance(line->a, line->b);
+        if (!(length < longest)) return;
+        const int steps = std::max(1, static_cast<int>(std::ceil(length)));
         int first = -1;  // of the run of visible steps, or -1 between them
         for (int i = 0; i <= steps; ++i) {
             const bool seen = i < steps && is_seen(edge, *line, (i + 0.5) / steps);

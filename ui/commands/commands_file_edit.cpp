@@ -59,6 +59,17 @@ std::string unless_item(const UiState& state) {
                   "No light and no object is selected");
 }
 
+std::string why_no_light(const UiState& state) {
+    return unless(state.editor.scene().lights.size() < max_lights, is_full);
+}
+
+std::string why_no_duplicate(const UiState& state) {
+    const Scene& scene = state.editor.scene();
+    if (state.editor.selection.kind == Selection::Kind::Light) return why_no_light(state);
+    const bool is_object = state.editor.selection.kind == Selection::Kind::Object;
+    return is_object && scene.objects.size() >= max_objects ? is_full : unless_item(state);
+}
+
 std::string unless_object(const UiState& state) {
     return unless(state.editor.selection.kind == Selection::Kind::Object,
                   "No object is selected: double-click one");
@@ -203,7 +214,7 @@ std::vector<WindowCommand> edit_commands() {
          .keys = {{Key::D, ctrl}},
          .menu = Menu::Edit,
          .run = [](UiState& s) { duplicate(s.editor.scene(), s.editor.selection); },
-         .why_disabled = unless_item,
+         .why_disabled = why_no_duplicate,
          .id = CommandId::Duplicate,
          .line_above = true,
          .words = "copy clone"},
@@ -218,6 +229,7 @@ std::vector<WindowCommand> edit_commands() {
          .keys = {{Key::L}},
          .menu = Menu::Edit,
          .run = add_bulb,
+         .why_disabled = why_no_light,
          .id = CommandId::AddLight},
         {.name = "Brightest here: the light follows the cursor",
          .keys = {{Key::H}},

@@ -128,7 +128,6 @@ void add_mesh_choices(Entries& entries, const UiState& state) {
 }
 
 void add_items(Entries& entries, const UiState& state) {
-    constexpr std::size_t most = 50;
     const Scene& scene = state.editor.scene();
     const auto select = [&](const std::string& name, Selection selection) {
         entries.push_back({fmt::format("Select {}", name), "Scene", "", "",
@@ -137,12 +136,12 @@ void add_items(Entries& entries, const UiState& state) {
     select("the camera", {Selection::Kind::Camera, 0});
     select("shading", {Selection::Kind::Shading, 0});
     select("display", {Selection::Kind::Display, 0});
-    for (std::size_t i = 0; i < std::min(scene.lights.size(), most); ++i) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         select(scene.lights[i].name, {Selection::Kind::Light, static_cast<int>(i)});
         add_switch(entries, state, fmt::format("Light: {}", scene.lights[i].name), "Light",
                    [i](Scene& s) -> bool& { return s.lights[i].enabled; });
     }
-    for (std::size_t i = 0; i < std::min(scene.objects.size(), most); ++i)
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
         select(scene.objects[i].name, {Selection::Kind::Object, static_cast<int>(i)});
 }
 

@@ -203,9 +203,9 @@ bool scope_panel(ScopeState& scope, const Rect& area, PictureSize size) {
                                  : edge_words(scope.samples);
     ImGui::SameLine(0, px(10));
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec4 room{at.x, area.low.y, area.high.x - px(34), area.high.y};
-    ImGui::GetWindowDrawList()->AddText(fonts().figures, 0, at, to_u32(theme().text), text.c_str(), nullptr,
-                                        0, &room);
+    ImGui::PushFont(fonts().figures);
+    cut_text(*ImGui::GetWindowDrawList(), at, area.high.x - px(34), text);
+    ImGui::PopFont();
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({area.high.x - px(8) - ImGui::GetFrameHeight(), area.low.y + px(2)});
     if (icon_button("##close_scope", Icon::Close)) toggle_scope(scope);

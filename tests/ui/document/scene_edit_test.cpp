@@ -4,6 +4,7 @@
 
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
 
 using namespace glint;
 
@@ -17,6 +18,23 @@ TEST_CASE("as many lights are added as a scene may have, and not one more", "[ui
     CHECK_FALSE(add_light(scene, selection, LightKind::Point));
     CHECK(selection == last);
     CHECK(scene.lights.size() == max_lights);
+}
+
+TEST_CASE("a key that would add more than a scene may hold says so, and adds nothing", "[ui][edit]") {
+    test::HeadlessWindow bench;
+    bench.scene().lights.resize(max_lights, bench.scene().lights[0]);
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+    bench.frames(2);
+    for (const char* const name : {"Add a light", "Duplicate"}) {
+        const std::string why = why_disabled(bench.state, test::command_named(name));
+        CHECK(why == is_full);
+    }
+    bench.key(Key::L);
+    bench.key(Key::D, true);
+    CHECK(bench.notes_with(is_full) == 1);  // the second is the same words
+    CHECK(bench.scene().lights.size() == max_lights);
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    CHECK(why_disabled(bench.state, test::command_named("Duplicate")).empty());
 }
 
 TEST_CASE("a pointer into a light or an object names it, and no other pointer does", "[ui][edit]") {

@@ -100,6 +100,7 @@ TEST_CASE("a dark pixel is explained in words", "[ui]") {
     CHECK(clipping_reason({1.31f, 0.5f, 1}, 1) == "clips: R 1.31 → 1");
     CHECK(clipping_reason({0.7f, 0.4f, 0.1f}, 2) == "clips: R 1.40 → 1");
     CHECK(clipping_reason({0.7f, 0.4f, 0.1f}, 1).empty());
+    CHECK(clipping_reason({5.273e29f, 0, 0}, 1) == "clips: R 5.273e+29 → 1");
 }
 
 TEST_CASE("terms lit at corners enter with their weights", "[ui]") {

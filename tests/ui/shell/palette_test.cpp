@@ -398,6 +398,25 @@ TEST_CASE("with nothing typed Enter runs nothing, until an arrow key chose an en
     CHECK_FALSE(bench.state.palette.open);
 }
 
+TEST_CASE("every light and object of a large scene can be selected by Ctrl+K", "[ui][palette][window]") {
+    HeadlessWindow bench;
+    for (std::size_t i = 0; i < 120; ++i) {
+        bench.scene().lights.push_back(bench.scene().lights[0]);
+        bench.scene().lights.back().name = "Lamp " + std::to_string(i);
+        bench.scene().objects.push_back(bench.scene().objects[0]);
+        bench.scene().objects.back().name = "Box " + std::to_string(i);
+    }
+    bench.frames(2);
+    const auto boxes = found(bench.state, "select box 119"), lamps = found(bench.state, "select lamp 119");
+    REQUIRE_FALSE(boxes.empty());
+    REQUIRE_FALSE(lamps.empty());
+    CHECK(boxes[0].name == "Select Box 119");
+    CHECK(lamps[0].name == "Select Lamp 119");
+    boxes[0].run(bench.state);
+    CHECK(bench.state.editor.selection ==
+          Selection{Selection::Kind::Object, static_cast<int>(bench.scene().objects.size()) - 1});
+}
+
 TEST_CASE("letters that come with Ctrl+K in one frame are typed into the list", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.frames(2);

@@ -42,7 +42,8 @@ std::string clipping_reason(glm::vec3 sum, float exposure) {
     for (int i = 0; i < 3; ++i) {
         const float shown = sum[i] * exposure;
         if (shown > 1.0005f)
-            text += fmt::format("{}{} {:.2f} → 1", text.empty() ? "clips: " : ", ", "RGB"[i], shown);
+            text += fmt::format("{}{} {} → 1", text.empty() ? "clips: " : ", ", "RGB"[i],
+                                shown < 1e4f ? fmt::format("{:.2f}", shown) : fmt::format("{:.4g}", shown));
     }
     return text;
 }
