@@ -143,6 +143,25 @@ std::string name_of(Key key) {
 
 }  // namespace
 
+bool choose_by_keys(int& chosen, int count, int columns, const UiInput& input) {
+    bool decided = false;
+    for (const KeyPress& press : input.presses) {
+        decided |= press.key == Key::Enter;
+        int step = press.key == Key::Down ? columns : press.key == Key::Up ? -columns : 0;
+        if (columns > 1 && press.key == Key::Right) step = 1;
+        if (columns > 1 && press.key == Key::Left) step = -1;
+        if (step == 0 || count == 0) continue;
+        if (chosen < 0)
+            chosen = step > 0 ? 0 : count - 1;
+        else if (columns == 1)
+            chosen = (chosen + step + count) % count;
+        else if (chosen + step >= 0 && chosen + step < count)
+            chosen += step;
+    }
+    chosen = std::min(chosen, count - 1);
+    return decided && chosen >= 0;
+}
+
 std::string text_of(KeyPress press) {
     std::string text = press.ctrl ? "Ctrl+" : "";
     if (press.alt) text += "Alt+";

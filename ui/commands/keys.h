@@ -54,4 +54,8 @@ struct UiInput {
     bool close_asked = false;          // the window's own close button
 };
 
+/// Arrow keys in a list of so many entries, or in a grid of several columns. `chosen` is -1 before one is
+/// chosen. A list goes round, a grid ends. True when Enter has decided upon the chosen one.
+[[nodiscard]] bool choose_by_keys(int& chosen, int count, int columns, const UiInput& input);
+
 }  // namespace glint

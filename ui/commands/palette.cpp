@@ -110,21 +110,6 @@ bool entry_row(const PaletteEntry& entry, const std::string& text, bool chosen, 
     return clicked;
 }
 
-/// Keys of the list. True when Enter chose.
-bool move_choice(PaletteState& state, const UiInput& input, int count) {
-    bool decided = false;
-    for (const KeyPress& press : input.presses) {
-        // From no entry, Up goes to the last one as from the first.
-        if (press.key == Key::Up) state.chosen = std::max(state.chosen, 0) - 1;
-        if (press.key == Key::Down) ++state.chosen;
-        if (press.key == Key::Enter) decided = !state.takes_keyboard;
-        if (count > 0 && (press.key == Key::Up || press.key == Key::Down))
-            state.chosen = (state.chosen + count) % count;
-    }
-    state.chosen = std::min(state.chosen, count - 1);
-    return decided && state.chosen >= 0;
-}
-
 PaletteFound find(const std::vector<PaletteEntry>& entries, const std::string& text) {
     PaletteFound found{palette_matches(entries, text), text};
     if (!found.matches.empty()) return found;
@@ -163,7 +148,8 @@ int entry_list(PaletteState& state, const UiInput& input) {
     const PaletteFound& found = state.found.of(state.text, [&] { return find(state.entries, state.text); });
     if (found.marked != state.text) nothing_found(state.text, found.marked);
     const int before = state.chosen;
-    const bool entered = move_choice(state, input, static_cast<int>(found.matches.size()));
+    const int count = static_cast<int>(found.matches.size());
+    const bool entered = choose_by_keys(state.chosen, count, 1, input) && !state.takes_keyboard;
     ImGui::BeginChild("##entries", {0, rows_shown * (ImGui::GetFrameHeight() + px(1))});
     const int clicked = entry_rows(state, found, state.chosen >= 0 && state.chosen != before);
     ImGui::EndChild();

@@ -47,7 +47,10 @@ bool card(const ExamplesState& examples, int index, float width, float height) {
     const bool pointed = ImGui::IsItemHovered();
     list_control(example.title.c_str(), "", last_item());
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (pointed) list.AddRectFilled(low, low + ImVec2(width, height), to_u32(theme().field_hovered), px(4));
+    if (pointed || index == examples.chosen)
+        list.AddRectFilled(low, low + ImVec2(width, height), to_u32(theme().field_hovered), px(4));
+    if (index == examples.chosen)
+        list.AddRect(low, low + ImVec2(width, height), to_u32(theme().accent), px(4), 0, px(1));
     const float inset = px(6), wide = width - 2 * inset;
     const ImVec2 corner = low + ImVec2(inset, inset);
     const ImVec2 end = corner + ImVec2(wide, wide * float(thumbnail.height) / float(thumbnail.width));
@@ -78,6 +81,7 @@ std::vector<Example> examples_in(const std::string& folder) {
 void open_examples(UiState& state) {
     ExamplesState& examples = state.examples;
     examples.open = true;
+    examples.chosen = -1;
     if (!examples.list.empty()) return;
     examples.list = examples_in(state.shipped_scenes);
     begin_small_pictures(examples.pictures, "Examples", thumbnail, static_cast<int>(examples.list.size()),
@@ -86,7 +90,7 @@ void open_examples(UiState& state) {
                          });
 }
 
-void examples_dialog(UiState& state) {
+void examples_dialog(UiState& state, const UiInput& input) {
     ExamplesState& examples = state.examples;
     take_small_pictures(examples.pictures);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -102,9 +106,12 @@ void examples_dialog(UiState& state) {
     const float width = (room - gap * float(columns - 1)) / float(columns);
     const float height = width * float(thumbnail.height) / float(thumbnail.width) + px(80);
     std::optional<int> chosen;
-    for (int i = 0; i < static_cast<int>(examples.list.size()); ++i) {
+    const int before = examples.chosen, count = static_cast<int>(examples.list.size());
+    if (choose_by_keys(examples.chosen, count, columns, input)) chosen = examples.chosen;
+    for (int i = 0; i < count; ++i) {
         if (i % columns != 0) ImGui::SameLine(0, gap);
         if (card(examples, i, width, height)) chosen = i;
+        if (i == examples.chosen && i != before) ImGui::SetScrollHereY(0.5f);
     }
     ImGui::EndChild();
     if (chosen) examples.open = false;

@@ -22,13 +22,14 @@ struct Example {
 
 struct ExamplesState {
     bool open = false;
+    int chosen = -1;  // by the arrow keys
     std::vector<Example> list;
     SmallPictures pictures;  // of the list, with the captions: begun when the dialog is first opened
 };
 
-/// Opens the dialog; a click in it opens a scene.
+/// Opens the dialog; a click in it, or the arrow keys and Enter, opens a scene.
 void open_examples(UiState& state);
 /// Draws it. Precondition: it is open.
-void examples_dialog(UiState& state);
+void examples_dialog(UiState& state, const UiInput& input);
 
 }  // namespace glint

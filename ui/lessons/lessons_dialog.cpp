@@ -60,7 +60,7 @@ void draw_record(ImDrawList& list, const LessonRecord& record, ImVec2 low, float
                  words.c_str());
 }
 
-bool lesson_row(const LessonEntry& entry, bool is_open) {
+bool lesson_row(const LessonEntry& entry, bool is_open, bool is_chosen) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, high = px(52), number = px(40), bar = px(110);
     ImGui::PushID(entry.path.c_str());
@@ -70,8 +70,8 @@ bool lesson_row(const LessonEntry& entry, bool is_open) {
     list_control(entry.title.c_str(), entry.path, last_item());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end = low + ImVec2(width, high - px(3));
-    list.AddRectFilled(low, end, to_u32(hovered ? theme().field_hovered : theme().field), px(5));
-    if (is_open) list.AddRect(low, end, to_u32(theme().accent), px(5), 0, px(2));
+    list.AddRectFilled(low, end, to_u32(hovered || is_chosen ? theme().field_hovered : theme().field), px(5));
+    if (is_open || is_chosen) list.AddRect(low, end, to_u32(theme().accent), px(5), 0, px(is_open ? 2 : 1));
     list.AddText(fonts().heading, fonts().heading->FontSize * ImGui::GetIO().FontGlobalScale,
                  low + ImVec2(px(10), px(11)), to_u32(theme().accent), number_of(entry).c_str());
     const ImVec4 clip(low.x + number, low.y, end.x - bar - px(20), end.y);
@@ -89,6 +89,7 @@ bool lesson_row(const LessonEntry& entry, bool is_open) {
 void open_lessons(UiState& state) {
     LessonListState& lessons = state.lessons;
     lessons.open = true;
+    lessons.chosen = -1;
     keep_progress(state);
     lessons.own =
         state.lesson.folder.empty() ? std::vector<LessonEntry>() : lessons_in(state, state.lesson.folder);
@@ -100,7 +101,7 @@ void open_lessons(UiState& state) {
         lessons.beside = lessons_in(state, folder.empty() ? "." : folder);
 }
 
-void lessons_dialog(UiState& state) {
+void lessons_dialog(UiState& state, const UiInput& input) {
     LessonListState& lessons = state.lessons;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const ImVec2 size{std::min(px(680), window.x - px(40)), std::min(px(720), window.y - px(40))};
@@ -110,6 +111,9 @@ void lessons_dialog(UiState& state) {
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
         return;
     std::string chosen;
+    const int before = lessons.chosen, count = static_cast<int>(lessons.beside.size() + lessons.own.size());
+    const bool entered = choose_by_keys(lessons.chosen, count, 1, input);
+    int index = 0;
     ImGui::BeginChild("##list");
     for (const auto* entries : {&lessons.beside, &lessons.own}) {
         if (entries->empty()) continue;
@@ -117,7 +121,9 @@ void lessons_dialog(UiState& state) {
             section_heading(entries == &lessons.beside ? "Beside the open lesson" : "Of Glint");
         for (const LessonEntry& entry : *entries) {
             const bool is_open = state.lesson.course && state.lesson.course->lesson.path == entry.path;
-            if (lesson_row(entry, is_open)) chosen = entry.path;
+            const bool is_chosen = index++ == lessons.chosen;
+            if (lesson_row(entry, is_open, is_chosen) || (is_chosen && entered)) chosen = entry.path;
+            if (is_chosen && lessons.chosen != before) ImGui::SetScrollHereY(0.5f);
         }
     }
     ImGui::EndChild();

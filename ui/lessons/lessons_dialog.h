@@ -11,6 +11,7 @@
 namespace glint {
 
 struct UiState;
+struct UiInput;
 
 struct LessonEntry {
     std::string path, title, topic;  // without a title where the file cannot be read: opening it says why
@@ -19,13 +20,14 @@ struct LessonEntry {
 
 struct LessonListState {
     bool open = false;
+    int chosen = -1;  // by the arrow keys, counted through both lists
     std::vector<LessonEntry> own,
         beside;  // of the program; of the open lesson's folder, where that is another
 };
 
-/// Opens the dialog; a click in it opens a lesson.
+/// Opens the dialog; a click in it, or the arrow keys and Enter, opens a lesson.
 void open_lessons(UiState& state);
 /// Draws it. Precondition: it is open.
-void lessons_dialog(UiState& state);
+void lessons_dialog(UiState& state, const UiInput& input);
 
 }  // namespace glint

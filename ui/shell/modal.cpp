@@ -216,10 +216,10 @@ void dialogs(UiState& state, const UiInput& input) {
         export_dialog(state);
         break;
     case Modal::Examples:
-        examples_dialog(state);
+        examples_dialog(state, input);
         break;
     case Modal::Lessons:
-        lessons_dialog(state);
+        lessons_dialog(state, input);
         break;
     case Modal::Quiz:
         quiz_dialog(state, input);

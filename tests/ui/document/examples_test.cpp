@@ -92,6 +92,36 @@ TEST_CASE("an example is opened by a click on its picture", "[ui]") {
     CHECK(bench.state.editor.document.path == path);
 }
 
+TEST_CASE("an example is opened by the arrow keys and Enter, and the chosen one is scrolled into sight",
+          "[ui]") {
+    HeadlessWindow bench;
+    bench.state.shipped_scenes = shipped_folder;
+    run_command(bench.state, command_named("Examples…"));
+    bench.frames(2);
+    bench.key(Key::Enter);  // nothing is chosen yet
+    CHECK(bench.state.examples.open);
+    bench.key(Key::Right);
+    CHECK(bench.state.examples.chosen == 0);
+    bench.key(Key::Left);
+    CHECK(bench.state.examples.chosen == 0);
+    bench.key(Key::Right);
+    bench.key(Key::Down);
+    const int columns = bench.state.examples.chosen - 1;
+    CHECK(columns > 1);
+    const int last = static_cast<int>(bench.state.examples.list.size()) - 1;
+    for (int i = 0; i < 100; ++i) bench.key(Key::Down);
+    CHECK(bench.state.examples.chosen > last - columns);
+    for (int i = 0; i < 10; ++i) bench.key(Key::Right);
+    CHECK(bench.state.examples.chosen == last);
+    bench.frames(2);
+    const Example chosen = bench.state.examples.list.back();
+    (void)bench.control(chosen.title);  // is in sight
+    bench.key(Key::Enter);
+    bench.wait_for_loads();
+    CHECK_FALSE(bench.state.examples.open);
+    CHECK(bench.state.editor.document.path == chosen.path);
+}
+
 TEST_CASE("the caption of a scene stands below its picture, and can be put away", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);

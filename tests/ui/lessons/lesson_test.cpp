@@ -494,6 +494,28 @@ TEST_CASE("progress is kept with every answer, and a lesson goes on where it was
     CHECK(bench.state.lessons.beside[4].record->at == 1);
 }
 
+TEST_CASE("a lesson is opened by the arrow keys and Enter, of a list that goes round",
+          "[ui][window][lesson]") {
+    HeadlessWindow bench;
+    bench.state.lesson.folder = std::filesystem::path(test::shipped_lesson("x")).parent_path().string();
+    open_lessons(bench.state);
+    bench.frames(2);
+    bench.key(Key::Enter);  // nothing is chosen yet
+    CHECK(bench.state.lessons.open);
+    const LessonEntry last = bench.state.lessons.own.back();
+    bench.key(Key::Down);
+    CHECK(bench.state.lessons.chosen == 0);
+    bench.key(Key::Up);
+    CHECK(bench.state.lessons.chosen == static_cast<int>(bench.state.lessons.own.size()) - 1);
+    bench.frames(2);
+    (void)bench.control(last.title);  // is in sight
+    bench.key(Key::Enter);
+    bench.wait_for_loads();
+    CHECK_FALSE(bench.state.lessons.open);
+    REQUIRE(bench.state.lesson.course);
+    CHECK(bench.state.lesson.course->lesson.path == last.path);
+}
+
 TEST_CASE("answers that cannot be kept are told of, once", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench({1280, 1000});
