@@ -561,6 +561,14 @@ TEST_CASE("bench measures the frames that it was asked for", "[cli][bench]") {
           "light\n");
 }
 
+TEST_CASE("an edge of which an eye far away leaves no number is not followed", "[cli][bench][hostile]") {
+    // As many steps as it is pixels long are no number: undefined behaviour, which the sanitizers end.
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("far.json", R"({"glint": 1, "camera": {"eye": [0, 0, 1e30]},
+        "objects": [{"mesh": {"primitive": "cube"}}], "npr": {"silhouettes": true}})");
+    (void)must({"bench", scene, "--frames", "1", "--size", "40x30", "--drag", "object", "-j", "1"});
+}
+
 TEST_CASE("bench --table says what the JSON says, in columns", "[cli][bench]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights);
