@@ -182,7 +182,7 @@ TEST_CASE("a mistake that brightens all and a gain that darkens it are not belie
     CHECK(d.display.change.gain == Approx(1).margin(0.01));
 }
 
-TEST_CASE("highlights of another width are not a right picture that was smoothed", "[diagnose]") {
+TEST_CASE("highlights of another width are not a right picture that was smoothed", "[diagnose][release]") {
     for (const char* const name : {"still-life", "phong-and-blinn-exponents", "shininess-grid",
                                    "wide-angle-balls", "classic-materials"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
@@ -193,7 +193,8 @@ TEST_CASE("highlights of another width are not a right picture that was smoothed
     }
 }
 
-TEST_CASE("a right picture that was smoothed or moved is one, and as much as that changes", "[diagnose]") {
+TEST_CASE("a right picture that was smoothed or moved is one, and as much as that changes",
+          "[diagnose][release]") {
     constexpr PictureSize size{320, 240};
     for (const char* const name : {"still-life", "shininess-grid", "wide-angle-balls"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
@@ -214,7 +215,8 @@ TEST_CASE("a right picture that was smoothed or moved is one, and as much as tha
     }
 }
 
-TEST_CASE("where a mistake takes all highlights away it is said that they may be left out", "[diagnose]") {
+TEST_CASE("where a mistake takes all highlights away it is said that they may be left out",
+          "[diagnose][release]") {
     {
         const SceneDocument document = shipped("every-term.json");
         SceneDocument dull = document;
@@ -243,7 +245,7 @@ TEST_CASE("where a mistake takes all highlights away it is said that they may be
 }
 
 TEST_CASE("flat and Gouraud shading are neither a smoothed Phong picture nor a mistake beside one",
-          "[diagnose]") {
+          "[diagnose][release]") {
     const auto check = [](const std::string& name, ShadingMode mode, PictureSize size) {
         const SceneDocument document = shipped(name + ".json");
         SceneDocument other = document;
@@ -260,7 +262,7 @@ TEST_CASE("flat and Gouraud shading are neither a smoothed Phong picture nor a m
 }
 
 TEST_CASE("a term that was multiplied is told, though a gain, softness and a mistake would explain it, too",
-          "[diagnose]") {
+          "[diagnose][release]") {
     const auto check = [](const std::string& name, PictureSize size, const std::string& term, double factor,
                           const auto& change) {
         const SceneDocument document = shipped(name + ".json");
@@ -279,7 +281,7 @@ TEST_CASE("a term that was multiplied is told, though a gain, softness and a mis
 }
 
 TEST_CASE("a picture is not turned over where its surfaces would then lie on the scene's background",
-          "[diagnose]") {
+          "[diagnose][release]") {
     const SceneDocument document = shipped("inverse-square.json");
     SceneDocument other = document;
     other.scene.shading.reflection = Reflection::OrenNayar;
