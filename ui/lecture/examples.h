@@ -8,6 +8,7 @@
 
 namespace glint {
 
+struct UiInput;
 struct UiState;
 
 struct Example {
