@@ -290,18 +290,18 @@ std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhi
     // The whole picture may speak against a change that few rows chose.
     const DisplayChange of_few_rows = all.front().change;
     judge_also(all.front(), exhibit, exhibit.least_change, 1);
-    for (const DisplayChange& change : {of_few_rows, exhibit.least_change})
-        judge_by_power(all.front(), exhibit, change);
+    judge_by_power(all.front(), exhibit, exhibit.least_change);
+    if (!(of_few_rows == exhibit.least_change)) judge_by_power(all.front(), exhibit, of_few_rows);
     const bool tells_little = has_few_colours(exhibit);
     for (Judged& j : all) {
         j.is_right = j.mistakes.empty() || look_alike(exhibit, j.drawing, right);
         const bool may_be =
             j.score.fits() && !encodes_and_decodes(j) && !kept_its_brightness(exhibit, j.change);
         const bool is_overdone = tells_little && j.change.gain != 1 && j.change.count() > 1;
-        const bool is_elsewhere = way_turned(j.change) != 0 && covers_background(exhibit, j.change);
-        const bool is_better = j.cost < all.front().cost && j.score.comes_nearer();
-        const bool is_told = is_better && !is_overdone && !undoes_itself(exhibit, j, all.front());
-        j.is_believed = may_be && !is_elsewhere && (j.is_right || is_told);
+        const bool is_better = j.cost < all.front().cost && j.score.comes_nearer() && !is_overdone;
+        // The last two look at all pixels again.
+        j.is_believed = may_be && (j.is_right || (is_better && !undoes_itself(exhibit, j, all.front()))) &&
+                        !(way_turned(j.change) != 0 && covers_background(exhibit, j.change));
     }
     std::stable_sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
         if (a.is_believed != b.is_believed) return a.is_believed;
