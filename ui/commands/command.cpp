@@ -107,7 +107,8 @@ void run_keys(UiState& state, const UiInput& input) {
         if (press.key == Key::Escape && !number_in_hand()) escape(state);
         if (busy || state.palette.open || modal_of(state) != Modal::None) continue;
         if (ImGui::GetIO().WantTextInput && is_for_text(press)) continue;
-        if (answer_by_key(state, press)) continue;
+        if (answer_by_key(state, press) || predict_by_key(state, press) || animate_by_key(state, press))
+            continue;
         const auto has_key = [&press](const WindowCommand& command) {
             return std::find(command.keys.begin(), command.keys.end(), press) != command.keys.end();
         };

@@ -90,6 +90,10 @@ void rotate_about_picked(UiState& state) {
 }
 
 void type_numbers(UiState& state) {
+    if (state.animate.open && state.animate.has_keyboard) {
+        state.animate.takes_keys = true;
+        return;
+    }
     state.layout.left = state.types_into_panel = true;
     state.layout.hides_columns = state.left_shows_inspector = false;
 }

@@ -42,7 +42,15 @@ class Alignment {
         for (std::size_t i = 0; i < word.size(); ++i) fill(i);
     }
 
+    /// Nothing where the letters are only strewn over the text.
     std::optional<FuzzyMatch> match() const {
+        std::optional<FuzzyMatch> found = best();
+        if (found && !holds_together(found->bytes)) found.reset();
+        return found;
+    }
+
+  private:
+    std::optional<FuzzyMatch> best() const {
         const std::vector<int>& last = best_.back();
         const auto best = std::max_element(last.begin(), last.end());
         if (best == last.end() || *best < 0) return {};
@@ -54,7 +62,26 @@ class Alignment {
         return found;
     }
 
-  private:
+    /// Whether the letters stand side by side, or each begins a word or goes on in one whose beginning
+    /// matched.
+    bool holds_together(const std::vector<int>& bytes) const {
+        if (bytes.back() - bytes.front() == static_cast<int>(bytes.size()) - 1) return true;
+        bool in_word = false;  // that is, in one whose beginning matched
+        int before = -1;
+        for (const int at : bytes) {
+            in_word =
+                starts_word(text_, static_cast<std::size_t>(at)) || (in_word && in_one_word(before, at));
+            if (!in_word) return false;
+            before = at;
+        }
+        return true;
+    }
+    bool in_one_word(int first, int last) const {
+        const std::string_view between =
+            text_.substr(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
+        return std::all_of(between.begin(), between.end(), is_letter);
+    }
+
     void fill(std::size_t i) {
         int before = impossible, before_at = -1;  // the best place of word[i - 1] left of text[j]
         for (std::size_t j = 0; j < text_.size(); ++j) {
@@ -82,6 +109,10 @@ class Alignment {
 
 }  // namespace
 
+int off_for_length(std::string_view text) {
+    return static_cast<int>(std::min<std::size_t>(text.size(), most_for_length));
+}
+
 std::optional<FuzzyMatch> fuzzy_match(std::string_view query, std::string_view text) {
     FuzzyMatch whole;
     bool any = false;
@@ -92,13 +123,13 @@ std::optional<FuzzyMatch> fuzzy_match(std::string_view query, std::string_view t
         if (word.empty()) continue;
         const auto found = occurs(word, text) ? Alignment(word, text).match() : std::nullopt;
         if (!found) return {};
-        whole.score += 64 * found->score;  // what the length takes off only decides between equals
+        whole.score += (most_for_length + 1) * found->score;  // the length only decides between equals
         whole.bytes.insert(whole.bytes.end(), found->bytes.begin(), found->bytes.end());
         any = true;
     }
     std::sort(whole.bytes.begin(), whole.bytes.end());
     whole.bytes.erase(std::unique(whole.bytes.begin(), whole.bytes.end()), whole.bytes.end());
-    if (any) whole.score -= static_cast<int>(std::min<std::size_t>(text.size(), 63));
+    if (any) whole.score -= off_for_length(text);
     return whole;
 }
 

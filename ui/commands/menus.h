@@ -21,7 +21,8 @@ struct PaletteEntry {
     std::string keys;         // that do the same; or empty
     std::string refused;      // why it cannot be done now; empty when it can
     std::function<void(UiState&)> run;
-    std::string words = "";  // what it is about: found by the beginnings of these words, after all names
+    std::string words = "";    // what it is about: found by the beginnings of these words, after all names
+    bool keeps_order = false;  // of equal matches not the shortest is first
 };
 
 /// What matches a text, best first, and the text whose letters are marked: the nearest word, where nothing

@@ -177,8 +177,10 @@ std::optional<int> fit(const PaletteEntry& entry, const std::string& text) {
     const auto rest = rest_of_word(entry.words, text);
     // A whole word about it is meant more than letters that are strewn over another's name.
     const int about = rest == 0U ? fuzzy_match(text, text)->score * 9 / 10 : 0;
-    if (const auto by_name = fuzzy_match(text, entry.name); by_name && is_meant(*by_name, text))
-        return std::max(by_name->score, about);
+    if (const auto by_name = fuzzy_match(text, entry.name); by_name && is_meant(*by_name, text)) {
+        const int all_as_long = entry.keeps_order ? off_for_length(entry.name) - most_for_length : 0;
+        return std::max(by_name->score + all_as_long, about);
+    }
     const auto with_group = fuzzy_match(text, entry.name + " " + entry.group);
     if (with_group && is_meant(*with_group, text, 10)) return std::max(with_group->score / 2, about);
     return rest ? std::optional(about) : std::nullopt;
@@ -240,6 +242,7 @@ void type_ahead(PaletteState& state, const UiInput& input) {
 void open_palette(UiState& state) {
     state.palette = {};
     state.palette.open = state.palette.takes_keyboard = true;
+    if (state.lessons.own.empty()) list_own_lessons(state);
     state.palette.entries = palette_entries(state);
     state.palette.made_for = item_counts(state.editor.scene());
 }

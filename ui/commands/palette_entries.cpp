@@ -208,15 +208,25 @@ void add_animation(Entries& entries, const UiState& state) {
     entries.push_back({"Write the animation's frames…", "Animation", "", refused, ask_for_frames});
 }
 
-/// The files of one kind that come with Glint, by their names.
-void add_shipped(Entries& entries, const std::string& folder, const char* ending, const char* kind,
-                 const char* group) {
+void add_shipped_scenes(Entries& entries, const std::string& folder) {
     namespace fs = std::filesystem;
     if (folder.empty()) return;
     for (const FolderEntry& found : list_folder(folder, FilePurpose::OpenScene)) {
-        if (found.folder || lower_extension(found.name) != ending) continue;
+        if (found.folder || lower_extension(found.name) != ".json") continue;
         const std::string name = with_spaces(fs::path(found.name).stem().string());
-        add_open(entries, fmt::format("{}: {}", kind, name), group, (fs::path(folder) / found.name).string());
+        add_open(entries, "Scene: " + name, "Glint's scenes", (fs::path(folder) / found.name).string());
+    }
+}
+
+/// By number, title and topic, and by the words of the file's name.
+void add_lessons(Entries& entries, const std::vector<LessonEntry>& lessons) {
+    for (const LessonEntry& lesson : lessons) {
+        const std::string file = with_spaces(std::filesystem::path(lesson.path).stem().string());
+        const std::string name =
+            lesson.title.empty() ? file : fmt::format("{} {}", number_of(lesson), lesson.title);
+        add_open(entries, "Lesson: " + name, "Glint's lessons", lesson.path);
+        entries.back().words = file + " " + lesson.topic;
+        entries.back().keeps_order = true;
     }
 }
 
@@ -241,8 +251,8 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     add_presets(entries, state);
     if (is_held(state))
         for (std::size_t i = of_the_scene; i < entries.size(); ++i) entries[i].refused = why_held;
-    add_shipped(entries, state.shipped_scenes, ".json", "Scene", "Glint's scenes");
-    add_shipped(entries, state.lesson.folder, ".md", "Lesson", "Glint's lessons");
+    add_shipped_scenes(entries, state.shipped_scenes);
+    add_lessons(entries, state.lessons.own);
     return entries;
 }
 

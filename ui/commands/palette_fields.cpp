@@ -25,12 +25,13 @@ struct FieldOwner {
     Selection selection;
 };
 
-void show_field(UiState& state, const Selection& selection, const std::string& pointer) {
+void show_field(UiState& state, const Selection& selection, const std::string& pointer,
+                const std::string& component) {
     state.editor.selection = selection;
     state.layout.left = true;
     state.layout.hides_columns = state.left_shows_inspector = false;
     state.lesson.shows_scene = true;
-    ask_for_field(pointer);
+    ask_for_field(pointer, component);
 }
 
 /// Lists the fields of a struct and of the structs in it, an entry a row.
@@ -71,10 +72,18 @@ class FieldList {
     template <class T> void at(const Row&, const Path&, const T&, const std::string&) const {}
     template <class Kind, class T>
     void at(const Row& row, const Kind&, const T&, const std::string& pointer) const {
-        entries_.push_back(
-            {row.label, fmt::format("Field · {}", owner_.name), "", "",
-             [selection = owner_.selection, pointer](UiState& s) { show_field(s, selection, pointer); },
-             row.help});
+        add(row, row.label, pointer, "");
+        if constexpr (std::is_same_v<Kind, Vector> || std::is_same_v<Kind, Homogeneous>)
+            for (int i = 0; i < T::length(); ++i)
+                add(row, fmt::format("{} {}", row.label, "xyzw"[i]), pointer, fmt::format("/{}", i));
+    }
+    void add(const Row& row, std::string name, const std::string& pointer,
+             const std::string& component) const {
+        entries_.push_back({std::move(name), fmt::format("Field · {}", owner_.name), "", "",
+                            [selection = owner_.selection, pointer, component](UiState& s) {
+                                show_field(s, selection, pointer, component);
+                            },
+                            row.help});
     }
 
     Entries& entries_;

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "models/fields/choice.h"
+#include "models/fields/scene_numbers.h"
 #include "models/scene_file/scene_file.h"
+#include "ui/commands/keys.h"
 #include "ui/document/job.h"
 #include "ui/widgets/kept.h"
 
@@ -40,6 +42,9 @@ struct Animation {
 /// scene itself. PingPong: the number goes evenly from `from` to `to` and back. Problems are those of --set.
 [[nodiscard]] Result<Scene> scene_at(const SceneDocument& document, const Animation& animation, int frame);
 
+/// What is listed for a number that may move: "Bulb: intensity".
+[[nodiscard]] std::string number_words(const Scene& scene, const SceneNumber& number);
+
 /// The value at a frame of a PingPong.
 [[nodiscard]] double value_at(const Animation& animation, int frame);
 
@@ -48,9 +53,10 @@ struct AnimateState {
     bool open = false, playing = false;
     std::optional<Scene> frame;  // while it plays: what the next picture shows
     Animation animation;
-    std::string search;       // for the number that shall move
-    bool takes_keys = false;  // the search shall get the keyboard
-    std::string searched;     // that search was the last, and these the pointers that it found, best first
+    std::string search;         // for the number that shall move
+    bool takes_keys = false;    // the first field shall get the keyboard
+    bool has_keyboard = false;  // the panel was the focused window when it was drawn last
+    std::string searched;       // that search was the last, and these the pointers that it found, best first
     Kept<Scene, std::vector<std::string>> found;
     std::string number;  // Animation::pointer in words when it was chosen: "Bulb: intensity"; empty: not yet
     int frames_a_second = 25;               // 1 to 50: GIF counts hundredths of a second
@@ -62,11 +68,13 @@ struct AnimateState {
 /// The panel, while it is open.
 void animate_panel(UiState& state);
 
-/// Opens the panel with that motion; for a number's the keyboard is in the search for it, where Enter takes
-/// the first.
+/// Opens the panel with that motion. The keyboard is in its first field: for a number's motion the search for
+/// it, where Enter takes the first.
 void begin_animation(UiState& state, Motion motion);
 /// Plays, or ends playing.
 void switch_playing(UiState& state);
+/// Enter plays or ends playing while the panel has the keyboard; true: the key is taken.
+bool animate_by_key(UiState& state, KeyPress press);
 /// Asks where the frames shall be written.
 void ask_for_frames(UiState& state);
 

@@ -65,6 +65,6 @@ void poll_export(UiState& state);
 void poll_job(std::unique_ptr<Job<std::string>>& job, Notifications& notifications);
 
 /// The question about size and samples; the file's name is asked for after it.
-void export_dialog(UiState& state);
+void export_dialog(UiState& state, const UiInput& input);
 
 }  // namespace glint

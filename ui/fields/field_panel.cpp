@@ -24,6 +24,7 @@ struct AskedField {
     int frames = 0;     // in which it was drawn since: first it is scrolled to, then it takes the keyboard
     double until = -1;  // when its mark goes, in ImGui's time
     int since = 0;      // the frame in which it was asked for: before it there is another window
+    std::string component;  // "/1", which takes the keyboard; empty: the first
 };
 AskedField asked;
 
@@ -58,8 +59,8 @@ bool turns_now(const std::string& pointer) {
 
 }  // namespace
 
-void ask_for_field(const std::string& pointer) {
-    asked = {pointer, 0, ImGui::GetTime() + marked_s, ImGui::GetFrameCount()};
+void ask_for_field(const std::string& pointer, const std::string& component) {
+    asked = {pointer, 0, ImGui::GetTime() + marked_s, ImGui::GetFrameCount(), component};
 }
 
 bool field_is_asked_below(const std::string& pointer) {
@@ -72,7 +73,7 @@ bool draw_asked(const std::string& pointer, Typed typed, const std::function<boo
     if (asked.frames < 2) ImGui::SetScrollHereY(0.5f);  // in its first a panel does not know its length
     const bool settles = asked.frames < frames_until_typed;
     if (settles) redraw_within(0);
-    if (settles && typed == Typed::Number && !number_in_hand()) type_into(pointer);
+    if (settles && typed == Typed::Number && !number_in_hand()) type_into(pointer + asked.component);
     if (asked.frames == 1 && typed == Typed::Text) {
         ImGui::SetWindowFocus();
         ImGui::SetKeyboardFocusHere();

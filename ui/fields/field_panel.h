@@ -53,8 +53,9 @@ constexpr Typed typed_into(const Text&) { return Typed::Text; }
 // A field that was asked for by its pointer (the palette finds fields).
 
 /// Makes the field's panel scroll to it in the frames that follow, mark it for a moment and, if it can be
-/// typed into, give it the keyboard: a switch turns by Space or Enter while it is marked.
-void ask_for_field(const std::string& pointer);
+/// typed into, give it the keyboard: a switch turns by Space or Enter while it is marked. `component`: "/1",
+/// the one of a vector that takes the keyboard; empty: the first.
+void ask_for_field(const std::string& pointer, const std::string& component = "");
 /// Whether a field is asked for that lies below `pointer` ("/npr"): a fold that holds it has to open.
 [[nodiscard]] bool field_is_asked_below(const std::string& pointer);
 /// Draws a field by `draw` and does that for it; `typed`: what can be typed into it.

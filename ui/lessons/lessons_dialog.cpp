@@ -39,12 +39,6 @@ std::vector<LessonEntry> lessons_in(const UiState& state, const std::string& fol
     return entries;
 }
 
-std::string number_of(const LessonEntry& entry) {
-    const std::string name = fs::path(entry.path).stem().string();
-    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
-    return name.substr(0, digits);
-}
-
 /// How far one has come, at the right end of the row.
 void draw_record(ImDrawList& list, const LessonRecord& record, ImVec2 low, float width) {
     const CourseScore& score = record.score;
@@ -86,13 +80,23 @@ bool lesson_row(const LessonEntry& entry, bool is_open, bool is_chosen) {
 
 }  // namespace
 
+std::string number_of(const LessonEntry& entry) {
+    const std::string name = fs::path(entry.path).stem().string();
+    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    return name.substr(0, digits);
+}
+
+void list_own_lessons(UiState& state) {
+    state.lessons.own =
+        state.lesson.folder.empty() ? std::vector<LessonEntry>() : lessons_in(state, state.lesson.folder);
+}
+
 void open_lessons(UiState& state) {
     LessonListState& lessons = state.lessons;
     lessons.open = true;
     lessons.chosen = -1;
     keep_progress(state);
-    lessons.own =
-        state.lesson.folder.empty() ? std::vector<LessonEntry>() : lessons_in(state, state.lesson.folder);
+    list_own_lessons(state);
     lessons.beside.clear();
     if (!state.lesson.course) return;
     const std::string folder = fs::path(state.lesson.course->lesson.path).parent_path().string();

@@ -25,6 +25,11 @@ struct LessonListState {
         beside;  // of the program; of the open lesson's folder, where that is another
 };
 
+/// The number that the file's name begins with, "05"; empty where there is none.
+[[nodiscard]] std::string number_of(const LessonEntry& entry);
+
+/// Reads the lessons of the program into the list: some milliseconds.
+void list_own_lessons(UiState& state);
 /// Opens the dialog; a click in it, or the arrow keys and Enter, opens a lesson.
 void open_lessons(UiState& state);
 /// Draws it. Precondition: it is open.

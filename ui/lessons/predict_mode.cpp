@@ -60,6 +60,12 @@ void reveal(UiState& state) {
     redraw_within(0);
 }
 
+void lock_in_colour(UiState& state) {
+    PredictState& predict = state.predict;
+    if (predict.mine == JsonValue()) predict.mine = json_of(predict.before);
+    reveal(state);
+}
+
 void pick_panel() {
     prose_line("Click the pixel whose colour you want to predict.");
     small_dim("Then the picture stands still. You change the scene, say what the colour will be, and look.");
@@ -70,6 +76,10 @@ void change_panel(UiState& state) {
     prose_line("Change what you like: the picture stands still. What colour will the pixel have?");
     colour_row("It was", json_of(predict.before));
     ImGui::Dummy({0, px(4)});
+    if (std::exchange(predict.takes_keys, false)) {
+        ImGui::SetWindowFocus();
+        ImGui::SetKeyboardFocusHere(2);  // the picker's square and its bar are in front of its numbers
+    }
     if (predict.mine == JsonValue()) {
         JsonValue shown = json_of(predict.before);
         if (pick_colour("##predicted", shown)) predict.mine = shown;
@@ -77,13 +87,12 @@ void change_panel(UiState& state) {
         (void)pick_colour("##predicted", predict.mine);
     }
     ImGui::Dummy({0, px(4)});
-    if (main_button(predict.mine == JsonValue() ? "It stays as it was" : "Lock it in")) {
-        if (predict.mine == JsonValue()) predict.mine = json_of(predict.before);
-        reveal(state);
-    }
+    if (main_button(predict.mine == JsonValue() ? "It stays as it was" : "Lock it in")) lock_in_colour(state);
     tooltip("Lock the colour in", "The picture goes on and shows what the colour is");
     ImGui::SameLine(0, px(12));
     if (ImGui::Button("Give up")) end_prediction(state);
+    small_dim(predict.mine == JsonValue() ? "Enter: type the colour  ·  Esc: give up"
+                                          : "Enter: lock it in  ·  Esc: give up");
 }
 
 void revealed_panel(UiState& state) {
@@ -104,6 +113,7 @@ void revealed_panel(UiState& state) {
     tooltip("Predict again", "The picture stands still for another change");
     ImGui::SameLine(0, px(12));
     if (ImGui::Button("Close")) end_prediction(state);
+    small_dim("Enter: again  ·  Esc: close");
     ImGui::Separator();
 }
 
@@ -119,6 +129,23 @@ void switch_prediction(UiState& state) {
 void end_prediction(UiState& state) {
     if (state.predict.stage == PredictStage::Change) state.lecture.frozen.reset();
     state.predict = {};
+}
+
+bool predict_by_key(UiState& state, KeyPress press) {
+    PredictState& predict = state.predict;
+    if (!(press == KeyPress{Key::Enter})) return false;
+    if (predict.stage == PredictStage::Revealed && predict.answer) {
+        begin_prediction(state);
+        return true;
+    }
+    if (predict.stage != PredictStage::Change) return false;
+    if (predict.mine != JsonValue()) {
+        lock_in_colour(state);
+        return true;
+    }
+    predict.mine = json_of(predict.before);
+    predict.takes_keys = true;
+    return true;
 }
 
 void poll_prediction(UiState& state) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "models/json/json_value.h"
+#include "ui/commands/keys.h"
 
 namespace glint {
 
@@ -19,6 +20,7 @@ struct PredictState {
     std::optional<glm::dvec2> probe;  // the pixel, as a share of the picture's size
     std::array<int, 3> before{};      // its colour when the picture was stopped, 0 to 255
     JsonValue mine;                   // what it will be, channels from 0 to 1; null: nothing is said yet
+    bool takes_keys = false;          // the colour's first field shall get the keyboard
     std::optional<std::array<int, 3>> answer;  // what it is, once the picture goes on
 };
 
@@ -26,6 +28,9 @@ struct PredictState {
 void switch_prediction(UiState& state);
 /// The picture goes on, whatever was said.
 void end_prediction(UiState& state);
+
+/// Enter leads to the colour's fields, locks it in, and begins again; true: the key is taken.
+bool predict_by_key(UiState& state, KeyPress press);
 
 /// Once a frame, before the columns: follows the pixel that is picked, and takes the answer when it is drawn.
 void poll_prediction(UiState& state);

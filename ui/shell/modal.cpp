@@ -213,7 +213,7 @@ void dialogs(UiState& state, const UiInput& input) {
         if (const auto path = draw_file_dialog(state.files, enter)) use_file(state, *path);
         break;
     case Modal::Export:
-        export_dialog(state);
+        export_dialog(state, input);
         break;
     case Modal::Examples:
         examples_dialog(state, input);

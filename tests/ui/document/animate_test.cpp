@@ -12,6 +12,7 @@
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "ui/export/animation.h"
+#include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -266,6 +267,33 @@ TEST_CASE("a number without effect is not offered to be animated", "[ui][window]
     CHECK_FALSE(offers_cutoff());
     bench.scene().lights[0].kind = LightKind::Spot;
     CHECK(offers_cutoff());
+}
+
+TEST_CASE("the animation is chosen and played without a mouse", "[ui][window][animate]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    (void)bench.key(Key::T, true);
+    bench.frames(3);
+    REQUIRE(bench.state.animate.open);
+    (void)bench.key(Key::Tab);
+    bench.frames(4);
+    REQUIRE(ImGui::GetIO().WantTextInput);
+    bench.type("12");
+    CHECK(bench.state.animate.animation.frames == 12);
+    let_go_of_fields();
+    bench.frames(2);
+    (void)bench.key(Key::Enter);
+    CHECK(bench.state.animate.playing);
+    (void)bench.key(Key::Enter);
+    CHECK_FALSE(bench.state.animate.playing);
+    // Elsewhere Tab leads to the panel of what is selected, and Enter plays nothing.
+    bench.click(bench.at_pixel({5, 5}));
+    bench.frames(2);
+    (void)bench.key(Key::Enter);
+    CHECK_FALSE(bench.state.animate.playing);
+    (void)bench.key(Key::Tab);
+    bench.frames(4);
+    CHECK_FALSE(bench.state.animate.has_keyboard);
 }
 
 TEST_CASE("numbered frames are asked about before they are replaced", "[ui][window][animate]") {

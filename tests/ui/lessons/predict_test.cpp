@@ -2,6 +2,7 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/lesson_window.h"
 #include "ui/lessons/predict_mode.h"
+#include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -53,6 +54,29 @@ TEST_CASE("a picked pixel stands still while the scene changes, and shows then w
     bench.frames(3);
     CHECK(*bench.state.predict.answer == std::array<int, 3>{0, 0, 0});
     (void)bench.control("It was");
+}
+
+TEST_CASE("a colour is predicted without a mouse, once a pixel is picked", "[ui][window][lesson]") {
+    PredictWindow bench;
+    REQUIRE(bench.state.predict.stage == PredictStage::Change);
+    bench.scene().lights.clear();
+    bench.frames(2);
+    (void)bench.key(Key::Enter);
+    CHECK(bench.state.predict.stage == PredictStage::Change);  // nothing is said yet
+    bench.frames(4);
+    REQUIRE(ImGui::GetIO().WantTextInput);
+    bench.type("7");  // in place of red
+    (void)bench.key(Key::Enter);
+    CHECK(bench.state.predict.stage == PredictStage::Change);  // it ends the typing
+    let_go_of_fields();
+    bench.frames(2);
+    (void)bench.key(Key::Enter);
+    bench.frames(4);
+    CHECK(bench.state.predict.stage == PredictStage::Revealed);
+    CHECK(std::round(255 * bench.state.predict.mine.elements()[0].number()) == 7);
+    REQUIRE(bench.state.predict.answer);
+    (void)bench.key(Key::Enter);
+    CHECK(bench.state.predict.stage == PredictStage::Change);
 }
 
 TEST_CASE("a prediction that begins again asks for a pixel where the one before is gone",

@@ -68,10 +68,53 @@ TEST_CASE("names are found as files and commands write them", "[ui][palette]") {
     bench.frames(2);
     bench.state.shipped_scenes = project_file("assets/scenes");
     bench.state.lesson.folder = project_file("assets/lessons");
-    CHECK(found(bench.state, "lesson 05").at(0).name == "Lesson: 05 lambert");
+    list_own_lessons(bench.state);
+    CHECK(found(bench.state, "05-lambert").at(0).name == "Lesson: 05 Lambert's law: the beam gets wider");
     CHECK(found(bench.state, "spot-cone").at(0).name == "Scene: spot cone");
     CHECK(found(bench.state, "lit_in_srgb").at(0).name == "Mistake: lit in srgb");
     CHECK(found(bench.state, "scan-line").at(0).name == "Scan-line scope");
+}
+
+TEST_CASE("a lesson is found by its number, its title and its topic", "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.state.lesson.folder = project_file("assets/lessons");
+    bench.frames(2);
+    (void)bench.key(Key::K, true);
+    REQUIRE_FALSE(bench.state.lessons.own.empty());
+    const std::string name = "Lesson: 05 Lambert's law: the beam gets wider";
+    for (const char* text : {"lesson 05", "beam gets wider", "lambert's law", "cosine", "lambert"}) {
+        CAPTURE(text);
+        const auto entries = found(bench.state, text);
+        REQUIRE_FALSE(entries.empty());
+        const auto is_named = [&](const PaletteEntry& entry) { return entry.name == name; };
+        CHECK(std::any_of(entries.begin(), entries.end(), is_named));
+    }
+    CHECK(found(bench.state, "lesson 05").at(0).name == name);
+    const auto lessons = found(bench.state, "lesson");
+    CHECK(lessons.at(0).name == "Lessons…");
+    for (std::size_t i = 1; i <= 17; ++i)
+        CHECK(std::stoul(lessons.at(i).name.substr(std::string("Lesson: ").size())) == i);
+}
+
+TEST_CASE("a component of a vector is found, and takes the keyboard", "[ui][palette][window]") {
+    HeadlessWindow bench;
+    bench.state.shipped_scenes = project_file("assets/scenes");
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.frames(2);
+    for (const auto& [text, number] : {std::pair{"scale y", 3}, std::pair{"rotate z", 40}}) {
+        CAPTURE(text);
+        (void)bench.key(Key::K, true);
+        bench.frames(2);
+        bench.type(text);
+        (void)bench.key(Key::Enter);
+        bench.frames(6);
+        CHECK(ImGui::GetIO().WantTextInput);
+        bench.type(std::to_string(number).c_str());
+        bench.frames(2);
+    }
+    CHECK(bench.scene().objects[0].transform.scale.y == 3);
+    CHECK(bench.scene().objects[0].transform.rotate_deg.z == 40);
+    CHECK(bench.scene().objects[0].transform.scale.x == 1);
 }
 
 TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palette]") {
