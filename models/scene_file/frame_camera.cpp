@@ -90,16 +90,18 @@ Projection with_planes(Projection projection, double distance, double radius) {
 
 }  // namespace
 
-void frame_camera(Scene& scene, int object) {
+bool frame_camera(Scene& scene, int object) {
     const std::optional<Sphere> sphere = bounding_sphere(scene, object);
-    if (!sphere) return;
+    if (!sphere) return false;
     Camera camera = scene.camera;
     const glm::dvec3 back = glm::normalize(glm::dvec3(camera.eye) - glm::dvec3(camera.target));
     const double distance = fitting_distance(camera.projection, sphere->radius);
     camera.target = glm::vec3(sphere->center);
     camera.eye = glm::vec3(sphere->center + distance * back);
     camera.projection = with_planes(camera.projection, distance, sphere->radius);
-    if (!violation_of_ranges(camera) && !violation_of(camera)) scene.camera = camera;
+    if (violation_of_ranges(camera) || violation_of(camera)) return false;
+    scene.camera = camera;
+    return true;
 }
 
 std::vector<Light> default_lights() {

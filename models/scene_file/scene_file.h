@@ -103,10 +103,10 @@ inline constexpr const char* opened_files =
 [[nodiscard]] Scene scene_of_mesh(MeshPtr mesh, const std::string& path);
 
 /// Moves the camera, direction, up and angles kept, so that a sphere around all objects (or one, when
-/// `object` >= 0) fits a picture from 1:1 to 16:9; near, far and an orthographic height follow. Nothing
-/// changes when there is no loaded mesh, or no such camera within the numbers of a scene file.
+/// `object` >= 0) fits a picture from 1:1 to 16:9; near, far and an orthographic height follow. Returns false,
+/// and nothing changes, when there is no loaded mesh, or no such camera within the numbers of a scene file.
 /// Precondition: the camera is valid.
-void frame_camera(Scene& scene, int object = -1);
+bool frame_camera(Scene& scene, int object = -1);
 
 /// The scene with the assignments applied, as `--set` would, to its text with every key written out. Meshes
 /// that the document has loaded are shared where their source stays; others are loaded. What is wrong in an

@@ -7,9 +7,16 @@
 namespace glint {
 namespace {
 
+/// Frames the object with that index, or all of them for -1.
+void frame(UiState& state, int object) {
+    if (frame_camera(state.editor.scene(), object)) return;
+    state.notifications.add(Tone::Warning,
+                            "No camera shows it whole: that one would be farther off than numbers go");
+}
+
 void frame_selected(UiState& state) {
     const Selection& selected = state.editor.selection;
-    frame_camera(state.editor.scene(), selected.kind == Selection::Kind::Object ? selected.index : -1);
+    frame(state, selected.kind == Selection::Kind::Object ? selected.index : -1);
 }
 
 template <ViewFrom side> void look_from(UiState& state) {
@@ -77,7 +84,7 @@ std::vector<WindowCommand> camera_commands() {
         {.name = "Frame all",
          .keys = {{Key::F, !ctrl, shift}},
          .menu = Menu::View,
-         .run = [](UiState& s) { frame_camera(s.editor.scene(), -1); },
+         .run = [](UiState& s) { frame(s, -1); },
          .why_disabled = unless_objects},
         {.name = "Perspective or parallel",
          .keys = {{Key::Pad5}},

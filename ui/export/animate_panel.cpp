@@ -86,9 +86,10 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     for (const std::string& pointer : found)
         if (const auto number = number_at(scene, pointer))  // while the mouse drags, it may have gone
             offer_number(animate, scene, *number, entered && &pointer == &found.front());
-    if (animation.pointer.empty()) return;
+    const std::optional<SceneNumber> number = number_at(scene, animation.pointer);
+    if (!number) return;
     ImGui::Separator();
-    const Real ends{.format = "%.4g"};
+    const Real ends{.range = number->kind.range, .format = "%.4g"};
     float from = static_cast<float>(animation.from), to = static_cast<float>(animation.to);
     const Help help{"One end of the interval", animation.pointer};
     if (number_field("From", from, ends, 0, help)) animation.from = double(from);

@@ -89,7 +89,7 @@ std::string whole_label(const std::string& name) {
     for (const char c : name) {
         // A carriage return is a letter to what looks for "##", and is not drawn.
         if (c == '#' && !label.empty() && label.back() == '#') label += '\r';
-        label += c == '\n' || c == '\r' || c == '\t' ? ' ' : c;
+        label += c == '\n' || c == '\r' || c == '\t' || c == '\0' ? ' ' : c;  // 0 would end it
     }
     return label;
 }

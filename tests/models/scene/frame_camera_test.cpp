@@ -87,8 +87,14 @@ TEST_CASE("framing one object looks at that one, where its transform puts it", "
 
 TEST_CASE("what cannot be framed leaves a valid camera", "[frame_camera]") {
     Scene empty;
-    frame_camera(empty);
+    CHECK_FALSE(frame_camera(empty));
     CHECK(empty == Scene{});
+    Scene far = scene_of(Perspective{}, {triangle_at({1e30f, 0, 0}, 1)});
+    const Camera before = far.camera;
+    CHECK_FALSE(frame_camera(far));
+    CHECK(far.camera == before);
+    far.objects[0] = scene_of(Perspective{}, {triangle_at({1e9f, 0, 0}, 1)}).objects[0];
+    CHECK(frame_camera(far));
     for (const float size : {0.0f, 1e-38f, 1e30f})
         for (const glm::vec3 place : {glm::vec3(0), glm::vec3(1e9f, 0, 0), glm::vec3(-1e30f, 1e30f, 0)}) {
             Scene scene = scene_of(Perspective{}, {triangle_at(place, size)});

@@ -296,6 +296,19 @@ TEST_CASE("the animation is chosen and played without a mouse", "[ui][window][an
     CHECK_FALSE(bench.state.animate.has_keyboard);
 }
 
+TEST_CASE("an end of the interval stays within the range of the number", "[ui][window][animate]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    begin_animation(bench.state, Motion::PingPong);
+    bench.state.animate.animation.pointer = "/objects/0/material/shininess";  // 0 to 10000
+    bench.frames(4);
+    bench.click(bench.control("From"));
+    bench.frames(2);
+    bench.type("1e9");
+    bench.frames(2);
+    CHECK(bench.state.animate.animation.from == 10000);
+}
+
 TEST_CASE("numbered frames are asked about before they are replaced", "[ui][window][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;

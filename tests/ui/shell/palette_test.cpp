@@ -397,6 +397,26 @@ TEST_CASE("a letter that acts at once says what it did", "[ui][window][commands]
     CHECK(last().find("No object is selected") == 0);
 }
 
+TEST_CASE("F says why it does not frame what is too far away", "[ui][window][commands]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.scene().objects[0].transform.translate.x = 1e30f;
+    bench.scene().camera.eye.x += 2;  // it would have to be beyond it
+    bench.frames(2);
+    const Camera before = bench.scene().camera;
+    (void)bench.key(Key::F);
+    CHECK(bench.scene().camera == before);
+    CHECK(bench.notes_with("No camera shows it whole") == 1);
+    (void)bench.key(Key::F, false, true);
+    CHECK(bench.scene().camera == before);
+    bench.scene().objects[0].transform.translate.x = 1e6f;
+    bench.state.notifications.list.clear();
+    (void)bench.key(Key::F);
+    CHECK_FALSE(bench.scene().camera == before);
+    CHECK(bench.notes_with("No camera shows it whole") == 0);
+}
+
 TEST_CASE("each letter that is a command says something", "[ui][window][commands]") {
     for (const WindowCommand& command : commands())
         for (const KeyPress& press : command.keys) {

@@ -118,6 +118,7 @@ TEST_CASE("a name is drawn whole, also what follows two hashes", "[ui][window]")
         CHECK(ImGui::CalcTextSize(label.c_str(), nullptr, true).x == ImGui::CalcTextSize(name).x);
     }
     CHECK(whole_label("two\nlines\tand\rmore") == "two lines and more");
+    CHECK(whole_label(std::string("no\0end", 6)) == "no end");
 }
 
 TEST_CASE("a menu says why an item is grey", "[ui][window][tooltip]") {

@@ -95,9 +95,8 @@ bool end_typing(float& value, const Range& range) {
     const std::string text = typing.text.data();
     if (text == typing.began_with) return assign(value, double(typing.before), range);
     const Calculated found = calculated_typing(typing);
-    if (text.empty()) {  // emptied, or with more pasted into it than it takes
-        say(fmt::format("There is no number in the field, which takes {} characters at most. It keeps {}",
-                        longest_text - 1, exact_text(typing.before)));
+    if (text.empty()) {
+        say(fmt::format("The field was empty: it keeps {}", exact_text(typing.before)));
         return assign(value, double(typing.before), range);
     }
     if (!found.problem.empty()) {
