@@ -9,6 +9,7 @@
 #include "app/commands/command.h"
 #include "models/fields/choices.h"
 #include "models/io/file.h"
+#include "models/io/left_files.h"
 #include "models/io/temporary.h"
 #include "renderer/programs/mesh_text.h"
 #include "renderer/programs/program.h"
@@ -34,6 +35,7 @@ std::unique_ptr<NewDirectory> new_directory(const std::string& path) {
     const fs::file_status found = fs::status(path, error);
     if (fs::exists(found)) {
         if (!fs::is_directory(found)) throw refused("is not a directory");
+        remove_left_files((fs::path(path) / "").string());
         if (!fs::is_empty(path, error) || error)
             throw refused(error ? reason(error.value()) : "is not empty");
         return nullptr;

@@ -1,4 +1,7 @@
 // glint code, as a user runs it.
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -39,6 +42,18 @@ TEST_CASE("glint code writes the files of a program into a new or an empty direc
         CHECK(text.find("width = 64, height = 48;") != std::string::npos);
         CHECK(text.find('@') == std::string::npos);
     }
+}
+
+TEST_CASE("what a killed glint code has left keeps no other from its directory", "[programs][cli]") {
+    const TemporaryDirectory folder;
+    fs::create_directory(folder.path("out"));
+    const pid_t gone = ::fork();
+    if (gone == 0) ::_exit(0);
+    ::waitpid(gone, nullptr, 0);
+    const std::string left = folder.file("out/.glint-" + std::to_string(gone) + "-0.tmp", "half");
+    CHECK(code(ball, "cpp", folder.path("out")).status == 0);
+    CHECK_FALSE(fs::exists(left));
+    CHECK(fs::exists(folder.path("out/main.cpp")));
 }
 
 TEST_CASE("a program's names are the scene's, as far as the language takes them", "[programs][cli]") {
