@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "models/fields/choices.h"
 #include "models/io/utf8.h"
@@ -110,6 +111,15 @@ class Writer {
         return info_of(e_.reflection).is_lit && !scene_.shading.mistakes.lit_after_projection;
     }
 
+    /// Numbers divided by w, which is 0 for a point in the eye's plane.
+    static std::string divided(const std::vector<float>& numbers) {
+        const auto is_finite = [](float x) { return std::isfinite(x); };
+        if (!std::all_of(numbers.begin(), numbers.end(), is_finite)) return "      none: divided by 0";
+        std::string text;
+        for (const float x : numbers) text += in_column(x);
+        return text;
+    }
+
     /// The point on its way from the mesh to the screen.
     [[nodiscard]] std::string spaces() const {
         const ExplainedSpaces& in = e_.spaces;
@@ -120,8 +130,8 @@ class Writer {
                line("camera", in_columns(in.camera),
                     is_lit_in_camera() ? "              here it is lit" : "") +
                line("clip", in_columns(glm::vec3(in.clip)) + in_column(in.clip.w), "    w last") +
-               line("ndc", in_columns(in.ndc), "") +
-               line("pixel", in_column(in.pixel.x) + in_column(in.pixel.y), "");
+               line("ndc", divided({in.ndc.x, in.ndc.y, in.ndc.z}), "") +
+               line("pixel", divided({in.pixel.x, in.pixel.y}), "");
     }
 
     static std::string place(const ExplainedPoint& at) {

@@ -36,6 +36,23 @@ TEST_CASE("a picked point is carried through every space to its own pixel", "[ex
     CHECK(hits > 50);
 }
 
+TEST_CASE("the text of a point in the eye's plane has no infinite numbers", "[explain]") {
+    Renderer renderer(1);
+    const Scene scene = busy_scene();
+    renderer.render(scene, {96, 72});
+    Explanation e = renderer.explain(38, 36);
+    REQUIRE(e.hit);
+    const std::string before = explain_text(e, scene);
+    CHECK(before.find("divided by 0") == std::string::npos);
+    e.spaces.clip.w = 0;
+    e.spaces.ndc = glm::vec3(e.spaces.clip) / 0.0f;
+    e.spaces.pixel = glm::vec2(e.spaces.clip) / 0.0f;
+    const std::string text = explain_text(e, scene);
+    CHECK(text.find("\n  ndc           none: divided by 0\n  pixel         none: divided by 0\n") !=
+          std::string::npos);
+    CHECK(text.find("inf") == std::string::npos);
+}
+
 TEST_CASE("the LaTeX form is balanced, escapes names and ends with the bytes", "[explain][latex]") {
     Renderer renderer(1);
     for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong}) {
