@@ -38,8 +38,8 @@ namespace glint {
 /// The size of the sheet in pixels.
 [[nodiscard]] PictureSize diagnosis_sheet_size(const Diagnosis& diagnosis, const Font& font);
 
-/// "Or the specular term of Sun is left out: that shows the same."; empty where that is not so.
-[[nodiscard]] std::string left_out_text(const Diagnosis& diagnosis, const Scene& scene);
+/// "Or the specular term of Sun is left out: that shows the same." `term`: Diagnosis::left_out.
+[[nodiscard]] std::string left_out_text(const DifferenceTerm& term, const Scene& scene);
 
 /// What a candidate supposes of the brightness beyond what is said to have happened at the display:
 /// "with all brightness times 0.04"; empty where that is nothing.

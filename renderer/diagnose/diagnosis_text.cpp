@@ -195,15 +195,14 @@ std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
             "picture "
             "would tell it from a soft one.\n";
     if (d.verdict == Verdict::Mistake) text += candidate_lines(d.candidates.front(), d.size);
-    if (d.left_out) text += left_out_text(d, scene) + "\n";
+    if (d.left_out) text += left_out_text(*d.left_out, scene) + "\n";
     if (d.experiment) text += "To be sure, " + experiment_line(*d.experiment);
     if (d.verdict == Verdict::NotInCatalogue) text += difference_lines(d, scene);
     return text;
 }
 
-std::string left_out_text(const Diagnosis& d, const Scene& scene) {
-    if (!d.left_out) return {};
-    return fmt::format("Or {} is left out: that shows the same.", term_words(*d.left_out, scene));
+std::string left_out_text(const DifferenceTerm& term, const Scene& scene) {
+    return fmt::format("Or {} is left out: that shows the same.", term_words(term, scene));
 }
 
 std::string own_brightness(const Diagnosis& diagnosis, const Candidate& candidate) {

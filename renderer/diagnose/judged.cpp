@@ -46,21 +46,23 @@ void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int s
              (has_other_background(exhibit, j.drawing, change) ? 1 : 0);
 }
 
-/// Judges under another change, too, and keeps the cheaper one; of equals the one that comes nearer within
-/// what rounding leaves.
-void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step) {
+/// Judges under another change, too, and keeps the cheaper one; of equals, or where it costs no more than
+/// `for_much_nearer` more and comes twice as near, the one that comes nearer within what rounding leaves.
+void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step,
+                double for_much_nearer = 0) {
     const Score score = j.score;
     const DisplayChange kept = j.change;
     const double cost = j.cost;
     judge(j, exhibit, change, step);
     if (j.cost < cost || (j.cost == cost && j.score.squares < score.squares)) return;
+    if (j.cost < cost + for_much_nearer && 4 * j.score.squares < score.squares) return;
     j.score = score;
     j.change = kept;
     j.cost = cost;
 }
 
-/// Judges by every row, and as a hard picture where softness explains nothing more, or where only softness
-/// makes it fit and it cannot be softened.
+/// Judges by every row, and as a hard picture where softness explains nothing more, or it cannot be softened:
+/// where it fits as it is, hard edges alone tell that.
 void judge_whole(Judged& j, const Exhibit& exhibit) {
     const DisplayChange change = j.change;
     if (change.soft) {
@@ -68,7 +70,8 @@ void judge_whole(Judged& j, const Exhibit& exhibit) {
         hard.soft = false;
         judge(j, exhibit, hard, 1);
         if (j.score.excess == 0) return;
-        if (!j.score.fits() && !may_be_softened(exhibit, j.drawing, change)) return;
+        const bool fits = j.score.fits();
+        if (fits ? is_hard(exhibit, j.drawing, change) : !may_be_softened(exhibit, j.drawing, change)) return;
     }
     judge(j, exhibit, change, 1);
 }
@@ -105,7 +108,7 @@ void judge_by_power(Judged& none, const Exhibit& exhibit, DisplayChange change) 
     change.soft = false;
     for (const Code before : {Code::Same, Code::Decoded}) {
         change.before = before;
-        judge_also(none, exhibit, change, 1);
+        judge_also(none, exhibit, change, 1, 1);
     }
 }
 

@@ -108,7 +108,7 @@ void verdict(const Diagnosis& d, const Scene& scene) {
     }
     if (const std::string display = display_text(d.display); !display.empty())
         wrapped_dim("Taken away first, as no mistake of lighting: " + display + ".");
-    if (d.left_out) wrapped_dim(left_out_text(d, scene));
+    if (d.left_out) wrapped_dim(left_out_text(*d.left_out, scene));
     ImGui::Dummy({0, px(2)});
 }
 

@@ -66,13 +66,15 @@ class Expected {
 bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const Expected& expected,
                     const std::array<ByteRange, 3>& explained, glm::ivec2 at) {
     constexpr float far_apart = 48, least_share = 1.0f / 6;  // levels; of the contrast
+    std::optional<RgbBounds> mine;                           // most pixels need none
     for (std::size_t c = 0; c < 3; ++c) {
         if (explained[c].high - explained[c].low < far_apart) continue;
         const float contrast = expected.contrast_at(at, c);
         if (contrast < far_apart) continue;
-        const RgbBounds mine = bounds_around(e.wrong, changed_place(change, e.wrong.size, at));
+        if (!mine) mine = bounds_around(e.wrong, changed_place(change, e.wrong.size, at));
         const std::size_t channel = changed_channel(change, c);
-        if (static_cast<float>(mine.high[channel] - mine.low[channel]) < least_share * contrast) return true;
+        if (static_cast<float>(mine->high[channel] - mine->low[channel]) < least_share * contrast)
+            return true;
     }
     return false;
 }

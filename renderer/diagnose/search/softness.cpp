@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -172,6 +173,75 @@ double share_unmixed(const Exhibit& e, const Drawing& drawn, const DisplayChange
     return fit.share_left(double(change.noise));
 }
 
+/// The share of the squares of what differs that a shift leaves.
+double share_unshifted(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
+                       glm::dvec2 shift) {
+    const ByteRanges ranges = byte_ranges(change);
+    const Levels levels(drawn.picture, ranges);
+    double all = 0, left = 0;
+    for_each_level(e, drawn, change, ranges, [&](glm::ivec2 at, std::size_t c, double off) {
+        const double mine = levels.at(at.x, at.y, c) + off;
+        const double rest = mine - levels.at(glm::dvec2(at) - shift, c);
+        all += off * off;
+        left += rest * rest;
+    });
+    return all > 0 ? left / all : 0;
+}
+
+/// From one side of a silhouette to the other.
+struct Steps {
+    int all = 0, hard = 0;  // hard: nothing lies in between, and both sides are even beside it
+    [[nodiscard]] double share_hard() const { return all > 0 ? double(hard) / all : 0; }
+};
+
+/// Four pixels in a row or in a column, a step in whose middle is looked for. `flat`: the levels by which the
+/// outer two may differ from their neighbours.
+void add_step(Steps& steps, const std::array<Rgb, 4>& row, int flat) {
+    constexpr int high = 48;  // levels
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto rise = [&](std::size_t from) {
+            return std::abs(int(row[from + 1][c]) - int(row[from][c]));
+        };
+        const bool is_step =
+            std::abs(int(row[3][c]) - int(row[0][c])) >= high && rise(1) >= rise(0) && rise(1) >= rise(2);
+        if (!is_step) continue;
+        ++steps.all;
+        if (rise(0) <= flat && rise(2) <= flat) ++steps.hard;
+        return;
+    }
+}
+
+/// The steps at silhouettes of a picture whose colours color_at(pixel) returns.
+template <class ColorAt> Steps steps_of(const Exhibit& e, const ColorAt& color_at, int flat) {
+    Steps steps;
+    const PictureSize size = e.right.size;
+    const auto is_edge = [&](glm::ivec2 at) { return e.kinds[size.index(at.x, at.y)] == PixelKind::Edge; };
+    for (const glm::ivec2 along : {glm::ivec2(1, 0), glm::ivec2(0, 1)})
+        for (int y = along.y; y + 2 * along.y < size.height; ++y)
+            for (int x = along.x; x + 2 * along.x < size.width; ++x) {
+                const glm::ivec2 at(x, y);
+                if (!is_edge(at) || !is_edge(at + along)) continue;
+                add_step(steps,
+                         {color_at(at - along), color_at(at), color_at(at + along), color_at(at + 2 * along)},
+                         flat);
+            }
+    return steps;
+}
+
+/// Whether the wrong picture has as hard steps at its silhouettes as the drawing has.
+bool has_hard_edges(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    constexpr int least = 20;
+    constexpr double as_hard = 0.6;
+    const int flat = 4 + static_cast<int>(2 * change.noise);
+    const PictureSize size = e.right.size;
+    const Steps ours = steps_of(
+        e, [&](glm::ivec2 at) { return rgb_at(drawn.picture, size.index(at.x, at.y)); }, flat);
+    if (ours.hard < least) return false;
+    const Steps theirs = steps_of(
+        e, [&](glm::ivec2 at) { return mine_at(e.wrong, change, at.x, at.y); }, flat);
+    return theirs.share_hard() >= as_hard * ours.share_hard();
+}
+
 }  // namespace
 
 glm::vec2 fitted_shift(const Exhibit& e, const Picture& drawn, const DisplayChange& change, int rows) {
@@ -187,13 +257,21 @@ glm::vec2 fitted_shift(const Exhibit& e, const Picture& drawn, const DisplayChan
     return shift;
 }
 
+bool is_hard(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    constexpr double most_left_by_shift = 0.6;
+    if (!has_hard_edges(e, drawn, change)) return false;
+    const glm::vec2 shift = fitted_shift(e, drawn.picture, change, row_step(e.right.size));
+    return share_unshifted(e, drawn, change, glm::dvec2(shift)) > most_left_by_shift;
+}
+
 bool may_be_softened(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
     constexpr double most_left_beside_gain = 0.1;
     constexpr float hardly = 1.1f;
+    if (is_hard(e, drawn, change)) return false;
+    const glm::ivec2 whole(glm::round(fitted_shift(e, drawn.picture, change, row_step(e.right.size))));
     const auto is_mixed = [&](const DisplayChange& told, double enough, bool with_gain) {
         if (share_unmixed(e, drawn, told, glm::ivec2(0), with_gain) <= enough) return true;
-        const glm::vec2 shift = glm::round(fitted_shift(e, drawn.picture, change, row_step(e.right.size)));
-        return shift != glm::vec2(0) && share_unmixed(e, drawn, told, glm::ivec2(shift), with_gain) <= enough;
+        return whole != glm::ivec2(0) && share_unmixed(e, drawn, told, whole, with_gain) <= enough;
     };
     if (!is_mixed(change, may_be_left(e, drawn, change), false)) return false;
     // A gain near 1 may be what makes a highlight of another width look even: it is fitted beside the

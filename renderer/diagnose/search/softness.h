@@ -10,10 +10,16 @@ namespace glint {
 [[nodiscard]] glm::vec2 fitted_shift(const Exhibit& exhibit, const Picture& drawn,
                                      const DisplayChange& change, int rows = 1);
 
+/// Whether the wrong picture was neither blurred nor resampled: it steps from one side of a silhouette to the
+/// other as hard as the drawing does, and no shift explains most of what differs on surfaces. False where the
+/// drawing has too few such steps to tell.
+[[nodiscard]] bool is_hard(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
+
 /// Whether the surfaces of the wrong picture may be those of the drawing with each pixel mixed from it and
 /// its eight neighbours, where it is shifted to: one mixture in all places has to explain a part of what
 /// differs. Mixing moves brightness and makes none: where a wrong picture is nearly everywhere darker, or
-/// nearly everywhere brighter, that mixture has to explain most of it. `change` is soft.
+/// nearly everywhere brighter, that mixture has to explain most of it. False where is_hard(). `change` is
+/// soft.
 [[nodiscard]] bool may_be_softened(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
 
 }  // namespace glint

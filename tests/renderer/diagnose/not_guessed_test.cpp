@@ -254,11 +254,42 @@ TEST_CASE("flat and Gouraud shading are neither a smoothed Phong picture nor a m
         CHECK(diagnosed(document, right_of(other, size)).verdict == Verdict::NotInCatalogue);
     };
     check("worked-camera", ShadingMode::Gouraud, {640, 400});
+    check("worked-camera", ShadingMode::Gouraud, {320, 200});
     check("rough-to-smooth", ShadingMode::Gouraud, {320, 200});
     check("sun-and-headlight", ShadingMode::Gouraud, {640, 400});
     check("every-term", ShadingMode::Flat, {320, 200});
     check("bulb", ShadingMode::Flat, {320, 200});
     check("light-behind-ball", ShadingMode::Flat, {480, 300});
+}
+
+TEST_CASE("a highlight of another width is not a soft one where the edges are hard", "[diagnose][release]") {
+    const SceneDocument document = shipped("spot-cone.json");
+    SceneDocument other = document;
+    other.scene.objects[0].material.shininess = 64;
+    CHECK(diagnosed(document, right_of(other, {640, 480})).verdict == Verdict::NotInCatalogue);
+    const Diagnosis small = diagnosed(document, right_of(other, {480, 300}));  // hardly a pixel is wrong
+    CHECK(small.verdict == Verdict::NoMistake);
+    CHECK(small.display.softened == 0);
+}
+
+TEST_CASE("what is drawn at other points of the pixels is shifted, though its edges are hard",
+          "[diagnose][release]") {
+    constexpr PictureSize size{320, 240};
+    for (const char* const name : {"still-life", "default", "every-term"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        const Picture fine = right_of(document, {2 * size.width, 2 * size.height});
+        Picture picture{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)  // at three quarters of each pixel
+                for (std::size_t c = 0; c < 3; ++c)
+                    picture.rgba[4 * picture.pixel(x, y) + c] =
+                        fine.rgba[4 * fine.pixel(2 * x + 1, 2 * y + 1) + c];
+        const Diagnosis d = diagnosed(document, picture);
+        INFO(name);
+        CHECK(d.verdict == Verdict::NoMistake);
+        CHECK(d.display.shift.x == Approx(-0.25).margin(0.03));
+        CHECK(d.display.shift.y == Approx(-0.25).margin(0.03));
+    }
 }
 
 TEST_CASE("a term that was multiplied is told, though a gain, softness and a mistake would explain it, too",
