@@ -171,6 +171,15 @@ Picture displayed_part(Picture stored, const Imath::Box2i& data, const Imath::Bo
     return shown;
 }
 
+/// Whether a display window has so many more pixels than are stored that a few bytes would make gigabytes.
+bool is_nearly_empty(const Imath::Box2i& data, const Imath::Box2i& display) {
+    constexpr double harmless = 4096.0 * 4096, most = 64;  // pixels; for each that is stored
+    const auto pixels = [](const Imath::Box2i& box) {
+        return (1.0 + box.max.x - box.min.x) * (1.0 + box.max.y - box.min.y);
+    };
+    return pixels(display) > std::max(harmless, most * pixels(data));
+}
+
 /// Throws what the library throws for a file that is not whole.
 Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path) {
     require_short_channel_lists(bytes);
@@ -182,6 +191,12 @@ Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path
     if (!fits(width, height) ||
         !fits(1LL + display.max.x - display.min.x, 1LL + display.max.y - display.min.y))
         return unreadable(path, "has a size out of range", "an OpenEXR");
+    if (is_nearly_empty(window, display))
+        return Problem{
+            path, "",
+            fmt::format("shows {}x{} pixels and holds {}x{} of them", 1LL + display.max.x - display.min.x,
+                        1LL + display.max.y - display.min.y, width, height),
+            "at most 64 times as many, or 4096x4096"};
     const Imf::ChannelList& channels = file.header().channels();
     const bool grey = channels.findChannel("R") == nullptr;
     if (grey && channels.findChannel("Y") == nullptr)

@@ -266,6 +266,10 @@ std::string Identifiers::once(const std::string& base) {
 }
 
 std::string number_in_program(float x) {
+    // The program reads a double: the shortest text of a large float would be another whole number, which
+    // matters to an angle. With an exponent it is no whole number of a language that bounds them.
+    constexpr float last_whole = 1 << 24;
+    if (std::abs(x) > last_whole) return fmt::format("{:.16e}", x);
     std::string text = number_text(x);
     if (text.ends_with(".0")) text.resize(text.size() - 2);
     return text == "-0" ? "0" : text;

@@ -56,6 +56,18 @@ TEST_CASE("what a killed glint code has left keeps no other from its directory",
     CHECK(fs::exists(folder.path("out/main.cpp")));
 }
 
+TEST_CASE("a program turns an object by the scene's angle, however large", "[programs][cli]") {
+    const TemporaryDirectory folder;
+    const char* const turned =
+        R"({"glint": 1, "objects": [{"transform": {"rotate_deg": [0.1, 1234567890, -1e12]}}]})";
+    for (const char* language : {"cpp", "python"}) {
+        REQUIRE(code(turned, language, folder.path(language)).status == 0);
+        const bool cpp = std::string(language) == "cpp";
+        const std::string text = bytes_of(folder.path(language) + (cpp ? "/main.cpp" : "/main.py"));
+        CHECK(text.find("0.1, 1.2345679360000000e+09, -9.9999999590400000e+11") != std::string::npos);  // floats, exactly
+    }
+}
+
 TEST_CASE("a program's names are the scene's, as far as the language takes them", "[programs][cli]") {
     const TemporaryDirectory folder;
     REQUIRE(code(ball, "cpp", folder.path("new")).status == 0);

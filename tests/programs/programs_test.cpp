@@ -137,7 +137,7 @@ TEST_CASE("a C++ program draws scenes without a reflection model as we do", "[pr
     report(comparison, Language::Cpp);
 }
 TEST_CASE("a C++ program draws more random scenes as we do", "[.][programs]") {
-    CHECK(compare_random(Language::Cpp, 12, 28) == 28);
+    CHECK(compare_random(Language::Cpp, 12, 28) == 27);  // one would have more than 400 lines
 }
 
 TEST_CASE("a Python program draws the scenes of assets as we do", "[programs]") {

@@ -151,7 +151,8 @@ void bring_picture(UiState& state, const std::string& path) {
         return state.notifications.add(Tone::Warning,
                                        "The lesson asks first: answer, and drop the picture then");
     MyPictureState& mine = state.mine;
-    leave(mine.reading, mine.left_readings);
+    cancel_reading(mine);
+    mine.reading_since = ImGui::GetTime();
     const Display display = state.editor.scene().display;
     mine.reading = std::make_unique<Job<BroughtPicture>>(
         std::filesystem::path(path).filename().string(),
@@ -166,7 +167,7 @@ void bring_picture(UiState& state, const std::string& path) {
 void put_picture_away(UiState& state) {
     MyPictureState& mine = state.mine;
     CompareChoice& choice = state.views.compare.choice;
-    leave(mine.reading, mine.left_readings);
+    cancel_reading(mine);
     leave(mine.job, mine.left_jobs);
     if (!mine.shown) return;
     mine.compare_before.stored = choice.stored;
@@ -179,6 +180,8 @@ void put_picture_away(UiState& state) {
     mine.mistaken.reset();
     if (state.inspector.tab == InspectorTab::MyPicture) state.inspector.tab = state.inspector.tab_before;
 }
+
+void cancel_reading(MyPictureState& mine) { leave(mine.reading, mine.left_readings); }
 
 void cancel_diagnosis(MyPictureState& mine) {
     leave(mine.job, mine.left_jobs);

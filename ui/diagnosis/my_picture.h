@@ -47,6 +47,7 @@ struct MyPictureState {
     Display display;                       // that made the bytes of a linear one
     bool pairs = false;                    // two mistakes at once are looked for, too
     std::unique_ptr<Job<BroughtPicture>> reading;
+    double reading_since = 0;  // ImGui's time when it began
     std::unique_ptr<Job<PictureAnswer>> job;
     std::vector<std::unique_ptr<Job<BroughtPicture>>> left_readings;  // cancelled, and not ended yet
     std::vector<std::unique_ptr<Job<PictureAnswer>>> left_jobs;
@@ -68,6 +69,8 @@ void bring_picture(UiState& state, const std::string& path);
 /// Removes the picture, restores the comparison and the tab from before it, and cancels what is being
 /// computed.
 void put_picture_away(UiState& state);
+/// The picture that is being read is not brought.
+void cancel_reading(MyPictureState& mine);
 /// Gives the diagnosis up until the scene changes, or ask_again().
 void cancel_diagnosis(MyPictureState& mine);
 void ask_again(MyPictureState& mine);

@@ -83,21 +83,29 @@ float progress_share(const LoadProgress& progress) {
 
 void loading_panel(UiState& state, const Rect& picture) {
     const LoadJob* job = state.loading.document ? state.loading.document.get() : state.loading.meshes.get();
-    if (job == nullptr) return;
+    const auto* reading = state.mine.reading.get();
+    if (job == nullptr && reading == nullptr) return;
     redraw_within(seconds_a_frame);
-    if (ImGui::GetTime() - state.loading.since < shown_after) return;
+    const double since = job != nullptr ? state.loading.since : state.mine.reading_since;
+    if (ImGui::GetTime() - since < shown_after) return;
+    const std::string& name = job != nullptr ? job->name() : reading->name();
+    const LoadProgress& progress = job != nullptr ? job->progress() : reading->progress();
     const float width = begin_over_picture("##loading", px(400), picture, ImGuiWindowFlags_NoNav);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(file_title(job->name()).c_str());
+    ImGui::TextUnformatted(file_title(name).c_str());
     ImGui::SameLine(width - px(90));
     const bool cancelled = ImGui::Button("Cancel", {px(80), 0});
     tooltip("Cancel", "The scene stays as it is");
     ImGui::PushFont(fonts().small);
-    dim_text(progress_words(job->progress()).c_str());
+    dim_text(progress_words(progress).c_str());
     ImGui::PopFont();
-    bar(progress_share(job->progress()));
+    bar(progress_share(progress));
     end_over_picture();
-    if (cancelled) cancel_loads(state);
+    if (!cancelled) return;
+    if (job != nullptr)
+        cancel_loads(state);
+    else
+        cancel_reading(state.mine);
 }
 
 namespace {

@@ -213,7 +213,7 @@ vec3 lit(const Material& m, vec3 p, vec3 n) {
     //@if tone
     // Topic: cool to warm. The side towards the first light is warm, the other cool.
     const vec3 to_first = first_light.kind == directional ? first_light.position : first_light.position - p;
-    const double k_w = any_light ? (1 + dot(n, unit(to_first))) / 2 : 0.5;
+    const double k_w = !sources.empty() ? (1 + dot(n, unit(to_first))) / 2 : 0.5;
     const vec3 warm = @warm@, cool = @cool@;
     sum = k_w * (warm + @beta@ * m.diffuse) + (1 - k_w) * (cool + @alpha@ * m.diffuse);
     //@end
@@ -343,7 +343,7 @@ void rasterise(int object, int triangle) {
     auto [top, bottom] = std::minmax({py[0], py[1], py[2]});
     if (std::min({c[0].w, c[1].w, c[2].w}) <= 0) left = top = 0, right = width, bottom = height;
     //@if wrong.culled_by_light
-    if (any_light) {
+    if (!sources.empty()) {
         vec3 centre;
         for (const Corner& corner : o.mesh.faces[t.face])
             centre = centre + (1.0 / o.mesh.faces[t.face].size()) * o.mesh.positions[corner.position];

@@ -1,7 +1,6 @@
 std::vector<Light> sources;  // in camera coordinates, colours times intensity
 //@if first_light
 Light first_light;  // its kind and place
-bool any_light = false;
 //@end
 
 /// Topic: light sources. World lights go through the view matrix, camera lights stay with the viewer.
@@ -10,9 +9,6 @@ void place_lights(const mat4& view) {
         Light s = light;
         //@if wrong.last_light_only
         sources.clear();
-        //@if first_light
-        any_light = false;
-        //@end
         //@end
         //@if wrong.light_in_wrong_space
         @const_frame@mat4 to_camera = light.space == camera ? view : identity;
@@ -73,8 +69,7 @@ void place_lights(const mat4& view) {
         //@end
         //@end
         //@if first_light
-        if (!any_light) first_light = s;
-        any_light = true;
+        if (sources.empty()) first_light = s;
         //@end
         //@if light.area
         s.edge_u = moved(to_camera, light.edge_u, 0);

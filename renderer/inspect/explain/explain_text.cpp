@@ -18,6 +18,7 @@ namespace {
 /// Writes a number ten columns wide, with the decimal points below each other where a plain number is enough.
 std::string in_column(float x) {
     const float size = std::abs(x);
+    if (!std::isfinite(x)) return fmt::format("{:>10}", x);
     return x == 0 || (size >= 1e-4f && size < 1e4f) ? fmt::format("{:10.4f}", x) : fmt::format("{:10.2e}", x);
 }
 std::string in_columns(glm::vec3 v) { return in_column(v.x) + in_column(v.y) + in_column(v.z); }

@@ -151,6 +151,29 @@ TEST_CASE("an EXR shows its display window, whatever part of it the file holds",
     }
 }
 
+TEST_CASE("an EXR that shows gigabytes and holds a few pixels is refused", "[image][bad-input]") {
+    const TemporaryDirectory directory;
+    const std::string path = directory.path("empty.exr");
+    const auto read = [&](int shown, int held) {
+        const Imath::Box2i data({0, 0}, {held - 1, 0});
+        Imf::Header header(Imath::Box2i({0, 0}, {shown - 1, shown - 1}), data);
+        header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+        std::vector<float> row(static_cast<std::size_t>(held), 1);
+        {
+            Imf::FrameBuffer frame;
+            frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row.data()), 4, row.size() * 4));
+            Imf::OutputFile file(path.c_str(), header);
+            file.setFrameBuffer(frame);
+            file.writePixels(1);
+        }
+        return read_exr(path);
+    };
+    CHECK(problem_of(read(64, 2)) == nullptr);  // little in any case
+    const auto refused = read(4097, 24);
+    REQUIRE(problem_of(refused) != nullptr);
+    CHECK(problem_of(refused)->what == "shows 4097x4097 pixels and holds 24x1 of them");
+}
+
 TEST_CASE("an EXR of which a block is missing is refused before there is memory for its pixels",
           "[image][bad-input]") {
     if (test::sanitized) return;

@@ -1,6 +1,7 @@
 // A picture that another program drew: it is compared, diagnosed beside the window, and what is found is
 // tried.
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -218,6 +219,28 @@ TEST_CASE("the search ends when it is told to, and begins anew when the scene ch
     REQUIRE(bench.state.mine.answer);
     bench.click(test::in_column(bench, "Put my picture away"));
     CHECK_FALSE(bench.state.mine.shown);
+}
+
+TEST_CASE("a picture that takes long to be read says so, and can be left", "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    std::atomic<bool> goes_on = false;
+    const auto wait = [&goes_on](LoadProgress& progress) -> Result<BroughtPicture> {
+        while (!goes_on && !progress.cancelled) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return Problem{"slow.png", "", "was left", ""};
+    };
+    bench.state.mine.reading = std::make_unique<Job<BroughtPicture>>("slow.png", wait);
+    bench.state.mine.reading_since = ImGui::GetTime();
+    bench.frames(2);
+    CHECK(test::window_named("##loading") == nullptr);  // what is quick does not flash
+    bench.frames(30);
+    REQUIRE(test::window_named("##loading") != nullptr);
+    bench.click(bench.control("Cancel"));
+    CHECK(bench.state.mine.reading == nullptr);
+    bench.frames(2);
+    CHECK(bench.state.notifications.list.empty());
+    goes_on = true;
+    REQUIRE(end_jobs(bench.state, 10));
 }
 
 TEST_CASE("what cannot be compared is said, and what cannot be read is one line", "[ui][window][mine]") {
