@@ -266,8 +266,8 @@ std::string Identifiers::once(const std::string& base) {
 }
 
 std::string number_in_program(float x) {
-    // The program reads a double: the shortest text of a large float would be another whole number, which
-    // matters to an angle. With an exponent it is no whole number of a language that bounds them.
+    // The program reads a double. The shortest text of a large float would be another whole number, which
+    // matters to an angle. The exponent makes it a double: an int literal may be too small for it.
     constexpr float last_whole = 1 << 24;
     if (std::abs(x) > last_whole) return fmt::format("{:.16e}", x);
     std::string text = number_text(x);

@@ -46,7 +46,7 @@ bool Occlusion::hides(std::uint32_t triangle, glm::dvec2 pixel, double inv_w) co
 namespace {
 
 constexpr std::size_t edges_a_task = 256;  // edges that one task follows
-/// Pixels. No edge in a picture is longer: it is no number where the eye is so far that nothing is left of it.
+/// In pixels. No edge in a picture is longer. An edge seen from so far that its length is NaN is left out.
 constexpr double longest = 1e6;
 
 /// An edge on the screen.
