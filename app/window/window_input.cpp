@@ -95,8 +95,9 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
                   (mods & GLFW_MOD_ALT) != 0};
     event.repeats = action == GLFW_REPEAT;
     const Key ours = key_of(key, scancode, mods);
-    // Undo, redo and moving through a list repeat while the key is held.
-    const bool may_repeat = ours == Key::Z || ours == Key::Y || ours == Key::Up || ours == Key::Down;
+    // Undo, redo, and moving through a list or over the picture's pixels repeat while the key is held.
+    const bool is_arrow = ours >= Key::Up && ours <= Key::Right && !event.with.alt;
+    const bool may_repeat = ours == Key::Z || ours == Key::Y || is_arrow;
     if (!event.repeats || may_repeat)
         event.press = KeyPress{ours, event.with.ctrl, event.with.shift, event.with.alt};
     input_of(window).waiting.emplace_back(std::move(event));

@@ -53,6 +53,27 @@ void store_b(UiState& state) {
     state.notifications.add(Tone::Done, "Stored as B: press " + keys_of(CommandId::ShowB) + " to look at it");
 }
 
+/// An arrow key asks about the pixel beside the picked one; with Shift it goes ten times as far.
+template <int right, int down> WindowCommand step_command(const char* name, Key key) {
+    return {.name = name,
+            .keys = {{key}, {key, !ctrl, shift}},
+            .run =
+                [](UiState& s) {
+                    const int pixels = ImGui::GetIO().KeyShift ? 10 : 1;
+                    step_probe(s.viewport, s.rendered->size, pixels * glm::ivec2(right, down));
+                },
+            .why_disabled =
+                [](const UiState& s) { return s.lecture.frozen ? it_is_frozen() : unless_drawn(s.rendered); },
+            .words = "pick probe step"};
+}
+
+std::vector<WindowCommand> stepping_commands() {
+    return {step_command<-1, 0>("Ask about the pixel to the left", Key::Left),
+            step_command<1, 0>("Ask about the pixel to the right", Key::Right),
+            step_command<0, -1>("Ask about the pixel above", Key::Up),
+            step_command<0, 1>("Ask about the pixel below", Key::Down)};
+}
+
 std::vector<WindowCommand> looking_commands() {
     return {
         {.name = "Scan-line scope",
@@ -245,7 +266,7 @@ std::vector<WindowCommand> layout_commands() {
 
 std::vector<WindowCommand> view_commands() {
     std::vector<WindowCommand> all;
-    for (const auto rows : {looking_commands, comparing_commands, layout_commands})
+    for (const auto rows : {looking_commands, stepping_commands, comparing_commands, layout_commands})
         for (WindowCommand& row : rows()) all.push_back(std::move(row));
     return all;
 }

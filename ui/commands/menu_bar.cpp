@@ -112,7 +112,7 @@ Lines all_lines() {
                 lines.push_back({command.name, keys_of(command)});
     };
     for (const auto& [menu, name] : named_menus) add(menu, name);
-    add(Menu::None, "Shading, terms, directions of view");
+    add(Menu::None, "Shading, terms, directions of view, pixels");
     add_mouse_lines(lines);
     return lines;
 }

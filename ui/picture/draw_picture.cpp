@@ -11,6 +11,7 @@
 #include "ui/inspector/inspector.h"
 #include "ui/ui.h"
 #include "ui/views/views.h"
+#include "ui/widgets/shortcut.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -156,6 +157,10 @@ const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size) {
     const bool tells = state.rendered != nullptr && state.rendered->size == size &&
                        same_surfaces(state.rendered_scene, state.editor.scene());
     return tells ? state.renderer.get() : nullptr;
+}
+
+std::string it_is_frozen() {
+    return "The picture is frozen: " + keys_of(CommandId::Freeze) + " lets it go on";
 }
 
 void freeze(UiState& state) {

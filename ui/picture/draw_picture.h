@@ -71,6 +71,8 @@ void picture_took(FramePace& pace, int divisor, double ms);
 
 /// Freezes what is shown: the drawn scene and its selection, until `lecture.frozen` is reset.
 void freeze(UiState& state);
+/// What is said to a hand that would pick another pixel of a frozen picture.
+[[nodiscard]] std::string it_is_frozen();
 
 /// Returns the scene that the next picture shows in place of the edited one, with its meshes; nothing of it
 /// reaches the history or a file. The first that wants one wins: what is frozen, what is animated, what the

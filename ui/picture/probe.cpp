@@ -1,4 +1,5 @@
 // The pixel asked about, and the one before.
+#include <glm/common.hpp>
 #include <utility>
 
 #include "ui/picture/draw_picture.h"
@@ -38,6 +39,18 @@ void ask_about(ViewportState& state, std::optional<glm::dvec2> probe) {
 void ask_as_before(ViewportState& state) {
     const std::optional<glm::dvec2> before = state.probe_before;
     if (before) ask_about(state, before);
+}
+
+void step_probe(ViewportState& state, PictureSize size, glm::ivec2 step) {
+    const std::optional<glm::ivec2> from = probe_pixel(state, size);
+    const glm::ivec2 last(size.width - 1, size.height - 1);
+    const glm::ivec2 to = from ? glm::clamp(*from + step, glm::ivec2(0), last) : (last + 1) / 2;
+    const glm::dvec2 share = (glm::dvec2(to) + 0.5) / glm::dvec2(size.width, size.height);
+    if (from)
+        state.probe = share;  // the one before stays the one that was left for good
+    else
+        ask_about(state, share);
+    state.asked = state.touched = true;
 }
 
 std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size) {

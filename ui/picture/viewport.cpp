@@ -235,8 +235,7 @@ int hand_press(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
     if (tool.state.lecture.frozen && state.gesture == Gesture::None) {
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-            tool.state.notifications.tell("The picture is frozen: " + keys_of(CommandId::Freeze) +
-                                          " lets it go on");
+            tool.state.notifications.tell(it_is_frozen());
         return not_taken;
     }
     // What a lesson plays goes on until a hand comes, which may want what moves there.

@@ -61,6 +61,10 @@ void follow_effect(ViewportState& state, const ViewportFrame& frame, glm::dvec2 
 [[nodiscard]] HandNote note_of(const HeldEffect& held, const Scene& scene);
 [[nodiscard]] std::string hint_of(const HeldEffect& held);
 
+/// Asks about the pixel so far to the right and down from the one asked about, at most as far as the picture's
+/// border; where none is asked about, about the one in the middle.
+void step_probe(ViewportState& state, PictureSize size, glm::ivec2 step);
+
 /// The pixel asked about, in a picture of this size; none when it lies outside.
 [[nodiscard]] std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size);
 

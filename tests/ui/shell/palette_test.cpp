@@ -397,6 +397,35 @@ TEST_CASE("a letter that acts at once says what it did", "[ui][window][commands]
     CHECK(last().find("No object is selected") == 0);
 }
 
+TEST_CASE("arrow keys pick a pixel and go on to the next, ten at once with Shift", "[ui][window][commands]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const PictureSize size = bench.state.rendered->size;
+    const auto picked = [&] { return probe_pixel(bench.state.viewport, size).value_or(glm::ivec2(-1)); };
+    (void)bench.key(Key::Left);
+    CHECK(picked() == glm::ivec2(size.width / 2, size.height / 2));  // none was picked: the middle
+    bench.frames(2);
+    REQUIRE(bench.state.explanation);
+    (void)bench.key(Key::Right);
+    (void)bench.key(Key::Right);
+    (void)bench.key(Key::Up);
+    CHECK(picked() == glm::ivec2(size.width / 2 + 2, size.height / 2 - 1));
+    bench.frames(2);
+    REQUIRE(bench.state.explanation);
+    CHECK(bench.state.explanation->x == size.width / 2 + 2);
+    CHECK(bench.state.explanation->y == size.height / 2 - 1);
+    ImGui::GetIO().KeyShift = true;
+    (void)bench.key(Key::Down, false, true);
+    CHECK(picked().y == size.height / 2 + 9);
+    for (int i = 0; i < size.width; i += 10) (void)bench.key(Key::Left, false, true);
+    ImGui::GetIO().KeyShift = false;
+    CHECK(picked().x == 0);  // not beyond the border
+    freeze(bench.state);
+    (void)bench.key(Key::Right);
+    CHECK(picked().x == 0);
+    CHECK(bench.notes_with("The picture is frozen: F8 lets it go on") == 1);
+}
+
 TEST_CASE("F says why it does not frame what is too far away", "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
