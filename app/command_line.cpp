@@ -93,7 +93,8 @@ std::vector<Command> named_commands() {
 
 Outcome run_command_line(const Arguments& arguments) {
     const std::size_t at = first_word(arguments);
-    // What follows an unknown option is its value as likely as a word of its own: the option is named first.
+    // The word after an unknown option may be that option's value or a word of its own; both are equally
+    // likely. So the unknown option is reported, not the word.
     const bool may_be_value =
         at > 0 && arguments[at - 1].starts_with('-') && arguments[at - 1].find('=') == std::string::npos;
     if (at < arguments.size()) {

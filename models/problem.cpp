@@ -107,7 +107,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
     for (const std::string& candidate : candidates) {
         std::pair distance(edits(word, candidate, [](char a, char b) { return lower(a) != lower(b); }),
                            edits(word, candidate, [](char a, char b) { return a != b; }));
-        // Who stops short of a long name means it, however many letters are missing.
+        // The beginning of a long name means that name, however many letters are missing: one edit at most.
         if (!word.empty() && candidate.starts_with(word))
             distance.first = std::min(distance.first, std::size_t{1});
         if (distance < least) {

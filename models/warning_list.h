@@ -9,8 +9,8 @@
 
 namespace glint {
 
-/// Takes each line once, in the order in which they come, and says of those above a hundred how many they
-/// are.
+/// Keeps each distinct line once, in the order in which they come. Of the lines after the first hundred it
+/// keeps only the count.
 class WarningList {
   public:
     static constexpr std::size_t most = 100;

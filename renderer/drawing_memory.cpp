@@ -155,9 +155,9 @@ class ShownMemory {
                     std::min(side * side, (extent.width / tile_size + 2) * (extent.height / tile_size + 2));
     }
 
-    /// Several samples make one more group of 16 pixels where an edge passes through one of them, a few more
-    /// where a vertex lies in one, and one a sample where triangles are as small as pixels. `density`:
-    /// triangles that are seen, a pixel; their edges are then about 4.6 sqrt(density) long, a pixel.
+    /// Estimates how many more groups of 16 pixels several samples make of one: one more if an edge passes
+    /// through it, a few more if a vertex lies in it, and one per sample if triangles are as small as pixels.
+    /// `density`: visible triangles per pixel. Their edges are then about 4.6 sqrt(density) long per pixel.
     static double more_groups(double density, int samples) {
         const double edges = 4.6 * std::sqrt(density) * double(block_size),
                      vertices = density / 2 * double(block_size);

@@ -18,9 +18,9 @@ namespace {
 
 constexpr int max_threads = 256;
 
-/// Lets the library start more threads than there are cores, if asked for. There is one limit for the whole
-/// process, because of several the smallest would count. It is never destroyed: where memory ran out as the
-/// library began, its destructor waits for ever. It does not lie on the heap, where it would be a leak.
+/// Lets the library start more threads than there are cores, if asked for. The process has a single limit: of
+/// several, the smallest would count. It is never destroyed, because its destructor waits for ever if memory
+/// ran out while the library started. It does not lie on the heap, where it would be a leak.
 void allow_threads() {
     alignas(tbb::global_control) static std::array<std::byte, sizeof(tbb::global_control)> place;
     [[maybe_unused]] static const auto* const allowed =

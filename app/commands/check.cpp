@@ -24,7 +24,8 @@ struct CheckArguments {
     CheckFormat format = CheckFormat::Text;
 };
 
-/// Whether something has that name, be it a link that leads nowhere, of which reading says so.
+/// Whether the path exists. A dangling symbolic link counts: reading it reports the problem. Throws Failure
+/// where the system does not let us look.
 bool is_there(const std::string& path) {
     std::error_code failed;
     const std::filesystem::file_type type = std::filesystem::symlink_status(path, failed).type();
@@ -68,7 +69,7 @@ Warnings unknown_pictures(const std::string& directory, std::vector<std::string>
                         more > 0 ? fmt::format(" and {} more", more) : "")};
 }
 
-/// `share` takes what those need that are read.
+/// Reads those of the scene's buffers that the directory has. `share` takes the memory that they need.
 std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene& scene, MemoryShare& share) {
     std::vector<PixelBuffer> buffers;
     const std::vector<std::string> names = checked_buffers(scene);

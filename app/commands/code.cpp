@@ -26,7 +26,8 @@ struct CodeArguments {
     std::string out;  // a directory
 };
 
-/// Makes a directory unless it is there. Null where it is, and is empty.
+/// Creates the directory. Returns null if it exists already and is empty. Throws Failure if the path is
+/// anything else.
 std::unique_ptr<NewDirectory> new_directory(const std::string& path) {
     const auto refused = [&path](const std::string& what) {
         return Failure{ExitStatus::Impossible, {path, "", what, "a new or an empty directory"}};

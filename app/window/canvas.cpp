@@ -68,9 +68,10 @@ struct Span {
     int from_low, from_high, to_low, to_high;
 };
 
-/// The whole pixels, of `count` that lie between low and high, that cover part_low to part_high. Where each
-/// is as many of the canvas's pixels as every other only these, since drivers refuse lengths of some 50,000;
-/// else all.
+/// `count` pixels of a picture are stretched over the canvas from low to high. Returns the smallest range of
+/// whole picture pixels that covers part_low to part_high, and the range of the canvas that they fill:
+/// drivers refuse to copy lengths of some 50,000. If the picture's pixels are not all the same whole number
+/// of canvas pixels long, returns the whole ranges.
 Span covering(int count, int low, int high, int part_low, int part_high) {
     const int each = (high - low) / count;
     if (each < 1 || each * count != high - low) return {0, count, low, high};

@@ -151,7 +151,7 @@ void run_window(const WindowOptions& options) {
     }
     open_state = nullptr;
     const int signal = signals->number();
-    // Where the window was closed all is answered: what is not saved was not to be.
+    // Without a signal the user closed the window and answered all questions: unsaved work is not wanted.
     const bool kept = signal != 0 && keep_unsaved_work(state);
     if (signal != 0 && !kept && state.editor.unsaved())
         (void)std::fputs("glint: error: no copy of the unsaved work could be kept\n", stderr);

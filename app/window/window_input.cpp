@@ -103,7 +103,8 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     input_of(window).waiting.emplace_back(std::move(event));
 }
 
-/// Comes right behind the key that types it; alone where several keys make one letter.
+/// GLFW calls this right after the key event of the key that types the letter. If several keys make one
+/// letter, the letter comes without a key event.
 void on_text(GLFWwindow* window, unsigned int letter) {
     std::deque<InputEvent>& waiting = input_of(window).waiting;
     auto* key = waiting.empty() ? nullptr : std::get_if<KeyEvent>(&waiting.back());
@@ -162,12 +163,14 @@ void read_held_keys(GLFWwindow* window, UiInput& input) {
 
 namespace {
 
-/// What opens does so in the first, and has the keyboard in the second or third.
+/// The number of frames until what a key opened takes the keyboard: it opens in the first frame and has the
+/// keyboard in the second or third.
 constexpr int frames_to_open = 3;
 
 bool is_down(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
 
-/// Lets go of the keys of the last frame that are not held, and shows none that still waits.
+/// Releases the keys that were shown to ImGui in the last frame and are no longer held. A key whose press
+/// still waits in the queue is not shown as held.
 void show_held_keys(GLFWwindow* window, WindowInput& input) {
     ImGuiIO& io = ImGui::GetIO();
     for (const int key : input.shown_down) io.KeysDown[key] = is_down(window, key);
@@ -181,8 +184,8 @@ void show_held_keys(GLFWwindow* window, WindowInput& input) {
             io.KeysDown[key->key] = false;
 }
 
-/// Whether a field or a dialog may open by it, or another field. What is pressed many times a second does
-/// not: it would wait for frames that nobody needs.
+/// Whether the key may open a field or a dialog, or move to another field. Keys that are pressed many times a
+/// second are left out: each press would wait for frames that nobody needs.
 bool may_open(const KeyEvent& event) {
     if (event.repeats || !event.press) return false;
     switch (event.press->key) {

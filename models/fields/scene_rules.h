@@ -47,8 +47,9 @@ inline constexpr double parallel_sine = 1e-6;
 [[nodiscard]] std::optional<Violation> violation_of_ranges(const Object& object);
 [[nodiscard]] std::optional<Violation> violation_of_ranges(const Scene& scene);
 
-/// Why a scene file could not hold `now`, if it could not: a condition or a range that is not met. Of lights
-/// and objects those alone are asked that differ from the ones of `valid`, which is such a scene.
+/// Returns why a scene file could not hold `now`: a condition or a range that is not met; nothing if it
+/// could. `valid` is a scene that a file can hold. So lights and objects are checked only if they differ from
+/// those of `valid`.
 [[nodiscard]] std::optional<Violation> violation_since(const Scene& valid, const Scene& now);
 
 /// Returns a light's homogeneous position as the renderer wants it: unchanged if w = 0, else divided by w, so

@@ -22,7 +22,7 @@ using GltfJson = nlohmann::ordered_json;
 /// A .glb file of its two chunks; together below 4 GiB.
 [[nodiscard]] std::string glb_container(std::string_view json, std::string_view bin);
 
-/// What the numbers of an object's mesh follow from: objects of one key share them.
+/// Identifies the numbers of an object's mesh in the file: objects with equal keys share them.
 using GltfMeshKey = std::pair<NormalsKey, bool>;  // and NormalOptions::flip
 [[nodiscard]] GltfMeshKey mesh_key(const Object& object);
 

@@ -84,8 +84,9 @@ class Writer {
                  roots_);
     }
 
-    /// Objects of one mesh and material show one mesh: who opens the file makes it once. But a mesh's name
-    /// would be that of an object without one.
+    /// Objects with the same mesh and material share one glTF mesh, so that a program that opens the file
+    /// creates it once. Objects with and without a name do not share: a reader would name the unnamed object
+    /// after the mesh.
     std::size_t add_mesh(const Object& object) {
         const GltfMeshKey key = mesh_key(object);
         const std::size_t material = add(object.material);
@@ -104,7 +105,8 @@ class Writer {
         const std::optional<GltfMetal> metal = is_physical ? metal_of(m) : std::nullopt;
         if (!metal || m.specular != glm::vec3(1)) ++unsaid_.materials;
         const glm::vec3 whole = metal ? metal->base : m.diffuse, base = glm::min(whole, glm::vec3(1));
-        // A metal's is reckoned, and so it may be a rounding's width above 1.
+        // The base colour of a metal is computed, so rounding may bring it slightly above 1. Up to 1e-5
+        // above 1 is tolerated.
         unsaid_.bright += glm::any(glm::greaterThan(whole, glm::vec3(1 + 1e-5f))) ? 1 : 0;
         // Blinn's highlight of that shininess, where the model has no roughness.
         const float roughness = is_physical ? m.roughness : std::pow(2 / (m.shininess + 2), 0.25f);
@@ -167,7 +169,8 @@ Result<GltfWritten> glb_of(const Scene& scene, const std::string& name) {
     if (bytes + text > most)
         return Problem{"", "", "the meshes are too large for one .glb file", "less than 4 GiB"};
     try {
-        // The numbers ask for their own. A text is there as values, as it is written, and in the file.
+        // Reserves memory for the text, which exists as JSON values, as written text, and in the file. The
+        // mesh numbers (GltfBuffer) reserve their own.
         MemoryShare share(memory_need(MemoryUse::Output, 4 * text));
         GltfWritten written = Writer(scene).write(name);
         share.set(memory_need(MemoryUse::Output, written.bytes.size()));

@@ -43,12 +43,13 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 [[nodiscard]] std::optional<Problem> why_not_there(const std::string& path, const char* expected);
 
 /// Writes beside the target and renames into place, so that a crash or a full disk leaves the old file whole.
-/// The old file's permission bits are kept, and its owner and group where the system lets us (where it does
-/// not, members of the new group and all others may do what both could before); until then nobody else can
-/// read what is written. A symbolic link stays, and what it names is replaced; further hard links to the old
-/// file keep the old bytes. A target that is not a regular file (a pipe, a device) is written straight
-/// through; "-" is standard output, and so is /dev/stdout. A reader that has gone is a problem, not a signal.
-/// On failure nothing is left behind and the problem names the path and the reason.
+/// The old file's permission bits are kept, and its owner and group where the system lets us. If the group
+/// cannot be kept, the new group and all others may only do what the old file let both its group and others
+/// do. Until the permissions are set, nobody else can read what is written. A symbolic link stays, and the
+/// file that it names is replaced; other hard links to the old file keep the old bytes. A target that is not
+/// a regular file (a pipe, a device) is written straight through; "-" is standard output, and so is
+/// /dev/stdout. A reader that has gone is a problem, not a signal. On failure nothing is left behind and the
+/// problem names the path and the reason.
 [[nodiscard]] Result<std::monostate> write_file(const std::string& path, std::string_view bytes);
 
 /// Does what write_file() does, but takes a pipe for a problem: a window must not wait until somebody reads.
@@ -61,14 +62,14 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// nothing when it could. For long work that ends in a file. Changes nothing.
 [[nodiscard]] std::optional<Problem> why_not_writable(const std::string& path);
 
-/// The file that write_file() would replace: links followed, one name in whatever words the path is given.
-/// Empty for streams, pipes and devices, which nobody replaces, and for what cannot be written.
+/// Returns the file that write_file() would replace, links followed: one name, however the path is spelt.
+/// Empty for streams, pipes and devices, which are not replaced, and for paths that cannot be written.
 [[nodiscard]] std::string replaced_file(const std::string& path);
 
-/// Writes several files as write_file() does, but lets them appear together: an error leaves none of them,
-/// each old file where it was (where the file system can exchange two files; else an error of a rename leaves
-/// those before it), and of the signals that can be caught none ends the process between two. What has gone
-/// into a pipe or a device stays there.
+/// Writes several files as write_file() does, but lets them appear together. An error leaves none of the new
+/// files, and each old file where it was. That needs a file system that can exchange two files; on others,
+/// files that were renamed before an error stay renamed. No signal that can be caught ends the process
+/// between two renames. What has gone into a pipe or a device stays there.
 class FilesTogether {
   public:
     FilesTogether();

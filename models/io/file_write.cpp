@@ -132,8 +132,8 @@ int write_straight_through(const Target& target, std::string_view bytes) {
 }
 
 /// Gives a file the owner, group and permission bits of an older one, as far as the system lets us. If the
-/// group cannot be kept, those of the new one were among all others before, and those of the old one now are:
-/// both may do what the old file let group and others do.
+/// group cannot be kept, the new group's members were among all others before, and the old group's members
+/// now are. So the new group and others may only do what the old file let both its group and others do.
 int take_after(int descriptor, const struct stat& old) {
     struct stat now {};
     if (::fstat(descriptor, &now) != 0) return errno;

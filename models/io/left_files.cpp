@@ -39,8 +39,8 @@ std::optional<pid_t> maker_of(std::string_view name) {
 /// then the lock decides.
 bool is_gone(pid_t maker) { return maker == ::getpid() || (::kill(maker, 0) != 0 && errno == ESRCH); }
 
-/// Whether nothing was written for long: its maker has locked it long since, if it lives. A process of that id
-/// may then be another one, and the lock decides.
+/// Whether the file was not written for the last 60 seconds. A maker that still lives has locked it long ago,
+/// and the process that has the maker's id now may be another one: the lock decides.
 bool is_old(const struct stat& file) {
     constexpr time_t seconds = 60;
     return file.st_mtim.tv_sec + seconds < ::time(nullptr);

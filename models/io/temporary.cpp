@@ -40,8 +40,8 @@ static_assert(std::atomic<Slot>::is_always_lock_free && std::atomic<bool>::is_al
     for (;;) ::pause();
 }
 
-/// From here on no handler of ours runs on this thread: one that waits for what this thread does would wait
-/// for ever. Returns the signals that were kept off before.
+/// Blocks the ending signals on this thread: a handler that waits for what this thread does would wait for
+/// ever. Returns the signals that were blocked before.
 sigset_t keep_signals_off() {
     sigset_t signals, before;
     sigemptyset(&signals);

@@ -43,9 +43,10 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 /// Returns the text with U+FFFD for each byte that is not part of a well-formed character.
 [[nodiscard]] std::string with_invalid_replaced(std::string_view text);
 
-/// Any bytes as UTF-8, so that unescaped_bytes() gives them back: a byte b that is not part of a well-formed
-/// character (it is 80 or more) becomes the character U+EF00 + b of the private use area, and so does every
-/// byte of such a character. Other text stays as it is. Source: MirBSD's OPTU-8.
+/// Returns any bytes as UTF-8 from which unescaped_bytes() restores them. A byte b that is not part of a
+/// well-formed character (so b >= 0x80) becomes the character U+EF00 + b of the private use area. Bytes of a
+/// character that already lies in that range (U+EF80 to U+EFFF) are replaced in the same way. Other text
+/// stays as it is. Source: MirBSD's OPTU-8.
 [[nodiscard]] std::string escaped_bytes(std::string_view bytes);
 [[nodiscard]] std::string unescaped_bytes(std::string_view text);
 

@@ -152,7 +152,7 @@ class Builder {
         const bool in_object = !open_.empty() && open_.back()->is_object();
         Json& made =
             put(std::move(container));  // before anything is put into it, so that it stays where it is
-        // In an array the key is one that was read long ago, and may be as long as the text.
+        // In an array, key_ was read long ago and may be as long as the text: it is not copied.
         open_keys_.push_back(in_object ? key_ : std::string());
         open_.push_back(&made);
         understood(event);

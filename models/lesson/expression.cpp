@@ -15,8 +15,8 @@ namespace {
 using Node = ExpressionNode;
 using Kind = ExpressionKind;
 
-/// A value that stands among the names or in the expression, or else one that was made: an explanation is not
-/// copied for one number of it.
+/// Points to a value among the names or in the expression, or holds one that was computed. So an explanation
+/// is not copied to read one number of it.
 struct Found {
     const JsonValue* stored = nullptr;
     JsonValue made;

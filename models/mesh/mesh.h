@@ -69,10 +69,10 @@ using MeshPtr = std::shared_ptr<const Mesh>;
 
 /// Fills in triangles and bounds from the polygon list: convex polygons as a fan from the first corner,
 /// others by ear clipping (above 1000 corners as a fan, with a warning). A corner that repeats the one before
-/// it is skipped, with a warning; so are told polygons that come back to a corner later, but not those that a
-/// bridge joins to their holes. Polygons with fewer than three distinct corners or no area keep their
-/// number, give no triangle and a warning with their count. No triangle without an area is made. Reports the
-/// load's progress; throws LoadCancelled (models/progress.h) when this thread's load shall end.
+/// it is skipped, with a warning. A polygon that comes back to an earlier corner gets a warning, too, but not
+/// where a bridge joins its outline to a hole. Polygons with fewer than three distinct corners or no area
+/// keep their number, give no triangle and a warning with their count. No triangle without an area is made.
+/// Reports the load's progress; throws LoadCancelled (models/progress.h) when this thread's load shall end.
 void finish_mesh(Mesh& mesh);
 
 /// What `glint info` says of a mesh. Counts are of what the file holds, before any repair.

@@ -45,7 +45,8 @@ class Triangulator {
         double x, y;
     };
     void project(const Mesh& mesh, const std::vector<std::uint32_t>& corners, const glm::dvec3& normal);
-    /// Whether no turn is to the right; those do not count that corners no further away than `noise` undo.
+    /// Whether the polygon never turns right. A right turn does not count if moving its corners by at most
+    /// `noise` removes it.
     [[nodiscard]] bool convex(double noise) const;
     /// Whether x rises and falls once on the way round, but for steps back that are no longer than `noise`.
     [[nodiscard]] bool winds_once(double noise) const;

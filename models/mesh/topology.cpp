@@ -36,8 +36,8 @@ class Builder {
   public:
     explicit Builder(const Mesh& mesh) : mesh_(mesh), split_(mesh.positions.size(), 0) {
         silence_openmesh();
-        // As if no two sides shared an edge and each corner had a vertex of its own: a list that grew would
-        // be there twice, and what is reserved and not written takes no memory.
+        // Reserves for the worst case: no two sides share an edge, and each corner has a vertex of its own. A
+        // list that grows exists twice for a moment; what is reserved and not written takes no memory.
         const std::size_t sides = mesh.corner_position.size(), vertices = mesh.positions.size() + sides;
         connectivity_.reserve(vertices, sides, mesh.face_count());
         original_.reserve(vertices);

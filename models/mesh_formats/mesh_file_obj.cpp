@@ -203,8 +203,8 @@ class ObjReader {
     TextCursor cursor_;
     const std::string& file_;
     Mesh mesh_;
-    // Of the corners ahead of their vertices those whose index is above all before: of these is the first
-    // that is out of range.
+    // Corners that name a vertex not read yet, each with a larger index than the one before. The first corner
+    // whose vertex the file never gives is always among them.
     std::vector<AheadOfVertex> ahead_;
     MemoryShare ahead_share_;
     std::size_t named_normals_ = 0, slashes_ = 0, weights_ = 0, lines_ = 0, points_ = 0, free_form_ = 0;

@@ -67,7 +67,7 @@ struct Object {
     bool operator==(const Object&) const = default;
 };
 
-/// What the normals of an object's corners follow from: objects of one key have the same, but for `flip`.
+/// Identifies the corner normals of an object: objects with equal keys have the same ones, except for `flip`.
 using NormalsKey = std::tuple<const Mesh*, NormalSource, NormalWeighting, float>;
 [[nodiscard]] inline NormalsKey normals_key(const Object& object) {
     const NormalOptions& n = object.normals;

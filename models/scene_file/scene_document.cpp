@@ -36,7 +36,7 @@ void take_meshes(Scene& scene, const std::vector<Object>& loaded) {
     }
 }
 
-/// A problem with a mesh, which is --set's where an assignment put the mesh there, or changed a number of it.
+/// Blames a problem with a mesh on --set if an assignment put the mesh there or changed a number of it.
 Problem blamed(Problem problem, const std::vector<Assignment>& assignments) {
     const auto changed_it = [&](const Assignment& a) { return is_within(a.pointer, problem.pointer); };
     if (problem.pointer.empty()) return problem;
@@ -167,8 +167,8 @@ fs::path canonical_directory(const fs::path& directory) {
     return error ? fs::absolute(given, error).lexically_normal() : path;
 }
 
-/// Whether the path is a link to a file of another directory: it opens from there, too, where paths relative
-/// to the link lead elsewhere.
+/// Whether the path is a link to a file in another directory. The file opens under both paths, but relative
+/// paths in it lead to different places.
 bool leads_elsewhere(const std::string& path) {
     const fs::path replaced = replaced_file(path);
     return !replaced.empty() &&

@@ -106,7 +106,7 @@ std::size_t index_of(const std::string& token, const Json& array, const std::str
     const auto [rest, error] = std::from_chars(token.data(), end, index);
     const bool number = error == std::errc{} && rest == end && (token == "0" || token.front() != '0');
     if (number && index <= array.size()) return index;
-    // A new number is nothing that a vector takes, but for the w of a light's position.
+    // A vector does not accept a new number at its end, except for the w of a light's position.
     const bool is_vector = !array.empty() && array.front().is_number();
     fail(pointer,
          in_quotes(token) + (number ? " is past the end of the array" : " is not an index of an array"),

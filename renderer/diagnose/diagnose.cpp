@@ -39,8 +39,8 @@ std::vector<MistakeSet> to_tell_apart(const std::vector<Candidate>& candidates) 
     return sets;
 }
 
-/// Whether an explanation leaves no more than rounding does. Between a pixel's neighbours noise finds room,
-/// too.
+/// Whether an explanation leaves no more error than rounding does. A soft one is never exact: the range
+/// between a pixel's neighbours has room for noise, too.
 bool is_exact(const Judged& best) {
     constexpr double rounding = 0.3;  // levels
     return best.is_believed && !best.change.soft && best.score.residual() < rounding;
@@ -71,9 +71,9 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
     const Judged& best = all.front();
     const Judged& none = of_no_mistake(all);
     d.display = display_finding(exhibit, best.drawing, best.change);
-    constexpr double rounded_twice = 0.6;  // levels: what rounding leaves of two programs' pictures is less
-    // One term supposes less than a mistake beside a change at the display, or than one that leaves more than
-    // rounding.
+    constexpr double rounded_twice = 0.6;  // levels; rounding in two programs leaves less
+    // A single term is the simpler explanation: simpler than a mistake with a change at the display, or two
+    // such changes where the picture is right, or a mistake that leaves more error than rounding does.
     const bool supposes_more = best.change.count() > (best.is_right ? 1 : 0) ||
                                (!best.is_right && best.score.residual() > rounded_twice);
     std::optional<DifferenceTerm> term;
@@ -87,7 +87,8 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         return;
     }
     d.candidates = candidates_of(exhibit, all, shown.change);
-    // What is shown of those that are not believed is what each explains.
+    // The candidates that are not believed are sorted by the share that they explain; below 1 % they are
+    // dropped.
     constexpr double hardly_any = 0.01;
     const auto others = d.candidates.begin() + (is_believed ? 1 : 0);
     std::stable_sort(others, d.candidates.end(),
@@ -112,16 +113,16 @@ int spread_of(const Picture& picture) {
     return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
-/// Whether the picture has one colour but for so many levels, which many mistakes give and a program that
-/// draws nothing, and the right one has not.
+/// Whether the picture has a single colour, within rounding and `room` levels, although the right picture has
+/// clearly more than one. A program that draws nothing gives such a picture, and so do many mistakes.
 bool is_of_one_colour(const Picture& wrong, const Picture& right, float room) {
     constexpr float rounding = 1, clearly = 8;
     return static_cast<float>(spread_of(wrong)) <= rounding + room &&
            static_cast<float>(spread_of(right)) > clearly;
 }
 
-/// The mean colours of its squares of 8 x 8 pixels: of noise of single pixels hardly anything is left in
-/// them.
+/// Returns the mean colours of the picture's squares of 8 x 8 pixels. The means hold hardly any of the noise
+/// of single pixels.
 Picture means_of_squares(const Picture& picture) {
     constexpr int edge = 8;
     Picture means{{picture.size.width / edge, picture.size.height / edge}, {}, {}};

@@ -25,8 +25,8 @@ struct DisplayFinding {
     bool smooth_edges = false;      // silhouettes are anti-aliased
     glm::vec2 shift{0};     // pixels to the right and down by which it is displaced; 0 where it is not
     bool smoothed = false;  // within surfaces, too, and no shift is the reason
-    // Of a smoothed or shifted picture: how many pixels of surfaces differ from the drawing itself, though
-    // not from all between a pixel's neighbours, and by how many levels at most.
+    // Only for a smoothed or shifted picture: how many surface pixels differ from the drawing itself, but not
+    // from the range between the pixel's neighbours, and by how many levels at most.
     std::uint64_t softened = 0;
     int softened_most = 0;
 };

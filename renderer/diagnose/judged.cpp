@@ -13,9 +13,9 @@ namespace {
 constexpr std::uint64_t drawings_bytes = std::uint64_t{256} << 20;
 constexpr std::size_t fewest_drawings = 3, most_drawings = 16;
 
-/// The size at which to search, of about that many pixels. Odd divisors keep the centres of pixels, and with
-/// them a pattern of faces, where they leave no rest: such a one is taken if it gives no more than `room`
-/// times or one `room`-th of the pixels.
+/// Returns the size at which to search, of about `pixels` pixels. An odd divisor that divides both sides
+/// without remainder keeps the centres of pixels, and with them a pattern of faces. Such a divisor is
+/// preferred if it gives at most `room` times and at least one `room`-th of that many pixels.
 PictureSize search_size(PictureSize size, std::size_t pixels, std::size_t room) {
     const auto pixels_at = [size](int divisor) {
         return size.pixels() / static_cast<std::size_t>(divisor * divisor);
@@ -46,8 +46,9 @@ void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int s
              (has_other_background(exhibit, j.drawing, change) ? 1 : 0);
 }
 
-/// Judges under another change, too, and keeps the cheaper one; of equals, or where it costs no more than
-/// `for_much_nearer` more and comes twice as near, the one that comes nearer within what rounding leaves.
+/// Judges under another change, too, and keeps the cheaper one; at equal cost, the one with less error beyond
+/// rounding. Also keeps the new change if it costs less than `for_much_nearer` more and has less than half
+/// the RMS error.
 void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step,
                 double for_much_nearer = 0) {
     const Score score = j.score;
@@ -61,8 +62,9 @@ void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, 
     j.cost = cost;
 }
 
-/// Judges by every row, and as a hard picture where softness explains nothing more, or it cannot be softened:
-/// where it fits as it is, hard edges alone tell that.
+/// Judges on every row. A soft change is judged as a hard one if that leaves no excess, or if the picture
+/// cannot have been softened. Where the hard change fits, only hard edges (is_hard()) prove the latter;
+/// elsewhere may_be_softened() decides.
 void judge_whole(Judged& j, const Exhibit& exhibit) {
     const DisplayChange change = j.change;
     if (change.soft) {
@@ -100,8 +102,8 @@ bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
     return true;
 }
 
-/// Judges the right picture as one that was encoded by a power, too. That is what most programs do which do
-/// not encode as sRGB, so it is tried for no mistake alone. `change`: what else happened.
+/// Also judges the right picture as encoded by a power (Code::Power): most programs that do not encode as
+/// sRGB do that. It is tried only without a mistake. `change`: what else happened at the display.
 void judge_by_power(Judged& none, const Exhibit& exhibit, DisplayChange change) {
     change.after = Code::Power;
     change.gain = 1;
@@ -125,9 +127,9 @@ bool shows_otherwise(const DisplayChange& a, const DisplayChange& b) {
            b.gain > clearly * a.gain;
 }
 
-/// Whether an explanation supposes more than that of no mistake does, and shows the same: a gain of pi
-/// against a mistake that divides by pi. Where the display does something else in it, a few pixels may be
-/// unlike.
+/// Whether an explanation supposes more than the one without a mistake, and shows the same: for example a
+/// gain of pi together with a mistake that divides by pi. If its encoding or gain differs from that one's,
+/// one pixel in a hundred may be unlike.
 bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) {
     constexpr std::uint64_t few = 100;  // one pixel of so many
     if (encodes_and_decodes(j)) return true;
@@ -149,9 +151,9 @@ bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) 
     return shows_otherwise(j.change, none.change) ? few * unlike <= all : unlike == 0;
 }
 
-/// Whether the picture contradicts what is supposed of its brightness: most pixels that this would have
-/// changed clearly are as the right picture has them. A mistake that brightens may hide a gain that does not
-/// exist, and the other way round.
+/// Whether the picture contradicts the supposed change of brightness: most pixels that the change would alter
+/// clearly are as in the right picture. A mistake that brightens may hide a gain that does not exist, and the
+/// other way round.
 bool kept_its_brightness(const Exhibit& exhibit, const DisplayChange& change) {
     if (change.gain == 1 && change.before == Code::Same && change.after == Code::Same) return false;
     const ByteRanges ranges = byte_ranges(change);
@@ -174,8 +176,9 @@ bool kept_its_brightness(const Exhibit& exhibit, const DisplayChange& change) {
     return 2 * kept > changed;
 }
 
-/// Whether the surfaces of a picture have so few colours, each within some levels, that a mistake with a gain
-/// and another change at the display can turn them into any others: plates that each have one.
+/// Whether the surfaces of the right picture show at most four colours, each within 8 levels, such as plates
+/// of one colour each. Then a mistake with a gain and another change at the display can turn them into any
+/// other colours.
 bool has_few_colours(const Exhibit& exhibit) {
     constexpr std::size_t few = 4;
     constexpr int near = 8;
@@ -189,8 +192,9 @@ bool has_few_colours(const Exhibit& exhibit) {
     return colours.size() <= few;
 }
 
-/// The explanations that are worth a picture of the whole size, `count` at most. Two mistakes are looked for
-/// in a small picture, in which a gain may be another one: what needs no two is what is found without them.
+/// Returns the explanations that are worth drawing at full size, at most `count`. Pairs of mistakes are
+/// searched in a smaller picture, where another gain may fit. So explanations that need no pair come from the
+/// search without pairs.
 std::vector<Hypothesis> worth_drawing(const Scene& scene, const Exhibit& exhibit,
                                       const DiagnosisOptions& options, std::size_t count,
                                       const DiagnosisProgress& progress) {

@@ -104,9 +104,9 @@ void require_short_channel_lists(std::string_view bytes) {
     }
 }
 
-/// Returns how many rows are packed together, in tiles 0. Throws where the header is not sound or claims more
-/// than the file holds. The library's part that reads pixels allocates all that is claimed, gigabytes for a
-/// file of 300 bytes, before it sees that it is missing; this part does not.
+/// Returns how many rows are compressed together; 0 for a tiled file. Throws if the header is not sound or
+/// claims more than the file holds. The library's reader of pixels allocates all that is claimed before it
+/// notices that it is missing: gigabytes for a file of 300 bytes. The part of the library used here does not.
 int sound_rows_of_block(const std::string& bytes) {
     exr_context_initializer_t source = EXR_DEFAULT_CONTEXT_INITIALIZER;
     source.user_data = const_cast<std::string*>(&bytes);                              // it is only read
@@ -133,8 +133,8 @@ int sound_rows_of_block(const std::string& bytes) {
     return rows;
 }
 
-/// Throws where a block of the picture, or a tile of its largest level, is not where the file says, which
-/// else is seen when the memory of all pixels is filled.
+/// Throws if a block of the picture, or a tile of its largest level, is not where the file says. Otherwise
+/// that is noticed only when the memory of all pixels is filled.
 void require_all_blocks(Imf::InputFile& file, int rows) {
     const Imath::Box2i window = file.header().dataWindow();
     const char* block = nullptr;
@@ -244,7 +244,8 @@ Result<Picture> read_pfm(const std::string& path) {
     const auto height = static_cast<std::size_t>(heading->height);
     const std::size_t pixel_bytes = 4 * channels * width * height;
     const bool has_line_end = bytes[heading->end - 1] == '\r' && bytes[heading->end] == '\n';
-    // Of a program that ends lines with both, unless the second is the first pixel's.
+    // Some programs end the header with both \r and \n. The \n is skipped, unless the file's length shows
+    // that it belongs to the first pixel.
     const std::size_t first =
         heading->end + (has_line_end && bytes.size() - heading->end > pixel_bytes ? 1 : 0);
     if (bytes.size() - first < pixel_bytes) return unreadable(path, "ends too early", "a PFM");

@@ -44,8 +44,8 @@ class PngReader {
             throw std::bad_alloc();
         }
         png_set_read_fn(png_, &rest_, take);
-        // Of what is not the picture only the colour that is transparent is looked at: the bytes of a picture
-        // are compared as they are stored, whatever the file says about their encoding.
+        // Besides the picture itself, only its transparent colour (tRNS) is read: pictures are compared by
+        // the bytes that are stored, whatever the file says about their encoding.
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT,
                                     reinterpret_cast<png_const_bytep>("tRNS"), 1);

@@ -202,7 +202,8 @@ std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>
             "\\begin{{enumerate}}\n",
             title, sheet.seed);
         for (const PosedQuestion& q : sheet.questions)
-            // LaTeX takes a "[" behind \\item for the item's label. An empty group in between prevents that.
+            // The empty group {} keeps LaTeX from taking a question that begins with "[" as a label in place
+            // of its number.
             tex += fmt::format("\\item {{}}{}\\par\\vspace{{2cm}}Answer: \\underline{{\\hspace{{4cm}}}} {}\n",
                                latex_text(q.question), latex_text(q.unit));
         tex += "\\end{enumerate}\n\\newpage\n";

@@ -266,8 +266,9 @@ std::string Identifiers::once(const std::string& base) {
 }
 
 std::string number_in_program(float x) {
-    // The program reads a double. The shortest text of a large float would be another whole number, which
-    // matters to an angle. The exponent makes it a double: an int literal may be too small for it.
+    // The program reads the number as a double. Above 2^24, the shortest text of a float may be another whole
+    // number as a double, which matters for an angle. With an exponent the text is not an integer literal,
+    // whose size some languages limit.
     constexpr float last_whole = 1 << 24;
     if (std::abs(x) > last_whole) return fmt::format("{:.16e}", x);
     std::string text = number_text(x);

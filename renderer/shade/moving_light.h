@@ -36,8 +36,8 @@ class MovingLight {
     /// The sums of the other lights, linear RGB, from block `first` of the surface's points on.
     [[nodiscard]] const ColorBlock* others(std::size_t first) const { return &others_[first]; }
 
-    /// Returns what has to be done in the 16 groups from 16 `batch` on, and notes it as done; all of them
-    /// where no light is followed. May be called for several batches at once.
+    /// Returns what has to be done in the 16 groups from group 16 * `batch` on, and marks it as done. Without
+    /// a followed light, all 16 groups have to be done. May be called for several batches at once.
     [[nodiscard]] GroupsToDo groups_to_do(std::size_t batch);
     /// The kept picture is gone: every group has to be coloured again.
     void forget_picture();

@@ -13,10 +13,11 @@ struct FuzzyMatch {
     std::vector<int> bytes;  // of `text`, ascending: those that matched, to be shown
 };
 
-/// Each word of `query` (blanks divide them) must occur in `text` as a subsequence, capitals or not (ASCII
-/// only; other bytes match themselves), whose letters stand side by side, or each begins a word or goes on in
-/// one whose beginning matched. Letters that begin a word or follow one another count more; of equal matches
-/// in a shorter and a longer text the shorter is better. An empty query matches everything with 0.
+/// Matches each word of `query` (words are divided by blanks) with `text`. A word must occur in `text` as a
+/// subsequence, capitals or not (ASCII only; other bytes match themselves). Its letters must stand side by
+/// side, or each must begin a word or continue one whose beginning matched. Letters that begin a word or
+/// follow one another score more. Of equal matches, the one in the shorter text scores more. An empty query
+/// matches everything with 0.
 [[nodiscard]] std::optional<FuzzyMatch> fuzzy_match(std::string_view query, std::string_view text);
 
 /// What fuzzy_match() takes off a match for the length of its text.

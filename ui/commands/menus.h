@@ -58,8 +58,9 @@ void shortcuts_sheet(UiState& state);
 [[nodiscard]] std::vector<PaletteEntry> palette_entries(const UiState& state);
 
 /// Returns the indices of the entries that match, best first; for an empty text all of them, in their order.
-/// Names are matched first, and words about an entry that are the text, then names with their groups, then
-/// words that begin with the text; where nothing does, the text with spaces for its hyphens and underlines.
+/// Names are matched first, and words about an entry that equal the text; then names together with their
+/// groups; then words that begin with the text. If nothing matches, the text is tried again with spaces in
+/// place of its hyphens and underscores.
 [[nodiscard]] std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries,
                                                const std::string& text);
 /// Returns the word of a name that is spelt most like the text, for when nothing matches; empty if not even

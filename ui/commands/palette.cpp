@@ -220,9 +220,9 @@ std::string nearest_word(const std::vector<PaletteEntry>& entries, const std::st
 
 namespace {
 
-/// ImGui gives a field the keyboard two frames after it was asked for, and drops what is typed until then: it
-/// is kept and typed when the field has the keyboard. Of letters that came with other keys before the one
-/// that opens the list it is not known where they belong.
+/// ImGui gives a field the keyboard two frames after the request, and drops what is typed until then. So
+/// letters are kept, and typed when the field has the keyboard. If other keys came before the one that opens
+/// the list, nobody knows which letters are meant for the list: none are kept.
 void type_ahead(PaletteState& state, const UiInput& input) {
     ImVector<ImWchar>& queue = ImGui::GetIO().InputQueueCharacters;
     std::vector<ImWchar>& ahead = state.typed_ahead;

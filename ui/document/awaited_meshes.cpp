@@ -29,8 +29,8 @@ bool is_quick(const MeshSource& source) {
     return primitive != nullptr && is_quick(*primitive);
 }
 
-/// Returns what objects[index], whose source was edited since, is in `known`: all else of it is as it was.
-/// Null where that cannot be told, as others came or went in the same moment.
+/// Returns the object in `known` that objects[index] was before its source was edited; everything else in it
+/// is unchanged. Null if that cannot be told because objects were added or deleted in the same moment.
 const Object* before_edit(const Objects& known, const Objects& objects, std::size_t index) {
     const int place = place_in(objects, known, static_cast<int>(index));
     if (place < 0 || place >= std::ssize(known)) return nullptr;

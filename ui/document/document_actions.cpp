@@ -57,7 +57,7 @@ std::string taken_away(const UiState& state) {
     return "";
 }
 
-/// What outlives its document, B and the frozen picture, names its mesh files as seen from the next one.
+/// B and the frozen picture outlive their document: makes their mesh paths relative to the next one's folder.
 void lead_meshes_from(UiState& state, const std::string& next_dir) {
     const std::string& dir = state.editor.document.mesh_dir;
     if (dir == next_dir) return;

@@ -25,9 +25,9 @@ bool has_back(const std::vector<Item>& before, const std::vector<Item>& after, i
     return true;
 }
 
-/// Puts the scene of a step in hand. What a deletion took is selected again where it comes back beside the
-/// selected item. Where that is gone, the next is selected by a step forward, as when it was deleted; by one
-/// back the one before it, of which it may have been a copy.
+/// Makes the scene of a step the edited one. A deleted item that comes back beside the selected item is
+/// selected again. If the selected item has gone, a step forward selects the next item, as its deletion did;
+/// a step back selects the item before it, of which it may have been a copy.
 void take_step(Editor& editor, const Scene& scene, bool forward = false) {
     const Scene before = std::exchange(editor.document.scene, scene);
     Selection& selection = editor.selection;

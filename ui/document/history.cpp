@@ -42,7 +42,7 @@ std::string common_name(const std::vector<Row>& changed, const std::string& name
     return fmt::format(fmt::runtime(one_name ? std::string_view(changed.front().undo) : otherwise), name);
 }
 
-/// A light that turned its shape while it moved.
+/// Whether the light only moved, and its shape turned with it.
 bool is_carried(const Light& a, const Light& b) {
     Light same = a;
     same.position = b.position;

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 /// from now on is this window's own.
 void take_loaded(UiState& state, SceneDocument document) {
     Loading& loading = state.loading;
-    // The scene in hand comes back where the new one cannot be drawn: nothing of it waits then.
+    // If the new scene cannot be drawn, the present one comes back: nothing in it may be waiting then.
     (void)cancel_gesture(state.viewport, state.editor.scene());
     give_up_meshes(state);
     std::optional<Recovery> recovery = std::exchange(loading.recovery, std::nullopt);
@@ -45,8 +45,8 @@ Problem with_all_that_opens(Problem problem) {
 
 void poll_document(UiState& state) {
     Loading& loading = state.loading;
-    // The answer was no. After "save" it waits for the name, too: the file alone would be read without what
-    // was assigned to it, or not as a lesson.
+    // The user cancelled: the loaded document is dropped. After "save" it waits for the name, too: read again
+    // from its file, it would lack the assignments, or would not be a lesson.
     if (state.pending.what == Pending::What::Nothing) loading.loaded.reset();
     if (!loading.document || !loading.document->done()) return;
     if (state.pending.asking) return;  // the question is about the scene in hand

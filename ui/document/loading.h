@@ -44,8 +44,8 @@ struct Loading {
     std::optional<SceneDocument> loaded;  // whole, and waiting for the answer to "save changes?"
     std::unique_ptr<LoadJob> meshes;      // of `awaited`
     std::vector<AwaitedMesh> awaited;
-    std::vector<Object> known;  // the edited scene's as poll_loads() left them, by which it tells what an
-                                // object was that an edit left without its mesh
+    std::vector<Object> known;  // the edited scene's as poll_loads() left them. By these it tells what an
+                                // object without a mesh was before the edit
     std::vector<std::unique_ptr<LoadJob>> left;  // cancelled, and not ended yet
     double since = 0;                            // ImGui's time when the newest of them began
 
@@ -81,9 +81,9 @@ void poll_meshes(UiState& state);
 /// Whether an object waits for its mesh, or will from the next frame on: no undo step yet.
 [[nodiscard]] bool awaits_mesh(const UiState& state);
 
-/// `scene`, which is the edited one or shares its objects, with the mesh that is seen for each that is still
-/// awaited: it opens again, and its picture is the one that is seen. What is saved, exported or kept
-/// meanwhile.
+/// Returns `scene` with each object that still waits for a mesh as it is seen, so that the scene can be
+/// opened again and its picture is the one on the screen. Meanwhile this is what is saved, exported or kept.
+/// `scene` is the edited one or shares its objects.
 [[nodiscard]] Scene as_made(const UiState& state, Scene scene);
 /// Returns the open document with that scene.
 [[nodiscard]] SceneDocument document_as_made(const UiState& state);

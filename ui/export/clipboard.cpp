@@ -174,8 +174,8 @@ std::string command_of_shown(const char* verb, const SceneDocument& document, co
         shown = with_absolute_meshes(document.scene, document.mesh_dir);
         command = fmt::format(R"(echo '{{"glint": 1}}' | glint {} -)", verb);
     }
-    // What is written about a scene draws nothing. What the window shows, and a picture that it wrote, is
-    // fitted.
+    // `about` is left out: it is text about a scene and draws nothing. Projections are compared as fitted():
+    // the window shows them so, and so does a picture that it wrote.
     base.about = shown.about = {};
     shown.camera.projection = fitted(shown.camera.projection, {size.width, size.height, true});
     if (document.fitted_to) base.camera.projection = fitted(base.camera.projection, *document.fitted_to);

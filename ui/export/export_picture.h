@@ -46,8 +46,8 @@ struct ExportState {
 
 /// The words of a command about a document, whose file has the scene `in_file`.
 using CommandText = std::function<std::string(const SceneDocument& document, const Scene& in_file)>;
-/// `text` of the open document with the scene that the picture shows: the shorter of two, as a new scene may
-/// have begun as the default scene, which has a file.
+/// Returns `text` for the open document with the scene that the picture shows. A new scene may have begun as
+/// the default scene, which has a file: the text based on that file is taken if it is shorter.
 [[nodiscard]] std::string shortest_command(const UiState& state, const CommandText& text);
 
 /// Draws and writes in the background; a notification says when it is done.

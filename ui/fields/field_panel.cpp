@@ -23,7 +23,7 @@ struct AskedField {
     std::string pointer;
     int frames = 0;     // in which it was drawn since: first it is scrolled to, then it takes the keyboard
     double until = -1;  // when its mark goes, in ImGui's time
-    int since = 0;      // the frame in which it was asked for: before it there is another window
+    int since = 0;      // the frame of the request; a smaller frame count is another window's
     std::string component;  // "/1", which takes the keyboard; empty: the first
 };
 AskedField asked;

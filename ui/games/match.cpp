@@ -115,7 +115,7 @@ void end_match(UiState& state) {
     } else {  // the user has stored it meanwhile
         before.stored = choice.stored;
     }
-    if (state.mine.shown)  // it came meanwhile: it stays, and what was before the game is back when it goes
+    if (state.mine.shown)  // it came during the game and stays; the old comparison returns when it goes
         state.mine.compare_before = before;
     else
         choice = before;

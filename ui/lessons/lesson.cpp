@@ -95,8 +95,8 @@ void arrive(UiState& state) {
         set_scene(state, lesson.station().asked);
 }
 
-/// Does it at once, or after the question whether to save: what was saved under a name is somebody's work;
-/// the lesson's scene, however it was explored, is not.
+/// Does `what` at once, or asks first whether to save. It asks if a scene was saved under a name and has
+/// unsaved changes: that is somebody's work. The lesson's own scene is not, however it was explored.
 void ask_first(UiState& state, Pending::What what, const std::string& path = {}) {
     if (!state.editor.document.path.empty() && state.editor.unsaved())
         return begin_pending(state, what, path);

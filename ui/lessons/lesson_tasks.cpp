@@ -33,7 +33,8 @@ Result<std::vector<bool>> done_tasks(const WatchedTasks& asked, LessonRunner& ru
         const Result<NamedValues> values = runner.answers(document, asked.course->lesson, task->runs);
         if (const Problem* problem = problem_of(values)) return *problem;
         const Result<bool> done = task->done.holds(std::get<NamedValues>(values));
-        // What cannot be asked of this scene, as of a light that was deleted, is not done.
+        // A condition that cannot be evaluated in this scene, say because its light was deleted, counts as
+        // not met.
         const bool* holds = std::get_if<bool>(&done);
         all_done.push_back(holds != nullptr && *holds);
     }
@@ -56,7 +57,7 @@ void take_watched(UiState& state) {
     lesson.watching.reset();
     WatchedTasks asked = std::exchange(lesson.asked_of, {});
     if (asked.course != lesson.course) return;  // one lesson's tasks are not those of the next
-    // A problem: the scene is not one that the condition can be asked of.
+    // On a problem `done` stays empty: the conditions cannot be evaluated in this scene.
     if (problem_of(result) == nullptr) asked.done = std::get<std::vector<bool>>(std::move(result));
     lesson.watched = std::move(asked);
     if (lesson.watched->station != lesson.progress.station) return;

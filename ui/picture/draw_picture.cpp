@@ -101,13 +101,13 @@ std::optional<OtherScene> resting_scene(const UiState& state) {
     return resting_below_cells(state);
 }
 
-/// Whether `explanation` names lights and objects by numbers that the scene has which it is about.
+/// Whether the scene that `explanation` is about has the lights and objects that it names by index.
 bool is_of_its_scene(const UiState& state) {
     return state.explanation && state.explained == item_counts(asked_scene(state));
 }
 
-/// Under a preview of a moment the explanation stays that of the picture before. One of another size may lack
-/// its pixel: it is gone until the preview ends.
+/// During a short preview the explanation stays that of the picture before. A preview of another size may
+/// lack the explained pixel: then there is no explanation until the preview ends.
 void follow_size(UiState& state, const PictureView& view) {
     const bool same = state.asked_size == view.map.size && state.explained_size == state.rendered->size;
     if (!same) state.explanation.reset();
@@ -171,8 +171,8 @@ void freeze(UiState& state) {
 }
 
 std::optional<Scene> preview_of(const UiState& state) {
-    // Under the mouse not before an edit has been drawn and explained: the numbers beside the preview are
-    // those of the scene.
+    // A preview under the mouse waits until an edit has been drawn and explained: the numbers beside it are
+    // those of the edited scene.
     const bool explains_shown = state.inspector.instead_rests || state.edited_drawn == state.editor.scene();
     if (column_has_turn(state) && state.inspector.instead && explains_shown) return state.inspector.instead;
     std::optional<OtherScene> resting = resting_scene(state);

@@ -63,10 +63,10 @@ void picture_took(FramePace& pace, int divisor, double ms);
 /// objects, meshes and transforms are the same. Lights, materials and shading may differ.
 [[nodiscard]] bool same_surfaces(const Scene& a, const Scene& b);
 
-/// The renderer, to ask what of the open scene shows at a pixel of a picture of this size. Null where the
-/// last picture cannot tell: it has another size, or other surfaces, since keys came after it or a preview
-/// shows another scene. Whoever hovers, picks or drags asks this one: a number of an object that is not there
-/// is of no use.
+/// Returns the renderer, which tells what of the open scene shows at a pixel of a picture of this size. Null
+/// if its last picture cannot tell: it has another size, or shows other surfaces because keys changed the
+/// scene afterwards or because it is a preview of another scene. Hovering, picking and dragging use this
+/// function, so that they never get the index of an object that does not exist.
 [[nodiscard]] const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size);
 
 /// Freezes what is shown: the drawn scene and its selection, until `lecture.frozen` is reset.

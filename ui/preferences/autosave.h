@@ -16,8 +16,8 @@ class AutosaveLock {
   public:
     /// Takes the lock of the copy `path`, making its file; nothing when another holds it.
     [[nodiscard]] static std::optional<AutosaveLock> take(const std::string& path);
-    /// Likewise for a copy that is there. In a folder that cannot be written no lock that is missing can be
-    /// another's, so the copy itself is locked then.
+    /// Does the same for a copy that exists already. In a folder that cannot be written nobody can make a
+    /// lock file: if it is missing, the copy itself is locked.
     [[nodiscard]] static std::optional<AutosaveLock> take_left(const std::string& path);
     AutosaveLock(AutosaveLock&& other) noexcept;
     AutosaveLock& operator=(AutosaveLock&& other) noexcept;

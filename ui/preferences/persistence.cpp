@@ -27,8 +27,8 @@ std::string text_of(const Persistence& memory, const char* name) {
     return problem_of(text) == nullptr ? std::get<std::string>(text) : "";
 }
 
-/// Why it was not written. Of most that cannot be remembered this is not worth a word: nothing that the user
-/// made is lost.
+/// Writes a file of the folder; returns why it could not. Most failures are not reported: nothing that
+/// the user made is lost.
 std::optional<Problem> write(const Persistence& memory, const char* name, const std::string& text) {
     if (auto problem = why_no_folder(memory.folder)) return problem;  // it may have been removed meanwhile
     const Result<std::monostate> written = write_file_at_once(memory.file(name), text);
@@ -112,7 +112,7 @@ std::optional<Problem> why_no_folder(const std::string& folder) {
     if (folder.empty())
         return Problem{"", "", "neither $XDG_STATE_HOME nor $HOME is set to an absolute path", expected};
     std::error_code failed;
-    // A copy of unsaved work must not be readable by whom the scene's file keeps out.
+    // A copy of unsaved work must not be readable by people who may not read the scene's own file.
     if (fs::create_directories(folder, failed)) fs::permissions(folder, fs::perms::owner_all, failed);
     if (failed) return Problem{folder, "", "cannot be made: " + failed.message(), expected};
     return {};

@@ -54,7 +54,8 @@ Rect bounds_of(const DrawnCommand& drawn, std::size_t first, std::size_t last) {
             {std::min(bounds.high.x, clip.z), std::min(bounds.high.y, clip.w)}};
 }
 
-/// Text that changes in the middle of a panel leaves what was drawn before and after it as it was.
+/// Adds the areas in which two commands differ. Triangles that are equal at both ends are left out: text that
+/// changes in the middle of a panel leaves what was drawn before and after it as it was.
 void compare(const DrawnCommand& before, const DrawnCommand& now, std::vector<Rect>& changed) {
     const std::size_t was = before.triangles(), is = now.triangles(), both = std::min(was, is);
     std::size_t start = 0, end = 0;
@@ -81,7 +82,7 @@ void add_rect(std::vector<Rect>& rects, Rect rect) {
     }
     rects.push_back(rect);
     if (rects.size() <= max_changed_rects) return;
-    std::size_t nearest = 0;  // to the new one: the least that is drawn in vain
+    std::size_t nearest = 0;  // joining it with the new one adds the least area to draw
     const auto growth = [&](std::size_t i) { return area(around(rects[i], rect)) - area(rects[i]); };
     for (std::size_t i = 1; i + 1 < rects.size(); ++i)
         if (growth(i) < growth(nearest)) nearest = i;

@@ -23,8 +23,8 @@ enum class Modal { None, Unsaved, Changed, Files, Export, Examples, Lessons, Qui
 /// Answers it as Escape does: nothing happens.
 void leave_modal(UiState& state);
 
-/// Closes what was asked of the scene in hand, before another takes its place: the answer would be for that
-/// one. Says so.
+/// Closes the dialogs about the present scene before another scene replaces it: an answer would be meant for
+/// the present one. Adds a notification that says so.
 void leave_dialogs_of_scene(UiState& state);
 
 /// Takes a dialog that nobody asks for any more off ImGui's list, before any window of a frame: a modal that

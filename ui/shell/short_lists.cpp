@@ -5,9 +5,9 @@
 namespace glint {
 namespace {
 
-constexpr unsigned reach = 1u << 16;  // so many vertices an index tells apart
+constexpr unsigned reach = 1u << 16;  // how many vertices a 16-bit index can address
 
-/// Those of `list` that a command can reach which counts from `first`.
+/// Copies the vertices of `list` that a command can reach if its indices count from vertex `first`.
 void copy_vertices(const ImDrawList& list, unsigned first, ImDrawList& to) {
     const auto* const from = list.VtxBuffer.begin() + first;
     const auto count = std::min(static_cast<unsigned>(list.VtxBuffer.Size) - first, reach);

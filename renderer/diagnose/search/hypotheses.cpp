@@ -135,16 +135,16 @@ struct CostedChange {
     double cost = 0;
 };
 
-/// The excess above which a change costs more than `cost`, and a hair more, so that one of equal cost is
-/// tried to its end whatever rounding does.
+/// Returns the excess above which a change costs more than `cost`. It is a hair larger, so that rounding
+/// never stops the trial of a change of equal cost early.
 double most_excess(double cost, std::size_t mistakes, const DisplayChange& change) {
     constexpr double hair = 1 + 1e-9;
     return std::exp2(cost - explanation_cost(1, 0, mistakes, change)) * hair - free_in_probes;
 }
 
-/// Tries all that can have happened at the display, each with the gain that fits it, if a picture was drawn
-/// as `drawn`. `enough(change)` is the excess above which its cost does not matter; `take(change, cost)` is
-/// given a cost that is exact up to there.
+/// Tries every change at the display, each with the gain that fits it, supposing that the picture was drawn
+/// as `drawn`. `enough(change)` returns the excess above which the cost does not matter. `take(change, cost)`
+/// receives a cost that is exact up to there.
 template <class Enough, class Take>
 void try_changes(std::size_t mistakes, const DrawnProbes& drawn, const WrongProbes& wrong,
                  const Enough& enough, const Take& take) {
@@ -205,8 +205,9 @@ struct Drawn {
     double cost = 0;  // least_cost()
 };
 
-/// Adds all twos of mistakes that show together what neither shows alone. One that changes nothing alone may
-/// do so beside another: coefficients that are exchanged bring a highlight, to which the vectors then matter.
+/// Adds all pairs of mistakes that together show what neither shows alone. A mistake that changes nothing
+/// alone may have an effect beside another: exchanged coefficients bring a highlight, and then the vectors
+/// matter.
 void draw_pairs(std::vector<Drawn>& all, Renderer& renderer, const Scene& scene, PictureSize size, Singles& s,
                 const DiagnosisProgress& progress) {
     const std::size_t n = mistake_names().size(), twos = n * (n - 1) / 2;

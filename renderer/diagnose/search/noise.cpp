@@ -42,9 +42,9 @@ std::vector<std::uint16_t> answers_of(const Picture& picture, std::size_t channe
     return answers;
 }
 
-/// The median of the mask's amounts over all channels, where it answers in an area and not along a line:
-/// noise fills areas, and around edges between areas of one colour it answers, too. 0 where most answers are
-/// of lines.
+/// Returns the median of the mask's absolute responses over all channels. Only responses inside areas count,
+/// not along lines: noise fills areas, but the mask also responds around edges between areas of one colour.
+/// Returns 0 if fewer than one response in four lies in an area.
 std::size_t median_response(const Picture& picture) {
     constexpr int apart = 3;          // beyond the mask's own width
     constexpr std::size_t share = 4;  // of the answers; at least one of so many lies in an area

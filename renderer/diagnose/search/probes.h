@@ -64,8 +64,8 @@ using IsBare = std::function<bool(int x, int y)>;
 struct Ground {
     bool is_known = false;  // false: the scene shows no background; what is drawn there is compared
     std::array<float, 3>
-        levels{};  // of the wrong picture's channels; such as no byte has where its background
-                   // is not one colour, because then it is not this picture's background
+        levels{};  // of the wrong picture's channels. If its background is not one colour, it
+                   // is not this scene's: then they are levels that no byte has
 };
 [[nodiscard]] Ground ground_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
                                const DisplayChange& change);

@@ -61,8 +61,8 @@ class Expected {
     Ground ground_;
 };
 
-/// Whether a softened picture would differ around a pixel, and the wrong one hardly does: between neighbours
-/// that are far apart anything finds room, but their softening leaves a share of the contrast between them.
+/// Whether a softened picture would vary around a pixel, but the wrong picture hardly does. Neighbours that
+/// are far apart leave room for any colour between them, but softening keeps a share of their contrast.
 bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const Expected& expected,
                     const std::array<ByteRange, 3>& explained, glm::ivec2 at) {
     constexpr float far_apart = 48, least_share = 1.0f / 6;  // levels; of the contrast
@@ -79,7 +79,8 @@ bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const Expecte
     return false;
 }
 
-/// Returns whether the pixel is unlike what is explained. `misses`: it is, though its colour has room.
+/// Adds a pixel to `row`. Returns whether it is unlike what is explained. `misses`: count it as unlike
+/// although its colour is in the range that is explained.
 bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
                Rgb mine, glm::ivec2 at, bool misses) {
     float off = 0, off_right = 0, told = 0, apart = 0, apart_right = 0;

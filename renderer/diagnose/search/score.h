@@ -43,8 +43,8 @@ struct Score {
     std::uint64_t explained = 0;    // of these, those that the explanation shows
     double excess = 0;              // sum of excess_of()
     double squares = 0;             // sum of the squares of the differences in levels, channel by channel
-    double off = 0, off_right = 0;  // sums over the wrong pixels of what a drawing itself is off: the
-                                    // explanation's, the right one
+    double off = 0, off_right = 0;  // sums over the wrong pixels of how far a drawing itself is off, in
+                                    // levels: the explanation's, the right one's
     float told_best = -std::numeric_limits<float>::infinity();  // levels by which `pixel` speaks for it
     glm::ivec2 pixel{0};  // of the scene's picture: where the explanation is told best from the right one
 
@@ -87,8 +87,8 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
 
 /// What the changed picture would show of a byte of the scene's, in whole levels.
 [[nodiscard]] Rgb shown(const ByteRanges& ranges, Rgb drawn);
-/// The same beside what the wrong picture has there, `mine`: of a byte that was clamped that, where it may
-/// be.
+/// Does the same, given the wrong picture's colour there, `mine`: a byte that was clamped is shown as that of
+/// `mine`, if it may have been that.
 [[nodiscard]] Rgb shown_beside(const ByteRanges& ranges, Rgb drawn, Rgb mine);
 /// The wrong picture's colour at a pixel of the scene's picture, channels in the scene's order.
 [[nodiscard]] Rgb mine_at(const Picture& wrong, const DisplayChange& change, int x, int y);

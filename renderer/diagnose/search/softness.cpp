@@ -18,8 +18,9 @@ constexpr std::size_t unknowns = offsets.size() + 1;
 /// Every so many rows tell enough.
 int row_step(PictureSize size) { return std::max(1, size.height / 200); }
 
-/// Least squares of how far each level is off by how far those of nine pixels are from it, which gives what
-/// each of them has in the mixture, and by the level itself, which gives a gain.
+/// Fits by least squares how far the wrong picture's levels are off the drawing's. The unknowns are the share
+/// of each of nine pixels in the mixture, times how far its level is from the drawing's here, and a gain,
+/// times the drawing's level here.
 class MixtureFit {
   public:
     void add(const std::array<double, unknowns>& of, double off) {
@@ -133,9 +134,9 @@ void for_each_level(const Exhibit& e, const Drawing& drawn, const DisplayChange&
         }
 }
 
-/// The share of what differs that a mixture may leave unexplained. A resampled picture has other mixtures
-/// from place to place, of which one explains a part, and differs in few places; the more differs, the more
-/// has to be explained.
+/// Returns the share of the difference that a mixture may leave unexplained. In a resampled picture the
+/// mixture changes from place to place, so a single one explains only a part; but such a picture differs in
+/// few places. The more levels differ, the more has to be explained.
 double may_be_left(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
     constexpr double nearly_all = 0.7, most = 0.79, least = 0.3;
     constexpr double few = 0.01, many = 0.06, a_share = 3.8;
@@ -153,8 +154,8 @@ double may_be_left(const Exhibit& e, const Drawing& drawn, const DisplayChange& 
     return most - a_share * std::max(differ / count - few, 0.0);
 }
 
-/// The share of what differs that no mixture explains of nine pixels around the place that a pixel is shifted
-/// from; `with_gain`: nor one with a gain.
+/// Returns the share of the difference that no mixture of nine pixels explains; they lie around the place
+/// from which a pixel is shifted. `with_gain`: that no mixture with a gain explains.
 double share_unmixed(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, glm::ivec2 shift,
                      bool with_gain) {
     const ByteRanges ranges = byte_ranges(change);

@@ -110,7 +110,7 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
         const CallPiece& piece = call.pieces[i];
         NumberHandle number;
         if (!piece.pointer.empty()) number = number_handle(scene, piece.pointer);
-        // A position is divided by its w at once: whatever was typed there would be 1 again.
+        // The w of a position is plain text: it is divided by at once, so a typed w would be 1 again.
         if (piece.pointer.empty() || number.number.is_w) {
             words(line, std::string_view(piece.text).substr(punctuation.size()),
                   call.is_remark ? theme().warning : theme().dim_text);
@@ -177,8 +177,8 @@ bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransfo
     return changed;
 }
 
-/// A light whose numbers were meant in the other coordinates when the scene was opened or saved: what the
-/// mistake "light in wrong space" does.
+/// Names each light whose numbers stayed while its coordinates changed since the scene was opened or saved:
+/// the mistake "light in wrong space" does the same.
 void wrong_space_notes(UiState& state) {
     const Scene& now = state.editor.scene();
     const Scene& saved = state.editor.saved;
@@ -228,7 +228,7 @@ WrittenCalls written_calls(const Scene& scene) {
     return calls;
 }
 
-/// Returns the place of the first that is so, or their number where none is.
+/// Returns the index of the first element for which `is` holds, or the number of elements if none does.
 template <class T, class Is> int index_of(const std::vector<T>& all, Is is) {
     return static_cast<int>(std::find_if(all.begin(), all.end(), is) - all.begin());
 }

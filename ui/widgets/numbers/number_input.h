@@ -50,15 +50,16 @@ struct NumberInput {
 
 /// Draws the number and lets it be edited; true when it was. It never leaves its range.
 ///
-/// A drag scrubs: Shift ten times finer, Ctrl by drag_step(); the cursor comes in again at the other edge of
-/// the window where the window can put it there. A press without a drag, or Tab from the field before it,
-/// types, as calculated() reads it: what is typed counts at once, Escape puts back what there was before, and
-/// a text that is not a number leaves it too and says so (take_said()). The right button opens a menu.
+/// Dragging changes the number: with Shift in ten times finer steps, with Ctrl in those of drag_step(). At an
+/// edge of the window the cursor goes on from the opposite edge, if the window can put it there. A press
+/// without a drag, or Tab from the field before, starts typing. The text is read by calculated() and takes
+/// effect at once. Escape restores the value from before, and so does a text that is not a number, which is
+/// reported (take_said()). The right button opens a menu.
 [[nodiscard]] bool number_input(const char* id, float& value, const NumberInput& input);
 
-/// Takes note that the scene does not allow what was edited in this frame, and why; whoever calls has put it
-/// back. What is being typed then ends as it was before, and says so; a drag stays at the last number that is
-/// possible; what was chosen or pasted says it at once.
+/// Notes that the scene does not allow what was edited in this frame, and why. The caller has restored the
+/// value. Typing then ends with the value from before and reports it; a drag stays at the last possible
+/// number; a value that was chosen or pasted is reported at once.
 void refuse_edit(const std::string& why);
 /// Says that a number was brought into its range.
 void say_out_of_range(double wanted, const Range& range, float taken);
@@ -66,8 +67,9 @@ void say_out_of_range(double wanted, const Range& range, float taken);
 /// The number at `pointer`, or the first below it, takes the keyboard if it is drawn in this frame.
 void type_into(const std::string& pointer);
 
-/// Takes number, text or colour out of the hand as it is now, and closes menus, for a scene that takes the
-/// place of another: what was typed, held or asked was about the scene before. A dialog stays as it is.
+/// Ends the editing of a number, text or colour, which keeps its present value, and closes menus. Call it
+/// when another scene replaces this one: what was typed, held or asked was about the scene before. A dialog
+/// stays as it is.
 void let_go_of_fields();
 
 /// Whether a number is being typed or dragged: Escape is then about that number alone.
