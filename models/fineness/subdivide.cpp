@@ -86,11 +86,11 @@ template <class HalfEdges, class Subdivider> Mesh subdivided_by(const Mesh& mesh
         subdivide<Subdivider>(half_edges, times);
         out.positions = places_in(half_edges);
         copy_faces(half_edges, out);
-        warn(out.warnings, split.split_count,
-             "vertex where edges of three faces and more, or several fans, meet came apart as it was "
-             "subdivided",
-             "vertices where edges of three faces and more, or several fans, meet came apart as they were "
-             "subdivided");
+        warn(
+            out.warnings, split.split_count,
+            "vertex at an edge of three or more faces, or between several fans, was split by the subdivision",
+            "vertices at an edge of three or more faces, or between several fans, were split by the "
+            "subdivision");
     }
     if (!mesh.colors.empty()) {
         HalfEdges half_edges;

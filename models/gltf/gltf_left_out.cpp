@@ -45,10 +45,10 @@ void say_lights(const GltfUnsaid& unsaid, Warnings& w) {
     warn(w, unsaid.off, "light that is off is left out", "lights that are off are left out");
     warn(w, unsaid.areas, "area light is left out", "area lights are left out");
     warn(w, unsaid.falloffs,
-         "light falls off otherwise than with the square of the distance: it is as bright at the "
-         "camera's target",
-         "lights fall off otherwise than with the square of the distance: they are as bright at the "
-         "camera's target");
+         "light does not fall off with the square of the distance: only at the camera's target is it as "
+         "bright as here",
+         "lights do not fall off with the square of the distance: only at the camera's target are they as "
+         "bright as here");
     warn(w, unsaid.cones, "spot has an exponent that no cone of glTF has, and becomes even up to its edge",
          "spots have exponents that no cone of glTF has, and become even up to their edges");
     warn(w, unsaid.ambients, "light has an ambient colour, which is left out",

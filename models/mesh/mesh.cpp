@@ -69,8 +69,8 @@ void finish_mesh(Mesh& mesh) {
          "degenerate faces have no area and are not drawn");
     warn(mesh.warnings, repeating, "face has a repeated corner, which was skipped",
          "faces have a repeated corner, which was skipped");
-    warn(mesh.warnings, returning, "face comes back to one of its corners and is drawn as well as it goes",
-         "faces come back to one of their corners and are drawn as well as it goes");
+    warn(mesh.warnings, returning, "face visits one of its corners twice, and may be drawn wrong",
+         "faces visit one of their corners twice, and may be drawn wrong");
     warn(mesh.warnings, long_fans, "face is not convex and has more than 1000 corners: drawn as a fan",
          "faces are not convex and have more than 1000 corners: drawn as fans");
 }

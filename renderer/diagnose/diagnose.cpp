@@ -148,11 +148,11 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
     const std::vector<PixelKind> kinds = pixel_kinds(renderer, d.size);
     const auto compared = std::count(kinds.begin(), kinds.end(), PixelKind::Surface);
     if (static_cast<std::uint64_t>(compared) < fewest_compared) {
-        d.why = "the scene shows no surface of some size in a picture of this size";
+        d.why = "the scene's surfaces cover too few pixels of a picture of this size";
         return d;
     }
     if (is_of_one_colour(wrong, right, 0)) {
-        d.why = fmt::format("it is of one colour, ({}, {}, {}): nothing is drawn, or nothing lit",
+        d.why = fmt::format("it has a single colour, ({}, {}, {}): nothing was drawn, or nothing was lit",
                             wrong.rgba[0], wrong.rgba[1], wrong.rgba[2]);
         return d;
     }
@@ -170,7 +170,7 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
         return d;
     }
     if (is_of_one_colour(means_of_squares(wrong), right, 1.5f * noise)) {
-        d.why = fmt::format("it is of one colour but for noise of about {:.0f} levels", noise);
+        d.why = fmt::format("it has a single colour but for noise of about {:.0f} levels", noise);
         return d;
     }
     all.clear();  // its drawings are large

@@ -92,8 +92,9 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
     if (!d.terms.empty()) {
         const DifferenceTerm& t = d.terms.front();
         const double factor = std::round(100 * t.factor) / 100 + 0.0;  // never "-0.00"
-        text += fmt::format("It goes with {}, as if that were multiplied by {:.2f} ({:.0f} % of it).\n",
-                            term_words(t, scene), factor, 100 * t.explained);
+        text += fmt::format(
+            "The difference is as if {} were multiplied by {:.2f}, which explains {:.0f} % of it.\n",
+            term_words(t, scene), factor, 100 * t.explained);
     }
     if (!d.candidates.empty()) {
         const Candidate& nearest = d.candidates.front();
@@ -187,7 +188,7 @@ std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
     std::string text = verdict_line(d) + "\n";
     if (d.verdict == Verdict::NotComparable) return text;
     if (const std::string display = display_text(d.display); !display.empty())
-        text += "Taken away first, as no mistake of lighting: " + display + ".\n";
+        text += "Set aside first, because it is not a lighting mistake: " + display + ".\n";
     if (d.verdict == Verdict::NoMistake) text += still_unlike_line(d.pixels, d.display.change.noise);
     if (d.verdict == Verdict::NoMistake && d.display.softened > 0)
         text +=

@@ -208,8 +208,8 @@ Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path
     for (const char* const name : {"R", "G", "B", "Y"})
         if (const Imf::Channel* channel = channels.findChannel(name);
             channel != nullptr && (channel->xSampling != 1 || channel->ySampling != 1))
-            return Problem{path, "", fmt::format("has not every pixel in its channel {}", name),
-                           "channels that are not subsampled"};
+            return Problem{path, "", fmt::format("has a subsampled channel {}", name),
+                           "every pixel in every channel"};
     require_all_blocks(file, rows);
     Picture picture = empty_linear(width, height);
     const std::size_t pixel = 3 * sizeof(float), row = pixel * static_cast<std::size_t>(width);

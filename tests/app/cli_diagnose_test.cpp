@@ -64,7 +64,7 @@ TEST_CASE("glint diagnose says what it found in at most five lines", "[cli][diag
     CHECK(same.status == 0);
     CHECK(same.out ==
           "No mistake: the picture shows the scene as Glint does.\n"
-          "Taken away first, as no mistake of lighting: all brightness times 0.8.\n");
+          "Set aside first, because it is not a lighting mistake: all brightness times 0.8.\n");
     const std::string wrong = files.drawn("wrong.png", {"--set", "/shading/mistakes/normals_flipped=true"});
     const Ended mistake = run_glint({"diagnose", files.scene, wrong, "--pairs"});
     CHECK(mistake.status == 0);

@@ -11,7 +11,7 @@ namespace {
 void frame(UiState& state, int object) {
     if (frame_camera(state.editor.scene(), object)) return;
     state.notifications.add(Tone::Warning,
-                            "No camera shows it whole: that one would be farther off than numbers go");
+                            "No camera can show all of it: it would have to be too far away");
 }
 
 void frame_selected(UiState& state) {

@@ -107,7 +107,7 @@ void verdict(const Diagnosis& d, const Scene& scene) {
         return wrapped_dim(text);
     }
     if (const std::string display = display_text(d.display); !display.empty())
-        wrapped_dim("Taken away first, as no mistake of lighting: " + display + ".");
+        wrapped_dim("Set aside first, because it is not a lighting mistake: " + display + ".");
     if (d.left_out) wrapped_dim(left_out_text(*d.left_out, scene));
     ImGui::Dummy({0, px(2)});
 }
@@ -184,7 +184,9 @@ void experiment(UiState& state) {
     }
     if (shown == nullptr) {
         if (ImGui::Button("Change the scene so")) try_experiment(state, *e);
-        tooltip("Change the scene so", "One step, which undo takes back; it picks the pixel that tells");
+        tooltip("Change the scene so",
+                "Changes the scene in one step, which undo takes back, and picks the pixel that tells the "
+                "mistakes apart");
     } else {
         small_dim(fmt::format("The scene is changed so ({} takes it back). Draw it with your program, too.",
                               keys_of(CommandId::Undo)));

@@ -88,7 +88,7 @@ void forget_unwanted(UiState& state) {
     auto& list = state.loading.awaited;
     if (std::any_of(list.begin(), list.end(), [&](const auto& a) { return is_deleted(state.editor, a); }))
         state.notifications.tell(
-            "It was deleted before its new mesh was there: undo brings it back with the old one");
+            "The object was deleted before its new mesh was made: undo brings it back with the old one");
     list.erase(std::remove_if(list.begin(), list.end(), unwanted), list.end());
     if (list.empty()) state.loading.leave(state.loading.meshes);
 }

@@ -165,7 +165,8 @@ void page(QuizState& quiz) {
 void last_page(UiState& state) {
     QuizState& quiz = state.quiz;
     prose_line(fmt::format("You answered {} of {} questions.", count_taken(quiz), quiz.taken.size()));
-    prose_line("Nobody says here what is right: the lessons do, and after them you are asked once more.");
+    prose_line(
+        "What is right is not shown here: the lessons explain it, and after them you are asked again.");
     ImGui::Dummy({0, px(6)});
     if (ImGui::RadioButton("before the lessons", !quiz.after)) quiz.after = false;
     ImGui::SameLine(0, px(16));

@@ -205,7 +205,7 @@ void answer_fields(UiState& state, const StationQuestion& question) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme().dim_text);
     const bool skipped = ImGui::Button("Show it without");
     ImGui::PopStyleColor(2);
-    tooltip("Show it without", "The answer, without a prediction of yours: one learns less so");
+    tooltip("Show it without", "Shows the answer without your prediction: you learn less that way");
     if (skipped) reveal_unanswered(state);
 }
 

@@ -169,7 +169,7 @@ std::string scope_hint(const UiState& state) {
     case Hand::Line:
         return "Drag the line";
     case Hand::Card:
-        return "Drag the card over one side of an edge: the band beside it goes";
+        return "Drag the card over one side of an edge: the Mach band beside it disappears";
     }
     return {};  // not reached
 }

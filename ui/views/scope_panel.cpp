@@ -184,7 +184,8 @@ bool buttons(ScopeState& scope, PictureSize size) {
            "saw appear where the slope jumps",
            "I + narrow mean − wide mean (difference of Gaussians)");
     if (toggle("Card", scope.card, "Grey card",
-               "Lay it over one side of an edge: the band beside it goes, its pixels stay as they are",
+               "Lay it over one side of an edge: the Mach band beside it disappears, though its pixels stay "
+               "as they are",
                "Drag it over the picture") &&
         scope.card)
         place_card(scope, size);

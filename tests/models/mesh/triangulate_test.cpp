@@ -237,7 +237,7 @@ TEST_CASE("a face that comes back to one of its corners is told, one with a hole
     const auto warnings = [&](const std::vector<std::uint32_t>& face) {
         return make_mesh(places, {face}).warnings;
     };
-    const Warnings told{"1 face comes back to one of its corners and is drawn as well as it goes"};
+    const Warnings told{"1 face visits one of its corners twice, and may be drawn wrong"};
     CHECK(warnings({0, 1, 2, 3}).empty());
     CHECK(warnings({0, 1, 2, 0, 3}) == told);                 // a spike to 3
     CHECK(warnings({0, 1, 2, 1, 3}) == told);                 // a spike to 2
@@ -245,7 +245,7 @@ TEST_CASE("a face that comes back to one of its corners is told, one with a hole
     CHECK(warnings({0, 1, 2, 3, 0, 4, 5, 6, 7, 4}).empty());  // a hole, joined by a bridge
     CHECK(warnings({0, 1, 2, 3, 0, 4, 5, 4}) == told);        // a bridge that goes on as a spike
     CHECK(make_mesh(places, {{0, 1, 2, 0, 3}, {0, 2, 0, 3, 1}}).warnings ==
-          Warnings{"2 faces come back to one of their corners and are drawn as well as it goes"});
+          Warnings{"2 faces visit one of their corners twice, and may be drawn wrong"});
 }
 
 TEST_CASE("coordinates of any size keep their triangles", "[triangulate][degenerate]") {

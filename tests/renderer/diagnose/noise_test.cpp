@@ -70,7 +70,7 @@ TEST_CASE("noise around one colour is no picture of a scene", "[diagnose]") {
                 INFO(name << ", " << level << ", noise " << deviation);
                 const Diagnosis d = diagnosed(document, noisy(grey, deviation, 6));
                 CHECK(d.verdict == Verdict::NotComparable);
-                CHECK(d.why.starts_with("it is of one colour but for noise of about "));
+                CHECK(d.why.starts_with("it has a single colour but for noise of about "));
             }
 }
 

@@ -47,10 +47,10 @@ TEST_CASE("a picture of one colour is not comparable, unless the scene has one, 
             const Diagnosis d = diagnosed(document, picture);
             INFO(name << ", " << level);
             CHECK(d.verdict == Verdict::NotComparable);
-            CHECK(d.why.find("it is of one colour, (" + std::to_string(level) + ", ") == 0);
+            CHECK(d.why.find("it has a single colour, (" + std::to_string(level) + ", ") == 0);
         }
         picture.rgba[4 * 5000] = 60;  // one pixel is another
-        CHECK(diagnosed(document, picture).why.find("one colour") == std::string::npos);
+        CHECK(diagnosed(document, picture).why.find("single colour") == std::string::npos);
     }
     SceneDocument dark = shipped("sun.json");
     dark.scene.lights.clear();

@@ -436,14 +436,14 @@ TEST_CASE("F says why it does not frame what is too far away", "[ui][window][com
     const Camera before = bench.scene().camera;
     (void)bench.key(Key::F);
     CHECK(bench.scene().camera == before);
-    CHECK(bench.notes_with("No camera shows it whole") == 1);
+    CHECK(bench.notes_with("No camera can show all of it") == 1);
     (void)bench.key(Key::F, false, true);
     CHECK(bench.scene().camera == before);
     bench.scene().objects[0].transform.translate.x = 1e6f;
     bench.state.notifications.list.clear();
     (void)bench.key(Key::F);
     CHECK_FALSE(bench.scene().camera == before);
-    CHECK(bench.notes_with("No camera shows it whole") == 0);
+    CHECK(bench.notes_with("No camera can show all of it") == 0);
 }
 
 TEST_CASE("each letter that is a command says something", "[ui][window][commands]") {

@@ -186,8 +186,9 @@ void wrong_space_notes(UiState& state) {
         const Light &light = now.lights[i], &before = saved.lights[i];
         if (light.space == before.space || light.position != before.position) continue;
         const bool camera = light.space == LightSpace::Camera;
-        wrapped_dim(fmt::format("The numbers of {} were {} coordinates and are taken for {} ones.",
-                                light.name, camera ? "world" : "camera", camera ? "camera" : "world"));
+        wrapped_dim(
+            fmt::format("The numbers of {} were given in {} coordinates and are now read as {} coordinates.",
+                        light.name, camera ? "world" : "camera", camera ? "camera" : "world"));
         const auto names = mistake_names();
         const auto row = std::find_if(names.begin(), names.end(),
                                       [](const MistakeName& m) { return m.name == "light_in_wrong_space"; });
