@@ -61,6 +61,7 @@ template <int right, int down> WindowCommand step_command(const char* name, Key 
                 [](UiState& s) {
                     const int pixels = ImGui::GetIO().KeyShift ? 10 : 1;
                     step_probe(s.viewport, s.rendered->size, pixels * glm::ivec2(right, down));
+                    s.left_shows_inspector = true;
                 },
             .why_disabled =
                 [](const UiState& s) { return s.lecture.frozen ? it_is_frozen() : unless_drawn(s.rendered); },

@@ -50,7 +50,7 @@ void step_probe(ViewportState& state, PictureSize size, glm::ivec2 step) {
         state.probe = share;  // the one before stays the one that was left for good
     else
         ask_about(state, share);
-    state.asked = state.touched = true;
+    state.touched = true;
 }
 
 std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size) {

@@ -406,6 +406,7 @@ TEST_CASE("arrow keys pick a pixel and go on to the next, ten at once with Shift
     CHECK(picked() == glm::ivec2(size.width / 2, size.height / 2));  // none was picked: the middle
     bench.frames(2);
     REQUIRE(bench.state.explanation);
+    CHECK(bench.state.left_shows_inspector);  // where the columns stand one over the other
     (void)bench.key(Key::Right);
     (void)bench.key(Key::Right);
     (void)bench.key(Key::Up);
