@@ -60,7 +60,8 @@ void switch_frozen(UiState& state) {
 }
 
 void switch_animate(UiState& state) {
-    state.animate.open = !state.animate.open;
+    state.animate.open =
+        !state.animate.open || state.animate.job;  // it says how far what is written has come
     state.animate.playing &= state.animate.open;
 }
 

@@ -132,7 +132,8 @@ void animate_panel(UiState& state) {
     ImGui::SetNextWindowSize({std::min(px(400), window.x - px(20)), 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
-    if (ImGui::Begin("Animate", &animate.open,
+    // While frames are written it stays: it says how far they have come.
+    if (ImGui::Begin("Animate", animate.job ? nullptr : &animate.open,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_AlwaysAutoResize)) {
         animate.has_keyboard = ImGui::IsWindowFocused();

@@ -83,6 +83,7 @@ Result<std::string> picture_file(const SceneDocument& document, const ExportOpti
 
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path) {
     const std::string name = fs::path(path).filename().string();
+    if (const auto problem = why_not_writable(path)) return state.notifications.add(*problem);
     state.exporting.last = {options, name, state.editor.document.path};
     std::error_code failed;  // a folder that is gone is told of when it is written to
     const std::string folder = fs::absolute(path, failed).lexically_normal().parent_path().string();

@@ -91,6 +91,9 @@ void begin_frames(UiState& state, const std::string& path, PictureSize size, int
         document_as_made(state),        animate.animation, path, size, samples, animate.frames_a_second,
         state.renderer->stats().threads};
     const bool gif = lower_extension(path) == ".gif";
+    // Drawing takes long: what can be told before it is told now.
+    if (const auto problem = why_not_writable(gif ? path : frame_path(path, 0)))
+        return state.notifications.add(*problem);
     animate.playing = false;
     animate.open = true;  // it says how far they have come
     animate.job = std::make_unique<Job<std::string>>(

@@ -90,6 +90,10 @@ bool cancel_loading(UiState& state) {
 bool close_shortcuts(UiState& state) { return std::exchange(state.shows_shortcuts, false); }
 bool close_animate(UiState& state) {
     if (!state.animate.open) return false;
+    if (state.animate.job) {  // what is being written does not go on unseen
+        state.animate.job->cancel();
+        return true;
+    }
     state.animate.open = state.animate.playing = false;
     return true;
 }

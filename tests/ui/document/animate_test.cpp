@@ -427,6 +427,38 @@ TEST_CASE("Escape closes Animate", "[ui][animate]") {
     CHECK_FALSE(bench.state.animate.open);
 }
 
+TEST_CASE("Escape ends the writing of frames first, and the panel says so", "[ui][animate]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.state.animate.animation.frames = 2000;
+    begin_frames(bench.state, folder.path("turn.png"), {640, 480}, 8);
+    bench.frames(2);
+    REQUIRE(bench.state.animate.job);
+    bench.key(Key::T, true);  // nor is it put away while they are written
+    CHECK(bench.state.animate.open);
+    bench.key(Key::Escape);
+    CHECK(bench.state.animate.open);
+    while (bench.state.animate.job) bench.frame();
+    CHECK(bench.notes_with("writing was cancelled") == 1);
+    CHECK(folder.names().size() < 2000);
+    bench.key(Key::Escape);
+    CHECK_FALSE(bench.state.animate.open);
+}
+
+TEST_CASE("what cannot be written is said before it is drawn", "[ui][animate][export]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    for (const char* name : {"none/turn.gif", "none/turn.png"}) {
+        begin_frames(bench.state, folder.path(name), {40, 30}, 1);
+        CHECK_FALSE(bench.state.animate.job);
+    }
+    begin_export(bench.state, {{40, 30}, 1}, folder.path("none/turn.png"));
+    CHECK_FALSE(bench.state.exporting.job);
+    CHECK(bench.notes_with("no such file or directory") >= 1);
+}
+
 TEST_CASE("a GIF keeps the speed that was asked for, whatever part of a second a frame takes",
           "[ui][window][animate]") {
     const int speed = GENERATE(1, 7, 24, 35, 49, 50);
