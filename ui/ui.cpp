@@ -77,11 +77,22 @@ UiRequests requests(UiState& state) {
     return wants;
 }
 
+/// Takes the request to close, and dropped files. In the middle of a drag they wait for its end: it is no step
+/// yet, and would go on below a question. A light that follows the cursor is put back.
+void take_requests(UiState& state, const UiInput& input) {
+    state.close_asked |= input.close_asked;
+    if (!input.dropped.empty()) state.dropped = input.dropped;
+    if (!state.close_asked && state.dropped.empty()) return;
+    if (state.viewport.gesture == Gesture::Effect) (void)cancel_gesture(state.viewport, state.editor.scene());
+    if (state.viewport.gesture != Gesture::None) return redraw_within(0);
+    if (std::exchange(state.close_asked, false)) run_command(state, CommandId::Quit);
+    take_dropped(state, std::exchange(state.dropped, {}));
+}
+
 UiRequests whole_frame(UiState& state, const UiInput& input) {
     give_tiny_corners_segments();
     reset_next_redraw();
-    if (input.close_asked) run_command(state, CommandId::Quit);
-    take_dropped(state, input);
+    take_requests(state, input);
     run_keys(state, input);
     follow_b_key(state, input.b_held);
     poll_my_picture(state);

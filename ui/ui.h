@@ -97,6 +97,8 @@ struct UiState {
     bool dark = true, shows_shortcuts = false, left_shows_inspector = false;
     bool types_into_panel = false;  // asked for: the selected item's first field takes the keys
     bool quits = false;
+    bool close_asked = false;          // by the system, and not answered yet
+    std::vector<std::string> dropped;  // paths of files, not opened yet
     bool asks_overwrite = false;  // saving would write over what another program put into the file
 
     FramePace pace;

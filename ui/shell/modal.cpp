@@ -231,10 +231,10 @@ void dialogs(UiState& state, const UiInput& input) {
     poll_export(state);
 }
 
-void take_dropped(UiState& state, const UiInput& input) {
-    if (input.dropped.empty()) return;
-    const std::string& path = input.dropped.front();
-    const std::size_t left_out = input.dropped.size() - 1;
+void take_dropped(UiState& state, const std::vector<std::string>& paths) {
+    if (paths.empty()) return;
+    const std::string& path = paths.front();
+    const std::size_t left_out = paths.size() - 1;
     if (!is_bare_picture(path)) return begin_pending(state, Pending::What::Open, path, left_out);
     bring_picture(state, path);
     if (left_out > 0) state.notifications.add(Tone::Warning, only_first_of_several);

@@ -49,6 +49,6 @@ void dialogs(UiState& state, const UiInput& input);
 
 /// Files that were dropped on the window: the first is opened, or compared where it is a picture without a
 /// scene.
-void take_dropped(UiState& state, const UiInput& input);
+void take_dropped(UiState& state, const std::vector<std::string>& paths);
 
 }  // namespace glint

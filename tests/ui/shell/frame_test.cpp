@@ -390,6 +390,42 @@ TEST_CASE("closing asks about unsaved changes, and only then", "[ui][window]") {
     CHECK(bench.frame(close).quit);
 }
 
+TEST_CASE("who closes the window in the middle of a drag is asked at its end, and the drag is one step",
+          "[ui][window]") {
+    const bool drops = GENERATE(false, true);
+    HeadlessWindow bench;
+    with_bulb(bench);
+    const Scene before = bench.scene();
+    const glm::dvec2 handle = bench.handle_pixel(0);
+    bench.move(bench.at_pixel(handle));
+    bench.button(true);
+    bench.move(bench.at_pixel(handle + glm::dvec2(30, 40)));
+    UiInput request;
+    request.close_asked = !drops;
+    if (drops) request.dropped = {"/nowhere/at/all.json"};
+    CHECK_FALSE(bench.frame(request).quit);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.pending.asking);
+    const bool escapes = GENERATE(false, true);
+    if (escapes) bench.key(Key::Escape);
+    bench.move(bench.at_pixel(handle + glm::dvec2(70, 90)));
+    bench.button(false);
+    UiRequests last = bench.frame();
+    if (escapes) {  // nothing is left to ask about
+        CHECK(bench.scene() == before);
+        CHECK_FALSE(bench.state.editor.history.can_undo());
+        CHECK_FALSE(bench.state.pending.asking);
+        return;
+    }
+    CHECK_FALSE(last.quit);
+    CHECK(bench.state.pending.asking);
+    bench.key(Key::Escape);
+    bench.frames(2);
+    bench.key(Key::Z, true);
+    CHECK(bench.scene() == before);
+    CHECK_FALSE(bench.state.editor.history.can_undo());
+}
+
 TEST_CASE("what cannot be opened is said in the command line's words, and the scene stays", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
