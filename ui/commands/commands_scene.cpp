@@ -10,8 +10,7 @@ namespace {
 /// Frames the object with that index, or all of them for -1.
 void frame(UiState& state, int object) {
     if (frame_camera(state.editor.scene(), object)) return;
-    state.notifications.add(Tone::Warning,
-                            "No camera can show all of it: it would have to be too far away");
+    state.notifications.add(Tone::Warning, "No camera can show all of it: it would have to be too far away");
 }
 
 void frame_selected(UiState& state) {

@@ -75,6 +75,10 @@ std::vector<WindowCommand> stepping_commands() {
             step_command<0, 1>("Ask about the pixel below", Key::Down)};
 }
 
+std::string unless_scope(const UiState& state) {
+    return unless(state.views.scope.open, "The scope is not open");
+}
+
 std::vector<WindowCommand> looking_commands() {
     return {
         {.name = "Scan-line scope",
@@ -134,6 +138,15 @@ std::vector<WindowCommand> looking_commands() {
          .is_on = [](const UiState& s) { return s.views.magnifier.zoom > 1; },
          .id = CommandId::Magnify,
          .changes_picture = true},
+        {.name = "Scope: red, green and blue",
+         .run = [](UiState& s) { s.views.scope.channels ^= true; },
+         .is_on = [](const UiState& s) { return s.views.scope.channels; },
+         .why_disabled = unless_scope},
+        {.name = "Scope: what the eye makes of it",
+         .run = [](UiState& s) { s.views.scope.eye ^= true; },
+         .is_on = [](const UiState& s) { return s.views.scope.eye; },
+         .why_disabled = unless_scope,
+         .words = "mach bands"},
         {.name = "Where the equation is evaluated",
          .keys = {{Key::J}},
          .menu = Menu::View,
@@ -150,6 +163,11 @@ std::vector<WindowCommand> looking_commands() {
     };
 }
 
+std::string unless_compared(const UiState& state) {
+    if (state.views.compare.choice.on) return {};
+    return "Nothing is compared (" + keys_of(CommandId::Compare) + ")";
+}
+
 std::vector<WindowCommand> comparing_commands() {
     return {
         {.name = "Compare under wipe lines",
@@ -160,6 +178,26 @@ std::vector<WindowCommand> comparing_commands() {
          .id = CommandId::Compare,
          .changes_picture = true,
          .words = "split before after"},
+        {.name = "Compare: the difference of the parts",
+         .run = [](UiState& s) { s.views.compare.choice.difference ^= true; },
+         .is_on = [](const UiState& s) { return s.views.compare.choice.difference; },
+         .why_disabled = unless_compared,
+         .changes_picture = true},
+        {.name = "Compare: the difference twice as strong",
+         .run = [](UiState& s) { double_gain(s.views.compare.choice); },
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(s.views.compare.choice.on && s.views.compare.choice.difference,
+                               "No difference is shown");
+             },
+         .changes_picture = true,
+         .words = "gain scale"},
+        {.name = "Compare: the parts one above the other",
+         .run = [](UiState& s) { s.views.compare.choice.stacked ^= true; },
+         .is_on = [](const UiState& s) { return s.views.compare.choice.stacked; },
+         .why_disabled = unless_compared,
+         .changes_picture = true,
+         .words = "stacked side by side"},
         {.name = "Compare my picture…",
          .menu = Menu::View,
          .run = [](UiState& s) { s.files.ask(FilePurpose::MyPicture, s.editor.document.path); },

@@ -57,7 +57,7 @@ void heading(UiState& state) {
     const float end = ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushClipRect(at, {ImGui::GetWindowPos().x + end - px(4), at.y + ImGui::GetFrameHeight()}, true);
-    ImGui::TextUnformatted(mine.name.c_str());
+    ImGui::TextUnformatted(whole_label(mine.name).c_str());
     ImGui::PopClipRect();
     ImGui::SameLine(end);
     if (icon_button("##away", Icon::Close)) put_picture_away(state);

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <imgui.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -99,7 +98,8 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
     if (explanation.hit) {
         const char* const side = explanation.front_facing ? "front side" : "back side";
         const float room = ImGui::GetContentRegionAvail().x - px(26) - ImGui::CalcTextSize(side).x - px(12);
-        const std::string what = fmt::format("{}, face {}", explanation.object, explanation.face);
+        const std::string what =
+            fmt::format("{}, face {}", whole_label(explanation.object), explanation.face);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const bool clicked = ImGui::Selectable("##object", false, 0, {room, 0});
         if (clicked && is_explained(state))

@@ -240,7 +240,7 @@ void direction_buttons(CompareChoice& choice) {
 void difference_controls(CompareState& state) {
     CompareChoice& choice = state.choice;
     if (ImGui::SmallButton(fmt::format("×{}###gain", choice.gain).c_str()))
-        choice.gain = choice.gain >= max_gain ? 1 : 2 * choice.gain;
+        double_gain(choice);
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) choice.gain = std::max(choice.gain / 2, 1);
     tooltip("Scale of the difference", "Click: twice as much, after ×64 again ×1 · Right click: half");
     ImGui::SameLine(0, px(8));

@@ -62,6 +62,10 @@ struct CompareChoice {
     bool operator==(const CompareChoice&) const = default;
 };
 inline constexpr int max_gain = 64;
+/// Shows the difference twice as strong; after the largest gain again as it is.
+inline void double_gain(CompareChoice& choice) {
+    choice.gain = choice.gain >= max_gain ? 1 : 2 * choice.gain;
+}
 
 /// Whether a part is to show the stored B, or a picture that somebody brought, and there is none: it then
 /// shows the edited scene.

@@ -97,6 +97,36 @@ TEST_CASE("a lesson is found by its number, its title and its topic", "[ui][pale
     CHECK(std::is_sorted(numbers.begin(), numbers.end()));
 }
 
+TEST_CASE("the comparison's difference and what the scope shows are found while they stand there",
+          "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    CHECK(found(bench.state, "difference of the parts").at(0).refused == "Nothing is compared (C)");
+    CHECK(found(bench.state, "twice as strong").at(0).refused == "No difference is shown");
+    CHECK(found(bench.state, "eye makes").at(0).refused == "The scope is not open");
+    (void)bench.key(Key::C);
+    (void)bench.key(Key::P);
+    bench.frames(2);
+    for (const char* text :
+         {"difference of the parts", "twice as strong", "one above the other", "scope red", "eye makes"})
+        found(bench.state, text).at(0).run(bench.state);
+    const CompareChoice& choice = bench.state.views.compare.choice;
+    CHECK(choice.difference);
+    CHECK(choice.gain == 2);
+    CHECK(choice.stacked);
+    CHECK(bench.state.views.scope.channels);
+    CHECK(bench.state.views.scope.eye);
+}
+
+TEST_CASE("a row of the palette is one line, whatever an item is called", "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.scene().lights[0].name = "two\nlines";
+    bench.frames(2);
+    CHECK(found(bench.state, "two lines").at(0).name.find('\n') == std::string::npos);
+    for (const PaletteEntry& entry : palette_entries(bench.state))
+        CHECK((entry.name + entry.group).find('\n') == std::string::npos);
+}
+
 TEST_CASE("a component of a vector is found, and takes the keyboard", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = project_file("assets/scenes");
