@@ -79,6 +79,20 @@ std::string unless_scope(const UiState& state) {
     return unless(state.views.scope.open, "The scope is not open");
 }
 
+std::vector<WindowCommand> scope_commands() {
+    return {
+        {.name = "Scope: red, green and blue",
+         .run = [](UiState& s) { s.views.scope.channels ^= true; },
+         .is_on = [](const UiState& s) { return s.views.scope.channels; },
+         .why_disabled = unless_scope},
+        {.name = "Scope: what the eye makes of it",
+         .run = [](UiState& s) { s.views.scope.eye ^= true; },
+         .is_on = [](const UiState& s) { return s.views.scope.eye; },
+         .why_disabled = unless_scope,
+         .words = "mach bands"},
+    };
+}
+
 std::vector<WindowCommand> looking_commands() {
     return {
         {.name = "Scan-line scope",
@@ -138,15 +152,6 @@ std::vector<WindowCommand> looking_commands() {
          .is_on = [](const UiState& s) { return s.views.magnifier.zoom > 1; },
          .id = CommandId::Magnify,
          .changes_picture = true},
-        {.name = "Scope: red, green and blue",
-         .run = [](UiState& s) { s.views.scope.channels ^= true; },
-         .is_on = [](const UiState& s) { return s.views.scope.channels; },
-         .why_disabled = unless_scope},
-        {.name = "Scope: what the eye makes of it",
-         .run = [](UiState& s) { s.views.scope.eye ^= true; },
-         .is_on = [](const UiState& s) { return s.views.scope.eye; },
-         .why_disabled = unless_scope,
-         .words = "mach bands"},
         {.name = "Where the equation is evaluated",
          .keys = {{Key::J}},
          .menu = Menu::View,
@@ -305,7 +310,8 @@ std::vector<WindowCommand> layout_commands() {
 
 std::vector<WindowCommand> view_commands() {
     std::vector<WindowCommand> all;
-    for (const auto rows : {looking_commands, stepping_commands, comparing_commands, layout_commands})
+    for (const auto rows :
+         {looking_commands, scope_commands, stepping_commands, comparing_commands, layout_commands})
         for (WindowCommand& row : rows()) all.push_back(std::move(row));
     return all;
 }

@@ -13,6 +13,7 @@
 
 namespace glint {
 
+struct UiInput;
 struct UiState;
 struct Notifications;
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 
 namespace glint {
 namespace {
@@ -258,20 +259,32 @@ glm::vec2 fitted_shift(const Exhibit& e, const Picture& drawn, const DisplayChan
     return shift;
 }
 
-bool is_hard(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+/// The shift that fits, told from as many rows as tell enough.
+static glm::vec2 coarse_shift(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    return fitted_shift(e, drawn.picture, change, row_step(e.right.size));
+}
+
+/// `shift` returns the one that fits; it is asked only where the edges are hard.
+template <class Shift>
+static bool is_hard(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, const Shift& shift) {
     constexpr double most_left_by_shift = 0.6;
-    if (!has_hard_edges(e, drawn, change)) return false;
-    const glm::vec2 shift = fitted_shift(e, drawn.picture, change, row_step(e.right.size));
-    return share_unshifted(e, drawn, change, glm::dvec2(shift)) > most_left_by_shift;
+    return has_hard_edges(e, drawn, change) &&
+           share_unshifted(e, drawn, change, glm::dvec2(shift())) > most_left_by_shift;
+}
+
+bool is_hard(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    return is_hard(e, drawn, change, [&] { return coarse_shift(e, drawn, change); });
 }
 
 bool may_be_softened(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
     constexpr double most_left_beside_gain = 0.1;
     constexpr float hardly = 1.1f;
-    if (is_hard(e, drawn, change)) return false;
-    const glm::ivec2 whole(glm::round(fitted_shift(e, drawn.picture, change, row_step(e.right.size))));
+    std::optional<glm::vec2> fitted;  // takes long, and is often not needed
+    const auto shift = [&] { return fitted ? *fitted : fitted.emplace(coarse_shift(e, drawn, change)); };
+    if (is_hard(e, drawn, change, shift)) return false;
     const auto is_mixed = [&](const DisplayChange& told, double enough, bool with_gain) {
         if (share_unmixed(e, drawn, told, glm::ivec2(0), with_gain) <= enough) return true;
+        const glm::ivec2 whole(glm::round(shift()));
         return whole != glm::ivec2(0) && share_unmixed(e, drawn, told, whole, with_gain) <= enough;
     };
     if (!is_mixed(change, may_be_left(e, drawn, change), false)) return false;
