@@ -20,6 +20,7 @@
 #include "ui/inspector/equation/equation_tab.h"
 #include "ui/inspector/tabs.h"
 #include "ui/picture/handles/light_place.h"
+#include "ui/widgets/parts.h"
 
 namespace glint {
 namespace {
@@ -254,7 +255,6 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
         for (std::size_t i = of_the_scene; i < entries.size(); ++i) entries[i].refused = why_held;
     add_shipped_scenes(entries, state.shipped_scenes);
     add_lessons(entries, state.lessons.own);
-    const auto breaks_line = [](char c) { return c == '\n' || c == '\r' || c == '\t' || c == '\0'; };
     for (PaletteEntry& entry : entries)  // a row is one line, whatever an item is called
         for (std::string* text : {&entry.name, &entry.group})
             std::replace_if(text->begin(), text->end(), breaks_line, ' ');

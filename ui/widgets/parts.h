@@ -21,6 +21,9 @@ namespace glint {
 
 void coloured(const ImVec4& colour, const std::string& text);
 void coloured(Symbol symbol, const std::string& text);
+/// Whether the character would end, break or widen a line of text: a name that holds it is shown with a
+/// blank.
+[[nodiscard]] constexpr bool breaks_line(char c) { return c == '\n' || c == '\r' || c == '\t' || c == '\0'; }
 /// One line in the font in use from `low`, cut off with dots where it would pass `right`.
 void cut_text(ImDrawList& list, ImVec2 low, float right, std::string_view text);
 /// The light's icon at the cursor, which stays.

@@ -10,6 +10,7 @@
 
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -89,7 +90,7 @@ std::string whole_label(const std::string& name) {
     for (const char c : name) {
         // A carriage return is a letter to what looks for "##", and is not drawn.
         if (c == '#' && !label.empty() && label.back() == '#') label += '\r';
-        label += c == '\n' || c == '\r' || c == '\t' || c == '\0' ? ' ' : c;  // 0 would end it
+        label += breaks_line(c) ? ' ' : c;
     }
     return label;
 }
