@@ -26,24 +26,32 @@ struct CodeArguments {
     std::string out;  // a directory
 };
 
-/// Creates the directory. Returns null if it exists already and is empty. Throws Failure if the path is
-/// anything else.
-std::unique_ptr<NewDirectory> new_directory(const std::string& path) {
+/// A directory for the program's files alone: new, or empty until now.
+struct OutDirectory {
+    std::unique_ptr<NewDirectory> made;  // null: it was there
+    std::unique_ptr<DirectoryLock> lock;
+};
+
+/// Creates the directory unless it is there. Throws Failure if the path is anything but a new or an empty
+/// directory, or another process is writing a program there.
+OutDirectory out_directory(const std::string& path) {
     const auto refused = [&path](const std::string& what) {
         return Failure{ExitStatus::Impossible, {path, "", what, "a new or an empty directory"}};
     };
+    OutDirectory out;
     std::error_code error;
     const fs::file_status found = fs::status(path, error);
     if (fs::exists(found)) {
         if (!fs::is_directory(found)) throw refused("is not a directory");
-        remove_left_files((fs::path(path) / "").string());
-        if (!fs::is_empty(path, error) || error)
-            throw refused(error ? reason(error.value()) : "is not empty");
-        return nullptr;
+    } else {
+        out.made = std::make_unique<NewDirectory>(path);
+        if (out.made->error() != 0) throw refused("cannot be made: " + reason(out.made->error()));
     }
-    auto made = std::make_unique<NewDirectory>(path);
-    if (made->error() != 0) throw refused("cannot be made: " + reason(made->error()));
-    return made;
+    out.lock = std::make_unique<DirectoryLock>(path);
+    if (out.lock->is_taken()) throw refused("is being written by another process");
+    remove_left_files((fs::path(path) / "").string());
+    if (!fs::is_empty(path, error) || error) throw refused(error ? reason(error.value()) : "is not empty");
+    return out;
 }
 
 /// The scene's name for the first line of the program.
@@ -57,7 +65,7 @@ Outcome code(const CodeArguments& arguments) {
         throw wrong_usage("--language", "is missing",
                           fmt::format("{}", fmt::join(names_of<Language>(), ", ")));
     require_given(arguments.out, "-o", "a new or an empty directory");
-    const std::unique_ptr<NewDirectory> made = new_directory(arguments.out);
+    const OutDirectory out = out_directory(arguments.out);
     const SceneDocument document = open_scene(arguments.scene);
     Result<Program> written = write_program(
         {document.scene, arguments.size, name_of_scene(arguments.scene.file)}, *arguments.language);
@@ -73,7 +81,7 @@ Outcome code(const CodeArguments& arguments) {
         add(mesh.name, mesh_text(mesh.object, document.scene.shading.mistakes, share));
     }
     (void)take(together.put_in_place());
-    if (made) made->keep();
+    if (out.made) out.made->keep();
     return {{}, document.warnings, ExitStatus::Done};
 }
 

@@ -208,6 +208,14 @@ void NewDirectory::keep() {
     goes_ = false;
 }
 
+DirectoryLock::DirectoryLock(const std::string& path)
+    : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
+      is_taken_(descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {}
+
+DirectoryLock::~DirectoryLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
 NoEndBetween::NoEndBetween() : before_(keep_signals_off()) {
     ++between;
     if (ending) {

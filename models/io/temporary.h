@@ -67,6 +67,22 @@ class NewDirectory {
     bool goes_ = false;
 };
 
+/// Keeps other processes that ask for the same lock (flock) out of a directory while it lives.
+class DirectoryLock {
+  public:
+    explicit DirectoryLock(const std::string& path);
+    ~DirectoryLock();
+    DirectoryLock(const DirectoryLock&) = delete;
+    DirectoryLock& operator=(const DirectoryLock&) = delete;
+
+    /// Whether another one holds it. A directory that cannot be opened or locked is not held.
+    [[nodiscard]] bool is_taken() const { return is_taken_; }
+
+  private:
+    int descriptor_ = -1;
+    bool is_taken_ = false;
+};
+
 /// While it lives, none of the signals below ends the process: what is renamed meanwhile is renamed as a
 /// whole. For a moment: after a second the process ends all the same.
 class NoEndBetween {

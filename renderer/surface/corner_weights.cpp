@@ -53,7 +53,8 @@ CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, 
     const glm::dvec2 at(face.at.x, face.at.y);
     CornerWeights best = of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
     // The triangle of the fan whose smallest weight is largest holds the sample. Because corners are rounded
-    // to the rasteriser's grid the sample may lie slightly outside it, so weights down to -1 are accepted.
+    // to the rasteriser's grid the sample may lie slightly outside it, so weights down to -1 are accepted, and
+    // the nearest ones inside are taken.
     double best_inside = -1;
     for (std::size_t i = 2; i < cut.size(); ++i) {
         const ClippedCorner &a = cut[0], &b = cut[i - 1], &c = cut[i];
@@ -63,10 +64,15 @@ CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, 
         const double inside = std::min({1 - wb - wc, wb, wc});
         if (!(inside > best_inside)) continue;  // NaN: it has no area
         best_inside = inside;
+        glm::dvec3 weights(1 - wb - wc, wb, wc);
+        if (inside < 0) {
+            weights = glm::max(weights, 0.0);
+            weights /= weights.x + weights.y + weights.z;
+        }
         best = {};
-        add_clipped(best, a, 1 - wb - wc);
-        add_clipped(best, b, wb);
-        add_clipped(best, c, wc);
+        add_clipped(best, a, weights.x);
+        add_clipped(best, b, weights.y);
+        add_clipped(best, c, weights.z);
     }
     return best;
 }

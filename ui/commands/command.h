@@ -1,7 +1,7 @@
 #pragma once
 // A command is anything that a menu item or a key does, defined once: one row of a table with the functions
 // that do it. Menus, keys, the palette, the tool bar and the sheet of shortcuts read the rows. The rows stand
-// in commands_file.cpp, commands_edit.cpp, commands_scene.cpp, commands_view.cpp and commands_lecture.cpp.
+// in commands_*.cpp, by menu and topic.
 
 #include <optional>
 #include <span>

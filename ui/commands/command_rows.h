@@ -10,7 +10,9 @@ namespace glint {
 /// Lists what the mouse does to the selected object by its gizmo, and the rest of the edit menu below it.
 [[nodiscard]] std::vector<WindowCommand> hand_commands();
 [[nodiscard]] std::vector<WindowCommand> camera_commands();
+/// Lists those of the menu View, compare_commands() among them.
 [[nodiscard]] std::vector<WindowCommand> view_commands();
+[[nodiscard]] std::vector<WindowCommand> compare_commands();
 [[nodiscard]] std::vector<WindowCommand> lecture_commands();
 [[nodiscard]] std::vector<WindowCommand> shading_commands();
 

@@ -65,6 +65,10 @@ void switch_animate(UiState& state) {
     state.animate.playing &= state.animate.open;
 }
 
+std::string unless_drawn_on(const UiState& state) {
+    return unless(!state.lecture.pen.lines.empty(), "Nothing is drawn");
+}
+
 /// Scenes one after another, and what is asked about them.
 std::vector<WindowCommand> asking_commands() {
     return {
@@ -144,9 +148,17 @@ std::vector<WindowCommand> showing_commands() {
          .keys = {{Key::W, !ctrl, shift}},
          .menu = Menu::Lecture,
          .run = [](UiState& s) { s.lecture.pen.lines.clear(); },
-         .why_disabled =
-             [](const UiState& s) { return unless(!s.lecture.pen.lines.empty(), "Nothing is drawn"); },
+         .why_disabled = unless_drawn_on,
          .id = CommandId::WipePen,
+         .quiet = true},
+        {.name = "Pen: take the last line back",
+         .run = [](UiState& s) { s.lecture.pen.lines.pop_back(); },
+         .why_disabled = unless_drawn_on,
+         .quiet = true,
+         .words = "undo"},
+        {.name = "Pen: the next colour",
+         .run = [](UiState& s) { s.lecture.pen.colour = (s.lecture.pen.colour + 1) % pen_colour_count; },
+         .why_disabled = [](const UiState& s) { return unless(s.lecture.pen.on, "The pen is not in hand"); },
          .quiet = true},
         {.name = "Animate: turntable, numbers to and fro…",
          .keys = {{Key::T, ctrl}},

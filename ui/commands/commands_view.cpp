@@ -9,11 +9,6 @@
 namespace glint {
 namespace {
 
-void switch_compare(UiState& state) {
-    state.views.compare.choice.on ^= true;
-    state.views.debug_view.set.choice.view = DebugView::Picture;
-}
-
 void switch_magnifier(UiState& state) {
     zoom_about(state.views.magnifier, state.views.magnifier.zoom > 1 ? 1 : usual_zoom,
                state.viewport.probe.value_or(glm::dvec2(0.5)));
@@ -36,21 +31,6 @@ void switch_over_range(UiState& state) {
     DebugViewSet& set = state.views.debug_view.set;
     set.over_range = !set.over_range;
     if (set.over_range) show_quantity(state.views, DebugView::Picture, state.views.compare.choice.on);
-}
-
-void switch_b(UiState& state) {
-    CompareState& compare = state.views.compare;
-    compare.choice.shows_stored = !compare.choice.shows_stored;
-    compare.b_turned = true;
-    compare.b_since = ImGui::GetTime();
-    compare.b_frames = 0;
-}
-
-void store_b(UiState& state) {
-    CompareChoice& choice = state.views.compare.choice;
-    choice.stored = std::make_shared<const Scene>(as_made(state, state.editor.scene()));
-    choice.shows_stored = false;
-    state.notifications.add(Tone::Done, "Stored as B: press " + keys_of(CommandId::ShowB) + " to look at it");
 }
 
 /// An arrow key asks about the pixel beside the picked one; with Shift it goes ten times as far.
@@ -76,7 +56,7 @@ std::vector<WindowCommand> stepping_commands() {
 }
 
 std::string unless_scope(const UiState& state) {
-    return unless(state.views.scope.open, "The scope is not open");
+    return unless(state.views.scope.open && state.rendered != nullptr, "The scope is not open");
 }
 
 std::vector<WindowCommand> scope_commands() {
@@ -90,6 +70,15 @@ std::vector<WindowCommand> scope_commands() {
          .is_on = [](const UiState& s) { return s.views.scope.eye; },
          .why_disabled = unless_scope,
          .words = "mach bands"},
+        {.name = "Scope: the grey card",
+         .run = [](UiState& s) { switch_card(s.views.scope, s.rendered->size); },
+         .is_on = [](const UiState& s) { return s.views.scope.card; },
+         .why_disabled = unless_scope,
+         .words = "mach bands"},
+        {.name = "Scope: copy as command",
+         .run = copy_profile_command,
+         .why_disabled = unless_scope,
+         .words = "clipboard profile"},
     };
 }
 
@@ -168,87 +157,6 @@ std::vector<WindowCommand> looking_commands() {
     };
 }
 
-std::string unless_compared(const UiState& state) {
-    if (state.views.compare.choice.on) return {};
-    return "Nothing is compared (" + keys_of(CommandId::Compare) + ")";
-}
-
-std::vector<WindowCommand> comparing_commands() {
-    return {
-        {.name = "Compare under wipe lines",
-         .keys = {{Key::C}},
-         .menu = Menu::View,
-         .run = switch_compare,
-         .is_on = [](const UiState& s) { return s.views.compare.choice.on; },
-         .id = CommandId::Compare,
-         .changes_picture = true,
-         .words = "split before after"},
-        {.name = "Compare: the difference of the parts",
-         .run = [](UiState& s) { s.views.compare.choice.difference ^= true; },
-         .is_on = [](const UiState& s) { return s.views.compare.choice.difference; },
-         .why_disabled = unless_compared,
-         .changes_picture = true},
-        {.name = "Compare: the difference twice as strong",
-         .run = [](UiState& s) { double_gain(s.views.compare.choice); },
-         .why_disabled =
-             [](const UiState& s) {
-                 return unless(s.views.compare.choice.on && s.views.compare.choice.difference,
-                               "No difference is shown");
-             },
-         .changes_picture = true,
-         .words = "gain scale"},
-        {.name = "Compare: the parts one above the other",
-         .run = [](UiState& s) { s.views.compare.choice.stacked ^= true; },
-         .is_on = [](const UiState& s) { return s.views.compare.choice.stacked; },
-         .why_disabled = unless_compared,
-         .changes_picture = true,
-         .words = "stacked side by side"},
-        {.name = "Compare my picture…",
-         .menu = Menu::View,
-         .run = [](UiState& s) { s.files.ask(FilePurpose::MyPicture, s.editor.document.path); },
-         .words = "diagnose wrong mistake image"},
-        {.name = "Put my picture away",
-         .menu = Menu::View,
-         .run = put_picture_away,
-         .why_disabled =
-             [](const UiState& s) {
-                 return unless(s.mine.shown != nullptr, "No picture was brought to compare with");
-             }},
-        {.name = "Look for two mistakes at once",
-         .run = [](UiState& s) { ask_for_pairs(s.mine); },
-         .why_disabled = [](const UiState& s) { return why_no_pairs(s.mine); },
-         .words = "diagnose my picture pairs"},
-        {.name = "Change the scene so, to be sure",
-         .run = [](UiState& s) { try_experiment(s, *offered_experiment(s)); },
-         .why_disabled =
-             [](const UiState& s) {
-                 return unless(offered_experiment(s) != nullptr,
-                               "No change would tell more of the mistake in a picture");
-             },
-         .words = "diagnose my picture experiment"},
-        {.name = "Look at B, the stored scene",
-         .keys = {{Key::B}},
-         .menu = Menu::View,
-         .run = switch_b,
-         .is_on = [](const UiState& s) { return s.views.compare.choice.shows_stored; },
-         .why_disabled =
-             [](const UiState& s) {
-                 return s.views.compare.choice.stored
-                            ? std::string()
-                            : "No scene is stored as B (" + keys_of(CommandId::StoreB) + ")";
-             },
-         .id = CommandId::ShowB,
-         .changes_picture = true},
-        {.name = "Store the scene as B",
-         .keys = {{Key::B, ctrl}},
-         .menu = Menu::View,
-         .run = store_b,
-         .id = CommandId::StoreB,
-         .changes_picture = true,
-         .words = "snapshot compare"},
-    };
-}
-
 bool is_narrow_now() { return is_narrow(ImGui::GetIO().DisplaySize, px(1)); }
 
 // In a narrow window both columns are tabs of one: to show one is to show its tab.
@@ -311,7 +219,7 @@ std::vector<WindowCommand> layout_commands() {
 std::vector<WindowCommand> view_commands() {
     std::vector<WindowCommand> all;
     for (const auto rows :
-         {looking_commands, scope_commands, stepping_commands, comparing_commands, layout_commands})
+         {looking_commands, scope_commands, stepping_commands, compare_commands, layout_commands})
         for (WindowCommand& row : rows()) all.push_back(std::move(row));
     return all;
 }

@@ -231,6 +231,11 @@ void place_card(ScopeState& scope, PictureSize size) {
     scope.card_at.x += scope.card_size.x / 2;
 }
 
+void switch_card(ScopeState& scope, PictureSize size) {
+    scope.card = !scope.card;
+    if (scope.card) place_card(scope, size);
+}
+
 std::vector<ScopeEdge> edges_along(const std::vector<ProfileSample>& samples) {
     std::vector<ScopeEdge> found;
     for (std::size_t i = 1; i < samples.size(); ++i) {

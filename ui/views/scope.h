@@ -54,6 +54,8 @@ void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& pi
 
 /// Lays the card on the right of the sharpest bend of the line, its edge on the pixel of the bend.
 void place_card(ScopeState& scope, PictureSize size);
+/// Takes the card up, placed so, or puts it away.
+void switch_card(ScopeState& scope, PictureSize size);
 
 /// Where along the line, between two samples, another triangle is seen.
 struct ScopeEdge {

@@ -164,9 +164,9 @@ void strips(ScopeState& scope, const Rect& area) {
     plot_text(list, {area.low.x, area.high.y - axis + px(3)}, theme().dim_text, "pixel");
 }
 
-bool toggle(const char* label, bool& on, const char* title, const char* what, const char* more = "") {
+/// True when it was clicked.
+bool toggle(const char* label, bool on, const char* title, const char* what, const char* more = "") {
     const bool clicked = small_chosen_button(label, on);
-    if (clicked) on = !on;
     tooltip(title, what, more);
     ImGui::SameLine(0, px(4));
     return clicked;
@@ -174,21 +174,20 @@ bool toggle(const char* label, bool& on, const char* title, const char* what, co
 
 /// True when the command is to be copied.
 bool buttons(ScopeState& scope, PictureSize size) {
-    toggle("Draw", scope.armed, "Draw a line",
-           "Drag over the picture; a click takes the whole scan line through a pixel",
-           "Shift: level or upright");
-    toggle("RGB", scope.channels, "Red, green and blue",
-           "In place of luminance, 0.2126 R + 0.7152 G + 0.0722 B");
-    toggle("Eye", scope.eye, "What the eye makes of it",
-           "Intensity sharpened by what lies around it, as cells of the retina do: the bands that Ernst Mach "
-           "saw appear where the slope jumps",
-           "I + narrow mean − wide mean (difference of Gaussians)");
+    scope.armed ^= toggle("Draw", scope.armed, "Draw a line",
+                          "Drag over the picture; a click takes the whole scan line through a pixel",
+                          "Shift: level or upright");
+    scope.channels ^= toggle("RGB", scope.channels, "Red, green and blue",
+                             "In place of luminance, 0.2126 R + 0.7152 G + 0.0722 B");
+    scope.eye ^= toggle("Eye", scope.eye, "What the eye makes of it",
+                        "Intensity sharpened by what lies around it, as cells of the retina do: the bands "
+                        "that Ernst Mach saw appear where the slope jumps",
+                        "I + narrow mean − wide mean (difference of Gaussians)");
     if (toggle("Card", scope.card, "Grey card",
                "Lay it over one side of an edge: the Mach band beside it disappears, though its pixels stay "
                "as they are",
-               "Drag it over the picture") &&
-        scope.card)
-        place_card(scope, size);
+               "Drag it over the picture"))
+        switch_card(scope, size);
     const bool copy = ImGui::SmallButton("Copy");
     tooltip("Copy as command", "The command line that prints these numbers");
     return copy;

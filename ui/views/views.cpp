@@ -22,22 +22,6 @@ const Picture& scope_reads(const UiState& state) {
     return readable ? *state.displayed : *state.rendered;
 }
 
-void copy_profile_command(UiState& state) {
-    const PictureSize size = state.rendered->size;
-    const ScopeState& scope = state.views.scope;
-    const std::string command = shortest_command(state, [&](const SceneDocument& of, const Scene& in_file) {
-        return profile_command_text(of, in_file, size, pixel_of(scope.from, size), pixel_of(scope.to, size));
-    });
-    ImGui::SetClipboardText(command.c_str());
-    if (scope_reads(state).linear == state.rendered->linear)
-        state.notifications.add(Tone::Done, "The command that prints these numbers is on the clipboard");
-    else
-        state.notifications.add(
-            Tone::Warning,
-            "The command on the clipboard prints the numbers of the scene's own picture: no "
-            "single one prints those of what is composed here");
-}
-
 /// The picture that shows: the drawn one, or what is composed of it.
 const Picture& shown_picture(UiState& state) {
     ViewsState& views = state.views;
@@ -152,6 +136,22 @@ void views_bar(UiState& state) {
 void show_quantity(ViewsState& views, DebugView view, bool keep_comparing) {
     views.debug_view.set.choice.view = view;
     if (!keep_comparing) views.compare.choice.on = false;
+}
+
+void copy_profile_command(UiState& state) {
+    const PictureSize size = state.rendered->size;
+    const ScopeState& scope = state.views.scope;
+    const std::string command = shortest_command(state, [&](const SceneDocument& of, const Scene& in_file) {
+        return profile_command_text(of, in_file, size, pixel_of(scope.from, size), pixel_of(scope.to, size));
+    });
+    ImGui::SetClipboardText(command.c_str());
+    if (scope_reads(state).linear == state.rendered->linear)
+        state.notifications.add(Tone::Done, "The command that prints these numbers is on the clipboard");
+    else
+        state.notifications.add(
+            Tone::Warning,
+            "The command on the clipboard prints the numbers of the scene's own picture: no "
+            "single one prints those of what is composed here");
 }
 
 bool is_composed(const ViewsState& views) {

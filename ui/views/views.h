@@ -76,6 +76,9 @@ void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureVie
 /// of a comparison.
 void draw_evaluations(ImDrawList& list, const std::string& text, bool compares);
 
+/// Puts the command line that prints the scope's numbers on the clipboard; a picture was drawn.
+void copy_profile_command(UiState& state);
+
 /// The picture on the screen without stripes and false colours: what big pixels say of it.
 [[nodiscard]] const Picture& unpainted_picture(const UiState& state);
 

@@ -1,5 +1,6 @@
 // The three ways of interpolating, against hand-worked numbers.
 #include <cmath>
+#include <random>
 
 #include "renderer/geometry/interpolate.h"
 #include "renderer/renderer.h"
@@ -163,4 +164,37 @@ TEST_CASE("a quad through the near plane interpolates on the screen from where t
         }
         CHECK(value_at(scene, size, 50, 210) == Approx(scene.display.background.x));  // nearer than near
     }
+}
+
+TEST_CASE("a glow that is the same at all corners is so at every pixel, however a face is cut and stretched",
+          "[interpolation]") {
+    constexpr float glow = 0.4375f;
+    std::mt19937 random(7);
+    Scene scene = values_scene(primitive(Primitive::Torus, 6), 1);
+    scene.objects[0].material.emission = glm::vec3(glow);
+    scene.objects[0].material.ambient = glm::vec3(0);
+    scene.shading.reflection = Reflection::Lambert;
+    scene.display.background = glm::vec3(0);
+    Renderer renderer(1);
+    int covered = 0, others = 0;
+    for (int i = 0; i < 300; ++i) {
+        const auto number = [&] { return uniform(random, -1, 1); };
+        Transform& transform = scene.objects[0].transform;
+        transform.translate = {number(), number(), number()};
+        transform.rotate_deg = 180.0f * glm::vec3(number(), number(), number());
+        transform.scale = {3, std::pow(10.0f, 11 * (1 + number())), 1000};
+        scene.camera = {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Perspective{100, 0.1f, 1e20f}};
+        for (const Interpolation how :
+             {Interpolation::Perspective, Interpolation::Screen, Interpolation::Scanline}) {
+            scene.shading.interpolation = how;
+            const Picture picture = renderer.render(scene, {64, 48}, true);
+            for (std::size_t pixel = 0; pixel < picture.size.pixels(); ++pixel) {
+                const float shown = picture.linear[3 * pixel];
+                covered += shown != 0 ? 1 : 0;
+                others += shown != 0 && std::abs(shown - glow) > 1e-6f ? 1 : 0;
+            }
+        }
+    }
+    CHECK(covered > 10'000);
+    CHECK(others == 0);
 }

@@ -118,6 +118,34 @@ TEST_CASE("the comparison's difference and what the scope shows are found while 
     CHECK(bench.state.views.scope.eye);
 }
 
+TEST_CASE("the scope's card and its copying, and the pen's colour and last line are found, too",
+          "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    CHECK(found(bench.state, "grey card").at(0).refused == "The scope is not open");
+    CHECK(found(bench.state, "next colour").at(0).refused == "The pen is not in hand");
+    CHECK(found(bench.state, "last line").at(0).refused == "Nothing is drawn");
+    (void)bench.key(Key::P);
+    (void)bench.key(Key::W);
+    bench.frames(2);
+    found(bench.state, "grey card").at(0).run(bench.state);
+    const ScopeState& scope = bench.state.views.scope;
+    CHECK(scope.card);
+    CHECK(scope.card_at.x != 0.5);  // it lies beside the line's sharpest bend
+    found(bench.state, "scope copy").at(0).run(bench.state);
+    CHECK(std::string(ImGui::GetClipboardText()).find("glint profile ") != std::string::npos);
+    PenState& pen = bench.state.lecture.pen;
+    for (int i = 0; i < pen_colour_count; ++i) {
+        CHECK(pen.colour == i);
+        found(bench.state, "next colour").at(0).run(bench.state);
+    }
+    CHECK(pen.colour == 0);
+    pen.lines = {{{{0, 0}}, 1}, {{{0, 0}}, 2}};
+    found(bench.state, "last line").at(0).run(bench.state);
+    REQUIRE(pen.lines.size() == 1);
+    CHECK(pen.lines[0].colour == 1);
+}
+
 TEST_CASE("a row of the palette is one line, whatever an item is called", "[ui][palette]") {
     HeadlessWindow bench;
     bench.scene().lights[0].name = "two\nlines";

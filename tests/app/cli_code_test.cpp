@@ -1,4 +1,6 @@
 // glint code, as a user runs it.
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* const ball =
+const char* const lit_ball =
     R"({"glint": 1, "about": "a \\ ball /* ??/", "lights": [{"name": "for", "type": "point"},
     {"name": "9 ü\n lamps"}, {"name": "9"}], "objects": [{"name": "main"}, {"name": "int"}]})";
 
@@ -29,11 +31,11 @@ Ended code(const std::string& scene, const std::string& language, const std::str
 
 }  // namespace
 
-TEST_CASE("glint code writes the files of a program into a new or an empty directory", "[programs][cli]") {
+TEST_CASE("glint code writes the files of a program into a new or an empty directory", "[cli][programs]") {
     const TemporaryDirectory folder;
     fs::create_directory(folder.path("empty"));
     for (const char* out : {"new", "empty"}) {
-        const Ended ended = code(ball, "cpp", folder.path(out), {"--size", "64x48"});
+        const Ended ended = code(lit_ball, "cpp", folder.path(out), {"--size", "64x48"});
         CHECK(ended.err.empty());
         CHECK(ended.out.empty());
         REQUIRE(ended.status == 0);
@@ -44,19 +46,33 @@ TEST_CASE("glint code writes the files of a program into a new or an empty direc
     }
 }
 
-TEST_CASE("what a killed glint code has left keeps no other from its directory", "[programs][cli]") {
+TEST_CASE("what a killed glint code has left keeps no other from its directory", "[cli][programs]") {
     const TemporaryDirectory folder;
     fs::create_directory(folder.path("out"));
     const pid_t gone = ::fork();
     if (gone == 0) ::_exit(0);
     ::waitpid(gone, nullptr, 0);
     const std::string left = folder.file("out/.glint-" + std::to_string(gone) + "-0.tmp", "half");
-    CHECK(code(ball, "cpp", folder.path("out")).status == 0);
+    CHECK(code(lit_ball, "cpp", folder.path("out")).status == 0);
     CHECK_FALSE(fs::exists(left));
     CHECK(fs::exists(folder.path("out/main.cpp")));
 }
 
-TEST_CASE("a program turns an object by the scene's angle, however large", "[programs][cli]") {
+TEST_CASE("a directory that another process is writing a program into is refused", "[cli][programs]") {
+    const TemporaryDirectory folder;
+    fs::create_directory(folder.path("out"));
+    const int other = ::open(folder.path("out").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    REQUIRE(::flock(other, LOCK_EX) == 0);
+    const Ended refused = code(lit_ball, "cpp", folder.path("out"));
+    CHECK(refused.status == 1);
+    CHECK(refused.err == "glint: error: " + folder.path("out") +
+                             ": is being written by another process; expected a new or an empty directory\n");
+    CHECK(fs::is_empty(folder.path("out")));
+    ::close(other);
+    CHECK(code(lit_ball, "cpp", folder.path("out")).status == 0);
+}
+
+TEST_CASE("a program turns an object by the scene's angle, however large", "[cli][programs]") {
     const TemporaryDirectory folder;
     const char* const turned =
         R"({"glint": 1, "objects": [{"transform": {"rotate_deg": [0.1, 1234567890, -1e12]}}]})";
@@ -64,13 +80,14 @@ TEST_CASE("a program turns an object by the scene's angle, however large", "[pro
         REQUIRE(code(turned, language, folder.path(language)).status == 0);
         const bool cpp = std::string(language) == "cpp";
         const std::string text = bytes_of(folder.path(language) + (cpp ? "/main.cpp" : "/main.py"));
-        CHECK(text.find("0.1, 1.2345679360000000e+09, -9.9999999590400000e+11") != std::string::npos);  // floats, exactly
+        CHECK(text.find("0.1, 1.2345679360000000e+09, -9.9999999590400000e+11") !=
+              std::string::npos);  // floats, exactly
     }
 }
 
-TEST_CASE("a program's names are the scene's, as far as the language takes them", "[programs][cli]") {
+TEST_CASE("a program's names are the scene's, as far as the language takes them", "[cli][programs]") {
     const TemporaryDirectory folder;
-    REQUIRE(code(ball, "cpp", folder.path("new")).status == 0);
+    REQUIRE(code(lit_ball, "cpp", folder.path("new")).status == 0);
     const std::string text = bytes_of(folder.path("new/main.cpp"));
     for (const char* line :
          {"const Light for_light = ", "const Light light_9_lamps = ", "const Light light_9 = ",
@@ -81,7 +98,7 @@ TEST_CASE("a program's names are the scene's, as far as the language takes them"
     CHECK(text.substr(0, text.find('\n')).find('\\') == std::string::npos);
 }
 
-TEST_CASE("what glint code cannot do is one line, and leaves no file", "[programs][cli]") {
+TEST_CASE("what glint code cannot do is one line, and leaves no file", "[cli][programs]") {
     const TemporaryDirectory folder;
     const std::string file = folder.file("file", "full");
     const auto refused = [](const Ended& ended, int status, const std::string& line) {
@@ -91,14 +108,16 @@ TEST_CASE("what glint code cannot do is one line, and leaves no file", "[program
         CHECK(ended.err.starts_with("glint: error: " + line));
         CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
     };
-    refused(code(ball, "pascal", folder.path("new")), 2, "--language: pascal is not known; expected ");
-    refused(run_glint({"code", "-", "-o", folder.path("new")}, ball), 2, "--language: is missing; expected ");
-    refused(run_glint({"code", "-", "--language", "cpp"}, ball), 2, "-o: is missing; expected ");
-    refused(code(ball, "cpp", file), 1, file + ": is not a directory; expected ");
-    refused(code(ball, "cpp", folder.path()), 1, folder.path() + ": is not empty; expected ");
-    refused(code(ball, "cpp", folder.path("a/b")), 1, folder.path("a/b") + ": cannot be made: no such file");
-    refused(code(ball, "cpp", "/proc/glint"), 1, "/proc/glint: cannot be made: ");
-    refused(code(ball, "cpp", folder.path("new"), {"--set", "/npr/creases=true"}), 1,
+    refused(code(lit_ball, "pascal", folder.path("new")), 2, "--language: pascal is not known; expected ");
+    refused(run_glint({"code", "-", "-o", folder.path("new")}, lit_ball), 2,
+            "--language: is missing; expected ");
+    refused(run_glint({"code", "-", "--language", "cpp"}, lit_ball), 2, "-o: is missing; expected ");
+    refused(code(lit_ball, "cpp", file), 1, file + ": is not a directory; expected ");
+    refused(code(lit_ball, "cpp", folder.path()), 1, folder.path() + ": is not empty; expected ");
+    refused(code(lit_ball, "cpp", folder.path("a/b")), 1,
+            folder.path("a/b") + ": cannot be made: no such file");
+    refused(code(lit_ball, "cpp", "/proc/glint"), 1, "/proc/glint: cannot be made: ");
+    refused(code(lit_ball, "cpp", folder.path("new"), {"--set", "/npr/creases=true"}), 1,
             "-: /npr: silhouettes or creases are drawn, which cpp cannot do; expected a scene without it");
     std::string many = R"({"glint": 1, "objects": [{})";
     for (int i = 0; i < 300; ++i) many += ", {}";
@@ -116,7 +135,7 @@ TEST_CASE("every model has its text for programs", "[programs]") {
     }
 }
 
-TEST_CASE("meshes of a glTF file have the names of its objects", "[programs][cli]") {
+TEST_CASE("meshes of a glTF file have the names of its objects", "[cli][programs]") {
     const TemporaryDirectory folder;
     const std::string two = R"({"glint": 1, "objects": [{"name": "left ball"},
         {"name": "right", "mesh": {"primitive": "cube"}}]})";
