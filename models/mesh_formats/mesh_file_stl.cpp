@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "models/mesh_formats/mesh_reader.h"
 #include "models/mesh_formats/places.h"
@@ -99,52 +100,53 @@ class AsciiStl {
                           [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
     }
 
+    /// Moves to the next word, on whatever line it stands: within a solid a line's end is a blank like
+    /// others.
+    bool is_at_word() { return !cursor_.end_of_line() || cursor_.next_line(); }
+
     void expect(std::string_view keyword) {
-        const std::string_view word = cursor_.word();
-        if (!is(keyword, word))
-            cursor_.fail(
-                word.empty() ? "the line ends early" : fmt::format("{} is out of place", quoted_word(word)),
-                fmt::format("\"{}\"", keyword));
+        const std::string_view word = is_at_word() ? cursor_.word() : std::string_view();
+        if (!is(keyword, word)) fail(word, fmt::format("\"{}\"", keyword));
     }
 
-    void next_line(const char* expected) {
-        if (!cursor_.next_line()) cursor_.fail("the file ends early", expected);
+    [[noreturn]] void fail(std::string_view word, std::string expected) const {
+        cursor_.fail(
+            word.empty() ? "the file ends early" : fmt::format("{} is out of place", quoted_word(word)),
+            std::move(expected));
     }
 
     /// Up to "endsolid"; what follows both words is a name.
     void read_solid() {
-        for (;;) {
-            next_line("\"facet\" or \"endsolid\"");
+        bool is_more = cursor_.next_line();
+        for (; is_more; is_more = is_at_word()) {
             const std::string_view word = cursor_.word();
             if (is("endsolid", word)) return;
-            if (!is("facet", word))
-                cursor_.fail(fmt::format("{} is out of place", quoted_word(word)),
-                             "\"facet\" or \"endsolid\"");
+            if (!is("facet", word)) fail(word, "\"facet\" or \"endsolid\"");
             read_facet();
         }
+        fail({}, "\"facet\" or \"endsolid\"");
     }
 
     void read_facet() {
         expect("normal");
         const glm::vec3 normal = three();
-        next_line("\"outer loop\"");
         expect("outer");
         expect("loop");
         for (int i = 0; i < 3; ++i) {
-            next_line("\"vertex\"");
             expect("vertex");
             facets_.corner(three());
         }
-        next_line("\"endloop\"");
         expect("endloop");
-        next_line("\"endfacet\"");
         expect("endfacet");
         facets_.close(normal, cursor_.line());
     }
 
+    /// Three numbers; a fourth would be said to be out of place, but for a keyword.
     glm::vec3 three() {
         const glm::vec3 v = cursor_.three();
-        cursor_.end_line("3 numbers");
+        constexpr std::string_view of_numbers = "+-.0123456789";
+        if (!cursor_.end_of_line() && of_numbers.find(cursor_.rest().front()) != std::string_view::npos)
+            cursor_.end_line("3 numbers");
         return v;
     }
 

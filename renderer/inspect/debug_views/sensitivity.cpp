@@ -11,6 +11,7 @@
 #include "models/fields/scene_numbers.h"
 #include "renderer/renderer.h"
 #include "renderer/shade/culled_by_light.h"
+#include "renderer/shade/surface_material.h"
 
 namespace glint {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 struct PinnedScene {
     SceneDocument document;
     int object = -1;
-    bool is_alone = true;
+    bool is_alone = true;  // but for hidden objects behind it, whose numbers are not measured
 
     [[nodiscard]] std::string pointer_in_whole(const std::string& pointer) const {
         constexpr std::string_view first = "/objects/0/";
@@ -30,8 +31,8 @@ struct PinnedScene {
     /// Returns the numbers to measure; if there are many objects, only those of the one that shows.
     [[nodiscard]] std::vector<SceneNumber> measured_numbers() const {
         std::vector<SceneNumber> numbers = numbers_of(document.scene);
-        if (is_alone || document.scene.objects.size() <= max_stroking_objects) return numbers;
-        const std::string own = fmt::format("/objects/{}/", object);
+        if (!is_alone && document.scene.objects.size() <= max_stroking_objects) return numbers;
+        const std::string own = fmt::format("/objects/{}/", is_alone ? (object >= 0 ? 0 : -1) : object);
         std::erase_if(numbers, [&own](const SceneNumber& n) {
             return n.pointer.starts_with("/objects/") && !n.pointer.starts_with(own);
         });
@@ -159,6 +160,19 @@ void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, con
     s.numbers.push_back(number);
 }
 
+/// The material by which falloff and cones are held (LightSource::most) is the brightest of the whole scene:
+/// a hidden object keeps it where the one that shows has a darker one.
+void keep_brightest_material(std::vector<Object>& pinned, const std::vector<Object>& all) {
+    const auto brightest = std::max_element(all.begin(), all.end(), [](const Object& a, const Object& b) {
+        return largest_reflectance(a.material) < largest_reflectance(b.material);
+    });
+    if (brightest == all.end()) return;
+    const float own = pinned.empty() ? 0 : largest_reflectance(pinned[0].material);
+    if (largest_reflectance(brightest->material) <= std::max(own, 1.0f)) return;
+    pinned.push_back(*brightest);
+    pinned.back().visible = false;
+}
+
 PinnedScene pinned_scene(const SceneDocument& document, PictureSize size, int x, int y, int threads) {
     Renderer whole(threads);
     (void)whole.render(document.scene, size);
@@ -169,6 +183,7 @@ PinnedScene pinned_scene(const SceneDocument& document, PictureSize size, int x,
     objects.clear();
     if (pinned.object >= 0)
         objects.push_back(document.scene.objects[static_cast<std::size_t>(pinned.object)]);
+    keep_brightest_material(objects, document.scene.objects);
     return pinned;
 }
 

@@ -1,6 +1,7 @@
 // PLY, OFF and STL: what they hold, and the one line that each malformed one is answered with.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <ctime>
 #include <limits>
@@ -282,7 +283,10 @@ TEST_CASE("an STL shares positions that are exactly equal, and its facet normals
         "ENDFACET\nendsolid a square\n";
     std::string named_solid = test::binary_stl();
     named_solid.replace(0, 5, "solid");
-    for (const std::string& bytes : {ascii, test::binary_stl(), named_solid}) {
+    std::string two_lines = ascii;  // only a solid's name ends with its line
+    std::replace(two_lines.begin() + static_cast<std::ptrdiff_t>(two_lines.find('\n')) + 1, two_lines.end(),
+                 '\n', ' ');
+    for (const std::string& bytes : {ascii, two_lines, test::binary_stl(), named_solid}) {
         const Mesh mesh = read_text("m.stl", bytes);
         CHECK(mesh.positions == std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
         CHECK(mesh.corner_position == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
@@ -337,7 +341,7 @@ TEST_CASE("a malformed STL is answered with what was expected", "[mesh_file][stl
         {"m.stl", head + "vertex 0 0 0 0\n", ":4: \"0\" is one too many; expected 3 numbers"},
         {"m.stl", head + "vertex 0 0 zero\n", ":4: \"zero\" is not a number; expected a number"},
         {"m.stl", head + "vertex 0 0 0\n", ":5: the file ends early; expected \"vertex\""},
-        {"m.stl", "solid s\nfacet normal 0 0 1\nouter\n", ":3: the line ends early; expected \"loop\""},
+        {"m.stl", "solid s\nfacet normal 0 0 1\nouter\n", ":4: the file ends early; expected \"loop\""},
         {"m.stl", "solid s\nendsolid s\nsolids\n",
          ":3: this is not an STL file; expected \"solid\", or a binary file of 84 + 50 n bytes"},
     });

@@ -223,6 +223,28 @@ TEST_CASE("sensitivity: of the second object the numbers keep their pointers", "
     CHECK(lists(s.no_effect, "/objects/0"));
 }
 
+TEST_CASE("sensitivity: a falloff is held as another object's material has it", "[sensitivity]") {
+    SceneDocument document = balls();
+    Scene& scene = document.scene;
+    scene.shading.reflection = Reflection::Lambert;
+    Light& lamp = scene.lights[0];
+    lamp.kind = LightKind::Point;
+    lamp.position = {0, 0, 4, 1};  // at the eye: n·l = 1 in the middle
+    lamp.falloff = {0, 0, 1e-37f};
+    for (const int bright : {0, 1}) {
+        scene.objects[0].material.ambient = scene.objects[1].material.ambient = glm::vec3(0);
+        scene.objects[static_cast<std::size_t>(bright)].material.ambient.x = 1000;
+        // Falloff times the largest colour and the largest material is held at 1e31.
+        const double held = 1e31 / (1000 * double(lamp.intensity * lamp.diffuse.x));
+        const Sensitivities s = of_pixel(document, 32, 24);
+        CHECK(change_of(s, "/objects/0/material/diffuse/0").x ==
+              Approx(held * double(lamp.intensity * lamp.diffuse.x)).epsilon(0.01));
+        CHECK(std::count_if(s.no_effect.begin(), s.no_effect.end(), [](const std::string& pointer) {
+                  return pointer.starts_with("/objects/1");
+              }) == 1);  // as a whole
+    }
+}
+
 TEST_CASE("sensitivity: another object's stroke over the pixel counts, as far as it covers it",
           "[sensitivity]") {
     SceneDocument document = balls();
