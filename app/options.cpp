@@ -67,7 +67,7 @@ void require_text(const std::string& option, const std::string& text, const std:
 void require_no_equals(const std::string& option, const std::string& value_name, const std::string& text) {
     if (text.starts_with('='))
         throw wrong_usage(option, text + " begins with \"=\"",
-                          fmt::format("a value behind a blank, as in {} {}", option, value_name));
+                          fmt::format("a value after a space, as in {} {}", option, value_name));
 }
 
 /// CLI11's exceptions name the option somewhere in their words: "--size: 1 required WxH missing".

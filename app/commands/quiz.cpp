@@ -39,8 +39,9 @@ Outcome statistics(const QuizArguments& arguments) {
 
 Outcome quiz(const QuizArguments& arguments) {
     if (!arguments.answers.empty()) {
-        if (!arguments.out.empty()) throw wrong_usage("-o", "stands beside ANSWERS", "one of the two");
-        if (arguments.key) throw wrong_usage("--key", "stands beside ANSWERS", "-o OUT.html");
+        if (!arguments.out.empty())
+            throw wrong_usage("-o", "cannot be combined with ANSWERS", "one of the two");
+        if (arguments.key) throw wrong_usage("--key", "cannot be combined with ANSWERS", "-o OUT.html");
         return statistics(arguments);
     }
     require_given(arguments.out, "-o", "a page to write, .html, or ANSWERS.json to count");

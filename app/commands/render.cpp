@@ -64,7 +64,7 @@ std::string buffer_path(const RenderArguments& arguments, const std::string& nam
 
 void require_possible(const RenderArguments& arguments) {
     if (arguments.stats && is_standard_output(arguments.out))
-        throw wrong_usage("--stats", "standard output is the picture's", "a file behind -o");
+        throw wrong_usage("--stats", "standard output is the picture's", "a file after -o");
     if (arguments.buffers.empty()) return;
     if (arguments.samples > 1)
         throw wrong_usage("--buffers", "a pixel of several samples has several surfaces", "--samples 1");

@@ -40,10 +40,12 @@ Run declare_window(Options& options) {
             return {};
         }
         if (!arguments->file.empty())
-            throw wrong_usage("--lesson", "stands beside " + arguments->file, "one of the two");
-        if (!more->empty()) throw wrong_usage(more->front(), "stands beside a lesson", "the lesson alone");
+            throw wrong_usage("--lesson", "cannot be combined with " + arguments->file, "one of the two");
+        if (!more->empty())
+            throw wrong_usage(more->front(), "cannot be combined with a lesson", "the lesson alone");
         if (!arguments->assignments.empty())
-            throw wrong_usage("--set", "stands beside a lesson, which sets its own scene", "one of the two");
+            throw wrong_usage("--set", "cannot be combined with a lesson, which has its own scene",
+                              "one of the two");
         run_window({"", {}, arguments->threads, {}, lesson_file(*lesson)});
         return {};
     };

@@ -147,7 +147,7 @@ template <Of<NormalOptions> N, class Visit> void fields(N& n, Visit&& visit) {
     visit(Row{"source", "Source", "Where the corners' normals come from"}, OneOf{}, n.source);
     visit(Row{"weighting", "Weights", "How facets count when normals are averaged"}, OneOf{}, n.weighting);
     visit(Row{"crease_deg", "Crease",
-              "Facets that meet at more are not averaged across their edge; 180 averages all"},
+              "Facets that meet at a larger angle are not averaged across their edge; 180 averages all"},
           angle_field, n.crease_deg);
     visit(
         Row{"flip", "Flip normals", "Every normal is turned round: for a mesh whose faces run the wrong way"}
@@ -212,9 +212,10 @@ template <Of<Orthographic> O, class Visit> void fields(O& o, Visit&& visit) {
 
 template <Of<Frustum> F, class Visit> void fields(F& f, Visit&& visit) {
     const Real edge{.step = 0.001f, .format = "%.4f"};
-    visit(Row{"left", "Left", "Edge of the window on the near plane; not right"}, edge, f.left);
+    visit(Row{"left", "Left", "Edge of the window on the near plane; must differ from right"}, edge, f.left);
     visit(Row{"right", "Right", "Edge of the window on the near plane"}, edge, f.right);
-    visit(Row{"bottom", "Bottom", "Edge of the window on the near plane; not top"}, edge, f.bottom);
+    visit(Row{"bottom", "Bottom", "Edge of the window on the near plane; must differ from top"}, edge,
+          f.bottom);
     visit(Row{"top", "Top", "Edge of the window on the near plane"}, edge, f.top);
     depth_fields(f, visit);
 }
@@ -324,7 +325,7 @@ template <Of<Scene> S, class Visit> void fields(S& s, Visit&& visit) {
               .omitted_by_default(),
           Text{}, s.about);
     visit(Row{"camera", "Camera", "The eye, and how it projects"}.undone_as("Camera"), Group{}, s.camera);
-    visit(Row{"global_ambient", "Ambient", "Light from everywhere, apart from all lights"}
+    visit(Row{"global_ambient", "Ambient", "Light from everywhere that belongs to none of the lights"}
               .undone_as("Global ambient")
               .of_lighting(),
           Colour{}, s.global_ambient);

@@ -105,7 +105,7 @@ Warnings said(const GltfUnsaid& unsaid, const Scene& scene) {
     if (scene.shading.reflection == Reflection::CookTorrance)
         warn(w, unsaid.materials, "material has colours that no metal has: its diffuse colour is kept",
              "materials have colours that no metal has: their diffuse colours are kept");
-    warn(w, unsaid.bright, "material reflects more light than it gets: its colour ends at 1",
+    warn(w, unsaid.bright, "material reflects more light than it gets: its colour is clamped to 1",
          "materials reflect more light than they get: their colours end at 1");
     say_lights(unsaid, w);
     warn(w, unsaid.invisible, "invisible object is left out", "invisible objects are left out");

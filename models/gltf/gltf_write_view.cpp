@@ -96,8 +96,7 @@ GltfJson light_json(const Light& light, const Camera& camera, const std::string&
     const bool is_spot = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
     const double intensity = intensity_of(light, camera, unsaid);
     if (!at_least_zero.contains(intensity))
-        throw ProblemFound{{"", pointer,
-                            fmt::format("as glTF counts it has an intensity of {:.3g}", intensity),
+        throw ProblemFound{{"", pointer, fmt::format("in glTF's units its intensity is {:.3g}", intensity),
                             "at most 1e30: a light that is dimmer, or nearer to the camera's target"}};
     GltfJson out{{"name", light.name},
                  {"type", light.kind == LightKind::Directional ? "directional"

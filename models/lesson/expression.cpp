@@ -131,7 +131,7 @@ bool differ(const JsonValue& a, const JsonValue& b, double tolerance) {
     return is_more(is_more, differences);
 }
 
-/// What stands behind "within"; 0 where nothing does.
+/// What stands after "within"; 0 where nothing does.
 double tolerance_of(const Node& comparison, const NamedValues& names) {
     if (comparison.parts.size() < 3) return 0;
     const double tolerance = as_number(found_by(comparison.parts[2], names).value());

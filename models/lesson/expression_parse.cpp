@@ -124,8 +124,8 @@ class Parser {
             Node node = made(Kind::Compare, symbol, std::move(left), sum());
             if (take_word("within")) {
                 if (node.word != "=" && node.word != "!=")
-                    throw ExpressionProblem{"has a tolerance behind " + in_quotes(node.word),
-                                            "\"within\" behind = or != only"};
+                    throw ExpressionProblem{"has a tolerance after " + in_quotes(node.word),
+                                            "\"within\" after = or != only"};
                 node.parts.push_back(sum());
             }
             return node;

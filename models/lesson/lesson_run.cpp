@@ -103,7 +103,7 @@ LessonRun read_run(const BlockLine& line, const std::vector<LessonRun>& above) {
                     in_quotes(nearest(words[i], known)));
         if (words[i] != "--set" && std::find(given.begin(), given.end(), words[i]) != given.end())
             fail_at(line.line, words[i] + " is given twice", "it once");
-        if (i + 1 == words.size()) fail_at(line.line, words[i] + " has no value", "one behind it");
+        if (i + 1 == words.size()) fail_at(line.line, words[i] + " has no value", "one after it");
         read_option(run, words[i], words[i + 1]);
         given.push_back(words[i]);
     }

@@ -83,7 +83,7 @@ void SourceBlock::allow(const std::vector<std::string>& keys, bool runs) const {
         if (!l.is_run && std::find(keys.begin(), keys.end(), l.key) == keys.end())
             fail_at(l.line, "unknown key " + in_quotes(l.key), in_quotes(nearest(l.key, keys)));
         if (!l.is_run && l.value.empty())
-            fail_at(l.line, in_quotes(l.key) + " is empty", "something behind it");
+            fail_at(l.line, in_quotes(l.key) + " is empty", "something after it");
     }
 }
 

@@ -42,7 +42,7 @@ void read_options(const SourceBlock& block, Prediction& p) {
         if (line.is_run || line.key == "question") continue;
         const bool waits = !p.options.empty() && p.options.back().is_right.text().empty();
         if (line.key == "option") {
-            if (waits) fail_at(line.line, "the option above has no condition", "a line if: behind it");
+            if (waits) fail_at(line.line, "the option above has no condition", "a line if: after it");
             p.options.emplace_back();
             p.options.back().text = line.value;
             p.options.back().line = line.line;
@@ -62,7 +62,7 @@ void read_options(const SourceBlock& block, Prediction& p) {
         }
     }
     if (p.options.size() < 2 || p.options.back().is_right.text().empty())
-        fail_at(block.line, "a choice lacks options", "two at least, each with a line if: behind it");
+        fail_at(block.line, "a choice lacks options", "two at least, each with a line if: after it");
 }
 
 std::vector<std::string> keys_of(PredictionKind kind) {

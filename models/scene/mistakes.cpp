@@ -57,8 +57,8 @@ constexpr std::array names{
                 "Stack Overflow 24132774"},
     MistakeName{"power_zero_is_nan", &Mistakes::power_zero_is_nan, MistakeStage::Equation,
                 SeenAs::SpotsAndHoles,
-                "0 to the power 0 gives no number: where the highlight's cosine is 0 or less and the "
-                "shininess is 0, so is the pixel.",
+                "pow(0, 0) is NaN: where the highlight's cosine is 0 or less and the shininess is 0, "
+                "the pixel is NaN.",
                 "Black holes with hard edges where the rest is bright; NaN in a file of floats.", "",
                 "three.js#5222; godot#14796"},
     MistakeName{"light_in_wrong_space", &Mistakes::light_in_wrong_space, MistakeStage::Lights,
@@ -81,7 +81,7 @@ constexpr std::array names{
                 "Surfaces near a light burn out; with no other coefficient the light goes out.",
                 "falloff_forgotten", "threepp#10"},
     MistakeName{"degrees_for_radians", &Mistakes::degrees_for_radians, MistakeStage::Lights,
-                SeenAs::WrongReach, "The cosine of the cutoff is taken of degrees.",
+                SeenAs::WrongReach, "The cutoff goes into cos() in degrees, as if it were radians.",
                 "The cone has an unrelated width.", "cutoff_as_full_angle",
                 "three.js#3291; glTF-Sample-Viewer#405"},
     MistakeName{"cutoff_as_full_angle", &Mistakes::cutoff_as_full_angle, MistakeStage::Lights,
@@ -96,7 +96,8 @@ constexpr std::array names{
                 "Angles and distances to lights are bent.", "", "Munzner, \"Lighting\""},
     MistakeName{"light_by_inverse_view", &Mistakes::light_by_inverse_view, MistakeStage::Lights,
                 SeenAs::MovesWithCamera,
-                "A world light's position, aim and edges go by world_from_view in place of view_from_world.",
+                "A world light's position, aim and edges are transformed by world_from_view in place of "
+                "view_from_world.",
                 "Lights move twice as far as the camera, the wrong way.",
                 "light_in_wrong_space light_moved_twice",
                 "raysan5/raylib#1870; facebookresearch/momentum#1571; three.js#481"},
@@ -161,7 +162,8 @@ constexpr std::array names{
                 "Brightness follows the length, so that small objects are too bright.",
                 "interpolated_normals_not_normalized", "GL_NORMALIZE threads; openFrameworks#6221"},
     MistakeName{"normals_by_model_matrix", &Mistakes::normals_by_model_matrix, MistakeStage::Normals,
-                SeenAs::WrongSide, "Normals go by the matrix of the points instead of its inverse transpose.",
+                SeenAs::WrongSide,
+                "Normals are transformed by the matrix of the points instead of its inverse transpose.",
                 "A squashed ball is shaded as if it leaned the wrong way.", "normals_left_in_object",
                 "bdero/flutter_scene#140; KhronosGroup/glTF-Sample-Viewer#60"},
     MistakeName{"normals_flipped", &Mistakes::normals_flipped, MistakeStage::Normals, SeenAs::WrongSide,
@@ -181,14 +183,16 @@ constexpr std::array names{
                 "Shading turns with the object and with the camera: the lit side is painted on.",
                 "normals_left_in_world normals_by_model_matrix",
                 "raysan5/raylib#1870; facebookresearch/momentum#1571; three.js#481"},
-    MistakeName{"normals_left_in_world", &Mistakes::normals_left_in_world, MistakeStage::Normals,
-                SeenAs::MovesWithCamera,
-                "Normals go by the model's inverse transpose but not by the view: world normals beside "
-                "camera vectors.",
-                "The lit side moves as the camera orbits.", "normals_left_in_object light_in_wrong_space",
-                "raysan5/raylib#1870; facebookresearch/momentum#1571; three.js#481"},
+    MistakeName{
+        "normals_left_in_world", &Mistakes::normals_left_in_world, MistakeStage::Normals,
+        SeenAs::MovesWithCamera,
+        "Normals are transformed by the model's inverse transpose but not by the view: world normals beside "
+        "camera vectors.",
+        "The lit side moves as the camera orbits.", "normals_left_in_object light_in_wrong_space",
+        "raysan5/raylib#1870; facebookresearch/momentum#1571; three.js#481"},
     MistakeName{"normals_as_points", &Mistakes::normals_as_points, MistakeStage::Normals, SeenAs::WrongSide,
-                "Normals go by the same 4×4 matrix as points, w = 1, translation included, and are made unit "
+                "Normals are transformed by the same 4×4 matrix as points, w = 1, translation included, and "
+                "are made unit "
                 "afterwards.",
                 "Objects far from the eye are lit evenly, as flat as a cut-out.",
                 "no_normals_given normals_by_model_matrix", "Khronos forum \"GLSL per-vertex Phong\""},

@@ -10,8 +10,8 @@
 namespace glint {
 
 /// The step of drawing that a mistake changes. Where its code is: Equation and Viewer in
-/// renderer/lighting/mistakes.h, Lights and Materials in renderer/shade/light_sources.cpp, Normals in
-/// renderer/geometry/object_normals.cpp, Faces in renderer/visibility, Display in
+/// renderer/lighting/equation_mistakes.h, Lights and Materials in renderer/shade/light_sources.cpp, Normals
+/// in renderer/geometry/object_normals.cpp, Faces in renderer/visibility, Display in
 /// renderer/lighting/display.h.
 enum class MistakeStage { Equation, Viewer, Lights, Materials, Normals, Faces, Display };
 

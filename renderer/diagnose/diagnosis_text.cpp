@@ -154,7 +154,7 @@ std::string display_text(const DisplayFinding& display) {
                 : fmt::format("encoded by a power of {} in place of sRGB's curve", encoding_power));
     else if (c.encodings() != 0)
         words.emplace_back(c.encodings() > 0 ? "sRGB-encoded once too often"
-                                             : "sRGB-encoded once too seldom");
+                                             : "sRGB-encoded one time too few");
     if (c.gain != 1) words.push_back(fmt::format("all brightness times {:.3g}", c.gain));
     if (c.noise > 0) words.push_back(fmt::format("noise of about {:.1f} levels", c.noise));
     if (display.background) words.push_back("another background, " + text_of(*display.background));
@@ -192,7 +192,7 @@ std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
     if (d.verdict == Verdict::NoMistake) text += still_unlike_line(d.pixels, d.display.change.noise);
     if (d.verdict == Verdict::NoMistake && d.display.softened > 0)
         text +=
-            "A small highlight that is lit otherwise lies between its neighbours' colours, too: a larger "
+            "A small highlight that is lit differently can look like a softened one: a larger "
             "picture "
             "would tell it from a soft one.\n";
     if (d.verdict == Verdict::Mistake) text += candidate_lines(d.candidates.front(), d.size);

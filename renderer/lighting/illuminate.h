@@ -6,8 +6,8 @@
 // Every step is a named member, so that the picture can add what the inspector prints.
 
 #include "models/scene/shading.h"
+#include "renderer/lighting/equation_mistakes.h"
 #include "renderer/lighting/light_source.h"
-#include "renderer/lighting/mistakes.h"
 #include "renderer/lighting/reflection.h"
 #include "renderer/lighting/rounding.h"
 
@@ -81,7 +81,8 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
 
     const auto lit_side = t.directions.n_dot_l > F(0);
     t.response = respond(equation.model, t.directions, m, at);
-    t.response.specular = select<F>(lit_side, t.response.specular, Vec3<F>{});  // no highlight from behind
+    // No highlight from behind; may_add() and certainly_behind() leave out lights on the same condition.
+    t.response.specular = select<F>(lit_side, t.response.specular, Vec3<F>{});
     if constexpr (with_mistakes)
         if (wrong)
             apply_response_mistakes(*wrong, equation.power_table, equation.model, t.response, t.directions, m,

@@ -47,8 +47,8 @@ template <Number F> F falloff(const LightAt<F>& light, F r) {
 template <Number F> F along_axis(const LightAt<F>& light, Vec3<F> v) { return -dot(v, light.axis); }
 
 /// cos(angle)^exponent between the spot's axis and the ray to the point, 0 outside the cone; the edge is
-/// inside. l: unit, towards the light. Source: OpenGL 2.1, section 2.14.1; lecture: "point + direction +
-/// cutoff angle".
+/// inside, as in may_be_inside(). l: unit, towards the light. Source: OpenGL 2.1, section 2.14.1; lecture:
+/// "point + direction + cutoff angle".
 template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
     const F cos_angle = along_axis(light, l);
     const auto inside = cos_angle >= light.cos_cutoff;

@@ -62,7 +62,8 @@ inline Equation equation_of(const LightJob& job, Reflection model, bool any_mist
 inline Equation equation_of(const LightJob& job) { return equation_of(job, job.model, job.any_mistake); }
 
 // The sum over the lights, which the picture (lighting_kernels_isa.cpp, many points at once), the explanation
-// and the tests all make of these three steps.
+// and the tests all make of these three steps. To the last bit: no compiler contracts a * b + c
+// (cmake/options.cmake, -ffp-contract=off).
 
 /// What the sum begins with: emission and global ambient light, or the tone that stands in their place.
 template <Number F> Vec3<F> begin_sum(const LightJob& job, const PointAt<F>& at) {

@@ -85,8 +85,8 @@ double max_share(const LightJob& job, const LightSource& light) {
 }  // namespace
 
 float rounding_grid(const LightJob& job, float exposure) {
-    constexpr std::size_t fewest_lights = 3;
-    constexpr double coarsest = 0x1p-18;  // of white: a hundredth of a level where sRGB is steepest
+    constexpr std::size_t fewest_lights = 3;  // of two, the other one is all that a kept sum would save
+    constexpr double coarsest = 0x1p-18;      // of white: a hundredth of a level where sRGB is steepest
     const bool bounded = info_of(job.model).is_bounded;
     if (job.light_count < fewest_lights || !bounded || job.tone.on || job.power_table > 0 || job.clamp)
         return 0;

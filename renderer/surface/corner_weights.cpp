@@ -53,8 +53,8 @@ CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, 
     const glm::dvec2 at(face.at.x, face.at.y);
     CornerWeights best = of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
     // The triangle of the fan whose smallest weight is largest holds the sample. Because corners are rounded
-    // to the rasteriser's grid the sample may lie slightly outside it, so weights down to -1 are accepted, and
-    // the nearest ones inside are taken.
+    // to the rasteriser's grid the sample may lie slightly outside it, so weights down to -1 are accepted,
+    // and the nearest ones inside are taken.
     double best_inside = -1;
     for (std::size_t i = 2; i < cut.size(); ++i) {
         const ClippedCorner &a = cut[0], &b = cut[i - 1], &c = cut[i];
@@ -243,7 +243,7 @@ CornerWeights corner_weights(Interpolation interpolation, const Geometry& g, con
     const Triangle& triangle = g.triangle(face.object, face.triangle);
     const Vec3<float> perspective{face.weights.x, face.weights.y, face.weights.z};
     switch (interpolation) {
-    case Interpolation::Perspective:
+    case Interpolation::Perspective:  // groups of pixels: renderer/surface/interpolate_group.h
         break;
     case Interpolation::Scanline:
         return scanline_weights(g, face, triangle);

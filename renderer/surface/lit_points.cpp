@@ -1,6 +1,6 @@
 // The points that several pixels share: under flat shading one a face (SurfaceKind::Faces), under Gouraud the
-// corners (SurfaceKind::Corners). renderer/shade/color_pixels.cpp blends their colours. Phong and facet light
-// each pixel.
+// corners (SurfaceKind::Corners). blended_colors() in renderer/kernels/lighting_kernels_isa.cpp blends their
+// colours. Phong and facet light each pixel.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -126,7 +126,7 @@ void refer_to_faces(PerFace& faces, const Surface& s, const Geometry& g, const V
 }
 
 /// Stores the lit points and the weights that each pixel of a group blends, pixel by pixel. The colours are
-/// blended later (renderer/shade/color_pixels.cpp).
+/// blended later (blended_colors() in renderer/kernels/lighting_kernels_isa.cpp).
 void store_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
                       std::size_t group) {
     const std::size_t first = s.corner_ref(group, 0), end = s.corner_ref(group + 1, 0);

@@ -259,7 +259,7 @@ TEST_CASE("glint render --stats counts the evaluations of each mode", "[cli][sta
     CHECK(phong["evaluations"] == phong["shaded_pixels"]);
     CHECK(phong["stages"].size() == 4);
     check_wrong({"render", "-", "-o", "-", "--stats"},
-                "--stats: standard output is the picture's; expected a file behind -o");
+                "--stats: standard output is the picture's; expected a file after -o");
 }
 
 TEST_CASE("glint render --buffers writes what lies behind the pixels", "[cli][buffers]") {
@@ -290,7 +290,7 @@ TEST_CASE("glint explain --sensitivity lists what the pixel depends on", "[cli][
                                              "--size",  "64x48", "--sensitivity"};
     const Ended text = run_glint(arguments, ball);
     REQUIRE(text.status == 0);
-    CHECK(text.out.find("Without effect on it:\n") != std::string::npos);
+    CHECK(text.out.find("Numbers without effect on it:\n") != std::string::npos);
     std::vector<std::string> as_json = arguments;
     as_json.insert(as_json.end(), {"--format", "json"});
     const auto json = nlohmann::json::parse(run_glint(as_json, ball).out);

@@ -111,9 +111,9 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
         {{"compare", "a.png", "b.png", "--max-error", "256"},
          "--max-error: 256 is out of range; expected 0 to 255"},
         {{"render", scene, "-o=-z.png"},
-         "-o: =-z.png begins with \"=\"; expected a value behind a blank, as in -o OUT"},
+         "-o: =-z.png begins with \"=\"; expected a value after a space, as in -o OUT"},
         {{"render", scene, "-o", "=z.png"},
-         "-o: =z.png begins with \"=\"; expected a value behind a blank, as in -o OUT"},
+         "-o: =z.png begins with \"=\"; expected a value after a space, as in -o OUT"},
     };
     for (const WrongUsage& wrong : table) {
         std::string line = "glint";

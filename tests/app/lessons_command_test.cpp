@@ -107,7 +107,7 @@ TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", 
     check_refused({"lessons", "-o", "x.html"}, "-o: prints one lesson");
     check_refused({"lessons", "5", "-o", "x.pdf"}, "expected a name that ends in .html, or -");
     check_refused({"lessons", "5", "--key"}, "--key: is without -o");
-    check_refused({"lessons", "5", "--check", "-o", "x.html"}, "--check: stands beside -o");
+    check_refused({"lessons", "5", "--check", "-o", "x.html"}, "--check: cannot be combined with -o");
     check_refused({"lessons", "5", "--format", "json", "-o", "x.html"}, "--format: is json beside -o");
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", ball_scene);
@@ -131,8 +131,8 @@ TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", 
 
 TEST_CASE("what keeps a lesson from opening in the window is one line", "[cli][lesson][bad-input]") {
     check_refused({"--lesson", "lambart"}, "such as 05-lambert");
-    check_refused({"--lesson", "5", "--set", "/display/exposure=2"}, "stands beside a lesson");
-    check_refused({"scene.json", "--lesson", "5"}, "--lesson: stands beside scene.json");
+    check_refused({"--lesson", "5", "--set", "/display/exposure=2"}, "cannot be combined with a lesson");
+    check_refused({"scene.json", "--lesson", "5"}, "--lesson: cannot be combined with scene.json");
     const TemporaryDirectory directory;
     const std::string scene = directory.file("ball.json", ball_scene);
     check_refused({directory.file("good.md", lesson_text("ball.json", "e.hit")), scene}, "the lesson alone");
@@ -163,8 +163,8 @@ TEST_CASE("glint quiz writes the inventory and counts what a class has answered"
     CHECK(wrong.err.find(b + ": these are not answers to \"What do you believe about lighting?\"") !=
           std::string::npos);
     check_refused({"quiz"}, "-o: is missing");
-    check_refused({"quiz", a, "-o", page}, "-o: stands beside ANSWERS");
-    check_refused({"quiz", a, "--key"}, "--key: stands beside ANSWERS");
+    check_refused({"quiz", a, "-o", page}, "-o: cannot be combined with ANSWERS");
+    check_refused({"quiz", a, "--key"}, "--key: cannot be combined with ANSWERS");
     CHECK(run_glint({"quiz", "-"})
               .err.find("-: these are not answers to \"What do you believe about lighting?\"") !=
           std::string::npos);

@@ -80,7 +80,7 @@ std::vector<WindowCommand> compare_commands() {
          .run = [](UiState& s) { ask_for_pairs(s.mine); },
          .why_disabled = [](const UiState& s) { return why_no_pairs(s.mine); },
          .words = "diagnose my picture pairs"},
-        {.name = "Change the scene so, to be sure",
+        {.name = "Change the scene this way, to be sure",
          .run = [](UiState& s) { try_experiment(s, *offered_experiment(s)); },
          .why_disabled =
              [](const UiState& s) {

@@ -83,9 +83,9 @@ void progress(MyPictureState& mine) {
     tooltip(mine.settled ? "Look for the mistake" : "Cancel the search",
             "The picture stays beside the scene while nothing is searched");
     small_dim(mine.settled
-                  ? "Nobody looks for the mistake now."
+                  ? "The search for the mistake is stopped."
                   : "The scene is drawn right and under every mistake, and held against the picture.");
-    if (mine.answer) small_dim("Below is what the search before found.");
+    if (mine.answer) small_dim("Below is what the previous search found.");
 }
 
 /// The answer in large letters, and what was taken away; in whole sentences where no mistake explains it.
@@ -166,7 +166,7 @@ void candidates(UiState& state) {
         ImGui::PopID();
     }
     const Candidate& c = d.candidates[std::min(state.mine.chosen, d.candidates.size() - 1)];
-    section_heading(fmt::format("Told best at pixel {}, {}", c.pixel.x, c.pixel.y).c_str());
+    section_heading(fmt::format("Clearest at pixel {}, {}", c.pixel.x, c.pixel.y).c_str());
     colour_line("mine", c.mine);
     colour_line("right", c.reference);
     colour_line(title_of(c.mistakes).c_str(), c.as_mistaken);
@@ -183,12 +183,12 @@ void experiment(UiState& state) {
         wrapped_dim(fmt::format("{} {} = {}", named.owner, named.what, a.json));
     }
     if (shown == nullptr) {
-        if (ImGui::Button("Change the scene so")) try_experiment(state, *e);
-        tooltip("Change the scene so",
+        if (ImGui::Button("Change the scene this way")) try_experiment(state, *e);
+        tooltip("Change the scene this way",
                 "Changes the scene in one step, which undo takes back, and picks the pixel that tells the "
                 "mistakes apart");
     } else {
-        small_dim(fmt::format("The scene is changed so ({} takes it back). Draw it with your program, too.",
+        small_dim(fmt::format("The scene has this change ({} undoes it). Draw it with your program, too.",
                               keys_of(CommandId::Undo)));
     }
     small_dim(fmt::format("Pixel {}, {} of a picture of {}×{} then has:", e->pixel.x, e->pixel.y,

@@ -75,7 +75,7 @@ void begin_mesh(UiState& state, const MeshSource& source, int index);
 /// Takes finished loads, once a frame, before anything is drawn. Meshes that an edit left unloaded are made
 /// at once if that is quick, else loading begins. A problem is a notification, and the scene stays.
 void poll_loads(UiState& state);
-/// Does of it what is about meshes: ui/document/awaited_meshes.cpp.
+/// The part of poll_loads() that concerns meshes: ui/document/awaited_meshes.cpp.
 void poll_meshes(UiState& state);
 
 /// Whether an object waits for its mesh, or will from the next frame on: no undo step yet.

@@ -106,7 +106,7 @@ bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
     FieldPanel panel(shading, "/shading");
     panel.draw({"mode", "reflection", "interpolation"});
     panel.group("terms", shading.terms, field_rows<Terms>);
-    const Help help{"Ambient light from everywhere, apart from all lights", "/global_ambient"};
+    const Help help{"Ambient light from everywhere that belongs to none of the lights", "/global_ambient"};
     const bool edited = draw_asked(help.pointer, Typed::Number, [&] {
         return colour_field("Global", global_ambient, Scene{}.global_ambient, help);
     });

@@ -28,7 +28,7 @@ struct MatchTask {
 /// How far two pictures of one size are apart: the root of the mean square over pixels and channels, in
 /// levels of 255.
 [[nodiscard]] double apart_of(const Picture& a, const Picture& b);
-/// So near is matched.
+/// A distance of at most this counts as matched.
 inline constexpr double match_tolerance = 2;
 inline constexpr PictureSize match_size{320, 180};
 

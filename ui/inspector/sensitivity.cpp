@@ -128,7 +128,7 @@ void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
         return fmt::format("red {}, green {}, blue {}", part(v.x), part(v.y), part(v.z));
     };
     tooltip(fmt::format("{}: {}", named.owner, named.what).c_str(),
-            "How far the pixel moves with this number. Click: its panel",
+            "How much the pixel's colour changes with this number. Click: its panel",
             fmt::format("now {:.4g}{}\nmoved by {:+.3g}: {}\nfor each unit: {}", number.value,
                         number.one_sided ? ", can move one way only" : "", number.move, parts(number.effect),
                         parts(number.change)),
@@ -229,7 +229,8 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
         return;
     }
     small_dim(
-        "How far the pixel moves, in the channel that moves most, when a number moves by a tenth of its "
+        "How much the colour changes, in the channel that changes most, when a number moves by a tenth of "
+        "its "
         "usual "
         "range, or by a drag of 100 pixels where it has none.");
     constexpr std::size_t first_few = 12;

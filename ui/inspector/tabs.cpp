@@ -230,7 +230,7 @@ void inspector(UiState& state, const PictureView& view) {
 void inspector_empty_state(const char* promise) {
     for (const char* text :
          {promise, "The pixel stays picked while you drag lights and sliders, and the numbers follow.",
-          "With Alt held, what is under the cursor is asked, without a click."}) {
+          "Hold Alt to explain the pixel under the cursor without a click."}) {
         ImGui::Dummy({0, px(5)});
         wrapped_dim(text);
     }

@@ -61,7 +61,7 @@ void sketch_answer(LessonState& lesson, const Prediction& question) {
     sketch_plot(lesson, question, lesson.chosen, nullptr);
     if (lesson.chosen == JsonValue()) return;
     const bool wipes = ImGui::SmallButton("Wipe");
-    tooltip("Wipe", "The curve goes, to be drawn anew");
+    tooltip("Wipe", "Removes the curve, so that you can draw it again");
     if (wipes) lesson.chosen = {};
 }
 
@@ -105,7 +105,7 @@ std::string off_words(const Prediction& question, double off, double right) {
         return percent < 10'000 ? fmt::format("{}, {:.0f} % of it", by, percent) : by;
     }
     case PredictionKind::Click:
-        return fmt::format("{:.0f} of the lesson's pixels beside it", off);
+        return fmt::format("Off by {:.0f} of the lesson's pixels", off);
     case PredictionKind::Sketch:
         return fmt::format("{:.2f} apart (root of the mean square)", off);
     case PredictionKind::Colour:

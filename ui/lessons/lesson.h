@@ -69,8 +69,8 @@ void leave_lesson(UiState& state);
 [[nodiscard]] bool is_held(const UiState& state);
 inline constexpr const char* why_held = "First answer the lesson's question";
 
-// What puts a scene of the lesson in hand asks first where the one in hand was saved under a name and has
-// changes that were not.
+// Whatever opens a scene of the lesson asks first if the open scene was saved under a name and has unsaved
+// changes.
 
 /// Goes `steps` stations on, or back if negative, and shows the scene there. At the ends it says so.
 void go_on(UiState& state, int steps);

@@ -114,7 +114,7 @@ void tell_no_copy(UiState& state, const Problem& problem) {
     if (std::exchange(state.persistence.autosave_failed, true)) return;
     state.notifications.add(Tone::Warning,
                             fmt::format("No copy of the unsaved work can be kept: {}; save it to "
-                                        "keep it over a crash",
+                                        "keep it in case of a crash",
                                         problem.text()));
 }
 

@@ -243,7 +243,7 @@ void held_note() {
     ImGui::PopFont();
     ImGui::Dummy({0, px(4)});
     wrapped_dim(
-        "The lesson asks. The numbers behind every pixel stand here as soon as your answer is locked in.");
+        "The lesson asks first. The numbers behind every pixel appear here once your answer is locked in.");
 }
 
 }  // namespace

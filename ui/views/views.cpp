@@ -124,7 +124,7 @@ void views_bar(UiState& state) {
             "room. Ctrl+wheel zooms, the right button moves");
         command_button(
             state, "Dots", CommandId::LitDots,
-            "A dot at each place that the equation is evaluated at, thinned, and how often it is in a frame");
+            "A dot where the equation is evaluated (some dots are left out), and the evaluations per frame");
     }
     compare_controls(state.views.compare);
     if (is_whole) whole_width = ImGui::GetCursorScreenPos().x - begin;
@@ -151,7 +151,7 @@ void copy_profile_command(UiState& state) {
         state.notifications.add(
             Tone::Warning,
             "The command on the clipboard prints the numbers of the scene's own picture: no "
-            "single one prints those of what is composed here");
+            "single command prints those of the comparison or view shown here");
 }
 
 bool is_composed(const ViewsState& views) {

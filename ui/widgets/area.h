@@ -37,7 +37,7 @@ struct Rect {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-/// Where a list draws now: of a magnified picture what does not lie behind the columns.
+/// A draw list's clip rectangle: for a magnified picture, the part not covered by the columns.
 [[nodiscard]] inline Rect clip_area(const ImDrawList& list) {
     return {list.GetClipRectMin(), list.GetClipRectMax()};
 }

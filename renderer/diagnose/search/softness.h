@@ -1,5 +1,5 @@
 #pragma once
-// Tells a softened picture from one whose surfaces are lit otherwise and find room between their neighbours.
+// Tells a softened picture from one whose surfaces are lit differently and find room between their neighbours.
 
 #include "renderer/diagnose/search/score.h"
 

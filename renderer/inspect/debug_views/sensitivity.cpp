@@ -280,8 +280,8 @@ std::string sensitivity_text(const Sensitivities& s) {
         text += '\n';
         for (const std::string& pointer : pointers) text += "  " + pointer + "\n";
     };
-    list("Without effect on it:", s.no_effect);
-    list("That cannot move a little:", s.fixed);
+    list("Numbers without effect on it:", s.no_effect);
+    list("Numbers that cannot move by a small step:", s.fixed);
     return text;
 }
 

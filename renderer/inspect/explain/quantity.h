@@ -76,7 +76,7 @@ inline constexpr std::array quantity_rows{
     QuantityRow{Quantity::MaterialSpecular, "k", "s", "k_s",
                 "Share of light that goes into the material's highlight"},
     QuantityRow{Quantity::GlobalAmbient, "L", "g", "L_g",
-                "Global ambient light of the scene, apart from all lights"},
+                "Global ambient light of the scene, which belongs to none of the lights"},
     QuantityRow{Quantity::LightAmbient, "L", "a", "L_a", "The light's ambient colour"},
     QuantityRow{Quantity::LightDiffuse, "L", "d", "L_d", "The light's diffuse colour"},
     QuantityRow{Quantity::LightSpecular, "L", "s", "L_s", "The light's specular colour"},

@@ -134,7 +134,7 @@ TEST_CASE("colours above 1 keep their hue in a .glb", "[gltf]") {
     CHECK(light.z == Approx(4.5));
     CHECK(out.scene.objects.at(0).material.emission == glm::vec3(8, 1, 0));
     CHECK(exported({"/objects/0/material/diffuse=[2, 0.5, 0.5]"}).ended.err ==
-          "glint: warning: 1 material reflects more light than it gets: its colour ends at 1\n");
+          "glint: warning: 1 material reflects more light than it gets: its colour is clamped to 1\n");
 }
 
 TEST_CASE("a scene that glTF cannot hold is one line that names the value, and no file", "[gltf]") {
@@ -149,10 +149,10 @@ TEST_CASE("a scene that glTF cannot hold is one line that names the value, and n
     check("/objects/0/visible=false",
           "/objects: no object is shown; expected one with a triangle that is visible");
     check("/lights/0/falloff={\"quadratic\": 1e-30, \"constant\": 0}",
-          "/lights/0: as glTF counts it has an intensity of 2.83e+31; expected at most 1e30: a light that is "
+          "/lights/0: in glTF's units its intensity is 2.83e+31; expected at most 1e30: a light that is "
           "dimmer, or nearer to the camera's target");
     check("/lights/0={\"type\": \"point\", \"position\": [0, 1e17, 0]}",
-          "/lights/0: as glTF counts it has an intensity of 3.14e+34; expected at most 1e30: a light that is "
+          "/lights/0: in glTF's units its intensity is 3.14e+34; expected at most 1e30: a light that is "
           "dimmer, or nearer to the camera's target");
 }
 

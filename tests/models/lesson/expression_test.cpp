@@ -117,7 +117,7 @@ TEST_CASE("an expression says what is wrong with it", "[lesson][bad-input]") {
           "\"1 2\" has \"2\" where it does not belong; expected an operator or the end");
     CHECK(problem_with("sqr(1)") == "\"sqr(1)\" \"sqr\" is not a function; expected \"sqrt\"");
     CHECK(problem_with("1 < 2 within 1") ==
-          "\"1 < 2 within 1\" has a tolerance behind \"<\"; expected \"within\" behind = or != only");
+          "\"1 < 2 within 1\" has a tolerance after \"<\"; expected \"within\" after = or != only");
     CHECK(problem_with("b.n") == "\"b.n\": \"b\" is not known; expected \"a\"");
     CHECK(problem_with("a.m") == "\"a.m\": there is no \"m\"; expected \"n\"");
     CHECK(problem_with("a.list[3]") ==

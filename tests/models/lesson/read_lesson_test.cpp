@@ -226,7 +226,7 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
     CHECK(with_edit("c = compare a b", "c = compare a z") ==
           "l.md:47: \"z\" is not a picture; expected a run of render above it");
     CHECK(with_edit("if: c.max_error > 0\n", "") ==
-          "l.md:49: the option above has no condition; expected a line if: behind it");
+          "l.md:49: the option above has no condition; expected a line if: after it");
     CHECK(with_edit("along: 0,9 63,9", "along: 9,9 9,9")
               .ends_with("\"9,9 9,9\" is one pixel; expected two that differ"));
     CHECK(with_edit("done: e.hit\n", "") == "l.md:62: the block has no line \"done:\"; expected one");
@@ -277,7 +277,7 @@ TEST_CASE("what an option of a choice has once stands once, and no line of a blo
           "l.md:52: \"thinks\" stands twice; expected one line of it");
     CHECK(with_edit("option: no\n", "option: no\nmistake: missing_pi\nmistake: absolute_cosine\n") ==
           "l.md:52: \"mistake\" stands twice; expected one line of it");
-    const std::string empty = " is empty; expected something behind it";
+    const std::string empty = " is empty; expected something after it";
     CHECK(with_edit("option: yes", "option:") == "l.md:48: \"option\"" + empty);
     CHECK(with_edit("option: no\n", "option: no\nthinks:\n") == "l.md:51: \"thinks\"" + empty);
     CHECK(with_edit("unit: of the light", "unit:") == "l.md:30: \"unit\"" + empty);

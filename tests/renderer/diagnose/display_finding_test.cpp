@@ -299,7 +299,7 @@ TEST_CASE("how much of a picture only softness explains is counted, and said whe
     const std::string text = diagnosis_text(d, document.scene);
     CHECK(text.find(fmt::format("within surfaces by up to {} levels in {} pixels", most, pixels)) !=
           std::string::npos);
-    CHECK(text.find("A small highlight that is lit otherwise") != std::string::npos);
+    CHECK(text.find("A small highlight that is lit differently") != std::string::npos);
     CHECK(diagnosis_text(diagnosed(document, right), document.scene).find("highlight") == std::string::npos);
 }
 

@@ -148,7 +148,7 @@ TEST_CASE("the experiment is one step, picks its pixel, and shows there what it 
     bring(bench, folder, flipped_picture(bench));
     REQUIRE(found(bench).experiment);
     const Experiment experiment = *found(bench).experiment;
-    bench.click(test::in_column(bench, "Change the scene so"));
+    bench.click(test::in_column(bench, "Change the scene this way"));
     bench.frames(2);
     const auto expected = scene_variant({start, "", "", {}}, experiment.set);
     CHECK(bench.scene() == std::get<Scene>(expected));
@@ -180,9 +180,9 @@ TEST_CASE("an experiment is offered for the scene that it was found for alone", 
     bring(bench, folder, flipped_picture(bench));
     const auto is_offered = [&bench] {
         return std::any_of(bench.controls().begin(), bench.controls().end(),
-                           [](const NamedControl& c) { return c.name == "Change the scene so"; });
+                           [](const NamedControl& c) { return c.name == "Change the scene this way"; });
     };
-    const WindowCommand& by_command = test::command_named("Change the scene so, to be sure");
+    const WindowCommand& by_command = test::command_named("Change the scene this way, to be sure");
     CHECK(is_offered());
     CHECK(can_run(bench.state, by_command));
     bench.scene().lights.erase(bench.scene().lights.begin());

@@ -95,7 +95,7 @@ void against_phong(const UiState& state, const Explanation& explanation) {
     else if (glm::all(glm::lessThanEqual(lost, glm::vec3(0))))
         row("too much", "What the corners bring here, though it does not reach this point", -lost);
     else
-        row("differs", "What the corners bring here, less what is lost between them: − is lost", -lost);
+        row("differs", "This colour minus Phong's: negative is what is lost between the corners", -lost);
 }
 
 /// The tone, which under cool to warm takes the place of emission, ambient and diffuse.

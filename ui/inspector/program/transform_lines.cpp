@@ -91,7 +91,7 @@ void order_note(const WrittenTransform& written, const Transform& transform) {
     if (is_before(written.order, TransformStep::Rotate, TransformStep::Translate))
         note += " Moved before it is turned, the object goes round the world's origin, not round its own.";
     if (is_before(written.order, TransformStep::Scale, TransformStep::Translate))
-        note += " Moved before it is scaled, it goes as many times as far.";
+        note += " Moved before it is scaled, the object has its translation scaled as well.";
     const glm::vec3& t = transform.translate;
     wrapped_dim(fmt::format("{} In the scene file, where translate comes first: [{}, {}, {}].", note,
                             number_text(t.x), number_text(t.y), number_text(t.z)));

@@ -176,7 +176,8 @@ std::string hint_of(const Grip& grip, const Scene& scene) {
 }
 
 std::string hint_of(const Held& held) {
-    if (held.dims) return "Up: brighter, down: darker; a third of the picture is a factor e · Esc: cancel";
+    if (held.dims)
+        return "Up: brighter, down: darker; by a factor of e per third of the picture · Esc: cancel";
     switch (held.grip.kind) {
     case GripKind::None:
         return {};
@@ -191,14 +192,15 @@ std::string hint_of(const Held& held) {
                    ? "Ctrl: snap · Esc: cancel"
                    : "X Y Z: along or round an axis · Ctrl: snap · Esc: cancel";
     case GripKind::Highlight:
-        return held.no_solution ? "No light could shine there: the light waits · Esc: cancel"
-                                : "The light stands where v is mirrored at n · Shift: in depth · Ctrl+Shift: "
-                                  "brightness · Esc: cancel";
+        return held.no_solution
+                   ? "No light can have its highlight there: the light stays as it is · Esc: cancel"
+                   : "The light stands where v is mirrored at n · Shift: in depth · Ctrl+Shift: "
+                     "brightness · Esc: cancel";
     case GripKind::HighlightRim:
-        return held.no_solution ? "No highlight there: the material waits · Esc: cancel"
+        return held.no_solution ? "No highlight there: the material stays as it is · Esc: cancel"
                                 : "The highlight is half of its peak under the cursor · Esc: cancel";
     case GripKind::Terminator:
-        return held.no_solution ? "No surface there: the light waits · Esc: cancel"
+        return held.no_solution ? "No surface there: the light stays as it is · Esc: cancel"
                                 : "The light lies in the plane that touches the surface here · Esc: cancel";
     }
     return {};  // not reached

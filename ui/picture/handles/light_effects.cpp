@@ -16,9 +16,9 @@ constexpr double faint = 0.01;  // the intensity from which a light without any 
 
 constexpr LightEffectInfo infos[] = {
     {LightEffect::Brightest, "brightest here, n·l = 1", "The light stands where n points",
-     "No surface there: the light waits"},
+     "No surface there: the light stays as it is"},
     {LightEffect::Rim, "behind, as a rim light", "The light comes from behind, 75° off n: the outline is lit",
-     "No light from behind could reach that: the light waits"},
+     "No light from behind could reach that: the light stays as it is"},
 };
 
 /// Unit, towards the eye, world coordinates.
