@@ -399,7 +399,7 @@ def placed(thing):
     #@if wrong.normals_by_model_matrix|wrong.normals_as_points
     for_normals = to_camera
     #@else
-    # Topic: normals are transformed by the inverse transpose of M: rotated like points, but scaled the other way.
+    # Topic: normals take the inverse transpose of M: rotated like points, but scaled the other way.
     for_normals = view @ transform((0, 0, 0), thing.rotate_deg, np.divide(1, thing.scale))
     #@end
     #@end
