@@ -1,4 +1,4 @@
-// The commands of the menu View, but for the camera's.
+// The commands of the menu View, but for the camera's and those that compare.
 #include <imgui.h>
 
 #include "ui/commands/command_rows.h"
