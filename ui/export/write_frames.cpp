@@ -83,6 +83,14 @@ Result<std::string> write_gif(const FrameJob& job, LoadProgress& progress) {
                        job.animation.frames);
 }
 
+/// Why one of the files to be written cannot be, the first of them; nothing where all can.
+std::optional<Problem> why_not_all_writable(const FrameJob& job, bool gif) {
+    if (gif) return why_not_writable(job.path);
+    for (int frame = 0; frame < job.animation.frames; ++frame)
+        if (auto problem = why_not_writable(frame_path(job.path, frame))) return problem;
+    return {};
+}
+
 }  // namespace
 
 void begin_frames(UiState& state, const std::string& path, PictureSize size, int samples) {
@@ -91,9 +99,8 @@ void begin_frames(UiState& state, const std::string& path, PictureSize size, int
         document_as_made(state),        animate.animation, path, size, samples, animate.frames_a_second,
         state.renderer->stats().threads};
     const bool gif = lower_extension(path) == ".gif";
-    // Drawing takes long: what can be told before it is told now.
-    if (const auto problem = why_not_writable(gif ? path : frame_path(path, 0)))
-        return state.notifications.add(*problem);
+    // Drawing takes long, and replaces frames that were there: what can be told before it is told now.
+    if (const auto problem = why_not_all_writable(job, gif)) return state.notifications.add(*problem);
     animate.playing = false;
     animate.open = true;  // it says how far they have come
     animate.job = std::make_unique<Job<std::string>>(

@@ -454,6 +454,10 @@ TEST_CASE("what cannot be written is said before it is drawn", "[ui][animate][ex
         begin_frames(bench.state, folder.path(name), {40, 30}, 1);
         CHECK_FALSE(bench.state.animate.job);
     }
+    std::filesystem::create_directory(frame_path(folder.path("turn.png"), 2));  // in the third frame's place
+    begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
+    CHECK_FALSE(bench.state.animate.job);
+    CHECK(bench.notes_with("is a directory") == 1);
     begin_export(bench.state, {{40, 30}, 1}, folder.path("none/turn.png"));
     CHECK_FALSE(bench.state.exporting.job);
     CHECK(bench.notes_with("no such file or directory") >= 1);
