@@ -1,6 +1,7 @@
 // Scenes that move, and their frames as files.
 #include <gif_lib.h>
 
+#include <filesystem>
 #include <glm/geometric.hpp>
 
 #include "models/fields/scene_numbers.h"
