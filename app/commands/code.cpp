@@ -29,7 +29,7 @@ struct CodeArguments {
 /// A directory for the program's files alone: new, or empty until now.
 struct OutDirectory {
     std::unique_ptr<NewDirectory> made;  // null: it was there
-    std::unique_ptr<DirectoryLock> lock;
+    std::unique_ptr<FolderLock> lock;
 };
 
 /// Creates the directory unless it is there. Throws Failure if the path is anything but a new or an empty
@@ -47,8 +47,8 @@ OutDirectory out_directory(const std::string& path) {
         out.made = std::make_unique<NewDirectory>(path);
         if (out.made->error() != 0) throw refused("cannot be made: " + reason(out.made->error()));
     }
-    out.lock = std::make_unique<DirectoryLock>(path);
-    if (out.lock->is_taken()) throw refused("is being written by another process");
+    out.lock = std::make_unique<FolderLock>(path);
+    if (!out.lock->held()) throw refused("is being written by another process");
     remove_left_files((fs::path(path) / "").string());
     if (!fs::is_empty(path, error) || error) throw refused(error ? reason(error.value()) : "is not empty");
     return out;

@@ -11,9 +11,11 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 #include "models/io/left_files.h"
@@ -208,11 +210,18 @@ void NewDirectory::keep() {
     goes_ = false;
 }
 
-DirectoryLock::DirectoryLock(const std::string& path)
-    : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
-      is_taken_(descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {}
+FolderLock::FolderLock(const std::string& folder, double patience)
+    : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ < 0) return;
+    const auto taken_by_other = [this] {
+        return ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    };
+    const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
+    while (!(held_ = !taken_by_other()) && std::chrono::steady_clock::now() < until)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
 
-DirectoryLock::~DirectoryLock() {
+FolderLock::~FolderLock() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 

@@ -67,20 +67,21 @@ class NewDirectory {
     bool goes_ = false;
 };
 
-/// Keeps other processes that ask for the same lock (flock) out of a directory while it lives.
-class DirectoryLock {
+/// The right to a directory among those who ask for it this way (flock), held until this is destroyed.
+class FolderLock {
   public:
-    explicit DirectoryLock(const std::string& path);
-    ~DirectoryLock();
-    DirectoryLock(const DirectoryLock&) = delete;
-    DirectoryLock& operator=(const DirectoryLock&) = delete;
+    /// Waits at most `patience` seconds for another that holds it.
+    explicit FolderLock(const std::string& folder, double patience = 0);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
 
-    /// Whether another one holds it. A directory that cannot be opened or locked is not held.
-    [[nodiscard]] bool is_taken() const { return is_taken_; }
+    /// False while another holds it: then ask again later. True where the file system has no locks at all.
+    [[nodiscard]] bool held() const { return held_; }
 
   private:
     int descriptor_ = -1;
-    bool is_taken_ = false;
+    bool held_ = true;
 };
 
 /// While it lives, none of the signals below ends the process: what is renamed meanwhile is renamed as a

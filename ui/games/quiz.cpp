@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "models/io/file.h"
+#include "models/io/temporary.h"
 #include "ui/lessons/lesson_parts.h"
 #include "ui/lessons/prose.h"
 #include "ui/shell/modal.h"

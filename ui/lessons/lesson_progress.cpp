@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "models/io/file.h"
+#include "models/io/temporary.h"
 #include "models/io/utf8.h"
 #include "ui/preferences/autosave.h"
 #include "ui/ui.h"

@@ -210,19 +210,4 @@ Result<SceneDocument> open_autosave(const std::string& path) {
     return document;
 }
 
-FolderLock::FolderLock(const std::string& folder, double patience)
-    : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ < 0) return;
-    const auto taken_by_other = [this] {
-        return ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    };
-    const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
-    while (!(held_ = !taken_by_other()) && std::chrono::steady_clock::now() < until)
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-}
-
-FolderLock::~FolderLock() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 }  // namespace glint

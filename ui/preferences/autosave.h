@@ -60,26 +60,10 @@ struct OrphanedAutosave {
 /// The document of a copy, its meshes loaded; where it was opened from is its path again.
 [[nodiscard]] Result<SceneDocument> open_autosave(const std::string& path);
 
-// Several windows share the folder: only one at a time may read, change and write there.
+// Several windows share the folder: only one at a time may read, change and write
+// there (FolderLock).
 
 /// How long a window that ends waits for another that writes; seconds.
 inline constexpr double patience_at_end = 1;
-
-/// The right to the folder among those who ask for it this way, held until this is destroyed.
-class FolderLock {
-  public:
-    /// Waits at most `patience` seconds for another that holds it.
-    explicit FolderLock(const std::string& folder, double patience = 0);
-    ~FolderLock();
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
-
-    /// False while another holds it: then ask again later. True where the file system has no locks at all.
-    [[nodiscard]] bool held() const { return held_; }
-
-  private:
-    int descriptor_ = -1;
-    bool held_ = true;
-};
 
 }  // namespace glint

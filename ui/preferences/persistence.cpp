@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "models/io/file.h"
+#include "models/io/temporary.h"
 #include "ui/picture/orbit.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "models/io/file.h"
+#include "models/io/temporary.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/memory_helpers.h"
