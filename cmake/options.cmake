@@ -55,7 +55,7 @@ if(GLINT_LLD AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
 endif()
 
 # The linker takes the first copy of an inline function that several files define. That of tests, and under the sanitizers that of
-# the window, is not optimised; with the library in front of them the library's copy is taken, and most tests of drawing take a
+# the window, is not optimised; with the libraries in front of them a library's copy is taken, and most tests of drawing take a
 # quarter of the time under the sanitizers.
 function(link_first library)
   set(first "LINKER:--whole-archive,$<TARGET_FILE:${library}>,--no-whole-archive")
@@ -142,6 +142,7 @@ function(add_library_with_words target sources words)
     count_ways(${part})
   endforeach()
   link_first(${target})
+  link_first(${target}_of_words)
 endfunction()
 
 # How the compilers are started. Their memory comes in large pages (glibc 2.35; before, nothing changes): clang takes a tenth of the

@@ -44,21 +44,21 @@ void require_two_parameters(const SheetAxis& rows, const SheetAxis& columns) {
 }
 
 /// The axis whose value is wrong: the rows' where the same place is wrong without the columns.
-std::string axis_at_fault(const Problem& problem, const SceneDocument& document, const Assignment& row) {
-    const Result<Scene> without_columns = scene_variant(document, {row});
+std::string axis_at_fault(const Problem& problem, const SceneVariants& variants, const Assignment& row) {
+    const Result<Scene> without_columns = variants.with({row});
     const Problem* of_row = problem_of(without_columns);
     return of_row != nullptr && of_row->pointer == problem.pointer ? "--rows" : "--cols";
 }
 
 /// The scene of one cell. What is wrong with a value is the fault of the axis that it is on.
-Scene scene_of_cell(const SceneDocument& document, const SheetAxis& rows, const std::string& row,
+Scene scene_of_cell(const SceneVariants& variants, const SheetAxis& rows, const std::string& row,
                     const SheetAxis& columns, const std::string& column) {
     const Assignment of_row{rows.pointer, row};
-    Result<Scene> made = scene_variant(document, {of_row, {columns.pointer, column}});
+    Result<Scene> made = variants.with({of_row, {columns.pointer, column}});
     if (const Problem* found = problem_of(made)) {
         Problem problem = *found;
         if (problem.file != "--set") throw Failure{ExitStatus::Impossible, problem};
-        problem.file = axis_at_fault(problem, document, of_row);
+        problem.file = axis_at_fault(problem, variants, of_row);
         throw Failure{ExitStatus::WrongUsage, problem};
     }
     return std::get<Scene>(std::move(made));
@@ -95,11 +95,12 @@ Outcome sheet(const SheetArguments& arguments) {
     const PictureSize size = sheet_size(rows, columns, arguments.cell, font);
     const MemoryShare share(memory_need(MemoryUse::Output, png_memory(size) + picture_memory(size)));
     Renderer renderer(arguments.scene.threads);
+    const SceneVariants variants(document);
     Progress progress("picture", rows.values.size() * columns.values.size());
     const Picture picture =
         make_sheet(rows, columns, arguments.cell, font, [&](std::size_t r, std::size_t c) -> const Picture& {
             progress.at(r * columns.values.size() + c + 1);
-            return renderer.render(scene_of_cell(document, rows, rows.values[r], columns, columns.values[c]),
+            return renderer.render(scene_of_cell(variants, rows, rows.values[r], columns, columns.values[c]),
                                    arguments.cell, false, arguments.samples);
         });
     std::string bytes = png_bytes(picture, {});

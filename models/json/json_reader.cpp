@@ -234,6 +234,22 @@ void take_apart(Json& document) noexcept {  // NOLINT(bugprone-exception-escape)
     document.clear();
 }
 
+void copy_json(const Json& from, Json& to) {
+    if (from.is_object()) {
+        to = Json::object();
+        for (auto member = from.begin(); member != from.end(); ++member)
+            copy_json(member.value(), to[member.key()]);
+    } else if (from.is_array()) {
+        to = Json::array();
+        for (const Json& element : from) {
+            to.push_back(nullptr);
+            copy_json(element, to.back());
+        }
+    } else {
+        to = from;
+    }
+}
+
 std::string escaped_token(std::string_view token) {
     std::string text;
     for (const char c : token) {

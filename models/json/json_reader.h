@@ -47,6 +47,10 @@ class TakenApart {
     Json& document_;
 };
 
+/// Copies `from` into `to`, which is null. The library's own copy would be destroyed by its destructor where
+/// memory runs out half-way.
+void copy_json(const Json& from, Json& to);
+
 /// A reference token as it stands in a JSON pointer: ~ as ~0, / as ~1 (RFC 6901, section 3).
 [[nodiscard]] std::string escaped_token(std::string_view token);
 

@@ -2,7 +2,10 @@
 // A scene from a JSON document, by its fields (models/fields/scene_fields.h), and assignments to the document
 // before that. Inside models/ only.
 
+#include <optional>
+
 #include "models/json/json_node.h"
+#include "models/memory_limit.h"
 #include "models/scene/scene.h"
 #include "models/scene_file/scene_file.h"
 
@@ -25,6 +28,20 @@ namespace glint {
 /// scene has them, else objects. A light's `type` set alone brings its own w, a projection's `type` drops the
 /// keys of the other projections. Throws ProblemFound with file "--set".
 void apply_assignments(Json& document, const std::vector<Assignment>& assignments);
+
+/// A scene's text, read once: parse_scene() of it, with any assignments and as often as wanted.
+class SceneJson {
+  public:
+    SceneJson(std::string_view text, std::string file);
+    [[nodiscard]] Result<Scene> scene_with(const std::vector<Assignment>& assignments) const;
+
+  private:
+    std::string file_;
+    MemoryShare share_;
+    Json json_;
+    TakenApart taken_apart_{json_};
+    std::optional<Problem> problem_;  // the text is no JSON
+};
 
 /// True when an assignment sets the value at `pointer` or one around it.
 [[nodiscard]] bool is_assigned(const std::string& pointer, const std::vector<Assignment>& assignments);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <system_error>
 
@@ -247,14 +248,24 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
     return saved;
 }
 
-Result<Scene> scene_variant(const SceneDocument& document, const std::vector<Assignment>& assignments) {
-    Result<Scene> parsed = parse_scene(scene_text(document.scene), document.path, assignments);
+SceneVariants::SceneVariants(const SceneDocument& document)
+    : document_(document),
+      json_(std::make_unique<const SceneJson>(scene_text(document.scene), document.path)) {}
+
+SceneVariants::~SceneVariants() = default;
+
+Result<Scene> SceneVariants::with(const std::vector<Assignment>& assignments) const {
+    Result<Scene> parsed = json_->scene_with(assignments);
     if (problem_of(parsed)) return parsed;
     Scene scene = std::get<Scene>(std::move(parsed));
-    take_meshes(scene, document.scene.objects);
-    const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
+    take_meshes(scene, document_.scene.objects);
+    const Result<Warnings> warned = load_meshes(scene, document_.path, document_.mesh_dir);
     if (const Problem* problem = problem_of(warned)) return blamed(*problem, assignments);
     return scene;
+}
+
+Result<Scene> scene_variant(const SceneDocument& document, const std::vector<Assignment>& assignments) {
+    return SceneVariants(document).with(assignments);
 }
 
 }  // namespace glint

@@ -11,16 +11,25 @@
 namespace glint {
 namespace {
 
-/// The scene of JSON text with assignments. Throws ProblemFound; one without a file is about the scene.
-Scene read_assigned(std::string_view text, const std::string& file,
-                    const std::vector<Assignment>& assignments) {
-    MemoryShare share;  // until the scene is made
-    Json document = read_json(text, file, &share);
-    const TakenApart taken_apart(document);
-    share.add(memory_need(MemoryUse::Files, text.size()));  // at most, of the scene's strings
+/// The scene of a document with assignments. Throws ProblemFound; one without a file is about the scene.
+Scene read_assigned(Json& document, const std::vector<Assignment>& assignments) {
     if (document.is_object()) apply_assignments(document, assignments);
     return read_scene(Node(document));
 }
+
+/// The problem with its file, where it has none. It is the assignments' when it lies in what they set, or
+/// when the text is right without them, as `is_right()` says.
+template <class IsRight>
+Problem blamed(Problem problem, const std::string& file, const std::vector<Assignment>& assignments,
+               const IsRight& is_right) {
+    if (!problem.file.empty()) return problem;
+    const bool theirs = !assignments.empty() && (is_assigned(problem.pointer, assignments) || is_right());
+    problem.file = theirs ? "--set" : file;
+    return problem;
+}
+
+/// Bytes of the scene that JSON text holds: of its strings, at most.
+MemoryNeed need_of_scene(std::string_view text) { return memory_need(MemoryUse::Files, text.size()); }
 
 }  // namespace
 
@@ -37,16 +46,43 @@ Result<Assignment> parse_assignment(std::string_view text) {
 Result<Scene> parse_scene(std::string_view text, const std::string& file,
                           const std::vector<Assignment>& assignments) {
     try {
-        return read_assigned(text, file, assignments);
+        MemoryShare share;  // until the scene is made
+        Json document = read_json(text, file, &share);
+        const TakenApart taken_apart(document);
+        share.add(need_of_scene(text));
+        return read_assigned(document, assignments);
     } catch (ProblemFound& found) {
-        if (!found.problem.file.empty()) return std::move(found.problem);
-        // It is the assignments' when it lies in what they set, or when the text is right without them.
-        const bool theirs = !assignments.empty() && (is_assigned(found.problem.pointer, assignments) ||
-                                                     problem_of(parse_scene(text, file)) == nullptr);
-        found.problem.file = theirs ? "--set" : file;
-        return std::move(found.problem);
+        return blamed(std::move(found.problem), file, assignments,
+                      [&] { return problem_of(parse_scene(text, file)) == nullptr; });
     } catch (const Refused& refused) {
         return memory_problem(refused, file);
+    }
+}
+
+SceneJson::SceneJson(std::string_view text, std::string file) : file_(std::move(file)) {
+    try {
+        json_ = read_json(text, file_, &share_);
+        share_.add(need_of_scene(text));
+    } catch (ProblemFound& found) {
+        problem_ = std::move(found.problem);
+    } catch (const Refused& refused) {
+        problem_ = memory_problem(refused, file_);
+    }
+}
+
+Result<Scene> SceneJson::scene_with(const std::vector<Assignment>& assignments) const {
+    if (problem_) return *problem_;
+    try {
+        const MemoryShare share(share_.need());  // of the copy, which is assigned to
+        Json document;
+        const TakenApart taken_apart(document);
+        copy_json(json_, document);
+        return read_assigned(document, assignments);
+    } catch (ProblemFound& found) {
+        return blamed(std::move(found.problem), file_, assignments,
+                      [&] { return problem_of(scene_with({})) == nullptr; });
+    } catch (const Refused& refused) {
+        return memory_problem(refused, file_);
     }
 }
 

@@ -2,6 +2,7 @@
 // The scene file, version 1 (docs/interface.md): read, checked and written. What is written reads back equal.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -113,6 +114,23 @@ bool frame_camera(Scene& scene, int object = -1);
 /// assignment has the file "--set".
 [[nodiscard]] Result<Scene> scene_variant(const SceneDocument& document,
                                           const std::vector<Assignment>& assignments);
+
+class SceneJson;
+
+/// Many variants of one scene, each as scene_variant() makes it: the scene's text is written and read once.
+class SceneVariants {
+  public:
+    /// Precondition: `document` lives as long as this.
+    explicit SceneVariants(const SceneDocument& document);
+    ~SceneVariants();
+    SceneVariants(const SceneVariants&) = delete;
+    SceneVariants& operator=(const SceneVariants&) = delete;
+    [[nodiscard]] Result<Scene> with(const std::vector<Assignment>& assignments) const;
+
+  private:
+    const SceneDocument& document_;
+    std::unique_ptr<const SceneJson> json_;
+};
 
 /// JSON Schema, draft 2020-12, of the scene file: keys, types, ranges, words, defaults. Made of the rows of
 /// models/fields/scene_fields.h. It accepts every valid scene. Conditions between numbers (near < far, an

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -123,12 +124,12 @@ glm::ivec2 telling_pixel(const std::vector<Picture>& pictures) {
 
 /// RMS of the differences over all pixels, in levels.
 double apart(const Picture& a, const Picture& b) {
-    double sum = 0;
+    std::uint64_t sum = 0;
     for (std::size_t i = 0; i < a.rgba.size(); ++i) {
-        const double d = double(a.rgba[i]) - double(b.rgba[i]);
-        sum += d * d;
+        const int d = int{a.rgba[i]} - int{b.rgba[i]};
+        sum += static_cast<std::uint32_t>(d * d);
     }
-    return std::sqrt(sum / static_cast<double>(3 * a.size.pixels()));
+    return std::sqrt(static_cast<double>(sum) / static_cast<double>(3 * a.size.pixels()));
 }
 
 std::vector<Picture> drawn_under(Renderer& renderer, const Scene& scene, PictureSize size,
@@ -171,12 +172,13 @@ std::optional<Experiment> find_experiment(const SceneDocument& document, Picture
     constexpr double least_levels = 1;
     if (mistakes.size() < 2) return std::nullopt;
     Renderer renderer(threads);
+    const SceneVariants variants(document);
     std::optional<Assignment> best;
     Scene best_scene;
     double most = least_levels;
     for (const Assignment& change : changes_of(document.scene)) {
         if (load_cancelled()) throw LoadCancelled();
-        Result<Scene> varied = scene_variant(document, {change});
+        Result<Scene> varied = variants.with({change});
         if (problem_of(varied) != nullptr) continue;
         const Scene& scene = std::get<Scene>(varied);
         const double far = least_apart(drawn_under(renderer, scene, small_size(size), mistakes));

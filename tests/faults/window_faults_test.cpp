@@ -2,6 +2,7 @@
 // unsaved work, what is remembered, opening and taking up. It says what failed, and nothing is lost.
 #include <climits>
 #include <filesystem>
+#include <new>
 
 #include "models/io/file.h"
 #include "models/json/json_value.h"
@@ -298,6 +299,32 @@ TEST_CASE(
             CHECK_FALSE(bench.state.editor.unsaved());
         },
         30);
+}
+
+TEST_CASE("wherever memory ends while a scene is varied, that variant is refused and the next is whole",
+          "[faults]") {
+    SceneDocument document;
+    document.scene = test::busy_scene();
+    const std::vector<Assignment> set{{"/lights/0/intensity", "0.5"}};
+    const SceneVariants variants(document);
+    Scene expected = document.scene;
+    expected.lights[0].intensity = 0.5f;
+    long refused = 0;
+    for (bool is_over = false; !is_over;) {
+        bool is_refused = false;
+        fail({Kind::Memory, refused, LONG_MAX, 0});
+        try {
+            is_refused = problem_of(variants.with(set)) != nullptr;
+        } catch (const std::bad_alloc&) {
+            is_refused = true;
+        }
+        stop();
+        is_over = !has_failed();
+        REQUIRE(is_refused == !is_over);
+        refused += is_refused ? 1 : 0;
+    }
+    CHECK(refused > 100);
+    CHECK(same_description(std::get<Scene>(variants.with(set)), expected));
 }
 
 TEST_CASE("whatever fails while left work is taken up, it is taken up or still offered", "[faults][ui]") {

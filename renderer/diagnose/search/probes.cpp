@@ -22,6 +22,35 @@ RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel) {
     return bounds;
 }
 
+namespace {
+
+/// For each byte of a row of pixels, the least, or the largest, of its own and those of both neighbours.
+template <class Choose>
+std::vector<std::uint8_t> among_neighbours(const std::vector<std::uint8_t>& row, const Choose& choose) {
+    constexpr std::size_t pixel = 4;
+    std::vector<std::uint8_t> chosen = row;
+    for (std::size_t i = pixel; i < row.size(); ++i) chosen[i] = choose(row[i], row[i - pixel]);
+    for (std::size_t i = pixel; i < row.size(); ++i) chosen[i - pixel] = choose(chosen[i - pixel], row[i]);
+    return chosen;
+}
+
+}  // namespace
+
+RowBounds::RowBounds(const Picture& picture, int y) {
+    const auto row = [&picture](int of) {
+        return &picture.rgba[4 * picture.pixel(0, std::clamp(of, 0, picture.size.height - 1))];
+    };
+    const std::uint8_t *const above = row(y - 1), *const here = row(y), *const below = row(y + 1);
+    const std::size_t bytes = 4 * static_cast<std::size_t>(picture.size.width);
+    std::vector<std::uint8_t> low(bytes), high(bytes);
+    for (std::size_t i = 0; i < bytes; ++i) {
+        low[i] = std::min(std::min(above[i], here[i]), below[i]);
+        high[i] = std::max(std::max(above[i], here[i]), below[i]);
+    }
+    low_ = among_neighbours(low, [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
+    high_ = among_neighbours(high, [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+}
+
 DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture, const IsBare& is_bare) {
     DrawnProbes drawn;
     for (const Probe& p : probes) {

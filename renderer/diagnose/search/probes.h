@@ -36,6 +36,19 @@ struct RgbBounds {
 };
 [[nodiscard]] RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel);
 
+/// bounds_around() of all pixels of a row, in less time than one by one.
+class RowBounds {
+  public:
+    RowBounds(const Picture& picture, int y);
+    [[nodiscard]] RgbBounds at(int x) const {
+        const std::size_t i = 4 * static_cast<std::size_t>(x);
+        return {{low_[i], low_[i + 1], low_[i + 2]}, {high_[i], high_[i + 1], high_[i + 2]}};
+    }
+
+  private:
+    std::vector<std::uint8_t> low_, high_;  // four channels of each pixel
+};
+
 struct Probe {
     int x = 0, y = 0;
 };

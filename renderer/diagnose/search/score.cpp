@@ -8,23 +8,25 @@
 namespace glint {
 namespace {
 
-/// The colours that a picture may show at one pixel, channels in the scene's order.
-class Expected {
+/// The colours that a picture may show at the pixels of a row, channels in the scene's order.
+class ExpectedRow {
   public:
-    /// `ranges` are those of `change`.
-    Expected(const Picture& drawn, const BareMask* bare, const ByteRanges& ranges,
-             const DisplayChange& change, const Ground& ground)
+    /// `ranges` are those of `change`. All that is given but the last lives longer than this.
+    ExpectedRow(const Picture& drawn, const BareMask* bare, const ByteRanges& ranges,
+                const DisplayChange& change, const Ground& ground, int y)
         : drawn_(drawn),
-          bare_(bare),
+          bare_(bare != nullptr && !bare->empty() && ground.is_known ? bare : nullptr),
           ranges_(ranges),
-          soft_(change.soft),
           scatter_(change.scatter()),
-          ground_(ground) {}
+          ground_(ground),
+          first_(drawn.pixel(0, y)) {
+        if (change.soft) near_.emplace(drawn, y);
+    }
 
-    [[nodiscard]] std::array<ByteRange, 3> at(int x, int y) const {
-        const std::size_t pixel = drawn_.pixel(x, y);
+    [[nodiscard]] std::array<ByteRange, 3> at(int x) const {
+        const std::size_t pixel = first_ + static_cast<std::size_t>(x);
         std::array<ByteRange, 3> expected;
-        if (bare_ != nullptr && !bare_->empty() && ground_.is_known && (*bare_)[pixel] != 0) {
+        if (bare_ != nullptr && (*bare_)[pixel] != 0) {
             for (std::size_t c = 0; c < 3; ++c) {
                 const float level = ground_.levels[c];
                 expected[c] = {level - scatter_, level, level + scatter_, false};
@@ -32,44 +34,41 @@ class Expected {
             return expected;
         }
         for (std::size_t c = 0; c < 3; ++c) expected[c] = ranges_[drawn_.rgba[4 * pixel + c]];
-        if (soft_) widen(expected, x, y);
-        return expected;
-    }
-
-    /// Levels between the darkest and the brightest of a pixel and its neighbours, as they were drawn:
-    /// without the room that rounding and clamping leave.
-    [[nodiscard]] float contrast_at(glm::ivec2 at, std::size_t channel) const {
-        const RgbBounds near = bounds_around(drawn_, at);
-        return ranges_[near.high[channel]].middle - ranges_[near.low[channel]].middle;
-    }
-
-  private:
-    void widen(std::array<ByteRange, 3>& expected, int x, int y) const {
-        // No curve turns brighter into darker.
-        const RgbBounds near = bounds_around(drawn_, {x, y});
+        if (!near_) return expected;
+        const RgbBounds near = near_->at(x);  // no curve turns brighter into darker
         for (std::size_t c = 0; c < 3; ++c) {
             expected[c].low = ranges_[near.low[c]].low;
             expected[c].high = ranges_[near.high[c]].high;
         }
+        return expected;
     }
 
+    /// Levels between the darkest and the brightest of a pixel and its neighbours, as they were drawn:
+    /// without the room that rounding and clamping leave. Precondition: the change is soft.
+    [[nodiscard]] float contrast_at(int x, std::size_t channel) const {
+        const RgbBounds near = near_->at(x);
+        return ranges_[near.high[channel]].middle - ranges_[near.low[channel]].middle;
+    }
+
+  private:
     const Picture& drawn_;
-    const BareMask* bare_;
+    const BareMask* bare_;  // null: shows a surface everywhere
     const ByteRanges& ranges_;
-    bool soft_;
     float scatter_;
-    Ground ground_;
+    const Ground& ground_;
+    std::size_t first_;              // pixel of the row
+    std::optional<RowBounds> near_;  // where the change is soft
 };
 
 /// Whether a softened picture would vary around a pixel, but the wrong picture hardly does. Neighbours that
 /// are far apart leave room for any colour between them, but softening keeps a share of their contrast.
-bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const Expected& expected,
+bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const ExpectedRow& expected,
                     const std::array<ByteRange, 3>& explained, glm::ivec2 at) {
     constexpr float far_apart = 48, least_share = 1.0f / 6;  // levels; of the contrast
     std::optional<RgbBounds> mine;                           // most pixels need none
     for (std::size_t c = 0; c < 3; ++c) {
         if (explained[c].high - explained[c].low < far_apart) continue;
-        const float contrast = expected.contrast_at(at, c);
+        const float contrast = expected.contrast_at(at.x, c);
         if (contrast < far_apart) continue;
         if (!mine) mine = bounds_around(e.wrong, changed_place(change, e.wrong.size, at));
         const std::size_t channel = changed_channel(change, c);
@@ -190,18 +189,18 @@ Ground bare_ground(const Exhibit& e, const DisplayChange& change) {
 Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, int step) {
     const ByteRanges ranges = byte_ranges(change);
     const Ground ground = bare_ground(e, change);
-    const Expected explained(drawn.picture, &drawn.bare, ranges, change, ground);
-    const Expected right(e.right, nullptr, ranges, change, ground);
     const PictureSize size = e.right.size;
     std::vector<Score> rows(static_cast<std::size_t>(size.height / step));
     std::vector<std::uint8_t> unlike(step == 1 ? size.pixels() : 0);
     tbb::parallel_for(0, size.height / step, [&](int row) {
         const int y = row * step + step / 2;
+        const ExpectedRow explained(drawn.picture, &drawn.bare, ranges, change, ground, y);
+        const ExpectedRow right(e.right, nullptr, ranges, change, ground, y);
         for (int x = 0; x < size.width; ++x) {
             if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
-            const std::array<ByteRange, 3> expected = explained.at(x, y);
+            const std::array<ByteRange, 3> expected = explained.at(x);
             const bool misses = change.soft && lacks_contrast(e, change, explained, expected, {x, y});
-            const bool is_unlike = add_pixel(rows[static_cast<std::size_t>(row)], expected, right.at(x, y),
+            const bool is_unlike = add_pixel(rows[static_cast<std::size_t>(row)], expected, right.at(x),
                                              mine_at(e.wrong, change, x, y), {x, y}, misses);
             if (step == 1) unlike[size.index(x, y)] = is_unlike ? 1 : 0;
         }
@@ -217,13 +216,14 @@ PixelCounts count_unlike(const Exhibit& e, const Drawing& drawing, const Display
     const ByteRanges ranges = byte_ranges(change);
     std::optional<Rgb> background = e.grounds[way_turned(change)];
     if (background) background = exchanged(change, *background);
-    const Expected expected(drawn, &drawing.bare, ranges, change, bare_ground(e, change));
+    const Ground ground = bare_ground(e, change);
     PixelCounts counts;
-    for (int y = 0; y < drawn.size.height; ++y)
+    for (int y = 0; y < drawn.size.height; ++y) {
+        const ExpectedRow expected(drawn, &drawing.bare, ranges, change, ground, y);
         for (int x = 0; x < drawn.size.width; ++x) {
             const PixelKind kind = e.kinds[drawn.size.index(x, y)];
             const Rgb mine = mine_at(e.wrong, change, x, y);
-            const std::array<ByteRange, 3> ours = expected.at(x, y);
+            const std::array<ByteRange, 3> ours = expected.at(x);
             float off = 0;
             for (std::size_t c = 0; c < 3; ++c)
                 off =
@@ -235,6 +235,7 @@ PixelCounts count_unlike(const Exhibit& e, const Drawing& drawing, const Display
             count.unlike += off > visible_levels ? 1 : 0;
             count.most = std::max(count.most, off);
         }
+    }
     return counts;
 }
 

@@ -2,11 +2,16 @@
 
 #include "renderer/inspect/debug_views/sheet.h"
 #include FT_FREETYPE_H
+#include FT_MODULE_H
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <functional>
+#include <new>
 #include <vector>
 
 #include "models/io/utf8.h"
@@ -54,9 +59,54 @@ void put_glyph(Picture& picture, const FT_GlyphSlot glyph, int x, int y, std::ui
     }
 }
 
+/// The memory that FreeType works in. Without any, its version 2.12 crashes or leaves letters out; so what
+/// the system refuses comes from a reserve, which lasts until the call is over, and the caller ends with
+/// ran_out().
+class FreeTypeMemory {
+  public:
+    FreeTypeMemory() : reserve_(std::size_t{256} << 10) {}
+    [[nodiscard]] FT_Memory get() { return &functions_; }
+    [[nodiscard]] bool ran_out() const { return used_ > 0; }
+
+  private:
+    static FreeTypeMemory& of(FT_Memory memory) { return *static_cast<FreeTypeMemory*>(memory->user); }
+    static void* allocate(FT_Memory memory, long bytes) {
+        const auto count = static_cast<std::size_t>(bytes);
+        void* const block = std::malloc(count);  // NOLINT(cppcoreguidelines-no-malloc): as FreeType's own
+        return block != nullptr ? block : of(memory).from_reserve(count);
+    }
+    static void release(FT_Memory memory, void* block) {
+        if (!of(memory).is_in_reserve(block)) std::free(block);  // NOLINT(cppcoreguidelines-no-malloc)
+    }
+    static void* reallocate(FT_Memory memory, long old_bytes, long bytes, void* block) {
+        void* const moved = allocate(memory, bytes);
+        if (moved == nullptr) return nullptr;
+        std::memcpy(moved, block, static_cast<std::size_t>(std::min(old_bytes, bytes)));
+        release(memory, block);
+        return moved;
+    }
+
+    void* from_reserve(std::size_t bytes) {
+        constexpr std::size_t aligned = alignof(std::max_align_t);
+        if (bytes > reserve_.size() - used_) return nullptr;
+        void* const block = &reserve_[used_];
+        used_ = std::min(reserve_.size(), (used_ + bytes + aligned - 1) / aligned * aligned);
+        return block;
+    }
+    [[nodiscard]] bool is_in_reserve(const void* block) const {
+        const std::less<const void*> before;
+        return !before(block, reserve_.data()) && before(block, reserve_.data() + reserve_.size());
+    }
+
+    std::vector<std::byte> reserve_;
+    std::size_t used_ = 0;
+    FT_MemoryRec_ functions_{this, allocate, release, reallocate};
+};
+
 }  // namespace
 
 struct Font::Face {
+    FreeTypeMemory memory;
     FT_Library library = nullptr;
     FT_Face face = nullptr;
 
@@ -65,13 +115,27 @@ struct Font::Face {
     Face& operator=(const Face&) = delete;
     ~Face() {
         if (face) FT_Done_Face(face);
-        if (library) FT_Done_FreeType(library);
+        if (library) FT_Done_Library(library);
+    }
+
+    /// As FT_Init_FreeType() and FT_New_Face() do.
+    [[nodiscard]] bool open(const std::string& path) {
+        if (checked(FT_New_Library(memory.get(), &library)) != 0) return false;
+        FT_Add_Default_Modules(library);
+        FT_Set_Default_Properties(library);
+        return checked(FT_New_Face(library, path.c_str(), 0, &face)) == 0 && FT_IS_SCALABLE(face);
+    }
+
+    /// Passes on the error that a call of FreeType ended with. Throws where it ran out of memory.
+    [[nodiscard]] FT_Error checked(FT_Error error) const {
+        if (memory.ran_out() || error == FT_Err_Out_Of_Memory) throw std::bad_alloc();
+        return error;
     }
 
     /// Loads one character after the other and calls visit(x), x the pixels from the start; returns the
     /// width.
     int set(std::string_view text, int size, FT_Int32 flags, const std::function<void(int)>& visit) const {
-        FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size));
+        (void)checked(FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size)));
         FT_Pos x = 0;  // 1/64 pixel
         FT_UInt before = 0;
         while (!text.empty()) {
@@ -80,7 +144,7 @@ struct Font::Face {
             if (before && glyph) FT_Get_Kerning(face, before, glyph, FT_KERNING_DEFAULT, &kerning);
             x += kerning.x;
             before = glyph;
-            if (FT_Load_Glyph(face, glyph, flags) != 0) continue;
+            if (checked(FT_Load_Glyph(face, glyph, flags)) != 0) continue;
             visit(static_cast<int>(x / 64));
             x += face->glyph->advance.x;
         }
@@ -99,10 +163,7 @@ Result<Font> Font::find() {
         "a TrueType font, as of the package fonts-dejavu-core, or its path in GLINT_FONT";
     if (path.empty()) return Problem{"font", "", "no font was found to write labels with", expected, 0};
     auto face = std::make_unique<Face>();
-    const bool opened = FT_Init_FreeType(&face->library) == 0 &&
-                        FT_New_Face(face->library, path.c_str(), 0, &face->face) == 0 &&
-                        FT_IS_SCALABLE(face->face);
-    if (!opened) return Problem{path, "", "cannot be read as a scalable font", expected, 0};
+    if (!face->open(path)) return Problem{path, "", "cannot be read as a scalable font", expected, 0};
     return Font(std::move(face));
 }
 

@@ -90,8 +90,8 @@ TEST_CASE("less may always be asked for, whatever the limit has become", "[memor
 }
 
 TEST_CASE("what is built of JSON text is reckoned while it is built", "[memory]") {
-    const auto problem_with = [](const std::string& text) {
-        const MemoryLimit room(16 * mib);
+    const auto problem_with = [](const std::string& text, std::uint64_t limit = 16 * mib) {
+        const MemoryLimit room(limit);
         const std::uint64_t left = memory_left();
         const Result<Scene> scene = parse_scene(text, "large.json");
         CHECK(memory_left() == left);
@@ -102,9 +102,11 @@ TEST_CASE("what is built of JSON text is reckoned while it is built", "[memory]"
     CHECK(problem_with(objects + "]}").find("large.json: this needs ") == 0);
     const std::string name(12 * mib, 'x');
     CHECK(problem_with(R"({"glint": 1, "about": ")" + name + "\"}").find("large.json: this needs ") == 0);
-    // The text, what is made of it, and the scene's own.
-    const std::string half(6 * mib, 'x');
-    CHECK(problem_with(R"({"glint": 1, "about": ")" + half + "\"}").find("large.json: this needs ") == 0);
+    // The text, what is made of it, and the scene's own: 1.0 MB, 1.4 MB and 1.0 MB.
+    std::string named = R"({"glint": 1, "objects": [{})";
+    for (int i = 0; i < 4000; ++i) named += ",{\"name\": \"" + std::string(240, 'x') + "\"}";
+    CHECK(problem_with(named + "]}", 3 * mib).find("large.json: this needs ") == 0);
+    CHECK(problem_with(named + "]}", 4 * mib).empty());
     CHECK(problem_with(R"({"glint": 1, "about": "small"})").empty());
 }
 

@@ -1,4 +1,5 @@
 // --set POINTER=JSON: applied to the document as written, checked once at the end.
+#include "models/memory_limit.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 
@@ -130,6 +131,47 @@ TEST_CASE("what is wrong is blamed on --set only when --set made it so", "[scene
     CHECK(problem_with("[]", {"/display/exposure=1"}) ==
           "s.json: the value is an array; expected an object, such as {\"glint\": 1}");
     CHECK(problem_with("{", {"/display/exposure=0"}).find("s.json:1: ") == 0);
+}
+
+TEST_CASE("each variant of a scene is what --set makes of its text, whichever were made before",
+          "[scene_set]") {
+    SceneDocument document;
+    document.path = "s.json";
+    document.scene = scene_with(smallest, {"/lights/0/name=Bulb", "/objects/-/mesh/primitive=torus"});
+    REQUIRE(problem_of(load_meshes(document.scene, "s.json", "")) == nullptr);
+    const Object& torus = document.scene.objects[0];
+    const SceneVariants variants(document);
+    const std::string text = scene_text(document.scene);
+    for (const std::vector<Assignment>& set :
+         std::vector<std::vector<Assignment>>{{{"/lights/0/type", "directional"}, {"/display/exposure", "2"}},
+                                              {{"/display/exposure", "-1"}},
+                                              {{"/lights/-/name", "Second"}},
+                                              {{"/objects/0/mesh/detail", "12"}},
+                                              {}}) {
+        const Result<Scene> made = variants.with(set), expected = parse_scene(text, "s.json", set);
+        REQUIRE((problem_of(made) == nullptr) == (problem_of(expected) == nullptr));
+        if (const Problem* problem = problem_of(made)) {
+            CHECK(problem->text() == problem_of(expected)->text());
+            continue;
+        }
+        CHECK(same_description(std::get<Scene>(made), std::get<Scene>(expected)));
+        const Object& object = std::get<Scene>(made).objects[0];
+        REQUIRE(object.mesh != nullptr);
+        CHECK((object.mesh == torus.mesh) == (object.source == torus.source));
+    }
+}
+
+TEST_CASE("where there is no memory for a scene's text there are no variants, and that is said",
+          "[scene_set][memory]") {
+    SceneDocument document;
+    document.path = "s.json";
+    document.scene.lights.resize(1000);
+    set_memory_limit(1 << 20);
+    const SceneVariants variants(document);
+    const Result<Scene> made = variants.with({{"/lights", "[]"}});
+    set_memory_limit(0);
+    REQUIRE(problem_of(made) != nullptr);
+    CHECK(problem_of(made)->text().starts_with("s.json: this needs "));
 }
 
 TEST_CASE("a pointer that leads nowhere is a problem", "[scene_set]") {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -69,6 +71,39 @@ double excess_by_hand(const Sample& s, const DisplayChange& change, bool with_ba
         }
     }
     return sum;
+}
+
+/// Of a pixel and those around it, the least and the largest of a channel.
+std::pair<int, int> least_and_largest(const Picture& picture, int x, int y, std::size_t channel) {
+    int low = 255, high = 0;
+    for (int v = 0; v < picture.size.height; ++v)
+        for (int u = 0; u < picture.size.width; ++u) {
+            if (std::abs(u - x) > 1 || std::abs(v - y) > 1) continue;
+            const int level = picture.rgba[4 * picture.size.index(u, v) + channel];
+            low = std::min(low, level), high = std::max(high, level);
+        }
+    return {low, high};
+}
+
+TEST_CASE("the bounds around the pixels of a row are the least and the largest of nine pixels") {
+    std::mt19937 random(3);
+    std::uniform_int_distribution<int> level(0, 255);
+    for (const PictureSize of : {size, PictureSize{1, 1}, {1, 5}, {6, 1}, {2, 3}, {3, 2}}) {
+        Picture picture{of, {}, {}};
+        for (std::size_t i = 0; i < 4 * of.pixels(); ++i)
+            picture.rgba.push_back(static_cast<std::uint8_t>(level(random)));
+        for (int y = 0; y < of.height; ++y) {
+            const RowBounds row(picture, y);
+            for (int x = 0; x < of.width; ++x)
+                for (std::size_t c = 0; c < 3; ++c) {
+                    INFO(of.width << " x " << of.height << ", " << x << ", " << y << ", channel " << c);
+                    const auto [low, high] = least_and_largest(picture, x, y, c);
+                    CHECK((row.at(x).low[c] == low && row.at(x).high[c] == high));
+                    const RgbBounds one = bounds_around(picture, {x, y});
+                    CHECK((one.low[c] == low && one.high[c] == high));
+                }
+        }
+    }
 }
 
 TEST_CASE("the excess at probes is the sum over their channels, however the picture was turned over") {
