@@ -141,7 +141,8 @@ class AsciiStl {
         facets_.close(normal, cursor_.line());
     }
 
-    /// Three numbers; a fourth would be said to be out of place, but for a keyword.
+    /// Reads three numbers. A fourth one is refused here: read as the next keyword, it would be refused with
+    /// the wrong words.
     glm::vec3 three() {
         const glm::vec3 v = cursor_.three();
         constexpr std::string_view of_numbers = "+-.0123456789";

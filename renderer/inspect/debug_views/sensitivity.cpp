@@ -32,7 +32,8 @@ struct PinnedScene {
     [[nodiscard]] std::vector<SceneNumber> measured_numbers() const {
         std::vector<SceneNumber> numbers = numbers_of(document.scene);
         if (!is_alone && document.scene.objects.size() <= max_stroking_objects) return numbers;
-        const std::string own = fmt::format("/objects/{}/", is_alone ? (object >= 0 ? 0 : -1) : object);
+        const int shows = is_alone && object >= 0 ? 0 : object;  // -1: none
+        const std::string own = fmt::format("/objects/{}/", shows);
         std::erase_if(numbers, [&own](const SceneNumber& n) {
             return n.pointer.starts_with("/objects/") && !n.pointer.starts_with(own);
         });

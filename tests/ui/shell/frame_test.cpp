@@ -24,6 +24,15 @@ HeadlessWindow& with_bulb(HeadlessWindow& bench) {
     return bench;
 }
 
+/// With the button held down on the bulb's handle. Returns the pixel at which that is.
+glm::dvec2 with_grabbed_bulb(HeadlessWindow& bench) {
+    with_bulb(bench);
+    const glm::dvec2 handle = bench.handle_pixel(0);
+    bench.move(bench.at_pixel(handle));
+    bench.button(true);
+    return handle;
+}
+
 }  // namespace
 
 TEST_CASE("the first frame shows the scene at the picture's real size", "[ui][window]") {
@@ -168,10 +177,7 @@ TEST_CASE("a light is dragged by its handle, which stays under the cursor, as on
 
 TEST_CASE("every frame of a drag shows the newest place of the hand", "[ui][window]") {
     HeadlessWindow bench;
-    with_bulb(bench);
-    const glm::dvec2 handle = bench.handle_pixel(0);
-    bench.move(bench.at_pixel(handle));
-    bench.button(true);
+    const glm::dvec2 handle = with_grabbed_bulb(bench);
     for (int i = 1; i < 12; ++i) {
         const glm::dvec2 hand = handle + glm::dvec2(9 * i, 5 * i);
         bench.move(bench.at_pixel(hand));
@@ -184,11 +190,8 @@ TEST_CASE("every frame of a drag shows the newest place of the hand", "[ui][wind
 
 TEST_CASE("Escape puts a dragged light back", "[ui][window]") {
     HeadlessWindow bench;
-    with_bulb(bench);
+    const glm::dvec2 handle = with_grabbed_bulb(bench);
     const Scene before = bench.scene();
-    const glm::dvec2 handle = bench.handle_pixel(0);
-    bench.move(bench.at_pixel(handle));
-    bench.button(true);
     bench.move(bench.at_pixel(handle + glm::dvec2(60, 30)));
     CHECK_FALSE(bench.scene() == before);
     bench.key(Key::Escape);
@@ -201,11 +204,8 @@ TEST_CASE("Escape puts a dragged light back", "[ui][window]") {
 
 TEST_CASE("held axis keys and Shift change what a drag moves along", "[ui][window]") {
     HeadlessWindow bench;
-    with_bulb(bench);
+    const glm::dvec2 handle = with_grabbed_bulb(bench);
     const glm::vec4 start = bench.scene().lights[0].position;
-    const glm::dvec2 handle = bench.handle_pixel(0);
-    bench.move(bench.at_pixel(handle));
-    bench.button(true);
     UiInput holding_x;
     holding_x.axis_held[0] = true;
     for (int i = 1; i < 5; ++i) {
@@ -394,11 +394,8 @@ TEST_CASE("who closes the window in the middle of a drag is asked at its end, an
           "[ui][window]") {
     const bool drops = GENERATE(false, true);
     HeadlessWindow bench;
-    with_bulb(bench);
+    const glm::dvec2 handle = with_grabbed_bulb(bench);
     const Scene before = bench.scene();
-    const glm::dvec2 handle = bench.handle_pixel(0);
-    bench.move(bench.at_pixel(handle));
-    bench.button(true);
     bench.move(bench.at_pixel(handle + glm::dvec2(30, 40)));
     UiInput request;
     request.close_asked = !drops;
@@ -496,10 +493,7 @@ TEST_CASE("what is saved by the window opens in it again, as a scene and as a pi
 
 TEST_CASE("a file that is dropped in the middle of a drag ends it", "[ui][window]") {
     HeadlessWindow bench;
-    with_bulb(bench);
-    const glm::dvec2 handle = bench.handle_pixel(0);
-    bench.move(bench.at_pixel(handle));
-    bench.button(true);
+    const glm::dvec2 handle = with_grabbed_bulb(bench);
     bench.move(bench.at_pixel(handle + glm::dvec2(40, 0)));
     bench.state.editor.saved = bench.scene();  // nothing to ask about
     bench.scene().lights.front().enabled = false;
