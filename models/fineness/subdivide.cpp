@@ -21,9 +21,10 @@ using OpenMesh::Subdivider::Uniform::LoopT;
 OpenMesh::Vec3d double_place(const glm::vec3& v) { return {double(v.x), double(v.y), double(v.z)}; }
 glm::vec3 float_place(const OpenMesh::Vec3d& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
 
-/// Where a step of the cubic B-spline that both schemes' boundaries are carries the boundary's vertices: from
-/// v between a and b to (a + 6 v + b) / 8. OpenMesh 9.0 does so in Loop's scheme; in Catmull's and Clark's it
-/// takes (a + 4 v + b) / 6, which is where such steps end.
+/// Returns the positions of the boundary vertices after one subdivision step. In both schemes a boundary is a
+/// cubic B-spline: a step moves v, with neighbours a and b on the boundary, to (a + 6 v + b) / 8. OpenMesh
+/// 9.0 does this in Loop's scheme. In Catmull's and Clark's it uses (a + 4 v + b) / 6, the limit of
+/// infinitely many steps.
 template <class HalfEdges> auto boundary_places(const HalfEdges& mesh) {
     std::vector<std::pair<OpenMesh::VertexHandle, OpenMesh::Vec3d>> places;
     for (const auto v : mesh.vertices()) {

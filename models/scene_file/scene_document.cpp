@@ -190,8 +190,8 @@ Scene with_mesh_places(Scene scene, const std::string& directory, const Change& 
     return scene;
 }
 
-/// What a file at `path` names its meshes: relative paths, or whole ones where they have to lead from two
-/// directories.
+/// Returns the scene with the mesh paths that a file at `path` stores. They are relative. If `path` is a link
+/// to a file in another directory, they are absolute, so that they are valid from both directories.
 Scene with_mesh_paths_for(Scene scene, const std::string& mesh_dir, const std::string& path) {
     if (leads_elsewhere(path))
         return with_mesh_places(std::move(scene), mesh_dir, [](const fs::path& place) { return place; });

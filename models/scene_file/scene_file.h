@@ -82,7 +82,8 @@ inline constexpr const char* opened_files =
 /// and for "-".
 [[nodiscard]] std::string directory_of(const std::string& path);
 
-/// Returns where the path of a mesh leads that is relative to `mesh_dir`; an absolute one stands alone.
+/// Returns `path`, which is relative to `mesh_dir`, with `mesh_dir` in front. An absolute `path` is returned
+/// unchanged.
 [[nodiscard]] std::string path_from(const std::string& mesh_dir, const std::string& path);
 
 /// Returns the scene with relative mesh paths that lead from the new directory where they led from the old

@@ -142,7 +142,8 @@ bool is_set(const std::string& pointer, const std::vector<Assignment>& assignmen
                        [&](const Assignment& a) { return a.pointer == pointer; });
 }
 
-/// The position of a light whose type is set alone loses its w, and with it what contradicts the new type.
+/// Removes w from a light's position after dividing x, y and z by it, unless it is 0. Used when an assignment
+/// sets the light's type but not its position: the old w may contradict the new type. A negative w stays.
 void drop_w(Json& light) {
     const auto position = light.find("position");
     if (position == light.end() || !position->is_array() || position->size() != 4) return;

@@ -173,8 +173,9 @@ std::vector<DifferenceTerm> likely_terms(const Fits& fits) {
     return terms;
 }
 
-/// Of the samples, how many the likeliest term leaves as they are: 1 where there is no such term. The terms
-/// of a pixel are asked for again: those of all pixels, under thousands of lights, would take gigabytes.
+/// Returns the share of the samples that the likeliest term does not explain; 1 if there is no term. The
+/// terms of each pixel are computed again, because those of all pixels would take gigabytes under thousands
+/// of lights.
 double share_left(const Renderer& renderer, const std::vector<Sample>& samples,
                   const std::vector<DifferenceTerm>& terms, double near) {
     if (terms.empty() || samples.empty()) return 1;

@@ -166,7 +166,7 @@ Outline outline_of(const Exhibit& e, const DisplayChange& turned, Rgb right_back
     return {share(outside, background), black ? 0 : share(bare, surface)};
 }
 
-/// The share of what is background in the scene that may show something: at its edges.
+/// The largest share of the scene's background pixels that may show something: pixels at outlines may.
 constexpr double most_outside = 0.02;
 
 }  // namespace

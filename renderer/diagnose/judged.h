@@ -25,9 +25,9 @@ struct Judged {
 /// The one of judge_all() without a mistake.
 [[nodiscard]] const Judged& of_no_mistake(const std::vector<Judged>& all);
 
-/// The best few mistakes, each with those that look like it. One that a change at the display undoes, so that
-/// both together show the right picture, is left out, and so is one that supposes another display than the
-/// one that is told.
+/// Returns the best few mistakes, each with those that look like it. Leaves out a mistake that its own change
+/// at the display undoes, because both together show the right picture. Also leaves out a mistake whose
+/// change at the display does not agree with `told`, the change that the diagnosis reports.
 [[nodiscard]] std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all,
                                                    const DisplayChange& told);
 

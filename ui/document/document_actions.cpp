@@ -124,8 +124,8 @@ void add_what_failed(UiState& state, const std::exception& error, const std::str
     state.notifications.add({.file = {}, .pointer = {}, .what = error.what(), .expected = {}});
 }
 
-/// Says what failed, and of a scene that goes back for it what goes; if there is no memory even for the
-/// words, says it in a later frame.
+/// Tells the user what failed. If the edited scene is taken back because of it (`goes_back`), the message
+/// also names what is lost. If there is no memory even for the message, a later frame shows one.
 void say_what_failed(UiState& state, const std::exception& error, bool goes_back) {
     try {
         add_what_failed(state, error, goes_back ? taken_away(state) : "");
@@ -205,7 +205,8 @@ void ask_mesh(UiState& state, int object) {
 
 bool save(UiState& state) {
     if (state.editor.has_scene_file() && is_among_shipped(state, state.editor.document.path)) {
-        // Where the examples are nothing of the user's belongs: it is offered where the program was started.
+        // The user's files do not belong in the folder of the examples, so the dialog offers the folder in
+        // which the program was started.
         const std::filesystem::path name = std::filesystem::path(state.editor.document.path).filename();
         state.files.ask(FilePurpose::SaveScene, name.string());
         state.notifications.add(Tone::Done,

@@ -78,7 +78,8 @@ bool close_popup(UiState&) {
     return true;
 }
 
-/// What ends is the typing, by the field itself: whatever else stands there stays.
+/// While the user types, Escape ends only the typing, and the text field does that itself. Everything else
+/// stays open.
 bool end_typing(UiState&) { return ImGui::GetIO().WantTextInput; }
 
 bool cancel_loading(UiState& state) {

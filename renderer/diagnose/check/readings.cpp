@@ -208,8 +208,9 @@ bool gives(const Reading& reading, const std::vector<ReadPoint>& points, const C
 
 std::string first_reading(const std::vector<Reading>& readings, const std::vector<ReadPoint>& points,
                           const CheckFrames& frames, Length length) {
-    // The first is what it should be. Turned round, it comes before what may be the same by chance, as v =
-    // (0, 0, 1) turned round and taken on to clip coordinates are.
+    // The first reading is the right one. Its negative comes second, before readings that may give the same
+    // numbers by chance: v = (0, 0, 1) is the same when it is negated and when it is negated and transformed
+    // to clip coordinates.
     std::vector<std::pair<const Reading*, double>> order{{&readings.front(), 1.0}, {&readings.front(), -1.0}};
     for (const double sign : {1.0, -1.0})
         for (std::size_t i = 1; i < readings.size(); ++i) order.emplace_back(&readings[i], sign);
@@ -227,8 +228,9 @@ std::string first_reading(const std::vector<Reading>& readings, const std::vecto
     return {};
 }
 
-/// "ours times 0.318": where nearly all are the same multiple, and their differences from it are small beside
-/// the numbers themselves: those of another small term may all be near any small multiple.
+/// Returns "ours times 0.318" if nearly all points are the same multiple of ours and the squared error that
+/// is left is small beside the given numbers. Without the second condition the small numbers of another term
+/// would pass as a small multiple of ours.
 std::string multiple(const std::vector<ReadPoint>& points) {
     constexpr double most_left = 1e-3;  // of the sum of squares, that is, about 3 % of the numbers
     double product = 0, square = 0, square_of_mine = 0;

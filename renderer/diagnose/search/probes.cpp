@@ -91,7 +91,8 @@ std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKi
         for (std::size_t c = 0; c < 3; ++c) ++counts[c][one[c]];
         ++all;
     });
-    // What more than half have is the median of each channel, and noise leaves the median where it is.
+    // If more than half of the pixels have one colour, each channel's median is that colour. Noise does not
+    // move the median.
     const Rgb colour{median_of(counts[0], all), median_of(counts[1], all), median_of(counts[2], all)};
     for_each([&](const Rgb& one) {
         bool near = true;
@@ -241,8 +242,8 @@ std::size_t bin_of(float ratio) {
         bits_of(ratio) / ((1 << mantissa) / bins_an_octave) - smallest * bins_an_octave, 0, bins - 1));
 }
 
-/// The ratio that half of the light lies below: what is bright counts more, as rounding spoils it less.
-/// Finds the bin in which it lies and sorts what is in there only.
+/// Returns the median of the ratios, weighted by the drawn brightness, because rounding changes the ratio of
+/// a bright pair less. Finds the bin that contains the median and sorts only that bin.
 float median_ratio(const std::vector<Pair>& pairs) {
     std::array<float, bins> light{};
     for (const Pair& p : pairs) light[bin_of(p.ratio)] += p.drawn;

@@ -67,9 +67,9 @@ using IsBare = std::function<bool(int x, int y)>;
 [[nodiscard]] DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture,
                                    const IsBare& is_bare);
 
-/// The colour of more than `share`, at least half, of the pixels that show no surface in the scene, but for
-/// the change's noise; nothing where there is none. Of the change, only how the picture is turned over and
-/// its noise matter.
+/// Returns the colour that more than `share` of the scene's background pixels have in the wrong picture,
+/// within the noise of `change`; nothing if there is no such colour. Precondition: `share` is at least 0.5.
+/// Of `change`, only the noise and how the picture is turned over are used.
 [[nodiscard]] std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
                                                const DisplayChange& change, double share = 0.5);
 

@@ -50,8 +50,8 @@ struct Score {
 
     [[nodiscard]] double residual() const;  // RMS in levels
     [[nodiscard]] double share_explained() const;
-    /// Whether the explanation's drawing itself comes nearer to the wrong pixels than the right one does, and
-    /// not only the room that noise and softness leave around it.
+    /// Whether the explanation's drawing is nearer to the wrong pixels than the right picture is. The range
+    /// that noise and softness allow around a drawing does not count.
     [[nodiscard]] bool comes_nearer() const;
     /// Whether the explanation shows the whole picture, but for what rounding and edges leave.
     [[nodiscard]] bool fits() const;

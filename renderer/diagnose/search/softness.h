@@ -1,5 +1,6 @@
 #pragma once
-// Tells a softened picture from one whose surfaces are lit differently and find room between their neighbours.
+// Tells a softened picture from one with wrong lighting. A wrong colour alone does not tell: it may lie
+// between the colours of its neighbours by chance.
 
 #include "renderer/diagnose/search/score.h"
 
@@ -15,10 +16,10 @@ namespace glint {
 /// drawing has too few such steps to tell.
 [[nodiscard]] bool is_hard(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
 
-/// Whether the surfaces of the wrong picture may be those of the drawing with each pixel mixed from it and
-/// its eight neighbours, where it is shifted to: one mixture in all places has to explain a part of what
-/// differs. Mixing moves brightness and makes none: where a wrong picture is nearly everywhere darker, or
-/// nearly everywhere brighter, that mixture has to explain most of it. False where is_hard(). `change` is
+/// Whether the surfaces of the wrong picture may be those of the drawing, blurred and perhaps shifted. One
+/// filter kernel of 3 x 3 pixels, the same everywhere, must explain a part of the difference. A blur spreads
+/// brightness but adds none: if the wrong picture is nearly everywhere darker, or nearly everywhere brighter,
+/// the kernel must explain most of the difference. Returns false if is_hard(). Precondition: `change` is
 /// soft.
 [[nodiscard]] bool may_be_softened(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
 

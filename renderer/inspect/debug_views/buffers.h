@@ -36,9 +36,9 @@ struct PixelBuffer {
 [[nodiscard]] std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& scene,
                                                      PictureSize size, const std::vector<std::string>& names);
 
-/// Of `all` buffers so many are computed at a time, and each pixel is explained once each time: a dozen, as
-/// many as have room in 64 MiB, or an eighth of them, so that the time does not grow with the square of the
-/// lights.
+/// Returns how many of `all` buffers are computed in one pass, which explains every pixel once: the largest
+/// of 12, of as many as fit in 64 MiB, and of an eighth of `all`. So there are at most eight passes, and the
+/// time does not grow with the square of the number of lights.
 [[nodiscard]] std::size_t buffers_at_once(PictureSize size, std::size_t all);
 /// Calls visit() with the buffers `names`, some of buffer_names() and in that order, until it returns false.
 void visit_pixel_buffers(const Renderer& renderer, const Scene& scene, PictureSize size,

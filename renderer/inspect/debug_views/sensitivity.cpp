@@ -161,8 +161,9 @@ void measure(Sensitivities& s, PixelProbe& probe, const PinnedScene& pinned, con
     s.numbers.push_back(number);
 }
 
-/// The material by which falloff and cones are held (LightSource::most) is the brightest of the whole scene:
-/// a hidden object keeps it where the one that shows has a darker one.
+/// The upper limit of falloff and cones (LightSource::most) depends on the brightest material of the whole
+/// scene. If the object that shows has a darker material, this adds the object with the brightest one,
+/// hidden, so that the limit stays the same.
 void keep_brightest_material(std::vector<Object>& pinned, const std::vector<Object>& all) {
     const auto brightest = std::max_element(all.begin(), all.end(), [](const Object& a, const Object& b) {
         return largest_reflectance(a.material) < largest_reflectance(b.material);
