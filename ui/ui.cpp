@@ -77,8 +77,8 @@ UiRequests requests(UiState& state) {
     return wants;
 }
 
-/// Takes the request to close, and dropped files. In the middle of a drag they wait for its end: it is no step
-/// yet, and would go on below a question. A light that follows the cursor is put back.
+/// Takes the request to close, and dropped files. In the middle of a drag they wait for its end: the drag is
+/// not a step yet, and would go on below a question. A light that follows the cursor is put back.
 void take_requests(UiState& state, const UiInput& input) {
     state.close_asked |= input.close_asked;
     if (!input.dropped.empty()) state.dropped = input.dropped;

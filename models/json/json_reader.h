@@ -47,8 +47,8 @@ class TakenApart {
     Json& document_;
 };
 
-/// Copies `from` into `to`, which is null. The library's own copy would be destroyed by its destructor where
-/// memory runs out half-way.
+/// Copies `from` into `to`, which is null. Where memory runs out half-way, the library's own copy would end
+/// the program: it destroys what it has copied, and for that it allocates (take_apart).
 void copy_json(const Json& from, Json& to);
 
 /// A reference token as it stands in a JSON pointer: ~ as ~0, / as ~1 (RFC 6901, section 3).

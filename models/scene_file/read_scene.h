@@ -40,7 +40,7 @@ class SceneJson {
     MemoryShare share_;
     Json json_;
     TakenApart taken_apart_{json_};
-    std::optional<Problem> problem_;  // the text is no JSON
+    std::optional<Problem> problem_;  // why the text cannot be read
 };
 
 /// True when an assignment sets the value at `pointer` or one around it.

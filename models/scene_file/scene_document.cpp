@@ -47,6 +47,17 @@ Problem blamed(Problem problem, const std::vector<Assignment>& assignments) {
     return problem;
 }
 
+/// The variant of the document's scene with its meshes: those of the document where it names the same.
+Result<Scene> with_meshes(Result<Scene> parsed, const SceneDocument& document,
+                          const std::vector<Assignment>& assignments) {
+    if (problem_of(parsed)) return parsed;
+    Scene scene = std::get<Scene>(std::move(parsed));
+    take_meshes(scene, document.scene.objects);
+    const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
+    if (const Problem* problem = problem_of(warned)) return blamed(*problem, assignments);
+    return scene;
+}
+
 /// Checks, then loads what the checked scene names. What an assignment put there is the assignment's fault.
 Result<SceneDocument> document_of(std::string_view text, const std::string& path,
                                   const std::vector<Assignment>& assignments,
@@ -255,17 +266,12 @@ SceneVariants::SceneVariants(const SceneDocument& document)
 SceneVariants::~SceneVariants() = default;
 
 Result<Scene> SceneVariants::with(const std::vector<Assignment>& assignments) const {
-    Result<Scene> parsed = json_->scene_with(assignments);
-    if (problem_of(parsed)) return parsed;
-    Scene scene = std::get<Scene>(std::move(parsed));
-    take_meshes(scene, document_.scene.objects);
-    const Result<Warnings> warned = load_meshes(scene, document_.path, document_.mesh_dir);
-    if (const Problem* problem = problem_of(warned)) return blamed(*problem, assignments);
-    return scene;
+    return with_meshes(json_->scene_with(assignments), document_, assignments);
 }
 
 Result<Scene> scene_variant(const SceneDocument& document, const std::vector<Assignment>& assignments) {
-    return SceneVariants(document).with(assignments);
+    return with_meshes(parse_scene(scene_text(document.scene), document.path, assignments), document,
+                       assignments);
 }
 
 }  // namespace glint

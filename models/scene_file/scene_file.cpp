@@ -17,15 +17,22 @@ Scene read_assigned(Json& document, const std::vector<Assignment>& assignments) 
     return read_scene(Node(document));
 }
 
-/// The problem with its file, where it has none. It is the assignments' when it lies in what they set, or
-/// when the text is right without them, as `is_right()` says.
-template <class IsRight>
-Problem blamed(Problem problem, const std::string& file, const std::vector<Assignment>& assignments,
-               const IsRight& is_right) {
-    if (!problem.file.empty()) return problem;
-    const bool theirs = !assignments.empty() && (is_assigned(problem.pointer, assignments) || is_right());
-    problem.file = theirs ? "--set" : file;
-    return problem;
+/// Returns what read() returns, or the problem that it throws. A problem without a file is the assignments'
+/// when it lies in what they set, or when the text is right without them, as `is_right()` says.
+template <class Read, class IsRight>
+Result<Scene> scene_or_problem(const Read& read, const std::string& file,
+                               const std::vector<Assignment>& assignments, const IsRight& is_right) {
+    try {
+        return read();
+    } catch (ProblemFound& found) {
+        Problem problem = std::move(found.problem);
+        if (!problem.file.empty()) return problem;
+        const bool theirs = !assignments.empty() && (is_assigned(problem.pointer, assignments) || is_right());
+        problem.file = theirs ? "--set" : file;
+        return problem;
+    } catch (const Refused& refused) {
+        return memory_problem(refused, file);
+    }
 }
 
 /// Bytes of the scene that JSON text holds: of its strings, at most.
@@ -45,18 +52,15 @@ Result<Assignment> parse_assignment(std::string_view text) {
 
 Result<Scene> parse_scene(std::string_view text, const std::string& file,
                           const std::vector<Assignment>& assignments) {
-    try {
+    const auto read = [&] {
         MemoryShare share;  // until the scene is made
         Json document = read_json(text, file, &share);
         const TakenApart taken_apart(document);
         share.add(need_of_scene(text));
         return read_assigned(document, assignments);
-    } catch (ProblemFound& found) {
-        return blamed(std::move(found.problem), file, assignments,
-                      [&] { return problem_of(parse_scene(text, file)) == nullptr; });
-    } catch (const Refused& refused) {
-        return memory_problem(refused, file);
-    }
+    };
+    return scene_or_problem(read, file, assignments,
+                            [&] { return problem_of(parse_scene(text, file)) == nullptr; });
 }
 
 SceneJson::SceneJson(std::string_view text, std::string file) : file_(std::move(file)) {
@@ -72,18 +76,14 @@ SceneJson::SceneJson(std::string_view text, std::string file) : file_(std::move(
 
 Result<Scene> SceneJson::scene_with(const std::vector<Assignment>& assignments) const {
     if (problem_) return *problem_;
-    try {
+    const auto read = [&] {
         const MemoryShare share(share_.need());  // of the copy, which is assigned to
         Json document;
         const TakenApart taken_apart(document);
         copy_json(json_, document);
         return read_assigned(document, assignments);
-    } catch (ProblemFound& found) {
-        return blamed(std::move(found.problem), file_, assignments,
-                      [&] { return problem_of(scene_with({})) == nullptr; });
-    } catch (const Refused& refused) {
-        return memory_problem(refused, file_);
-    }
+    };
+    return scene_or_problem(read, file_, assignments, [&] { return problem_of(scene_with({})) == nullptr; });
 }
 
 }  // namespace glint

@@ -562,7 +562,7 @@ TEST_CASE("bench measures the frames that it was asked for", "[cli][bench]") {
 }
 
 TEST_CASE("an edge of which an eye far away leaves no number is not followed", "[cli][bench][hostile]") {
-    // As many steps as it is pixels long are no number: undefined behaviour, which the sanitizers end.
+    // As many steps as it is pixels long are not a number: undefined behaviour, which the sanitizers end.
     const TemporaryDirectory directory;
     const std::string scene = directory.file("far.json", R"({"glint": 1, "camera": {"eye": [0, 0, 1e30]},
         "objects": [{"mesh": {"primitive": "cube"}}], "npr": {"silhouettes": true}})");

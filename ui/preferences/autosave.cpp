@@ -9,11 +9,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <ctime>
 #include <filesystem>
 #include <memory>
-#include <thread>
 #include <utility>
 
 #include "models/io/file.h"

@@ -60,8 +60,7 @@ struct OrphanedAutosave {
 /// The document of a copy, its meshes loaded; where it was opened from is its path again.
 [[nodiscard]] Result<SceneDocument> open_autosave(const std::string& path);
 
-// Several windows share the folder: only one at a time may read, change and write
-// there (FolderLock).
+// Several windows share the folder: only one at a time may read, change and write there (FolderLock).
 
 /// How long a window that ends waits for another that writes; seconds.
 inline constexpr double patience_at_end = 1;

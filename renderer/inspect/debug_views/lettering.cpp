@@ -59,9 +59,8 @@ void put_glyph(Picture& picture, const FT_GlyphSlot glyph, int x, int y, std::ui
     }
 }
 
-/// The memory that FreeType works in. Without any, its version 2.12 crashes or leaves letters out; so what
-/// the system refuses comes from a reserve, which lasts until the call is over, and the caller ends with
-/// ran_out().
+/// The memory that FreeType works in. Its version 2.12 crashes or leaves letters out when it gets none. So it
+/// gets from a reserve what the system refuses, and when the call is over ran_out() tells the caller to stop.
 class FreeTypeMemory {
   public:
     FreeTypeMemory() : reserve_(std::size_t{256} << 10) {}

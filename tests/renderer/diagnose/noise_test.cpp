@@ -60,7 +60,7 @@ TEST_CASE("a picture with more noise than can be judged is not comparable, and t
     CHECK(d.why.starts_with("noise of about "));
 }
 
-TEST_CASE("noise around one colour is no picture of a scene", "[diagnose]") {
+TEST_CASE("noise around one colour is not a picture of a scene", "[diagnose]") {
     for (const char* name : {"sun.json", "still-life.json", "default.json"})
         for (const int level : {0, 40, 128})
             for (const double deviation : {2.0, 4.0, 9.0}) {

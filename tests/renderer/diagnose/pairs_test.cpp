@@ -65,7 +65,7 @@ TEST_CASE("of a picture that nothing explains it is said whether two mistakes at
                          "once as far as a small picture tells."));
 }
 
-TEST_CASE("a mistake that explains nothing of what is wrong is no candidate", "[diagnose]") {
+TEST_CASE("a mistake that explains nothing of what is wrong is not a candidate", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     Scene wrong = document.scene;
     wrong.shading.mistakes.missing_pi = true;
