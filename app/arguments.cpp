@@ -6,13 +6,16 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "app/failure.h"
 #include "models/io/file.h"
-#include "models/io/files_read.h"
 #include "models/memory_limit.h"
 
 namespace glint {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr int max_threads = 1024;
@@ -97,24 +100,27 @@ void add_text(Options& options, const std::string& names, const std::string& val
 
 void add_threads(Options& options, int& threads) {
     options.add_value(
-        "-j,--threads", "N", "threads to draw with; 0, the default, is all cores",
+        "-j,--threads", "N", "threads to use; default 0: all cores",
         [&threads](const std::string& text) { threads = read_count("--threads", text, 0, max_threads); });
 }
 
 void add_memory(Options& options) {
     options.add_value(
-        "--memory", "SIZE",
-        "how much memory the scene may need, as in 8G; three quarters of the machine's when not given",
+        "--memory", "SIZE", "memory that the scene may need, such as 8G; default: 3/4 of the machine's",
         [](const std::string& text) { set_memory_limit(take(parse_memory_size("--memory", text))); });
 }
 
-void add_size(Options& options, PictureSize& size) {
-    options.add_value("--size", "WxH", "size of the picture in pixels; 1280x720 when not given",
-                      [&size](const std::string& text) { size = read_size("--size", text); });
+void add_size(Options& options, std::optional<PictureSize>& size) {
+    options.add_value(
+        "--size", "WxH",
+        "size of the picture in pixels; default: that of FILE if it is a picture, else 1280x720",
+        [&size](const std::string& text) { size = read_size("--size", text); });
 }
 
-void add_samples(Options& options, int& samples) {
-    options.add_value("--samples", "N", "samples a pixel for smooth edges: 1, 2, 4 or 8; 1 when not given",
+void add_samples(Options& options, std::optional<int>& samples) {
+    options.add_value("--samples", "N",
+                      "samples per pixel, for smooth edges: 1, 2, 4 or 8; default: those of FILE if it is a "
+                      "picture, else 1",
                       [&samples](const std::string& text) {
                           samples = 1 << read_word("--samples", text, {"1", "2", "4", "8"});
                       });
@@ -123,12 +129,12 @@ void add_samples(Options& options, int& samples) {
 void add_scene(Options& options, SceneArguments& arguments) {
     add_text(
         options, "FILE", "",
-        "a scene (.json, .glb, .gltf, or a .png that Glint wrote), a mesh (.obj .ply .off .stl .om), or - "
-        "for a scene on standard input",
+        "a scene (.json, .glb, .gltf), a picture by Glint with its scene (.png), a mesh (.obj, .ply, .off, "
+        ".stl), or - for a scene on standard input",
         arguments.file);
     options.works_on(arguments.file);
     options.add_values("--set", "POINTER=JSON",
-                       "change the scene, as in --set /lights/0/position=[1,2,3]; may be repeated",
+                       "change the scene, for example /lights/0/position=[1,2,3]; may be repeated",
                        [&arguments](const std::string& text) {
                            arguments.assignments.push_back(take(parse_assignment(text)));
                        });
@@ -160,10 +166,10 @@ void write_output(const std::string& out, std::string_view bytes) {
 
 bool takes_png(const std::string& out) {
     if (out == "-" || lower_extension(out) == ".png") return true;
-    const std::filesystem::path path = out;
+    const fs::path path = out;
     std::error_code ignored;
-    const auto status = std::filesystem::status(path, ignored);
-    const bool is_channel = std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
+    const auto status = fs::status(path, ignored);
+    const bool is_channel = fs::is_character_file(status) || fs::is_fifo(status);
     return is_channel && !path.has_extension();
 }
 
@@ -182,5 +188,91 @@ SceneDocument open_scene(const SceneArguments& arguments) {
     if (document.fitted_to) projection = fitted(projection, *document.fitted_to);
     return document;
 }
+
+PictureSize size_to_draw(const std::optional<PictureSize>& given, const SceneDocument& document) {
+    return given.value_or(document.picture_size.value_or(PictureSize{}));
+}
+
+int samples_to_draw(const std::optional<int>& given, const SceneDocument& document) {
+    return given.value_or(document.picture_samples);
+}
+
+void warn_of_samples(const SceneDocument& document, Warnings& warnings) {
+    if (document.picture_samples == 1) return;
+    warnings.push_back(
+        fmt::format("{}: the picture has {} samples a pixel, and these numbers are of one: they "
+                    "differ at edges",
+                    on_one_line(document.path), document.picture_samples));
+}
+
+std::string asset_path(const std::string& relative) {
+    std::error_code failed;
+    const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+    const fs::path asset = fs::path("assets") / relative;
+    const fs::path folder = program.parent_path();
+    for (const fs::path& root : {folder, folder / "../share/glint", folder / "../../.."})
+        if (fs::exists(root / asset, failed)) return (root / asset).lexically_normal().string();
+    return {};
+}
+
+std::string asset_places(const std::string& relative) {
+    return "assets/" + relative + " beside the program, or in ../share/glint from there";
+}
+
+namespace {
+
+/// "05-lambert" is named by itself, by "lambert", "05" and "5".
+bool is_named(const std::string& file, const std::string& word) {
+    const std::string name = fs::path(file).stem().string();
+    const std::size_t dash = std::min(name.find('-'), name.size());
+    const std::string number = name.substr(0, dash);
+    const std::size_t first = std::min(number.find_first_not_of('0'), number.size() - 1);
+    return word == name || word == number || (!number.empty() && word == number.substr(first)) ||
+           (dash < name.size() && word == name.substr(dash + 1));
+}
+
+std::vector<std::string> own_lessons() {
+    const std::string folder = asset_path("lessons");
+    std::vector<std::string> files;
+    if (!folder.empty()) files = take(lesson_files({folder}));
+    if (files.empty())
+        throw Failure{ExitStatus::Impossible, {"", "", "no lessons are installed", asset_places("lessons")}};
+    return files;
+}
+
+}  // namespace
+
+std::vector<std::string> named_lessons(const std::vector<std::string>& words) {
+    if (words.empty()) return own_lessons();
+    std::vector<std::string> files;
+    for (const std::string& word : words) {
+        std::error_code ignored;
+        if (fs::exists(word, ignored)) {
+            const std::vector<std::string> found = take(lesson_files({word}));
+            if (found.empty()) throw wrong_usage(word, "holds no lesson", "a folder with one");
+            files.insert(files.end(), found.begin(), found.end());
+            continue;
+        }
+        const std::size_t before = files.size();
+        std::vector<std::string> names;
+        for (const std::string& file : own_lessons()) {
+            names.push_back(fs::path(file).stem().string());
+            if (is_named(file, word)) files.push_back(file);
+        }
+        if (files.size() == before)
+            throw wrong_usage(word, "neither a file nor a lesson",
+                              "a lesson, such as " + nearest(word, names) + ", or a file");
+    }
+    return files;
+}
+
+std::string lesson_file(const std::string& word) {
+    const std::vector<std::string> files = named_lessons({word});
+    if (files.size() != 1)
+        throw wrong_usage(word, std::to_string(files.size()) + " lessons are named", "one of them");
+    return files[0];
+}
+
+Lesson open_lesson(const std::string& word) { return take(read_lesson(lesson_file(word))); }
 
 }  // namespace glint

@@ -1,13 +1,15 @@
 #pragma once
-// Reads the arguments that commands share: scene, sizes, pixels, counts. Reading is strict: "640x" and "0x5"
-// are errors and never guessed at.
+// Reads the arguments that commands share: scenes, lessons, sizes, pixels, counts. Reading is strict: "640x"
+// and "0x5" are errors and never guessed at.
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/options.h"
+#include "lessons/lesson.h"
 #include "models/scene/camera.h"
 #include "models/scene_file/scene_file.h"
 
@@ -45,11 +47,18 @@ void add_text(Options& options, const std::string& names, const std::string& val
 void add_scene(Options& options, SceneArguments& arguments);
 void add_threads(Options& options, int& threads);
 void add_memory(Options& options);
-void add_size(Options& options, PictureSize& size);
-void add_samples(Options& options, int& samples);
+void add_size(Options& options, std::optional<PictureSize>& size);
+void add_samples(Options& options, std::optional<int>& samples);
 
 /// The scene with its meshes, everything checked. Throws Failure.
 [[nodiscard]] SceneDocument open_scene(const SceneArguments& arguments);
+
+/// What was given, or else what the picture has that carries the scene; 1280x720 and one sample for others.
+[[nodiscard]] PictureSize size_to_draw(const std::optional<PictureSize>& given,
+                                       const SceneDocument& document);
+[[nodiscard]] int samples_to_draw(const std::optional<int>& given, const SceneDocument& document);
+/// Warns that numbers of one sample a pixel are not those of a picture that has several.
+void warn_of_samples(const SceneDocument& document, Warnings& warnings);
 
 /// Throws the Failure of a command that was given no OUT, FILE or the like.
 void require_given(const std::string& value, const std::string& option, const std::string& expected);
@@ -70,5 +79,19 @@ void write_output(const std::string& out, std::string_view bytes);
 
 /// Throws Failure if `-o` is given and is not a PNG file: standard output is taken by the answer.
 void require_png_file(const std::string& out);
+
+/// Returns the path of that file or folder of `assets`, which comes with the program: beside it, where it is
+/// installed, or in the source tree whose build/PRESET/app holds the program. Empty if there is none.
+[[nodiscard]] std::string asset_path(const std::string& relative);
+/// Where asset_path() looks for it in an installed program, for messages.
+[[nodiscard]] std::string asset_places(const std::string& relative);
+
+/// Returns the files of the named lessons: each word is a file, a folder of lessons, or the name or number of
+/// an installed lesson ("05-lambert", "lambert", "5"). Without words: all installed lessons. Throws Failure.
+[[nodiscard]] std::vector<std::string> named_lessons(const std::vector<std::string>& words);
+/// The file of the only lesson that `word` names. Throws Failure.
+[[nodiscard]] std::string lesson_file(const std::string& word);
+/// The only lesson that `word` names. Throws Failure.
+[[nodiscard]] Lesson open_lesson(const std::string& word);
 
 }  // namespace glint

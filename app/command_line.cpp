@@ -29,22 +29,25 @@ std::size_t first_word(const Arguments& arguments) {
 
 std::string general_help() {
     std::string text =
-        "Glint: light a scene, see the picture, ask for every number behind a pixel.\n\n"
-        "  glint [FILE...]                 opens the window\n";
+        "Glint: light a scene, see the picture, inspect every number behind a pixel.\n\n"
+        "  glint [FILE...]                 open the window\n";
     for (const Command& command : named_commands()) {
         const std::string line = command.name + " " + command.usage;
         text += fmt::format("  glint {:<26}{}{}\n", line, line.size() < 26 ? "" : "\n" + std::string(34, ' '),
                             command.summary);
     }
     text +=
-        "\n  --lesson NAME                   opens a lesson in the window, by its name, number or file\n"
-        "  --set POINTER=JSON              changes the scene; may be repeated\n"
-        "  -j, --threads N                 threads to draw with; 0, the default, is all cores\n"
-        "  --memory SIZE                   how much memory a scene may need, as in 8G\n"
-        "  --version                       prints the version\n"
-        "\nFILE is a scene (.json, .glb, .gltf, or a .png that Glint wrote), a mesh (.obj .ply .off .stl "
-        ".om), or\n"
-        "- for a scene on standard input. `glint COMMAND --help` says more of a command.\n";
+        "\n  --lesson NAME                   open a lesson in the window: its name, number or file\n"
+        "  --set POINTER=JSON              change the scene; may be repeated\n"
+        "  -j, --threads N                 threads to use; default 0: all cores\n"
+        "  --memory SIZE                   memory that the scene may need, such as 8G\n"
+        "  --version                       print the version\n"
+        "\nFILE is a scene (.json, .glb, .gltf), a picture by Glint with its scene (.png), a mesh (.obj, "
+        ".ply, .off,\n"
+        ".stl), or - for a scene on standard input. `glint COMMAND --help` describes a command.\n"
+        "\nExit status: 0 success; 1 the input, a file or the machine made it impossible, or a check failed; "
+        "2 wrong\nusage. Environment: GLINT_MEMORY is the default of --memory, GLINT_ISA selects an "
+        "instruction set.\n";
     return text;
 }
 
@@ -77,8 +80,8 @@ Outcome run(const Command& command, const Arguments& arguments) {
     }
     try {
         return work();
-    } catch (const std::bad_alloc& error) {
-        throw Failure{ExitStatus::Impossible, memory_problem(error, options.file())};
+    } catch (const LimitExceeded& exceeded) {
+        throw Failure{ExitStatus::Impossible, problem_from(exceeded, options.file())};
     }
 }
 

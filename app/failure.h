@@ -1,6 +1,6 @@
 #pragma once
-// A command ends early by throwing a Failure: the line for standard error, and the exit status. It is thrown
-// and caught inside app only.
+// The one way in which a command fails: app throws a Failure, and main() prints it as one line and exits with
+// its status. Other layers return a Result; take() converts it.
 
 #include <string>
 #include <utility>
@@ -10,7 +10,7 @@
 
 namespace glint {
 
-/// docs/interface.md: 0 done; 1 the input or the machine made it impossible; 2 wrong usage.
+/// docs/command_line.md: 0 done; 1 the input or the machine made it impossible; 2 wrong usage.
 enum class ExitStatus { Done = 0, Impossible = 1, WrongUsage = 2 };
 
 struct Failure {
@@ -18,7 +18,7 @@ struct Failure {
     Problem problem;
 };
 
-/// Wrong usage of an option (or of FILE, or of a command), which stands in place of a file.
+/// Wrong usage of an option, of FILE or of a command, which is named in place of a file.
 [[nodiscard]] inline Failure wrong_usage(std::string option, std::string what, std::string expected = {}) {
     Problem problem;
     problem.file = std::move(option);
@@ -37,11 +37,10 @@ template <class T> [[nodiscard]] T take(Result<T> result) {
     return std::get<T>(std::move(result));
 }
 
-/// "glint: KIND: the problem": one line of at most 4096 bytes, with control characters escaped. When standard
-/// error is gone nobody is told.
+/// Prints "glint: KIND: the problem" to standard error: one line of at most 4096 bytes, with control
+/// characters escaped.
 void say(const char* kind, Problem problem);
-
-/// Says, in the same form, what was tolerated.
+/// Prints a warning in the same form.
 void say_warning(const std::string& warning);
 
 }  // namespace glint

@@ -103,7 +103,7 @@ struct Options::Parts {
 Options::Options(const OptionsHelp& help) : parts_(std::make_unique<Parts>(help)) {
     CLI::App& app = parts_->app;
     app.allow_extras();
-    app.set_help_flag("-h,--help", "prints this");
+    app.set_help_flag("-h,--help", "print this help");
     app.formatter(std::make_shared<HelpFormatter>(help.usage));
     app.footer("Example: " + help.example);
 }

@@ -1,6 +1,6 @@
 #pragma once
 // Reads the options of one command's line. CLI11 splits the line and writes --help; only options.cpp includes
-// it, because every file that does takes seconds to compile. Error messages are ours (docs/interface.md).
+// it, because every file that does takes seconds to compile. Error messages are ours (docs/command_line.md).
 
 #include <functional>
 #include <memory>

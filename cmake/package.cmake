@@ -19,7 +19,7 @@ install(DIRECTORY ${package_texts}/ DESTINATION ${CMAKE_INSTALL_DATADIR} OPTIONA
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME glint)
 set(CPACK_PACKAGE_VENDOR "The Glint founders")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "lighting explorer: every number of every pixel can be asked for")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "lighting explorer that shows every number behind a pixel")
 set(CPACK_PACKAGE_DESCRIPTION "A scene goes in, a picture comes out, in a window or on the
 command line, and the lighting equation is shown with its numbers for every
 pixel. A picture that another program drew wrong is compared with 52 mistakes

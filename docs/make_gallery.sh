@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes every picture of docs/gallery.md and README.md anew: docs/make_gallery.sh [GLINT]
-# GLINT is the program, build/release/app/glint when not given. Look at each picture before you commit it.
+# Renders every picture of docs/gallery.md and README.md: docs/make_gallery.sh [GLINT]
+# GLINT is the program, by default build/release/app/glint. Look at each picture before you commit it.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 glint=${1:-build/release/app/glint}

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes docs/diagnose.md and its pictures: every mistake of the catalogue beside the right picture.
+"""Writes the catalogue in docs/diagnose.md and its pictures: every mistake next to the correct picture.
 
-usage: docs/make_museum.py [GLINT]      GLINT: the program, build/release/app/glint unless given
+usage: docs/make_museum.py [GLINT]      GLINT: the program; default build/release/app/glint
 
-What is said of a mistake comes from `glint mistakes`, the experiment from `glint diagnose`; only the scene in which
-it shows is chosen here.
+The texts come from `glint mistakes`, the experiments from `glint diagnose`. This script only chooses the scene in which
+a mistake shows.
 """
 import json
 import subprocess
@@ -17,7 +17,7 @@ glint = sys.argv[1] if len(sys.argv) > 1 else str(docs.parent / "build/release/a
 room = "docs/museum.json"
 size = "288x216"
 
-# What is changed in the room so that the mistake shows; mistakes that show in it as it is have no line.
+# Changes of the room that make a mistake visible. Mistakes that are visible without a change are not listed.
 sun_alone = {"/lights/1/enabled": False, "/lights/2/enabled": False}
 ball = "/objects/1"
 changes = {
@@ -61,7 +61,7 @@ def mistaken(name):
 
 
 def pictures(mistake):
-    """The wrong picture, and the right one beside it: that of the room where nothing is changed."""
+    """Draws the picture under a mistake and the correct one, which is that of the room if it is not changed."""
     wrong = picture(mistake["name"], mistaken(mistake["name"]))
     changed = changes.get(mistake["name"], {})
     right = picture(mistake["name"] + "-right", changed) if changed else "docs/pictures/museum/right.png"
@@ -69,12 +69,15 @@ def pictures(mistake):
 
 
 def apart(settings, names):
+    """The change of the room that separates the first mistake from as many of the others as possible."""
+    if len(names) < 2:
+        return None
     answer = run("diagnose", room, *options(settings), "--apart", ",".join(names), "--format", "json")
     found = json.loads(answer)
-    if found is None:
-        return None
+    if found is None or found["shows"][0]["color"] in [s["color"] for s in found["shows"][1:]]:
+        return apart(settings, names[:-1])
     shows = ", ".join(f"`{s['name']}` {tuple(s['color'])}" for s in found["shows"])
-    return f"`--set {found['set'][0]}`, and at pixel {found['pixel'][0]},{found['pixel'][1]} of 640x480 stand {shows}."
+    return f"`--set {found['set'][0]}`. At 640x480, pixel {found['pixel'][0]},{found['pixel'][1]} is then {shows}."
 
 
 def experiment(mistake):
@@ -82,10 +85,10 @@ def experiment(mistake):
     settings = changes.get(mistake["name"], {})
     found = apart(settings, names)
     if found:
-        return "To tell them apart: " + found
+        return "To separate them: " + found
     other = {"/shading/reflection": "blinn-phong"}
     found = apart({**settings, **other}, names)
-    return "Under Phong's highlights they are the same; under `--set /shading/reflection=blinn-phong`: " + found
+    return "Under `phong` they are the same. Under `blinn-phong`, to separate them: " + found
 
 
 def link(name):
@@ -99,17 +102,23 @@ def entry(mistake):
     alike = ", ".join(map(link, mistake["look_alikes"]))
     lines = [f"### {name}", "",
              f"{mistake['does']} **{mistake['looks']}**", "",
-             "| right | wrong |", "|---|---|", f"| ![The room]({right}) | ![The room under {name}]({wrong}) |", "",
+             "| correct | mistaken |", "|---|---|", f"| ![The room]({right}) | ![The room under {name}]({wrong}) |", "",
              f"`glint docs/museum.json {settings}`", ""]
     if alike:
         lines += [f"Looks like {alike}. {experiment(mistake)}", ""]
-    return lines + [f"Asked in {'; '.join(mistake['sources'])}.", ""] if mistake["sources"] else lines
+    return lines + [f"Reported in {'; '.join(mistake['sources'])}.", ""] if mistake["sources"] else lines
 
 
 def museum():
     run("render", room, "-o", "docs/pictures/museum/right.png", "--size", size, "--no-scene")
-    lines, catalogue = [], json.loads(run("mistakes", "--format", "json"))["mistakes"]
-    for group in dict.fromkeys(m["seen_as"] for m in catalogue):
+    catalogue = json.loads(run("mistakes", "--format", "json"))["mistakes"]
+    groups = dict.fromkeys(m["seen_as"] for m in catalogue)
+    lines = []
+    for group in groups:
+        names = [m["name"] for m in catalogue if m["seen_as"] == group]
+        lines.append(f"- **{group}**: " + ", ".join(f"[{name}](#{name})" for name in names))
+    lines.append("")
+    for group in groups:
         lines += [f"## {group}", ""]
         for mistake in catalogue:
             if mistake["seen_as"] == group:

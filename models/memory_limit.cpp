@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <new>
 
 namespace glint {
 namespace {
@@ -69,6 +70,15 @@ std::uint64_t limit_of_surroundings() {
 
 }  // namespace
 
+Problem problem_from(const std::exception& error, const std::string& file) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+        return {file, "", "there is not enough memory", "more of it, or a smaller scene"};
+    const auto* limit = dynamic_cast<const LimitExceeded*>(&error);
+    Problem problem = limit != nullptr ? limit->problem() : Problem{"", "", error.what(), ""};
+    if (problem.file.empty()) problem.file = file;
+    return problem;
+}
+
 std::uint64_t memory_limit() {
     const std::uint64_t set = limit_set;
     return set != 0 ? set : limit_of_surroundings();
@@ -93,10 +103,8 @@ std::uint64_t control_group_memory(const std::string& root) {
     return least;
 }
 
-std::uint64_t address_space_limit() { return resource_limit(RLIMIT_AS); }
-
 std::uint64_t default_memory_limit() {
-    return std::min({machine_memory(), control_group_memory(""), address_space_limit(),
+    return std::min({machine_memory(), control_group_memory(""), resource_limit(RLIMIT_AS),
                      resource_limit(RLIMIT_DATA)}) /
            4 * 3;
 }

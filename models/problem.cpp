@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 
-#include "models/io/utf8.h"
+#include "models/utf8.h"
 
 namespace glint {
 namespace {
@@ -118,8 +119,31 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
     return best;
 }
 
+std::string shortened(std::string_view text, std::size_t max) {
+    const std::string_view kept = first_characters(text, max);
+    return std::string(kept) + (kept.size() < text.size() ? "…" : "");
+}
+
+std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", shortened(text)); }
+
+int line_of(std::string_view text, std::size_t place) {
+    const std::string_view before = text.substr(0, place);
+    return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+}
+
 void warn(Warnings& warnings, std::size_t count, std::string_view one, std::string_view many) {
     if (count > 0) warnings.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+}
+
+void WarningList::add(const std::string& line) {
+    if (known_.insert(std::hash<std::string>()(line)).second && first_.size() < max_lines)
+        first_.push_back(line);
+}
+
+Warnings WarningList::take() {
+    warn(first_, known_.size() - first_.size(), "more warning of this kind", "more warnings of this kind");
+    known_.clear();
+    return std::exchange(first_, {});
 }
 
 }  // namespace glint

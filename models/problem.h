@@ -1,9 +1,12 @@
 #pragma once
 // What is wrong with something a user gave us, as a value: one line that says where, what, and what was
-// expected. Source: docs/interface.md, "Errors and warnings".
+// expected. Source: docs/command_line.md, "Errors and warnings".
 
+#include <exception>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <unordered_set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -36,6 +39,37 @@ template <class T> [[nodiscard]] const Problem* problem_of(const Result<T>& resu
     return std::get_if<Problem>(&result);
 }
 
+// Nested readers throw; a public function returns a Result (result_of).
+
+struct ProblemFound : std::exception {
+    explicit ProblemFound(Problem found) : problem(std::move(found)) {}
+    [[nodiscard]] const char* what() const noexcept override { return problem.what.c_str(); }
+
+    Problem problem;
+};
+
+/// The value of a result; throws its problem.
+template <class T> [[nodiscard]] T value_or_throw(Result<T> result) {
+    if (auto* problem = std::get_if<Problem>(&result)) throw ProblemFound(std::move(*problem));
+    return std::get<T>(std::move(result));
+}
+
+template <class T> struct AsResult { using Type = Result<T>; };
+template <class T> struct AsResult<Result<T>> { using Type = Result<T>; };
+
+/// Returns what `read` returns, a value or a result; or the problem that it throws, with `file` if the
+/// problem names none.
+template <class Read>
+[[nodiscard]] auto result_of(const std::string& file, const Read& read) ->
+    typename AsResult<std::invoke_result_t<Read>>::Type {
+    try {
+        return read();
+    } catch (ProblemFound& found) {
+        if (found.problem.file.empty()) found.problem.file = file;
+        return std::move(found.problem);
+    }
+}
+
 /// Things that were tolerated, one line a kind with its count, in the order in which they were met.
 using Warnings = std::vector<std::string>;
 
@@ -45,6 +79,29 @@ using Warnings = std::vector<std::string>;
 /// The candidate nearest to `word` by edit distance, capitals or not, for "did you mean"; of equals the one
 /// whose capitals agree, then the first. Empty when there are no candidates.
 [[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+/// Returns the text cut to `max` characters, with an ellipsis where it is cut: a value inside a message.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t max = 40);
+/// shortened(text) in double quotes.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// Line of the byte at `place` of a text, from 1.
+[[nodiscard]] int line_of(std::string_view text, std::size_t place);
+
+/// Collects warnings, of which a file may cause any number: each distinct line once, in their order. Of the
+/// lines after the first hundred it keeps only the count.
+class WarningList {
+  public:
+    static constexpr std::size_t max_lines = 100;
+
+    void add(const std::string& line);
+    /// Returns all of them and becomes empty.
+    [[nodiscard]] Warnings take();
+
+  private:
+    Warnings first_;
+    std::unordered_set<std::size_t> known_;  // hashes: lines may be long
+};
 
 /// Appends "COUNT one" or "COUNT many" unless the count is 0.
 void warn(Warnings& warnings, std::size_t count, std::string_view one, std::string_view many);

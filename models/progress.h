@@ -5,7 +5,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
+
+#include "models/problem.h"
 
 namespace glint {
 
@@ -42,9 +43,9 @@ class PartOfProgress {
 /// Problem::what of a load that was ended early.
 inline constexpr const char* cancelled_words = "loading was cancelled";
 
-/// Ends a load early from deep inside. read_mesh(), parse_mesh() and load_meshes() turn it into a Problem.
-struct LoadCancelled : std::exception {
-    [[nodiscard]] const char* what() const noexcept override { return cancelled_words; }
+/// Ends a load early from deep inside.
+struct LoadCancelled : ProblemFound {
+    LoadCancelled() : ProblemFound({"", "", cancelled_words, ""}) {}
 };
 
 /// report_progress(), but throws LoadCancelled when the load shall end.

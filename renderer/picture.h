@@ -17,6 +17,7 @@ struct Picture {
     std::vector<std::uint8_t> rgba;  // 4 bytes a pixel, first row at the top, alpha 255; what is displayed
     std::vector<float> linear;  // 3 floats a pixel, same order: linear colour before exposure, unclamped;
                                 // empty unless asked for
+    int samples = 1;            // a pixel, with which it was drawn
 
     [[nodiscard]] std::size_t pixel(int x, int y) const { return size.index(x, y); }
     [[nodiscard]] glm::vec3 linear_at(int x, int y) const {
@@ -29,11 +30,6 @@ struct Picture {
 [[nodiscard]] inline float exposed(float linear, float exposure) {
     constexpr float most = std::numeric_limits<float>::max();
     return std::clamp(linear * exposure, -most, most);
-}
-
-/// Bytes of `rgba` of a picture of that size.
-[[nodiscard]] inline std::uint64_t picture_memory(PictureSize size) {
-    return 4 * std::uint64_t{size.pixels()};
 }
 
 }  // namespace glint

@@ -10,12 +10,11 @@
 #include "models/fields/choices.h"
 #include "models/memory_limit.h"
 #include "models/problem.h"
-#include "models/warning_list.h"
-#include "renderer/drawing_memory.h"
-#include "renderer/inspect/explain/explain.h"
-#include "renderer/kernels/instruction_set.h"
+#include "models/scene/scene_cost.h"
+#include "renderer/explain/explain.h"
 #include "renderer/shade/culled_by_light.h"
 #include "renderer/shade/surface_material.h"
+#include "renderer/simd/isa/instruction_set.h"
 #include "renderer/stages.h"
 #include "renderer/threads.h"
 
@@ -36,31 +35,7 @@ struct Renderer::Kept {
     KeptStages stages;
     FrameStats stats;
     Warnings warnings;
-    MemoryShare share;  // of what is certain of drawing_memory()
     bool drawn = false;
-
-    /// Whether the next picture needs the same memory as the last one, as far as that can be told in advance.
-    [[nodiscard]] bool needs_the_same(const Scene& scene, PictureSize size, bool linear, int samples) const {
-        const Npr& npr = stages.lighting.npr;
-        return drawn && stages.geometry.size == size && stages.lighting.linear == linear &&
-               stages.visibility.samples == samples &&
-               stages.surface.choice == surface_choice(scene.shading) &&
-               npr.silhouettes == scene.npr.silhouettes && npr.creases == scene.npr.creases &&
-               same_normals(stages.surface.normals, scene);
-    }
-
-    void ask_for_memory(const Scene& scene, PictureSize size, bool linear, int samples) {
-        if (needs_the_same(scene, size, linear, samples)) return;
-        const DrawingMemory memory = drawing_memory(scene, size, linear, samples);
-        MemoryNeed all = memory.certain;
-        all += memory.guessed;
-        MemoryNeed own = share.need();
-        own += stages.visibility.tiles.share.need();
-        own += stages.surface.share.need();
-        own += stages.lighting.moving_light.memory();
-        require_memory(all, own);
-        share.set(memory.certain);
-    }
 
     /// Gives all memory back; the next picture is drawn like the first one.
     void forget() {
@@ -68,7 +43,6 @@ struct Renderer::Kept {
         stages = KeptStages{};
         stages.lighting.moving_light.allowed = follow;
         warnings.clear();
-        share = {};
         drawn = false;
     }
 
@@ -132,13 +106,14 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     Kept& k = *kept_;
     KeptStages& s = k.stages;
     const Clock::time_point start = Clock::now();
-    k.ask_for_memory(scene, size, linear, samples);
+    if (const auto problem = too_large(scene, size, samples)) throw LimitExceeded(*problem);
     try {
         k.draw(scene, size, linear, samples);
     } catch (...) {  // some stages are of this scene, others of the one before
         k.forget();
         throw;
     }
+    s.lighting.picture.samples = samples;
     k.stats.total_ms = ms_since(start);
     k.stats.triangles = s.geometry.triangle_count;
     k.stats.shaded_pixels = s.surface.pixel_count;

@@ -10,7 +10,7 @@
 
 #include "models/problem.h"
 #include "models/scene/scene.h"
-#include "renderer/inspect/explain/explanation.h"
+#include "renderer/explain/explanation.h"
 #include "renderer/picture.h"
 
 namespace glint {
@@ -51,12 +51,11 @@ class Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     /// Draws the scene; meshes must be loaded. The picture stays valid and unchanged until the next call.
-    /// `linear` asks for Picture::linear too. Throws Refused (models/memory_limit.h) where there is not
-    /// enough memory, mostly before anything is done, and std::bad_alloc where the machine has less than it
-    /// says. Then there is no picture, nothing is kept, and the next call draws as the first one does; but
-    /// where nothing was done the last picture stays.
-    /// `samples`: 1, 2, 4 or 8 a pixel; each face seen in a pixel is lit once, at the mean of its covered
-    /// samples, and weighted by their count, in linear light.
+    /// `linear` asks for Picture::linear too. Throws LimitExceeded before anything is drawn where the scene
+    /// is too_large() (models/scene/scene_cost.h): then the last picture stays. After any other exception
+    /// there is no picture, and the next call draws as the first one does. `samples`: 1, 2, 4 or 8 a pixel;
+    /// each face seen in a pixel is lit once, at the mean of its covered samples, and weighted by their
+    /// count, in linear light.
     const Picture& render(const Scene& scene, PictureSize size, bool linear = false, int samples = 1);
 
     /// Sets whether a frame in which only one light has changed may reuse the sum of the others. If true (the

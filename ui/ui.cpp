@@ -4,20 +4,18 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <new>
-#include <thread>
 #include <utility>
 
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
-#include "ui/export/animation.h"
+#include "ui/features/export/animation.h"
+#include "ui/features/views/views.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/shell/columns.h"
 #include "ui/shell/modal.h"
-#include "ui/views/views.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/theme.h"
@@ -131,7 +129,8 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     animate_panel(state);
     step_wedge(state.lecture.wedge);
     dialogs(state, input);  // after every window: ui/shell/modal.h
-    if (const std::string said = take_said(); !said.empty()) state.notifications.add(Tone::Done, said);
+    for (const Said& said : take_said())
+        state.notifications.add(said.refuses ? Tone::Warning : Tone::Done, said.line);
     keep_scene_valid(state);
     remember(state, in_hand);
     forget_play(state);
@@ -143,50 +142,16 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     return requests(state);
 }
 
-/// `action` with every job there is.
-template <class Do> void for_each_job(UiState& state, Do action) {
-    const auto with = [&action](const auto& job) {
-        if (job) action(*job);
-    };
-    with(state.loading.document);
-    with(state.loading.meshes);
-    std::for_each(state.loading.left.begin(), state.loading.left.end(), with);
-    with(state.exporting.job);
-    with(state.animate.job);
-    with(state.examples.pictures.job);
-    with(state.mistake_pictures.pictures.job);
-    with(state.sensitivity.job);
-    std::for_each(state.sensitivity.ending.begin(), state.sensitivity.ending.end(), with);
-    with(state.lesson.watching);
-    with(state.quiz.loading);
-    with(state.mine.reading);
-    with(state.mine.job);
-    std::for_each(state.mine.left_readings.begin(), state.mine.left_readings.end(), with);
-    std::for_each(state.mine.left_jobs.begin(), state.mine.left_jobs.end(), with);
-}
-
-bool all_done(UiState& state) {
-    bool done = true;
-    for_each_job(state, [&done](const auto& job) { done = done && job.done(); });
-    return done;
-}
-
 }  // namespace
 
 UiRequests ui_frame(UiState& state, const UiInput& input) {
     try {
         return whole_frame(state, input);
-    } catch (const std::exception& error) {  // most of all, that there is no memory
+    } catch (const std::exception& error) {
         give_up_frame(state, error);
     }
     redraw_within(0);
-    try {
-        return requests(state);
-    } catch (const std::bad_alloc&) {
-        UiRequests once_more;
-        once_more.sleep_s = 0;
-        return once_more;
-    }
+    return requests(state);
 }
 
 std::array<PictureSheet*, 6> sheets_of(UiState& state) {
@@ -196,14 +161,6 @@ std::array<PictureSheet*, 6> sheets_of(UiState& state) {
             &state.mine.sheet,
             &state.quiz.sheet,
             &state.match.sheet};
-}
-
-bool end_jobs(UiState& state, double seconds) {
-    using Clock = std::chrono::steady_clock;
-    for_each_job(state, [](auto& job) { job.cancel(); });
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-    while (!all_done(state) && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    return all_done(state);
 }
 
 }  // namespace glint

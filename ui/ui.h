@@ -14,32 +14,32 @@
 #include "renderer/renderer.h"
 #include "ui/commands/keys.h"
 #include "ui/commands/menus.h"
-#include "ui/diagnosis/my_picture.h"
 #include "ui/document/editor.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/loading.h"
-#include "ui/export/animation.h"
-#include "ui/export/export_picture.h"
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/export/animation.h"
+#include "ui/features/export/export_picture.h"
+#include "ui/features/games/match.h"
+#include "ui/features/games/quiz.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/inspector/mistake_pictures.h"
+#include "ui/features/inspector/outside_view.h"
+#include "ui/features/inspector/program/program_state.h"
+#include "ui/features/inspector/sensitivity.h"
+#include "ui/features/lecture/examples.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/lessons/lessons_dialog.h"
+#include "ui/features/lessons/predict_mode.h"
+#include "ui/features/views/views.h"
 #include "ui/fields/highlight_share.h"
-#include "ui/games/match.h"
-#include "ui/games/quiz.h"
-#include "ui/inspector/inspector.h"
-#include "ui/inspector/mistake_pictures.h"
-#include "ui/inspector/outside_view.h"
-#include "ui/inspector/program/program_state.h"
-#include "ui/inspector/sensitivity.h"
-#include "ui/lecture/examples.h"
-#include "ui/lecture/lecture.h"
-#include "ui/lessons/lesson.h"
-#include "ui/lessons/lessons_dialog.h"
-#include "ui/lessons/predict_mode.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/tool.h"
 #include "ui/picture/viewport.h"
 #include "ui/preferences/persistence.h"
 #include "ui/shell/layout.h"
 #include "ui/shell/notifications.h"
-#include "ui/views/views.h"
 
 namespace glint {
 
@@ -99,14 +99,16 @@ struct UiState {
     bool quits = false;
     bool close_asked = false;          // by the system, and not answered yet
     std::vector<std::string> dropped;  // paths of files, not opened yet
-    bool asks_overwrite = false;  // saving would write over what another program put into the file
+    bool asks_overwrite = false;       // saving would write over what another program put into the file
 
     FramePace pace;
     std::vector<Camera> kept_views;  // kept by hand, of whatever scene; remembered with the settings
     OutsideState outside;
 
     std::unique_ptr<Renderer> renderer;
-    const Picture* rendered = nullptr;   // the last one drawn
+    const Picture* rendered = nullptr;  // the last one drawn
+    PictureSize full_size;          // of the picture in the window; for a moment `rendered` may be smaller
+    PictureSize failed_size{0, 0};  // a picture of that size failed: the last one drawn keeps its own
     const Picture* displayed = nullptr;  // what the window shows: `rendered`, or what ui/views made of it
     std::uint64_t picture_serial = 0;    // counts what was shown: the texture follows it
     PlacedPicture picture_rect;          // where it lies in the window
@@ -136,10 +138,5 @@ struct UiRequests {
 
 /// The sheets of small pictures that the window keeps as textures; they stay where they are.
 [[nodiscard]] std::array<PictureSheet*, 6> sheets_of(UiState& state);
-
-/// Cancels every load, export and search at once and waits for them, at most `seconds`. False when one goes
-/// on: a thread in the middle of a mesh or a picture cannot be stopped. What is cancelled begins to write no
-/// file.
-[[nodiscard]] bool end_jobs(UiState& state, double seconds);
 
 }  // namespace glint

@@ -12,7 +12,7 @@
 #include "app/commands/command.h"
 #include "app/commands/drag.h"
 #include "app/progress.h"
-#include "models/json/json_value.h"
+#include "models/json/json.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -23,7 +23,7 @@ constexpr int warm_up_frames = 3;
 
 struct BenchArguments {
     SceneArguments scene;
-    PictureSize size;
+    std::optional<PictureSize> size;
     int frames = 100;
     std::optional<Drag> drag;
     bool relight = false, table = false;
@@ -59,7 +59,8 @@ struct Times {
     int strokes_redone = 0;
 };
 
-Times measure(Renderer& renderer, const Scene& start, const BenchArguments& arguments, Drag drag) {
+Times measure(Renderer& renderer, const Scene& start, const BenchArguments& arguments, PictureSize size,
+              Drag drag) {
     using Clock = std::chrono::steady_clock;
     Times times;
     Scene scene = start;
@@ -67,7 +68,7 @@ Times measure(Renderer& renderer, const Scene& start, const BenchArguments& argu
     for (int frame = -warm_up_frames; frame < arguments.frames; ++frame) {
         drag_to(scene, start, drag, frame);
         const auto before = Clock::now();
-        (void)renderer.render(scene, arguments.size);
+        (void)renderer.render(scene, size);
         const std::chrono::duration<double, std::milli> took = Clock::now() - before;
         if (frame < 0) continue;
         progress.at(static_cast<std::size_t>(frame) + 1);
@@ -89,37 +90,38 @@ std::uint64_t peak_bytes() {
 }
 
 /// The answer for people: the same numbers in lines and columns.
-std::string table_text(const JsonValue& json) {
-    const auto word = [&json](const char* key) { return json.find(key)->string(); };
+std::string table_text(const Json& json) {
+    const auto word = [&json](const char* key) { return json.at(key).get<std::string>(); };
     const auto count = [&json](const char* key) {
-        return static_cast<std::uint64_t>(json.find(key)->number());
+        return static_cast<std::uint64_t>(json.at(key).get<double>());
     };
     std::string text = fmt::format(
         "{} drag, {} x {}, {} frames, {} thread{}, {}, {} triangles, {} shaded pixels, {:.0f} MB at most\n\n",
         word("drag"), count("width"), count("height"), count("frames"), count("threads"),
         count("threads") == 1 ? "" : "s", word("instruction_set"), count("triangles"), count("shaded_pixels"),
-        json.find("peak_bytes")->number() * 1e-6);
+        json.at("peak_bytes").get<double>() * 1e-6);
     text += fmt::format("{:<11} {:>9}\n", "a frame", "ms");
-    for (const auto& [name, ms] : json.find("ms")->members())
-        text += fmt::format("{:<11} {:>9.3f}\n", name, ms.number());
+    for (const auto& [name, ms] : json.at("ms").items())
+        text += fmt::format("{:<11} {:>9.3f}\n", name, ms.get<double>());
     text += fmt::format("\n{:<11} {:>9}   {}\n", "stage", "median ms", "redone in");
-    for (const auto& [name, ms] : json.find("stages")->members())
-        text += fmt::format("{:<11} {:>9.3f}   {} of {} frames\n", name, ms.number(),
-                            json.find("redone")->find(name)->number(), count("frames"));
+    for (const auto& [name, ms] : json.at("stages").items())
+        text += fmt::format("{:<11} {:>9.3f}   {} of {} frames\n", name, ms.get<double>(),
+                            json.at("redone").at(name).get<double>(), count("frames"));
     return text;
 }
 
 Outcome bench(const BenchArguments& arguments) {
     const SceneDocument document = open_scene(arguments.scene);
     const Drag drag = drag_of(arguments, document.scene);
+    const PictureSize size = size_to_draw(arguments.size, document);
     Renderer renderer(arguments.scene.threads);
     renderer.keep_sums(!arguments.relight);
-    const Times times = measure(renderer, document.scene, arguments, drag);
+    const Times times = measure(renderer, document.scene, arguments, size, drag);
     const FrameStats& stats = renderer.stats();
     const auto of = [&times](double share) { return quantile(times.frame, share); };
     const auto stage = [&times](Stage s) { return quantile(times.stage[static_cast<std::size_t>(s)], 0.5); };
     const auto redone = [&times](Stage s) { return times.redone[static_cast<std::size_t>(s)]; };
-    JsonValue json{
+    Json json{
         {"frames", arguments.frames},
         {"ms", {{"min", of(0)}, {"median", of(0.5)}, {"p90", of(0.9)}, {"p99", of(0.99)}, {"max", of(1)}}},
         {"stages",
@@ -136,8 +138,8 @@ Outcome bench(const BenchArguments& arguments) {
         {"instruction_set", stats.instruction_set},
         {"triangles", stats.triangles},
         {"shaded_pixels", stats.shaded_pixels},
-        {"width", arguments.size.width},
-        {"height", arguments.size.height},
+        {"width", size.width},
+        {"height", size.height},
         {"drag", drag_names[static_cast<std::size_t>(drag)]},
         {"peak_bytes", peak_bytes()}};
     const Npr& npr = document.scene.npr;
@@ -155,24 +157,24 @@ Run declare_bench(Options& options) {
     auto arguments = std::make_shared<BenchArguments>();
     add_scene(options, arguments->scene);
     add_size(options, arguments->size);
-    options.add_value("--frames", "N", "frames to measure, 1 to 100000; 100 when not given",
+    options.add_value("--frames", "N", "frames to measure, 1 to 100000; default 100",
                       [&frames = arguments->frames](const std::string& text) {
                           frames = read_count("--frames", text, 1, 100000);
                       });
-    options.add_value("--drag", "WHAT", "what moves from frame to frame: light, material, camera or object",
+    options.add_value("--drag", "WHAT", "what moves: light (default), material, camera or object",
                       [&drag = arguments->drag](const std::string& text) {
                           drag = static_cast<Drag>(read_word("--drag", text, drag_names));
                       });
-    options.add_flag("--table", arguments->table, "the answer as a table for people instead of JSON");
+    options.add_flag("--table", arguments->table, "print a table instead of JSON");
     options.add_flag("--relight", arguments->relight,
-                     "light every light again on each frame, also where the sum of the others could be kept");
+                     "light all lights in every frame, even if the sum of the others could be reused");
     return [arguments] { return bench(*arguments); };
 }
 
 }  // namespace
 
 Command bench_command() {
-    return {"bench", "FILE", "measures frames while something is dragged, as JSON or a table",
+    return {"bench", "FILE", "measure frame times while something is dragged, as JSON or a table",
             "glint bench teapot.json --frames 200 --drag camera", declare_bench};
 }
 

@@ -1,5 +1,5 @@
 // glint check: the first step in which another renderer's buffers differ from ours.
-#include "renderer/diagnose/check/check.h"
+#include "diagnose/check/check.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/memory_limit.h"
+#include "models/scene/scene_cost.h"
 #include "renderer/image/image_file.h"
 
 namespace glint {
@@ -69,8 +69,8 @@ Warnings unknown_pictures(const std::string& directory, std::vector<std::string>
                         more > 0 ? fmt::format(" and {} more", more) : "")};
 }
 
-/// Reads those of the scene's buffers that the directory has. `share` takes the memory that they need.
-std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene& scene, MemoryShare& share) {
+/// Reads those of the scene's buffers that the directory has.
+std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene& scene) {
     std::vector<PixelBuffer> buffers;
     const std::vector<std::string> names = checked_buffers(scene);
     for (const std::string& name : names) {
@@ -78,7 +78,10 @@ std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene&
         if (file.empty()) continue;
         buffers.push_back({name, take(read_picture(file))});
         const PictureSize size = buffers.front().picture.size;
-        share.set(memory_need(MemoryUse::Pixels, buffers_memory(size, buffers.size())));
+        if (auto problem = too_much_memory({.picture = buffers_memory(size, buffers.size())})) {
+            problem->file = file;
+            throw Failure{ExitStatus::Impossible, *problem};
+        }
         if (buffers.back().picture.size != size)
             throw Failure{ExitStatus::Impossible,
                           {file, "", "has another size than " + buffers.front().name,
@@ -99,11 +102,7 @@ Outcome check(const CheckArguments& arguments) {
     if (!std::filesystem::is_directory(arguments.directory, ignored))
         throw wrong_usage("DIR", arguments.directory + " is not a directory", expected);
     const SceneDocument document = open_scene(arguments.scene);
-    MemoryShare share;
-    const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene, share);
-    const PictureSize size = buffers.front().picture.size;
-    const std::size_t at_once = buffers_at_once(size, buffers.size());
-    share.set(memory_need(MemoryUse::Pixels, buffers_memory(size, buffers.size() + at_once)));
+    const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene);
     const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads);
     if (found.compared == 0)
         throw Failure{ExitStatus::Impossible,
@@ -120,9 +119,9 @@ Run declare_check(Options& options) {
     auto arguments = std::make_shared<CheckArguments>();
     add_scene(options, arguments->scene);
     add_text(options, "DIR", "",
-             "a directory with buffers of another program, as render --buffers writes them",
+             "a directory with buffers by another program, named as render --buffers names them",
              arguments->directory);
-    options.add_value("--format", "FORMAT", "text, the default, or json",
+    options.add_value("--format", "FORMAT", "text (default) or json",
                       [&format = arguments->format](const std::string& text) {
                           format = static_cast<CheckFormat>(read_word("--format", text, {"text", "json"}));
                       });
@@ -132,7 +131,7 @@ Run declare_check(Options& options) {
 }  // namespace
 
 Command check_command() {
-    return {"check", "FILE DIR", "finds the first step in which another program's buffers differ",
+    return {"check", "FILE DIR", "find the first wrong step in the buffers of another program",
             "glint check teapot.json my-buffers", declare_check};
 }
 

@@ -2,12 +2,10 @@
 // A command of the program: what its line looks like, and what it does once the line has been read.
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/failure.h"
-#include "models/io/file.h"
 #include "models/problem.h"
 
 namespace glint {
@@ -19,14 +17,7 @@ struct Outcome {
     std::string output;  // for standard output
     Warnings warnings;   // what was tolerated
     ExitStatus status = ExitStatus::Done;
-    std::unique_ptr<FilesTogether> files = nullptr;  // what put_aside() has written beside its targets
-
-    /// Writes bytes beside the file that they replace once the output has been printed, so that a command
-    /// whose output cannot be written replaces nothing. Throws Failure.
-    void put_aside(const std::string& path, std::string bytes) {
-        if (!files) files = std::make_unique<FilesTogether>();
-        (void)take(files->add(path, std::move(bytes)));
-    }
+    std::string path = {}, bytes = {};  // a file, written after the output; no path: none
 };
 
 /// Throws Failure. All output is in the outcome, so that a failure leaves standard output empty.
@@ -64,7 +55,7 @@ struct Command {
 [[nodiscard]] std::vector<Command> named_commands();
 
 /// Runs the command that `arguments` (argv without its first) name: splits its line, and says what is wrong
-/// with it in the one-line form of docs/interface.md. Throws Failure.
+/// with it in the one-line form of docs/command_line.md. Throws Failure.
 [[nodiscard]] Outcome run_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace glint

@@ -5,9 +5,8 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "models/io/file.h"
-#include "models/memory_limit.h"
+#include "renderer/answers/answers.h"
 #include "renderer/image/image_file.h"
-#include "renderer/inspect/answers/answers.h"
 
 namespace glint {
 namespace {
@@ -24,11 +23,6 @@ Outcome compare(const CompareArguments& arguments) {
     require_png_file(arguments.out);
     if (!arguments.out.empty()) require_writable(arguments.out);
     const Picture a = take(read_png(arguments.a));
-    // With the picture of the differences; the other one asks for its own.
-    const std::uint64_t output = arguments.out.empty() ? 0 : picture_memory(a.size) + png_memory(a.size);
-    MemoryNeed need = memory_need(MemoryUse::Pixels, picture_memory(a.size));
-    need += memory_need(MemoryUse::Output, output);
-    const MemoryShare share(need);
     const Picture b = take(read_png(arguments.b));
     require_not_read(arguments.out);
     Result<Comparison> compared = glint::compare(a, b);
@@ -38,19 +32,20 @@ Outcome compare(const CompareArguments& arguments) {
     const bool too_far = arguments.max_error && result.max_error > *arguments.max_error;
     Outcome outcome{
         json_text(comparison_json(result)), {}, too_far ? ExitStatus::Impossible : ExitStatus::Done};
+    outcome.path = arguments.out;
     if (!arguments.out.empty())
-        outcome.put_aside(arguments.out, png_bytes(difference_picture(a, b, difference_gain(result)), {}));
+        outcome.bytes = png_bytes(difference_picture(a, b, difference_gain(result)), {});
     return outcome;
 }
 
 Run declare_compare(Options& options) {
     auto arguments = std::make_shared<CompareArguments>();
-    add_text(options, "A.png", "", "a picture", arguments->a);
-    add_text(options, "B.png", "", "another of the same size", arguments->b);
-    add_text(options, "-o", "DIFF.png", "write the absolute differences, times the `gain` of the answer",
-             arguments->out);
+    add_text(options, "A.png", "", "a PNG picture", arguments->a);
+    add_text(options, "B.png", "", "another one of the same size", arguments->b);
+    add_text(options, "-o", "DIFF.png",
+             "write the absolute difference, multiplied by the `gain` of the output", arguments->out);
     options.add_value("--max-error", "E",
-                      "end with status 1 when any channel of any pixel differs by more, 0 to 255",
+                      "end with status 1 if any channel of any pixel differs by more than E, 0 to 255",
                       [&max_error = arguments->max_error](const std::string& text) {
                           max_error = read_amount("--max-error", text, 255);
                       });
@@ -62,7 +57,7 @@ Run declare_compare(Options& options) {
 }  // namespace
 
 Command compare_command() {
-    return {"compare", "A.png B.png", "tells how far two pictures are apart, as JSON",
+    return {"compare", "A.png B.png", "measure the difference between two pictures, as JSON",
             "glint compare before.png after.png -o difference.png --max-error 1", declare_compare};
 }
 

@@ -1,5 +1,5 @@
 // glint diagnose: what is wrong in a picture that another program drew of a scene.
-#include "renderer/diagnose/diagnose.h"
+#include "diagnose/diagnose.h"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,11 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/progress.h"
+#include "diagnose/diagnosis_format.h"
+#include "diagnose/diagnosis_table.h"
+#include "diagnose/experiment.h"
 #include "models/io/file.h"
-#include "models/memory_limit.h"
 #include "models/scene/mistakes.h"
-#include "renderer/diagnose/diagnosis_format.h"
-#include "renderer/diagnose/diagnosis_table.h"
-#include "renderer/diagnose/experiment.h"
 #include "renderer/image/image_file.h"
 
 namespace glint {
@@ -39,7 +38,6 @@ std::string sheet_png(const DiagnoseArguments& arguments, const Font& font, cons
     if (size.width > max_picture_side || size.height > max_picture_side)
         throw wrong_usage("-o", fmt::format("the sheet would be {}x{} pixels large", size.width, size.height),
                           fmt::format("at most {0}x{0}", max_picture_side));
-    const MemoryShare share(memory_need(MemoryUse::Output, png_memory(size) + 2 * picture_memory(size)));
     const Picture sheet = diagnosis_sheet(found, scene, wrong, font, arguments.scene.threads);
     return png_bytes(sheet, {});
 }
@@ -56,6 +54,13 @@ void require_one_picture_for_a_sheet(const DiagnoseArguments& arguments) {
             "one PICTURE, or --format html");
     require_png_file(arguments.out);
     require_writable(arguments.out);
+}
+
+DiagnosedPicture unreadable_picture(const std::string& path, const Problem& problem) {
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::NotReadable;
+    diagnosis.why = with_expected(problem.what, problem.expected);
+    return {path, std::move(diagnosis), {}, {}};
 }
 
 /// The diagnoses of all pictures, in their order; the sheet of the only one, where it is asked for, is put
@@ -77,12 +82,19 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, c
     std::vector<DiagnosedPicture> all;
     for (const std::string& path : arguments.pictures) {
         if (many) progress->at(all.size() + 1);
-        Picture picture = take(read_picture(path));
+        Result<Picture> read = read_picture(path);
+        if (const Problem* problem = problem_of(read); problem != nullptr && many) {
+            all.push_back(unreadable_picture(path, *problem));
+            outcome.warnings.push_back(problem->text());
+            outcome.status = ExitStatus::Impossible;
+            continue;
+        }
+        Picture picture = take(std::move(read));
         require_not_read(arguments.out);
-        const MemoryShare share(memory_need(MemoryUse::Pixels, picture_memory(picture.size)));
         const Picture wrong = as_shown(std::move(picture), document.scene.display);
         Diagnosis found = glint::diagnose(document, wrong, options);
-        if (font) outcome.put_aside(arguments.out, sheet_png(arguments, *font, found, document.scene, wrong));
+        outcome.path = arguments.out;
+        if (font) outcome.bytes = sheet_png(arguments, *font, found, document.scene, wrong);
         all.push_back(diagnosed_picture(path, std::move(found), document.scene, wrong, threads));
     }
     return all;
@@ -105,8 +117,7 @@ std::string formatted(const std::vector<DiagnosedPicture>& all, const DiagnoseAr
                     (many && &p != &all.back() ? "\n" : "");
         return text;
     case DiagnosisFormat::Json:
-        return many ? diagnoses_json(all, document.scene)
-                    : diagnosis_json(all.front().diagnosis, document.scene);
+        return diagnoses_json(all, document.scene);
     case DiagnosisFormat::Csv:
         return diagnoses_csv(all);
     case DiagnosisFormat::Html:
@@ -164,20 +175,21 @@ Run declare_diagnose(Options& options) {
     auto arguments = std::make_shared<DiagnoseArguments>();
     add_scene(options, arguments->scene);
     options.add_words(
-        "PICTURE", "pictures of it by any program, of any size (.png .pfm .exr)",
+        "PICTURE", "pictures of the scene by another program, of any size (.png, .pfm, .exr)",
         [&pictures = arguments->pictures](const std::string& text) { pictures.push_back(text); });
-    options.add_flag("--pairs", arguments->pairs, "also looks for two mistakes at once");
+    options.add_flag("--pairs", arguments->pairs, "also look for two mistakes at once");
     options.add_value(
-        "--apart", "A,B", "without PICTURE: how the scene tells these mistakes apart",
+        "--apart", "A,B",
+        "without PICTURE: find the change of the scene that separates these two to four mistakes",
         [&apart = arguments->apart](const std::string& text) { apart = read_mistakes("--apart", text); });
-    options.add_value(
-        "--format", "FORMAT", "text, the default, json, csv or html (a page with small pictures)",
-        [&format = arguments->format](const std::string& text) {
-            format =
-                static_cast<DiagnosisFormat>(read_word("--format", text, {"text", "json", "csv", "html"}));
-        });
+    options.add_value("--format", "FORMAT", "text (default), json, csv or html (a page with small pictures)",
+                      [&format = arguments->format](const std::string& text) {
+                          format = static_cast<DiagnosisFormat>(
+                              read_word("--format", text, {"text", "json", "csv", "html"}));
+                      });
     add_text(options, "-o", "SHEET.png",
-             "write a sheet of one picture: it, the right one, the likeliest mistake, the differences",
+             "write a sheet for one picture: the picture, the correct one, the likeliest mistake and the "
+             "differences",
              arguments->out);
     return [arguments] { return diagnose(*arguments); };
 }
@@ -185,7 +197,7 @@ Run declare_diagnose(Options& options) {
 }  // namespace
 
 Command diagnose_command() {
-    return {"diagnose", "FILE PICTURE...", "names the mistake in pictures that other programs drew",
+    return {"diagnose", "FILE PICTURE...", "name the mistake in pictures by another program",
             "glint diagnose teapot.json mine.png --pairs -o sheet.png", declare_diagnose};
 }
 

@@ -7,11 +7,10 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "app/lesson_arguments.h"
+#include "lessons/exercise_sheet.h"
+#include "lessons/handout.h"
 #include "models/io/file.h"
 #include "renderer/image/html_image.h"
-#include "renderer/lessons/exercise_sheet.h"
-#include "renderer/lessons/handout.h"
 
 namespace glint {
 namespace {
@@ -58,17 +57,17 @@ Outcome exercise(const ExerciseArguments& arguments) {
 
 Run declare_exercise(Options& options) {
     auto arguments = std::make_shared<ExerciseArguments>();
-    add_text(options, "NAME", "", "a lesson by its name or number, or its file", arguments->name);
+    add_text(options, "NAME", "", "a lesson: its name, number or file", arguments->name);
     options.add_value("--seed", "N",
-                      "number of the first sheet; the same seed is the same sheet; 1 when not given",
+                      "number of the first sheet; the same number gives the same sheet; default 1",
                       [&seed = arguments->seed](const std::string& text) {
                           seed = read_count("--seed", text, 0, max_seed);
                       });
-    options.add_value("--count", "K", "how many sheets, each with its own numbers; 1 when not given",
+    options.add_value("--count", "K", "number of sheets, each with its own numbers; default 1",
                       [&count = arguments->count](const std::string& text) {
                           count = read_count("--count", text, 1, max_exercise_sheets);
                       });
-    add_text(options, "-o", "OUT", "where the sheets and their keys go: .html or .tex", arguments->out);
+    add_text(options, "-o", "OUT", "the file for the sheets and their keys, .html or .tex", arguments->out);
     add_threads(options, arguments->threads);
     add_memory(options);
     return [arguments] { return exercise(*arguments); };
@@ -77,7 +76,7 @@ Run declare_exercise(Options& options) {
 }  // namespace
 
 Command exercise_command() {
-    return {"exercise", "NAME -o OUT", "writes exercises of a lesson, another sheet for each student",
+    return {"exercise", "NAME -o OUT", "write exercise sheets of a lesson, a different one for each student",
             "glint exercise lambert --seed 7 --count 30 -o sheets.html", declare_exercise};
 }
 

@@ -5,10 +5,9 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/progress.h"
-#include "models/json/json_value.h"
-#include "models/memory_limit.h"
-#include "renderer/inspect/debug_views/sensitivity.h"
-#include "renderer/inspect/explain/explain_format.h"
+#include "models/json/json.h"
+#include "renderer/debug_views/sensitivity.h"
+#include "renderer/explain/explain_format.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -18,7 +17,7 @@ enum class ExplanationFormat { Text, Json, Latex };
 
 struct ExplainArguments {
     SceneArguments scene;
-    PictureSize size;
+    std::optional<PictureSize> size;
     std::optional<Pixel> pixel;
     ExplanationFormat format = ExplanationFormat::Text;
     bool sensitivity = false;
@@ -38,8 +37,8 @@ std::string formatted(const Explanation& explanation, const Scene& scene, Explan
 
 /// The explanation's JSON with the sensitivities in it.
 std::string with_sensitivities(const Explanation& explanation, const Sensitivities& s) {
-    JsonValue json = explanation_json(explanation);
-    JsonValue& numbers = json["sensitivity"] = JsonValue::array();
+    Json json = explanation_json(explanation);
+    Json& numbers = json["sensitivity"] = Json::array();
     for (const Sensitivity& n : s.numbers)
         numbers.push_back({{"pointer", n.pointer},
                            {"value", n.value},
@@ -54,25 +53,25 @@ Outcome explain(const ExplainArguments& arguments) {
     require_file(arguments.scene);
     if (!arguments.pixel) throw wrong_usage("--pixel", "is missing", "X,Y as in --pixel 640,360");
     const Pixel pixel = *arguments.pixel;
-    require_inside("--pixel", pixel, arguments.size);
     if (arguments.sensitivity && arguments.format == ExplanationFormat::Latex)
         throw wrong_usage("--sensitivity", "is not available as LaTeX", "--format text or json");
     const SceneDocument document = open_scene(arguments.scene);
+    const PictureSize size = size_to_draw(arguments.size, document);
+    require_inside("--pixel", pixel, size);
 
     Renderer renderer(arguments.scene.threads);
-    (void)renderer.render(document.scene, arguments.size);
-    const MemoryShare share(memory_need(MemoryUse::Output, explanation_memory(document.scene)));
+    (void)renderer.render(document.scene, size);
     const Explanation explanation = renderer.explain(pixel.x, pixel.y);
     Outcome outcome{formatted(explanation, document.scene, arguments.format), document.warnings,
                     ExitStatus::Done};
+    warn_of_samples(document, outcome.warnings);
     if (arguments.sensitivity) {
         std::optional<Progress> progress;
-        const Sensitivities s =
-            take(sensitivities(document, arguments.size, pixel.x, pixel.y, arguments.scene.threads,
-                               [&progress](std::size_t done, std::size_t all) {
-                                   if (!progress) progress.emplace("number", all);
-                                   progress->at(done);
-                               }));
+        const Sensitivities s = take(sensitivities(document, size, pixel.x, pixel.y, arguments.scene.threads,
+                                                   [&progress](std::size_t done, std::size_t all) {
+                                                       if (!progress) progress.emplace("number", all);
+                                                       progress->at(done);
+                                                   }));
         progress.reset();
         outcome.output = arguments.format == ExplanationFormat::Json
                              ? with_sensitivities(explanation, s)
@@ -90,19 +89,19 @@ Run declare_explain(Options& options) {
         [&pixel = arguments->pixel](const std::string& text) { pixel = read_pixel("--pixel", text); });
     add_size(options, arguments->size);
     options.add_value(
-        "--format", "FORMAT", "text, the default, json (docs/explain.md) or latex (needs amsmath)",
+        "--format", "FORMAT", "text (default), json (fields: docs/explain.md) or latex (needs amsmath)",
         [&format = arguments->format](const std::string& text) {
             format = static_cast<ExplanationFormat>(read_word("--format", text, {"text", "json", "latex"}));
         });
     options.add_flag("--sensitivity", arguments->sensitivity,
-                     "also how much the pixel changes with each number of the scene");
+                     "also print how the pixel changes with each number of the scene");
     return [arguments] { return explain(*arguments); };
 }
 
 }  // namespace
 
 Command explain_command() {
-    return {"explain", "FILE --pixel X,Y", "tells every number behind one pixel",
+    return {"explain", "FILE --pixel X,Y", "show the lighting equation of a pixel with its numbers",
             "glint explain teapot.json --pixel 640,360 --format json", declare_explain};
 }
 

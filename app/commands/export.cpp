@@ -4,8 +4,8 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/gltf/gltf.h"
-#include "models/io/utf8.h"
+#include "models/scene_file/scene_file.h"
+#include "models/utf8.h"
 
 namespace glint {
 namespace {
@@ -44,7 +44,7 @@ Run declare_export(Options& options) {
 }  // namespace
 
 Command export_command() {
-    return {"export", "FILE -o OUT.glb", "writes a scene as glTF 2.0, for Blender and other programs",
+    return {"export", "FILE -o OUT.glb", "write a scene as glTF 2.0, for Blender and other programs",
             "glint export museum.json -o museum.glb", declare_export};
 }
 

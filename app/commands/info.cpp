@@ -1,30 +1,27 @@
 // glint info: what a file holds. glint schema: what a scene file may hold, for editors and other programs.
 #include <memory>
+#include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/gltf/gltf.h"
-#include "models/memory_limit.h"
-#include "models/mesh_formats/mesh_file.h"
+#include "models/mesh/formats/mesh_file.h"
 #include "models/scene_file/scene_file.h"
-#include "renderer/inspect/answers/answers.h"
+#include "renderer/answers/answers.h"
 
 namespace glint {
 namespace {
 
 struct InfoArguments {
     SceneArguments scene;
-    PictureSize size;
+    std::optional<PictureSize> size;
 };
 
 Outcome info(const InfoArguments& arguments) {
     const SceneDocument document = open_scene(arguments.scene);
     const std::vector<Object>& objects = document.scene.objects;
-    const bool of_mesh =
-        is_mesh_path(arguments.scene.file) && !is_gltf_path(arguments.scene.file) && objects.size() == 1;
-    const MemoryShare share(memory_need(MemoryUse::Output, bytes_to_tell(document.scene)));
-    const JsonValue json =
-        of_mesh ? info_json(*objects.front().mesh) : info_json(document.scene, arguments.size);
+    const bool of_mesh = is_mesh_path(arguments.scene.file) && objects.size() == 1;
+    const Json json = of_mesh ? info_json(*objects.front().mesh, objects.front().normals.source)
+                              : info_json(document.scene, size_to_draw(arguments.size, document));
     return {json_text(json), document.warnings, ExitStatus::Done};
 }
 
@@ -42,13 +39,12 @@ Run declare_schema(Options& /*options*/) {
 }  // namespace
 
 Command schema_command() {
-    return {"schema", "", "prints the JSON Schema (2020-12) of the scene file",
+    return {"schema", "", "print the JSON Schema (2020-12) of the scene file",
             "glint schema > scene.schema.json", declare_schema};
 }
 
 Command info_command() {
-    return {"info", "FILE", "tells what a mesh or a scene holds, as JSON", "glint info bunny.obj",
-            declare_info};
+    return {"info", "FILE", "describe a mesh or a scene, as JSON", "glint info bunny.obj", declare_info};
 }
 
 }  // namespace glint

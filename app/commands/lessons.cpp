@@ -5,13 +5,12 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "app/lesson_arguments.h"
 #include "app/progress.h"
+#include "lessons/check_lesson.h"
+#include "lessons/handout.h"
 #include "models/io/file.h"
-#include "models/json/json_value.h"
+#include "models/json/json.h"
 #include "models/problem.h"
-#include "renderer/lessons/check_lesson.h"
-#include "renderer/lessons/handout.h"
 
 namespace glint {
 namespace {
@@ -45,7 +44,7 @@ std::string list_text(const std::vector<Lesson>& lessons) {
 }
 
 std::string list_json(const std::vector<Lesson>& lessons) {
-    JsonValue all = JsonValue::array();
+    Json all = Json::array();
     for (const Lesson& l : lessons)
         all.push_back({{"name", l.name},
                        {"title", l.title},
@@ -82,7 +81,7 @@ std::string check_text(const std::vector<CheckedLesson>& lessons) {
 }
 
 std::string check_json(const std::vector<CheckedLesson>& lessons) {
-    JsonValue all = JsonValue::array();
+    Json all = Json::array();
     for (const auto& [lesson, items] : lessons)
         for (const Checked& item : items)
             all.push_back({{"lesson", lesson.name},
@@ -139,14 +138,14 @@ Run declare_lessons(Options& options) {
     auto arguments = std::make_shared<LessonsArguments>();
     options.add_words(
         "NAME",
-        "a lesson by its name or number, a file, or a folder of lessons; all that come with the "
-        "program when not given",
+        "a lesson (its name or number), a file, or a folder of lessons; default: all lessons of Glint",
         [&names = arguments->names](const std::string& text) { names.push_back(text); });
     options.add_flag("--check", arguments->check,
-                     "run every claim and tell what falls short; then the status is 1");
-    add_text(options, "-o", "OUT.html", "print one lesson as a page with its pictures", arguments->out);
-    options.add_flag("--key", arguments->key, "with the answers on it");
-    options.add_value("--format", "FORMAT", "text, the default, or json",
+                     "check every claim; print those that fail and end with status 1");
+    add_text(options, "-o", "OUT.html", "write one lesson as a page with its pictures; - is standard output",
+             arguments->out);
+    options.add_flag("--key", arguments->key, "include the answers");
+    options.add_value("--format", "FORMAT", "text (default) or json",
                       [&as_json = arguments->as_json](const std::string& text) {
                           as_json = read_word("--format", text, {"text", "json"}) == 1;
                       });
@@ -158,7 +157,7 @@ Run declare_lessons(Options& options) {
 }  // namespace
 
 Command lessons_command() {
-    return {"lessons", "[NAME...]", "lists lessons, runs what they claim, or prints one",
+    return {"lessons", "[NAME...]", "list lessons, check them, or print one",
             "glint lessons lambert -o lambert.html --key", declare_lessons};
 }
 

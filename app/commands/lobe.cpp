@@ -3,9 +3,8 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/lesson/run_limits.h"
-#include "models/memory_limit.h"
-#include "renderer/inspect/answers/reflectance_answers.h"
+#include "lessons/run_limits.h"
+#include "renderer/answers/reflectance_answers.h"
 
 namespace glint {
 namespace {
@@ -31,10 +30,6 @@ Outcome lobe(const LobeArguments& arguments) {
     const Object& object = object_of(document.scene, arguments.object);
     const Shading& shading = document.scene.shading;
     const Reflector reflector{shading.reflection, object.material, shading.terms};
-    // A sample and its line of CSV, 16 numbers; both lists are there twice while they grow.
-    constexpr std::uint64_t of_sample = 2 * sizeof(LobeSample) + std::uint64_t{2} * 16 * 10;
-    const MemoryShare share(
-        memory_need(MemoryUse::Output, of_sample * (static_cast<std::uint64_t>(arguments.steps) + 1)));
     const auto slice = lobe_slice(reflector, arguments.light_deg, arguments.steps);
     return {arguments.as_json ? json_text(lobe_json(reflector, object.name, arguments.light_deg, slice))
                               : lobe_csv(slice),
@@ -44,19 +39,20 @@ Outcome lobe(const LobeArguments& arguments) {
 Run declare_lobe(Options& options) {
     auto arguments = std::make_shared<LobeArguments>();
     add_scene(options, arguments->scene);
-    options.add_value("--object", "N", "number of the object whose material is asked for; 0 when not given",
+    options.add_value("--object", "N", "index of the object whose material is used; default 0",
                       [&object = arguments->object](const std::string& text) {
                           object = read_count("--object", text, 0, 9999);
                       });
-    options.add_value("--angle", "DEG", "angle of the light to the normal, 0 to 89.9; 45 when not given",
+    options.add_value("--angle", "DEG", "angle of the light to the normal, 0 to 89.9; default 45",
                       [&deg = arguments->light_deg](const std::string& text) {
                           deg = read_amount("--angle", text, max_lobe_deg);
                       });
-    options.add_value("--steps", "N", "samples from -90 to 90 degrees, less one; 180 when not given",
+    options.add_value("--steps", "N", "number of steps from -90 to 90 degrees; default 180",
                       [&steps = arguments->steps](const std::string& text) {
                           steps = read_count("--steps", text, 1, 100000);
                       });
-    options.add_value("--format", "FORMAT", "csv, the default, or json, with the lobe's energy and albedo",
+    options.add_value("--format", "FORMAT",
+                      "csv (default) or json, which adds the energy and the albedo of the lobe",
                       [&as_json = arguments->as_json](const std::string& text) {
                           as_json = read_word("--format", text, {"csv", "json"}) == 1;
                       });
@@ -66,7 +62,7 @@ Run declare_lobe(Options& options) {
 }  // namespace
 
 Command lobe_command() {
-    return {"lobe", "FILE", "lists how a surface reflects light, as CSV or JSON",
+    return {"lobe", "FILE", "print how a surface reflects light, as CSV or JSON",
             "glint lobe still-life.json --object 1 --angle 60 --format json", declare_lobe};
 }
 

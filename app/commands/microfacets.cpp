@@ -4,8 +4,8 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/lesson/run_limits.h"
-#include "renderer/inspect/answers/reflectance_answers.h"
+#include "lessons/run_limits.h"
+#include "renderer/answers/reflectance_answers.h"
 
 namespace glint {
 namespace {
@@ -25,21 +25,22 @@ Outcome microfacets(const MicrofacetArguments& arguments) {
 Run declare_microfacets(Options& options) {
     auto arguments = std::make_shared<MicrofacetArguments>();
     MicrofacetOptions& o = arguments->options;
-    options.add_value("--roughness", "R", "0 to 1, 90 degrees of tilt to 1; 0.25 when not given",
+    options.add_value("--roughness", "R", "0 to 1; 1 is a deviation of the tilts of 90 degrees; default 0.25",
                       [&o](const std::string& text) { o.roughness = read_amount("--roughness", text, 1); });
     options.add_value(
-        "--angle", "DEG", "angle of the light to the normal, 0 to 89; 30 when not given",
+        "--angle", "DEG", "angle of the light to the normal, 0 to 89; default 30",
         [&o](const std::string& text) { o.light_deg = read_amount("--angle", text, max_microfacets_deg); });
-    options.add_value("--view", "DEG",
-                      "angle of the viewer, 0 to 89 on the other side; the mirror angle when not given",
-                      [&view = arguments->view_deg](const std::string& text) {
-                          view = read_amount("--view", text, max_microfacets_deg);
-                      });
-    options.add_value("--rays", "N", "1 to 100000; 200 when not given",
+    options.add_value(
+        "--view", "DEG",
+        "angle of the viewer on the other side of the normal, 0 to 89; default: that of the light",
+        [&view = arguments->view_deg](const std::string& text) {
+            view = read_amount("--view", text, max_microfacets_deg);
+        });
+    options.add_value("--rays", "N", "number of rays, 1 to 100000; default 200",
                       [&o](const std::string& text) { o.rays = read_count("--rays", text, 1, 100000); });
-    options.add_value("--facets", "N", "4 to 100000; 400 when not given",
+    options.add_value("--facets", "N", "number of facets, 4 to 100000; default 400",
                       [&o](const std::string& text) { o.facets = read_count("--facets", text, 4, 100000); });
-    options.add_value("--seed", "S", "another seed, another surface; 1 when not given",
+    options.add_value("--seed", "S", "another seed gives another surface; default 1",
                       [&o](const std::string& text) {
                           o.seed = static_cast<std::uint32_t>(read_count("--seed", text, 0, 2147483647));
                       });
@@ -50,7 +51,7 @@ Run declare_microfacets(Options& options) {
 }  // namespace
 
 Command microfacets_command() {
-    return {"microfacets", "", "bounces rays off a rough surface of mirrors, as JSON",
+    return {"microfacets", "", "simulate rays on a rough surface of mirrors, as JSON",
             "glint microfacets --roughness 0.3 --angle 60 --rays 1000", declare_microfacets};
 }
 

@@ -12,7 +12,7 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/options.h"
-#include "models/json/json_value.h"
+#include "models/json/json.h"
 
 namespace glint {
 namespace {
@@ -30,7 +30,7 @@ std::vector<std::string> look_alikes_of(const MistakeName& m) { return parts_of(
 std::vector<std::string> sources_of(const MistakeName& m) { return parts_of(m.sources, "; "); }
 
 std::string catalogue_json() {
-    JsonValue all = JsonValue::array();
+    Json all = Json::array();
     for (const MistakeName& m : mistake_names())
         all.push_back({{"name", m.name},
                        {"seen_as", heading_of(m.seen_as)},
@@ -56,7 +56,7 @@ std::string catalogue_text() {
             text += fmt::format("\n  {}\n    {}\n    {}\n", m.name, m.what, m.looks);
             if (!m.look_alikes.empty())
                 text += fmt::format("    Looks like: {}\n", joined(look_alikes_of(m)));
-            if (!m.sources.empty()) text += fmt::format("    Asked in: {}\n", m.sources);
+            if (!m.sources.empty()) text += fmt::format("    Reported in: {}\n", m.sources);
         }
     }
     return text;
@@ -64,7 +64,7 @@ std::string catalogue_text() {
 
 Run declare_mistakes(Options& options) {
     auto as_json = std::make_shared<bool>(false);
-    options.add_value("--format", "FORMAT", "text, the default, or json", [as_json](const std::string& text) {
+    options.add_value("--format", "FORMAT", "text (default) or json", [as_json](const std::string& text) {
         *as_json = read_word("--format", text, {"text", "json"}) == 1;
     });
     return [as_json] {
@@ -75,8 +75,7 @@ Run declare_mistakes(Options& options) {
 }  // namespace
 
 Command mistakes_command() {
-    return {"mistakes", "",
-            "lists the mistakes that people make when they light a scene, each a switch of it",
+    return {"mistakes", "", "list common mistakes in lighting code, which a scene can switch on",
             "glint mistakes --format json", declare_mistakes};
 }
 

@@ -1,13 +1,12 @@
 // glint quiz: a concept inventory as a page, and what a class has answered.
-#include "renderer/lessons/quiz.h"
+#include "lessons/quiz.h"
 
 #include <memory>
 
 #include "app/arguments.h"
-#include "app/assets.h"
 #include "app/commands/command.h"
 #include "models/io/file.h"
-#include "models/json/json_value.h"
+#include "models/json/json.h"
 
 namespace glint {
 namespace {
@@ -56,11 +55,12 @@ Outcome quiz(const QuizArguments& arguments) {
 
 Run declare_quiz(Options& options) {
     auto arguments = std::make_shared<QuizArguments>();
-    options.add_words("ANSWERS", "files that people saved from the page: counts them, as JSON",
+    options.add_words("ANSWERS", "answers saved from the page, to be counted",
                       [&answers = arguments->answers](const std::string& text) { answers.push_back(text); });
-    add_text(options, "-o", "OUT.html", "write the questions as a page", arguments->out);
-    options.add_flag("--key", arguments->key, "with the answers, and what each wrong one stands for");
-    add_text(options, "--of", "FILE", "another file of questions than the one that comes with the program",
+    add_text(options, "-o", "OUT.html", "write the questions as a page; - is standard output",
+             arguments->out);
+    options.add_flag("--key", arguments->key, "include the answers and the belief behind each wrong one");
+    add_text(options, "--of", "FILE", "use another file of questions than that of Glint",
              arguments->questions);
     add_threads(options, arguments->threads);
     add_memory(options);
@@ -70,7 +70,7 @@ Run declare_quiz(Options& options) {
 }  // namespace
 
 Command quiz_command() {
-    return {"quiz", "-o OUT.html", "asks what people believe about lighting, and counts what they answered",
+    return {"quiz", "-o OUT.html", "write the quiz about lighting, or count its answers",
             "glint quiz -o quiz.html", declare_quiz};
 }
 

@@ -3,15 +3,15 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/progress.h"
 #include "models/io/file.h"
-#include "models/memory_limit.h"
+#include "renderer/answers/answers.h"
+#include "renderer/debug_views/buffers.h"
 #include "renderer/image/image_file.h"
-#include "renderer/inspect/answers/answers.h"
-#include "renderer/inspect/debug_views/buffers.h"
 #include "renderer/renderer.h"
 
 namespace glint {
@@ -19,10 +19,10 @@ namespace {
 
 struct RenderArguments {
     SceneArguments scene;
-    PictureSize size;
+    std::optional<PictureSize> size;
     std::string out;
     std::string buffers;  // a directory
-    int samples = 1;
+    std::optional<int> samples;
     bool stats = false;
     bool no_scene = false;
 };
@@ -44,18 +44,6 @@ PictureFormat buffer_format(PictureFormat format) {
     return format == PictureFormat::Exr ? PictureFormat::Exr : PictureFormat::Pfm;
 }
 
-/// Asked for before anything is drawn, which may take long.
-MemoryShare share_of_output(const RenderArguments& arguments, const Scene& scene, PictureFormat format) {
-    const PictureSize size = arguments.size;
-    std::uint64_t buffers = 0;
-    if (!arguments.buffers.empty())
-        buffers = buffers_memory(size, buffers_at_once(size, buffer_names(scene).size())) + exr_memory(size);
-    const std::uint64_t carried =
-        format == PictureFormat::Png && !arguments.no_scene ? bytes_to_tell(scene) : 0;
-    return MemoryShare(
-        memory_need(MemoryUse::Output, file_memory(format, arguments.size) + buffers + carried));
-}
-
 /// Where a buffer of that name goes.
 std::string buffer_path(const RenderArguments& arguments, const std::string& name) {
     const PictureFormat format = buffer_format(format_of(arguments.out));
@@ -66,14 +54,17 @@ void require_possible(const RenderArguments& arguments) {
     if (arguments.stats && is_standard_output(arguments.out))
         throw wrong_usage("--stats", "standard output is the picture's", "a file after -o");
     if (arguments.buffers.empty()) return;
-    if (arguments.samples > 1)
-        throw wrong_usage("--buffers", "a pixel of several samples has several surfaces", "--samples 1");
-    if (arguments.size.width > max_buffer_pixels / arguments.size.height)
-        throw wrong_usage("--buffers", "the picture is too large", "at most 16777216 pixels");
     std::error_code ignored;
     if (!std::filesystem::is_directory(arguments.buffers, ignored))
         throw wrong_usage("--buffers", arguments.buffers + " is not a directory",
                           "a directory that is there");
+}
+
+void require_buffers_of(PictureSize size, int samples) {
+    if (samples > 1)
+        throw wrong_usage("--buffers", "a pixel of several samples has several surfaces", "--samples 1");
+    if (size.width > max_buffer_pixels / size.height)
+        throw wrong_usage("--buffers", "the picture is too large", "at most 16777216 pixels");
 }
 
 /// Refuses a buffer in the file of the picture or of another buffer: one of the two would be lost.
@@ -105,15 +96,16 @@ void require_scene_kept(const RenderArguments& arguments, PictureFormat format) 
     require_not_read(arguments.out);
 }
 
-void add_buffers(Outcome& outcome, const RenderArguments& arguments, const Renderer& renderer,
-                 const Scene& scene) {
+void write_buffers(const RenderArguments& arguments, const Renderer& renderer, const Scene& scene,
+                   PictureSize size) {
     const PictureFormat format = buffer_format(format_of(arguments.out));
     const std::vector<std::string> names = buffer_names(scene);
     Progress progress("buffer", names.size());
     std::size_t count = 0;
-    visit_pixel_buffers(renderer, scene, arguments.size, names, [&](const PixelBuffer& buffer) {
+    visit_pixel_buffers(renderer, scene, size, names, [&](const PixelBuffer& buffer) {
         progress.at(++count);
-        outcome.put_aside(buffer_path(arguments, buffer.name), picture_bytes(buffer.picture, format, 1, {}));
+        (void)take(
+            write_file(buffer_path(arguments, buffer.name), picture_bytes(buffer.picture, format, 1, {})));
         return true;
     });
 }
@@ -127,14 +119,15 @@ Outcome render(const RenderArguments& arguments) {
     require_writable(arguments.out);
     if (!arguments.buffers.empty()) require_writable(buffer_path(arguments, "sum"));
     const SceneDocument document = open_scene(arguments.scene);
+    const PictureSize size = size_to_draw(arguments.size, document);
+    const int samples = samples_to_draw(arguments.samples, document);
+    if (!arguments.buffers.empty()) require_buffers_of(size, samples);
     require_scene_kept(arguments, format);
     require_apart(arguments, document.scene);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
-    const MemoryShare share = share_of_output(arguments, document.scene, format);
     Renderer renderer(arguments.scene.threads);
-    const Picture& picture =
-        renderer.render(document.scene, arguments.size, is_linear(format), arguments.samples);
+    const Picture& picture = renderer.render(document.scene, size, is_linear(format), samples);
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
     std::string bytes = picture_bytes(
         picture, format, document.scene.display.exposure,
@@ -142,10 +135,11 @@ Outcome render(const RenderArguments& arguments) {
     if (arguments.out == "-") {
         outcome.output = std::move(bytes);
     } else {
-        outcome.put_aside(arguments.out, std::move(bytes));
+        outcome.path = arguments.out;
+        outcome.bytes = std::move(bytes);
     }
-    if (!arguments.buffers.empty()) add_buffers(outcome, arguments, renderer, document.scene);
-    if (arguments.stats) outcome.output = json_text(stats_json(renderer, arguments.size));
+    if (!arguments.buffers.empty()) write_buffers(arguments, renderer, document.scene, size);
+    if (arguments.stats) outcome.output = json_text(stats_json(renderer, size));
     return outcome;
 }
 
@@ -153,25 +147,25 @@ Run declare_render(Options& options) {
     auto arguments = std::make_shared<RenderArguments>();
     add_scene(options, arguments->scene);
     add_text(options, "-o", "OUT",
-             "where the picture goes: .png (8 bit, carrying its scene), .pfm or .exr (linear float), or - "
-             "for a PNG "
-             "on standard output",
+             "output file: .png (8 bit, carries its scene), .pfm or .exr (linear float), or - for a PNG on "
+             "standard output",
              arguments->out);
     add_size(options, arguments->size);
     add_samples(options, arguments->samples);
     add_text(options, "--buffers", "DIR",
-             "also write what lies behind the pixels in this directory: EXR files beside an .exr, else PFM",
+             "also write positions, normals, vectors and terms of each pixel to this directory, as EXR if "
+             "OUT is an EXR, else as PFM",
              arguments->buffers);
     options.add_flag("--no-scene", arguments->no_scene,
-                     "leave the scene, which names its mesh files, out of a PNG");
-    options.add_flag("--stats", arguments->stats, "print evaluations, pixels and times as JSON");
+                     "leave the scene, and with it the paths of its meshes, out of a PNG");
+    options.add_flag("--stats", arguments->stats, "print counts and times as JSON");
     return [arguments] { return render(*arguments); };
 }
 
 }  // namespace
 
 Command render_command() {
-    return {"render", "FILE -o OUT", "draws one picture",
+    return {"render", "FILE -o OUT", "render a picture of a scene",
             "glint render teapot.json -o teapot.png --size 640x480 --set /display/exposure=2",
             declare_render};
 }

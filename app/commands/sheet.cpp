@@ -1,16 +1,16 @@
 // glint sheet: a labelled grid of pictures over two parameters.
-#include "renderer/inspect/debug_views/sheet.h"
+#include "renderer/image/sheet.h"
 
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/progress.h"
 #include "models/io/file.h"
 #include "models/json/json_pointer.h"
-#include "models/memory_limit.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
@@ -22,7 +22,7 @@ struct SheetArguments {
     SceneArguments scene;
     std::string rows, columns, out;
     PictureSize cell{256, 256};
-    int samples = 1;
+    std::optional<int> samples;
 };
 
 SheetAxis axis_of(const std::string& option, const std::string& text) {
@@ -92,16 +92,15 @@ Outcome sheet(const SheetArguments& arguments) {
     require_not_read(arguments.out);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
-    const PictureSize size = sheet_size(rows, columns, arguments.cell, font);
-    const MemoryShare share(memory_need(MemoryUse::Output, png_memory(size) + picture_memory(size)));
     Renderer renderer(arguments.scene.threads);
     const SceneVariants variants(document);
+    const int samples = samples_to_draw(arguments.samples, document);
     Progress progress("picture", rows.values.size() * columns.values.size());
     const Picture picture =
         make_sheet(rows, columns, arguments.cell, font, [&](std::size_t r, std::size_t c) -> const Picture& {
             progress.at(r * columns.values.size() + c + 1);
             return renderer.render(scene_of_cell(variants, rows, rows.values[r], columns, columns.values[c]),
-                                   arguments.cell, false, arguments.samples);
+                                   arguments.cell, false, samples);
         });
     std::string bytes = png_bytes(picture, {});
     if (arguments.out == "-") {
@@ -116,14 +115,13 @@ Run declare_sheet(Options& options) {
     auto arguments = std::make_shared<SheetArguments>();
     add_scene(options, arguments->scene);
     const std::string values =
-        "=A,B,C, each value JSON or a word; commas inside [] {} \"\" belong to a value";
-    add_text(options, "--rows", "POINTER=A,B,C", "what varies from row to row: POINTER" + values,
-             arguments->rows);
-    add_text(options, "--cols", "POINTER=A,B,C", "what varies from column to column, likewise",
+        "=A,B,C, each value as in --set; commas inside [], {} and \"\" do not separate values";
+    add_text(options, "--rows", "POINTER=A,B,C", "the values of the rows: POINTER" + values, arguments->rows);
+    add_text(options, "--cols", "POINTER=A,B,C", "the values of the columns, in the same form",
              arguments->columns);
-    add_text(options, "-o", "OUT.png", "where the sheet goes; - for standard output", arguments->out);
+    add_text(options, "-o", "OUT.png", "output file; - is standard output", arguments->out);
     options.add_value(
-        "--cell", "WxH", "size of each picture in pixels; 256x256 when not given",
+        "--cell", "WxH", "size of each picture in pixels; default 256x256",
         [&cell = arguments->cell](const std::string& text) { cell = read_size("--cell", text); });
     add_samples(options, arguments->samples);
     return [arguments] { return sheet(*arguments); };
@@ -133,7 +131,7 @@ Run declare_sheet(Options& options) {
 
 Command sheet_command() {
     return {"sheet", "FILE --rows P=A,B --cols P=A,B -o OUT.png",
-            "draws a labelled grid of pictures over two parameters",
+            "render a labelled grid of pictures over two parameters",
             "glint sheet sun.json --rows /shading/mode=flat,gouraud,phong "
             "--cols /objects/0/material/shininess=8,32,128 -o sheet.png",
             declare_sheet};

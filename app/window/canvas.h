@@ -1,36 +1,117 @@
 #pragma once
-// The window's pixels, kept from frame to frame: what did not change is not drawn again.
+// Draws the window. The canvas keeps the window's pixels, compares what ImGui draws with the frame before,
+// and redraws only the rectangles in which they differ. Without a GPU, panels full of text take longer to
+// draw than the picture.
 
 #include <imgui.h>
 
-#include "app/window/texture.h"
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "renderer/picture.h"
+#include "ui/widgets/area.h"
 
 namespace glint {
 
-/// A framebuffer as large as the window's, which it is copied to. Its first row is the window's top.
-class Canvas {
-  public:
-    [[nodiscard]] bool ready() const { return texture_.ready(); }
-    /// All functions need a current GL context. Returns true if the size has changed: then nothing of what
-    /// was drawn is left.
-    bool resize(PictureSize size);
+/// Each rectangle is drawn by itself and scans all draw lists: a few large ones cost less than many small
+/// ones.
+inline constexpr std::size_t max_changed_rects = 4;
 
-    /// Draws the part inside `within`: the picture at `to`, clipped to `room`, taking the nearest pixel where
-    /// the sizes differ, and one colour around it. A null `picture` leaves the colour alone.
-    void draw_picture(const Picture* picture, const PixelRect& to, const PixelRect& room,
-                      const PixelRect& within, const ImVec4& around);
-    /// Draws what of ImGui's data lies in `within`. ImGui's units are `dots_per_unit` pixels each.
-    void draw(const ImDrawData& data, const PixelRect& within, float dots_per_unit);
-    /// Copies all of it to the window's back buffer.
-    void show();
+/// Adds `rect` to rectangles that do not overlap, and merges it with those that it overlaps. At most
+/// `max_changed_rects` remain.
+void add_rect(std::vector<Rect>& rects, Rect rect);
+
+/// A copy of one of ImGui's draw lists, which ImGui reuses in the next frame.
+struct DrawnList {
+    std::vector<ImDrawCmd> commands;
+    std::vector<ImDrawIdx> indices;
+    std::vector<ImDrawVert> vertices;
+};
+
+/// Compares what ImGui draws in this frame with the frame before.
+class FrameChanges {
+  public:
+    /// Returns rectangles in ImGui's units that cover every pixel which `data` draws differently from the
+    /// call before. They have an area and do not overlap. Returns the entire display at the first call and
+    /// when its size has changed. Textures are compared by name, not by content.
+    [[nodiscard]] std::vector<Rect> update(const ImDrawData& data);
 
   private:
-    void bind();  // to draw in
-    void fill(const PixelRect& rect, const ImVec4& color);
-    void scale(const Picture& picture, const PixelRect& to, const PixelRect& part);
+    std::vector<DrawnList> before_;
+    ImVec2 size_{-1, -1};
+};
 
-    Texture texture_{Texture::Use::Copied};
-    Texture small_{Texture::Use::Copied};  // a picture that is shown in another size
+/// Pixels of the window or of a picture, from its upper left corner; right and bottom are the first ones
+/// outside.
+struct PixelRect {
+    int left = 0, top = 0, right = 0, bottom = 0;
+    [[nodiscard]] int width() const { return right - left; }
+    [[nodiscard]] int height() const { return bottom - top; }
+    [[nodiscard]] bool is_empty() const { return right <= left || bottom <= top; }
+};
+
+/// A GL texture whose first row is the top of a picture. Precondition: a GL context is current.
+class Texture {
+  public:
+    /// Sampled: ImGui draws it. Copied: pixels are copied to and from it as a framebuffer. Its channels then
+    /// have the window's order, so that llvmpipe copies memory, in a quarter of the time. A shader cannot
+    /// sample a Copied texture: llvmpipe (Mesa 22.3) skips the tiles that a rectangle covers completely.
+    enum class Use { Sampled, Copied };
+
+    explicit Texture(Use use);
+    ~Texture();
+    Texture(const Texture&) = delete;
+    Texture& operator=(const Texture&) = delete;
+
+    [[nodiscard]] PictureSize size() const { return size_; }
+    /// Allocates a picture of this size; its contents are undefined if the size has changed.
+    void allocate(PictureSize size);
+    void upload(const Picture& picture);
+    /// Uploads `part` of a picture whose upper left corner is at (`left`, `top`) of the texture.
+    /// Precondition: the part is inside both.
+    void upload(const Picture& picture, const PixelRect& part, int left, int top);
+    /// Its name for ImGui.
+    [[nodiscard]] void* id() const { return std::bit_cast<void*>(std::uintptr_t{name_}); }
+    /// The framebuffer whose pixels are this texture.
+    [[nodiscard]] unsigned framebuffer();
+
+  private:
+    Use use_;
+    unsigned framebuffer_ = 0;  // created on first use
+    unsigned name_ = 0;
+    PictureSize size_{0, 0};
+};
+
+/// The picture and colour below ImGui's data.
+struct Background {
+    const Picture* picture = nullptr;  // null: none
+    std::uint64_t serial = 0;          // differs when the picture's pixels differ
+    Rect place, room;                  // the picture fills `place`, clipped to `room`
+    ImVec4 color;                      // around the picture
+};
+
+class Canvas {
+  public:
+    /// Draws the parts of a frame that have changed since the last call, or all of it, into the current
+    /// context's back buffer of `size` pixels. ImGui's units are `dots_per_unit` pixels each. Returns false,
+    /// and draws nothing, if nothing has changed or the window has no pixels.
+    bool draw(const ImDrawData& data, const Background& background, PictureSize size, float dots_per_unit,
+              bool all);
+
+  private:
+    void draw_part(const ImDrawData& data, const PixelRect& part);
+    void draw_background(const PixelRect& part);
+    void draw_lists(const ImDrawData& data, const PixelRect& part);
+    void stretch(const Picture& picture, const PixelRect& to, const PixelRect& part);
+    void fill(const PixelRect& rect, const ImVec4& color);
+    void copy_to_window();
+
+    FrameChanges changes_;
+    Background background_;  // of the last call
+    float dots_per_unit_ = 1;
+    Texture pixels_{Texture::Use::Copied};     // of the window
+    Texture stretched_{Texture::Use::Copied};  // a picture that is shown at another size
 };
 
 }  // namespace glint

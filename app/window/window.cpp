@@ -1,8 +1,5 @@
-#include "app/window/window.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-#include <fmt/core.h>
+// glint [FILE...]: the window. Opens it, runs its frames, and keeps unsaved work when it ends.
+#include <semaphore.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,83 +9,93 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
-#include <variant>
+#include <vector>
 
-#include "app/assets.h"
-#include "app/failure.h"
-#include "app/window/clipboard.h"
-#include "app/window/ending_signals.h"
+#include "app/arguments.h"
+#include "app/commands/command.h"
 #include "app/window/window_frames.h"
-#include "app/window/x_errors.h"
+#include "models/io/file.h"
 #include "ui/document/averaged_normals.h"
 #include "ui/document/loading.h"
-#include "ui/lessons/lesson.h"
+#include "ui/features/lessons/course.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/preferences/persistence.h"
 #include "ui/ui.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+// Last: Xlib defines macros with common names.
+#include <X11/Xlib.h>
 
 namespace glint {
 namespace {
 
-constexpr int least_width = 320, least_height = 240;  // of the window, in its own units
-constexpr double longest_farewell = 0.3;              // seconds that a closed window's loads may take to end
-// What a file may take to open before the window does; then the window shows how far it has come, and Cancel.
-constexpr std::chrono::milliseconds longest_without_window{1000};
+constexpr int min_width = 320, min_height = 240;  // of the window, in its own units
+// A file that takes longer to open is loaded in the window, which shows the progress and can cancel it.
+constexpr std::chrono::milliseconds max_time_without_window{1000};
 
-/// What keeps the window from opening, with the way to do without it.
-Failure impossible(const std::string& what, const std::string& expected) {
-    const std::string without = ", or \"glint render FILE -o OUT.png\" for a picture without a window";
-    return {ExitStatus::Impossible, {"", "", what, expected + without}};
+struct WindowArguments {
+    SceneArguments scene;
+    std::vector<std::string> more;  // files that PgDn shows after the first
+    std::string lesson;             // its file; then no other file is opened
+};
+
+/// The error of a window that cannot be opened, in GLFW's words.
+Failure no_window() {
+    const char* description = nullptr;
+    (void)glfwGetError(&description);
+    return {
+        ExitStatus::Impossible,
+        {"", "",
+         std::string("no window can be opened: ") +
+             (description != nullptr ? description : "GLFW gives no reason"),
+         "a display with OpenGL 3.2, or \"glint render FILE -o OUT.png\" for a picture without a window"}};
 }
 
-/// The scene that a newcomer meets.
+/// The scene that a new user sees first.
 SceneDocument default_document(const std::vector<Assignment>& assignments) {
     const std::string path = asset_path("scenes/default.json");
     if (path.empty()) return first_scene();
     SceneDocument document = take(open_document(path, assignments));
-    document.path.clear();  // Ctrl+S must not write over the program's own scene: it is a new one
+    document.path.clear();  // a new scene: Ctrl+S must not overwrite the installed one
     document.assignments.clear();
     return document;
 }
 
-/// What the window begins with: a document, and a lesson where it is one's.
+/// What the window shows first: a document, and the lesson it belongs to, if any.
 struct Beginning {
     SceneDocument document;
     std::shared_ptr<const Course> course;
-    std::optional<Opening> awaited;  // what takes its time: the default scene is shown until it is there
+    std::optional<Opening> loading;  // the default scene is shown until this has loaded
 };
 
-Beginning beginning(const WindowOptions& options) {
-    if (options.lesson.empty() && options.file.empty())
-        return {default_document(options.assignments), nullptr, std::nullopt};
-    Opening opening = options.lesson.empty() ? opening_of(options.file, options.assignments)
-                                             : opening_of_lesson(options.lesson);
-    if (!opening.job->wait_for(longest_without_window))
+Beginning beginning(const WindowArguments& arguments) {
+    const auto& [file, assignments, threads] = arguments.scene;
+    if (arguments.lesson.empty() && file.empty())
+        return {default_document(assignments), nullptr, std::nullopt};
+    Opening opening =
+        arguments.lesson.empty() ? opening_of(file, assignments) : opening_of_lesson(arguments.lesson);
+    if (!opening.job->wait_for(max_time_without_window))
         return {default_document({}), nullptr, std::move(opening)};
     SceneDocument document = take(opening.job->take());
     return {std::move(document), opening.course ? *opening.course : nullptr, std::nullopt};
 }
 
-/// Ends GLFW on every way out.
 struct Glfw {
-    bool ready;
     Glfw() {
-        // GLFW's own words would be a second line; what matters is said once, by us.
-        glfwSetErrorCallback([](int, const char*) {});
-        ready = glfwInit() == GLFW_TRUE;
+        if (glfwInit() != GLFW_TRUE) throw no_window();
     }
-    ~Glfw() {
-        end_within(5);
-        glfwTerminate();
-        end_within(0);
-    }
+    ~Glfw() { glfwTerminate(); }
     Glfw(const Glfw&) = delete;
     Glfw& operator=(const Glfw&) = delete;
 };
 
-GLFWwindow* make_window(const Preferences& remembered) {
+GLFWwindow* open_window(const Preferences& remembered) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 2);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     int x = 0, y = 0, width = 1440, height = 900;
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
@@ -102,66 +109,123 @@ GLFWwindow* make_window(const Preferences& remembered) {
             width = remembered.width, height = remembered.height;
     }
     glfwWindowHint(GLFW_MAXIMIZED, remembered.maximized ? GLFW_TRUE : GLFW_FALSE);
-    return glfwCreateWindow(std::max(width, least_width), std::max(height, least_height), "Glint", nullptr,
-                            nullptr);
+    GLFWwindow* window =
+        glfwCreateWindow(std::max(width, min_width), std::max(height, min_height), "Glint", nullptr, nullptr);
+    if (window == nullptr) throw no_window();
+    glfwSetWindowSizeLimits(window, min_width, min_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    return window;
 }
 
-UiState* open_state = nullptr;  // of the window that is open
-
-/// Ends the program when the connection to the display breaks: unsaved work is kept for the next window. Xlib
-/// may be in the middle of anything, so only half-written files are removed.
-void end_without_display() {
-    const bool kept = open_state != nullptr && keep_unsaved_work(*open_state);
-    fmt::print(stderr, "glint: error: the display has gone{}\n",
-               kept ? "; a copy of the unsaved work is kept, and the next window offers it" : "");
-    std::quick_exit(static_cast<int>(ExitStatus::Impossible));
+/// Xlib ends the program on any error by default. GLFW resets the handler while it opens a window.
+void handle_x_errors() {
+    // A refused request is most often one to a program that has quit while it dragged a file over the window.
+    XSetErrorHandler([](::Display*, XErrorEvent*) { return 0; });
+    XSetIOErrorHandler([](::Display*) -> int {
+        (void)std::fputs("glint: error: the connection to the display is lost\n", stderr);
+        std::quick_exit(static_cast<int>(ExitStatus::Impossible));
+    });
 }
 
-}  // namespace
+volatile std::sig_atomic_t ending_signal = 0;
+sem_t signalled;
 
-void run_window(const WindowOptions& options) {
-    UiState state(options.threads);
-    Beginning first = beginning(options);
+/// SIGHUP, SIGINT and SIGTERM end the frame loop. A second one ends the program at once. An ignored signal
+/// (nohup) stays ignored.
+void catch_ending_signals() {
+    sem_init(&signalled, 0, 0);
+    // GLFW waits on after a signal, and a handler must not call GLFW.
+    std::thread([] {
+        while (sem_wait(&signalled) != 0) {
+        }
+        glfwPostEmptyEvent();
+    }).detach();
+    struct sigaction action {};
+    action.sa_handler = [](int number) {
+        ending_signal = number;
+        sem_post(&signalled);
+    };
+    action.sa_flags = SA_RESTART | SA_RESETHAND;
+    for (const int number : {SIGHUP, SIGINT, SIGTERM}) {
+        struct sigaction before {};
+        sigaction(number, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);
+    }
+}
+
+/// Keeps what must outlive the window, and ends the program.
+[[noreturn]] void end_window(UiState& state) {
+    // Without a signal the user has answered all questions: unsaved work is not wanted.
+    const bool kept = ending_signal != 0 && keep_unsaved_work(state);
+    if (ending_signal != 0 && !kept && state.editor.unsaved())
+        (void)std::fputs("glint: error: no copy of the unsaved work could be kept\n", stderr);
+    end_persistence(state, kept);
+    leave_lesson(state);
+    glfwTerminate();
+    if (ending_signal != 0) std::raise(ending_signal);  // for the shell; its handler has been reset
+    // Loads and exports may still be running, and a thread in the middle of a picture cannot be stopped.
+    std::quick_exit(0);
+}
+
+/// Opens the window, runs it until it is closed, and ends the program. Throws Failure if the file fails to
+/// open before the window does, or if no display with OpenGL 3.2 is available.
+[[noreturn]] void run_window(const WindowArguments& arguments) {
+    UiState state(arguments.scene.threads);
+    Beginning first = beginning(arguments);
     take_document(state.editor, std::move(first.document));
     state.shipped_scenes = asset_path("scenes");
     state.lesson.folder = asset_path("lessons");
     state.lesson.inventory = asset_path("inventory.md");
-    if (options.files.size() > 1) state.lecture.given_scenes = options.files;
+    if (!arguments.more.empty()) {
+        state.lecture.given_scenes = {arguments.scene.file};
+        state.lecture.given_scenes.insert(state.lecture.given_scenes.end(), arguments.more.begin(),
+                                          arguments.more.end());
+    }
     for (const std::string& warning : state.editor.document.warnings) say_warning(warning);
     begin_persistence(state, state_folder());
     const Glfw glfw;
-    if (!glfw.ready)
-        throw impossible("no display to open a window on", "one that DISPLAY or WAYLAND_DISPLAY names");
-    GLFWwindow* handle = make_window(state.persistence.preferences);
-    if (handle == nullptr) throw impossible("the display has no OpenGL 3.0", "a driver that has it");
-    glfwSetWindowSizeLimits(handle, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
-    open_state = &state;
-    handle_x_errors(end_without_display);
-    WindowFrames window(handle, state, end_without_display);
-    if (!window.ready()) throw impossible("the display has no OpenGL 3.0", "a driver that has it");
+    WindowFrames window(open_window(state.persistence.preferences), state);
+    handle_x_errors();
     tell_averaged_normals(state);
     if (first.course) begin_lesson(state, first.course);
-    if (first.awaited) await_opening(state, *std::move(first.awaited));
-    std::optional<EndingSignals> signals(std::in_place);
+    if (first.loading) await_opening(state, *std::move(first.loading));
+    catch_ending_signals();
     try {
-        window.run(*signals);
+        window.run(ending_signal);
     } catch (...) {
         (void)keep_unsaved_work(state);
         throw;
     }
-    open_state = nullptr;
-    const int signal = signals->number();
-    // Without a signal the user closed the window and answered all questions: unsaved work is not wanted.
-    const bool kept = signal != 0 && keep_unsaved_work(state);
-    if (signal != 0 && !kept && state.editor.unsaved())
-        (void)std::fputs("glint: error: no copy of the unsaved work could be kept\n", stderr);
-    end_persistence(state, kept);
-    leave_lesson(state);
-    signals.reset();
-    if (signal != 0) std::raise(signal);  // a shell is told it
-    // Ends jobs that nobody waits for any more. Everything that was to be kept is written.
-    glfwHideWindow(handle);
-    if (!end_jobs(state, longest_farewell)) std::quick_exit(0);
+    end_window(state);
 }
+
+Run declare_window(Options& options) {
+    auto arguments = std::make_shared<WindowArguments>();
+    add_scene(options, arguments->scene);
+    add_text(options, "--lesson", "NAME", "open a lesson: its name, number or file (.md)", arguments->lesson);
+    options.add_words("MORE", "further files; PgDn and PgUp step through all files in this order",
+                      [&more = arguments->more](const std::string& text) { more.push_back(text); });
+    return [arguments]() -> Outcome {
+        auto& [scene, more, lesson] = *arguments;
+        // A missing file is an error now, before PgDn reaches it.
+        for (const std::string& file : more)
+            if (auto problem = why_not_there(file, "scenes, meshes, or pictures that Glint wrote"))
+                throw Failure{ExitStatus::Impossible, *std::move(problem)};
+        if (lesson.empty() && is_lesson_file(scene.file)) std::swap(lesson, scene.file);
+        if (lesson.empty()) run_window(*arguments);
+        if (!scene.file.empty())
+            throw wrong_usage("--lesson", "cannot be combined with " + scene.file, "one of the two");
+        if (!more.empty())
+            throw wrong_usage(more.front(), "cannot be combined with a lesson", "the lesson alone");
+        if (!scene.assignments.empty())
+            throw wrong_usage("--set", "cannot be combined with a lesson, which has its own scene",
+                              "one of the two");
+        lesson = lesson_file(lesson);
+        run_window(*arguments);
+    };
+}
+
+}  // namespace
+
+Command window_command() { return {"", "[FILE...]", "open the window", "glint teapot.json", declare_window}; }
 
 }  // namespace glint

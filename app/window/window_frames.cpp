@@ -10,43 +10,39 @@
 #include <cmath>
 #include <utility>
 
-#include "app/window/ending_signals.h"
-#include "app/window/gl.h"
-#include "app/window/x_errors.h"
+#include "app/failure.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
 
-WindowFrames::WindowFrames(GLFWwindow* window, UiState& state, void (*display_gone)())
-    : window_(window), state_(state), display_gone_(display_gone), clipboard_(window) {
+WindowFrames::WindowFrames(GLFWwindow* window, UiState& state) : window_(window), state_(state) {
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     collect_input(window, input_);
-    ready_ = ImGui_ImplGlfw_InitForOpenGL(window, true) && ImGui_ImplOpenGL3_Init("#version 130");
+    if (!ImGui_ImplGlfw_InitForOpenGL(window, true) || !ImGui_ImplOpenGL3_Init("#version 150"))
+        throw Failure{ExitStatus::Impossible, {"", "", "OpenGL cannot be loaded", "libGL.so.1"}};
     collect_text(window);
-    ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // by Canvas, where GL has none
-    if (ready_) clipboard_.serve_imgui();
-    if (ready_ && gl().complete) canvas_ = std::make_unique<Canvas>();
+    canvas_ = std::make_unique<Canvas>();
     files_ = find_fonts();
 }
 
 WindowFrames::~WindowFrames() {
     canvas_.reset();
     sheets_.clear();
-    if (ready_) ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
     glfwDestroyWindow(window_);
 }
 
-void WindowFrames::run(const EndingSignals& signals) {
+void WindowFrames::run(const volatile std::sig_atomic_t& ending_signal) {
     bool shown = false;
     while (true) {
         const UiRequests wants = frame();
-        if (wants.quit || signals.number() != 0) return;
+        if (wants.quit || ending_signal != 0) return;
         if (!shown) glfwShowWindow(window_);
         shown = true;
         wait(wants.sleep_s);
@@ -54,7 +50,6 @@ void WindowFrames::run(const EndingSignals& signals) {
 }
 
 void WindowFrames::wait(double seconds) {
-    handle_x_errors(display_gone_);
     if (frames_due_ > 0) {
         --frames_due_;
         return glfwPollEvents();
@@ -115,8 +110,6 @@ void WindowFrames::note_size() {
 UiRequests WindowFrames::frame() {
     measure();
     follow_scale();
-    if (const auto error = take_x_error()) state_.notifications.add(Tone::Warning, *error);
-    if (const auto problem = clipboard_.take_problem()) state_.notifications.add(Tone::Warning, *problem);
     note_size();
     read_held_keys(window_, input_.ui);
     ImGui_ImplOpenGL3_NewFrame();
@@ -130,8 +123,14 @@ UiRequests WindowFrames::frame() {
     input_.ui = {};
     draws_all_ = draws_all_ || std::exchange(input_.refresh_asked, false);
     upload_sheets();
-    const std::vector<Rect> changed = changes_.update(*ImGui::GetDrawData());
-    shows_ = draw(changed);
+    const Background background{state_.displayed, state_.picture_serial, state_.picture_rect.picture,
+                                state_.picture_rect.room, theme().panel};
+    shows_ = canvas_->draw(*ImGui::GetDrawData(), background, {extent_.dots.x, extent_.dots.y},
+                           display_.dots_per_unit, draws_all_);
+    if (shows_) {
+        draws_all_ = false;
+        glfwSwapBuffers(window_);
+    }
     if (!wants.title.empty() && wants.title != title_) {
         title_ = wants.title;
         glfwSetWindowTitle(window_, title_.c_str());
@@ -152,52 +151,8 @@ void WindowFrames::upload_sheets() {
         if (sheet->serial == shown.serial) continue;
         shown.texture->upload(sheet->picture);
         shown.serial = sheet->serial;
-        draws_all_ = true;  // wherever it is shown
+        draws_all_ = true;  // it may be shown anywhere
     }
-}
-
-PixelRect WindowFrames::pixels_of(const Rect& rect) const {
-    const float dots = display_.dots_per_unit;
-    return {int(std::lround(rect.low.x * dots)), int(std::lround(rect.low.y * dots)),
-            int(std::lround(rect.high.x * dots)), int(std::lround(rect.high.y * dots))};
-}
-
-PixelRect WindowFrames::pixels_around(const Rect& rect) const {
-    const float dots = display_.dots_per_unit;
-    return {int(std::floor(rect.low.x * dots)), int(std::floor(rect.low.y * dots)),
-            int(std::ceil(rect.high.x * dots)), int(std::ceil(rect.high.y * dots))};
-}
-
-bool WindowFrames::draw(std::vector<Rect> changed) {
-    const PlacedPicture& placed = state_.picture_rect;
-    if (state_.picture_serial != shown_ || placed != placed_) {
-        add_rect(changed, placed.room);
-        add_rect(changed, placed_.room);
-    }
-    placed_ = placed;
-    shown_ = state_.picture_serial;
-    const PictureSize size{extent_.dots.x, extent_.dots.y};
-    if (size.width <= 0 || size.height <= 0) return false;  // iconified
-    const PixelRect whole{0, 0, size.width, size.height};
-    if (canvas_->resize(size) || draws_all_) {
-        draw_within(whole);
-    } else {
-        if (changed.empty()) return false;
-        for (const Rect& rect : changed) {
-            const PixelRect part = intersection(pixels_around(rect), whole);
-            if (!part.is_empty()) draw_within(part);
-        }
-    }
-    draws_all_ = false;
-    canvas_->show();
-    glfwSwapBuffers(window_);
-    return true;
-}
-
-void WindowFrames::draw_within(const PixelRect& part) {
-    canvas_->draw_picture(state_.displayed, pixels_of(placed_.picture), pixels_of(placed_.room), part,
-                          theme().panel);
-    canvas_->draw(*ImGui::GetDrawData(), part, display_.dots_per_unit);
 }
 
 }  // namespace glint

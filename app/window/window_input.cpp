@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <utility>
 
@@ -16,7 +17,7 @@ Key key_of_letter(char letter) {
     return static_cast<Key>(static_cast<int>(Key::A) + letter - 'a');
 }
 
-/// The letter that the user's layout prints on the key, so that Ctrl+Z is where Z is; 0 for keys without one.
+/// The letter of the key in the user's layout; 0 for keys without one.
 char letter_of(int key, int scancode) {
     const char* name = glfwGetKeyName(key, scancode);
     if (name != nullptr && name[0] != 0 && name[1] == 0)
@@ -24,61 +25,42 @@ char letter_of(int key, int scancode) {
     return key >= GLFW_KEY_A && key <= GLFW_KEY_Z ? static_cast<char>('a' + key - GLFW_KEY_A) : '\0';
 }
 
+constexpr std::array<std::pair<int, Key>, 27> fixed_keys{{
+    {GLFW_KEY_DELETE, Key::Delete},
+    {GLFW_KEY_ESCAPE, Key::Escape},
+    {GLFW_KEY_ENTER, Key::Enter},
+    {GLFW_KEY_KP_ENTER, Key::Enter},
+    {GLFW_KEY_TAB, Key::Tab},
+    {GLFW_KEY_UP, Key::Up},
+    {GLFW_KEY_DOWN, Key::Down},
+    {GLFW_KEY_LEFT, Key::Left},
+    {GLFW_KEY_RIGHT, Key::Right},
+    {GLFW_KEY_PAGE_UP, Key::PageUp},
+    {GLFW_KEY_PAGE_DOWN, Key::PageDown},
+    {GLFW_KEY_F1, Key::F1},
+    {GLFW_KEY_F8, Key::F8},
+    {GLFW_KEY_F9, Key::F9},
+    {GLFW_KEY_F10, Key::F10},
+    {GLFW_KEY_F11, Key::F11},
+    {GLFW_KEY_F12, Key::F12},
+    {GLFW_KEY_KP_0, Key::Pad0},
+    {GLFW_KEY_KP_1, Key::Pad1},
+    {GLFW_KEY_KP_3, Key::Pad3},
+    {GLFW_KEY_KP_5, Key::Pad5},
+    {GLFW_KEY_KP_7, Key::Pad7},
+    {GLFW_KEY_KP_DECIMAL, Key::PadPoint},
+    // By position: some layouts print digits only with Shift.
+    {GLFW_KEY_1, Key::Digit1},
+    {GLFW_KEY_2, Key::Digit2},
+    {GLFW_KEY_3, Key::Digit3},
+    {GLFW_KEY_4, Key::Digit4},
+}};
+
 Key key_of(int key, int scancode, int mods) {
-    switch (key) {
-    case GLFW_KEY_DELETE:
-        return Key::Delete;
-    case GLFW_KEY_ESCAPE:
-        return Key::Escape;
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-        return Key::Enter;
-    case GLFW_KEY_TAB:
-        return Key::Tab;
-    case GLFW_KEY_UP:
-        return Key::Up;
-    case GLFW_KEY_DOWN:
-        return Key::Down;
-    case GLFW_KEY_LEFT:
-        return Key::Left;
-    case GLFW_KEY_RIGHT:
-        return Key::Right;
-    case GLFW_KEY_PAGE_UP:
-        return Key::PageUp;
-    case GLFW_KEY_PAGE_DOWN:
-        return Key::PageDown;
-    case GLFW_KEY_F8:
-        return Key::F8;
-    case GLFW_KEY_F9:
-        return Key::F9;
-    case GLFW_KEY_F10:
-        return Key::F10;
-    case GLFW_KEY_KP_0:
-        return Key::Pad0;
-    case GLFW_KEY_KP_1:
-        return Key::Pad1;
-    case GLFW_KEY_KP_3:
-        return Key::Pad3;
-    case GLFW_KEY_KP_5:
-        return Key::Pad5;
-    case GLFW_KEY_KP_7:
-        return Key::Pad7;
-    case GLFW_KEY_KP_DECIMAL:
-        return Key::PadPoint;
-    case GLFW_KEY_F1:
-        return Key::F1;
-    case GLFW_KEY_F11:
-        return Key::F11;
-    case GLFW_KEY_F12:
-        return Key::F12;
-    default:
-        break;
-    }
     const char letter = letter_of(key, scancode);
     if ((letter == '/' || letter == '?') && (mods & GLFW_MOD_SHIFT) != 0) return Key::Question;
-    // Digits by place: some layouts print them only with Shift.
-    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_4)
-        return static_cast<Key>(static_cast<int>(Key::Digit1) + key - GLFW_KEY_1);
+    for (const auto& [number, ours] : fixed_keys)
+        if (number == key) return ours;
     return key_of_letter(letter);
 }
 
@@ -114,7 +96,7 @@ void on_text(GLFWwindow* window, unsigned int letter) {
 
 void on_button(GLFWwindow* window, int button, int action, int /*mods*/) {
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-    // The cursor is not asked for by glfwGetCursorPos: that says where it is by now.
+    // Not glfwGetCursorPos, which returns the current position of the cursor.
     WindowInput& input = input_of(window);
     input.waiting.emplace_back(ButtonEvent{button, action == GLFW_PRESS, input.cursor});
 }
@@ -163,14 +145,14 @@ void read_held_keys(GLFWwindow* window, UiInput& input) {
 
 namespace {
 
-/// The number of frames until what a key opened takes the keyboard: it opens in the first frame and has the
-/// keyboard in the second or third.
+/// The number of frames until a field or dialog that a key opens has the keyboard focus: it opens in the
+/// first frame and has the focus in the second or third.
 constexpr int frames_to_open = 3;
 
 bool is_down(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
 
-/// Releases the keys that were shown to ImGui in the last frame and are no longer held. A key whose press
-/// still waits in the queue is not shown as held.
+/// Releases the keys that were down for ImGui in the last frame and no longer are. A key whose press is still
+/// in the queue is not down yet.
 void show_held_keys(GLFWwindow* window, WindowInput& input) {
     ImGuiIO& io = ImGui::GetIO();
     for (const int key : input.shown_down) io.KeysDown[key] = is_down(window, key);
@@ -185,7 +167,7 @@ void show_held_keys(GLFWwindow* window, WindowInput& input) {
 }
 
 /// Whether the key may open a field or a dialog, or move to another field. Keys that are pressed many times a
-/// second are left out: each press would wait for frames that nobody needs.
+/// second are excluded: each press would wait for unnecessary frames.
 bool may_open(const KeyEvent& event) {
     if (event.repeats || !event.press) return false;
     switch (event.press->key) {
@@ -212,7 +194,7 @@ bool may_open(const KeyEvent& event) {
     }
 }
 
-void tell(WindowInput& input, const KeyEvent& event) {
+void pass_on(WindowInput& input, const KeyEvent& event) {
     ImGuiIO& io = ImGui::GetIO();
     if (event.key >= 0) {
         io.KeysDown[event.key] = true;
@@ -223,7 +205,7 @@ void tell(WindowInput& input, const KeyEvent& event) {
     if (event.press) input.ui.presses.push_back(*event.press);
 }
 
-/// Tells keys and text. `before`: the keys that the last frame has shown.
+/// Passes on keys and text. `before`: the keys that were down in the last frame.
 void feed_keys(WindowInput& input, const std::vector<int>& before) {
     ImGuiIO& io = ImGui::GetIO();
     std::optional<Modifiers> with;
@@ -241,13 +223,13 @@ void feed_keys(WindowInput& input, const std::vector<int>& before) {
             return;
         }
         with = event->with;
-        tell(input, *event);
+        pass_on(input, *event);
         if (may_open(*event)) input.frames_to_open = frames_to_open;
         input.waiting.pop_front();
     }
 }
 
-/// Tells a press or a release, each of which has a frame of its own.
+/// Passes on a press or a release. Each one gets a frame of its own.
 void feed_button(WindowInput& input) {
     const ButtonEvent event = std::get<ButtonEvent>(input.waiting.front());
     input.waiting.pop_front();
@@ -269,7 +251,8 @@ bool feed_input(GLFWwindow* window, WindowInput& input) {
         if (input.frames_to_open > 0) --input.frames_to_open;
         feed_keys(input, before);
     }
-    // The queue decides the state of three buttons; the backend has set the latest, which may be too new.
+    // The queue decides the state of three buttons: the backend has set the current state, which may be
+    // newer.
     for (std::size_t i = 0; i < input.down.size(); ++i) ImGui::GetIO().MouseDown[i] = input.down[i];
     return had_any || !input.shown_down.empty();
 }

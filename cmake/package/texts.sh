@@ -23,7 +23,7 @@ mkdir -p "$share/doc/glint"
 printf 'glint (%s) stable; urgency=medium\n\n  * As of its sources.\n\n -- %s  %s\n' "$version" "$maintainer" "$(date -R)" |
     gzip -9n >"$share/doc/glint/changelog.gz"
 python3 "$here/completions.py" "$glint" "$share"
-man_page glint "light a scene, see the picture, ask for every number behind a pixel" "$glint"
+man_page glint "light a scene, see the picture, inspect every number behind a pixel" "$glint"
 "$glint" --help | sed -n 's/^  glint \([a-z]\+\).*/\1/p' | while read -r command; do
     man_page "glint-$command" "$("$glint" "$command" --help | head -n 1)" "$glint $command"
 done

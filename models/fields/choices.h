@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "models/primitives/primitives.h"
+#include "models/mesh/primitives/primitives.h"
 #include "models/scene/reflection.h"
 #include "models/scene/scene.h"
 
@@ -25,7 +25,7 @@ constexpr Choice choice_of(LightKind kind) {
     case LightKind::Spot:
         return {"spot", "Spot", "A bulb with a cone"};
     case LightKind::Area:
-        return {"area", "Area", "A shining parallelogram, as many point samples"};
+        return {"area", "Area", "A luminous parallelogram, represented by points"};
     }
     return {};
 }
@@ -36,34 +36,6 @@ constexpr Choice choice_of(LightSpace space) {
         return {"world", "World", "Stays with the scene"};
     case LightSpace::Camera:
         return {"camera", "Camera", "Moves with the viewer"};
-    }
-    return {};
-}
-
-constexpr Choice choice_of(NormalSource source) {
-    switch (source) {
-    case NormalSource::Auto:
-        return {"auto", "Auto", "From the file, else analytic, else averaged"};
-    case NormalSource::File:
-        return {"file", "File", "As the mesh file gives them"};
-    case NormalSource::Facet:
-        return {"facet", "Facet", "Each polygon's own"};
-    case NormalSource::Vertex:
-        return {"vertex", "Vertex", "Facet normals averaged around each vertex"};
-    case NormalSource::Analytic:
-        return {"analytic", "Analytic", "From the surface's formula"};
-    }
-    return {};
-}
-
-constexpr Choice choice_of(NormalWeighting weighting) {
-    switch (weighting) {
-    case NormalWeighting::Uniform:
-        return {"uniform", "Uniform", "Every facet counts the same"};
-    case NormalWeighting::Area:
-        return {"area", "Area", "By the facet's area"};
-    case NormalWeighting::Angle:
-        return {"angle", "Angle", "By the facet's angle at the vertex"};
     }
     return {};
 }
@@ -99,7 +71,7 @@ constexpr Choice choice_of(FlatPoint point) {
     case FlatPoint::Centroid:
         return {"centroid", "Centroid", "Mean of the polygon's corners, facet normal"};
     case FlatPoint::Provoking:
-        return {"provoking", "Last corner", "Of each triangle: OpenGL's provoking vertex"};
+        return {"provoking", "Last corner", "Last corner of each triangle, OpenGL's provoking vertex"};
     }
     return {};
 }
@@ -109,9 +81,9 @@ constexpr Choice choice_of(Cull cull) {
     case Cull::None:
         return {"none", "None", "Both sides are drawn"};
     case Cull::Back:
-        return {"back", "Back", "Faces turned away are left out"};
+        return {"back", "Back", "Back faces are left out"};
     case Cull::Front:
-        return {"front", "Front", "Faces turned towards us are left out"};
+        return {"front", "Front", "Front faces are left out"};
     }
     return {};
 }
@@ -119,11 +91,11 @@ constexpr Choice choice_of(Cull cull) {
 constexpr Choice choice_of(Rules rules) {
     switch (rules) {
     case Rules::Lecture:
-        return {"lecture", "Lecture", "As the equation says"};
+        return {"lecture", "Lecture", "The equation as written"};
     case Rules::OpenGL2:
         return {"opengl2", "OpenGL 2",
-                "Fixed function's: colours clamped before interpolation, provoking corner, shininess at most "
-                "128"};
+                "Fixed-function OpenGL: colours clamped before interpolation, provoking corner, shininess at "
+                "most 128"};
     }
     return {};
 }
@@ -131,7 +103,7 @@ constexpr Choice choice_of(Rules rules) {
 constexpr Choice choice_of(Transfer transfer) {
     switch (transfer) {
     case Transfer::None:
-        return {"none", "Unchanged", "The numbers as they are, as the lecture and OpenGL do"};
+        return {"none", "Unchanged", "Values unchanged, as in the lecture and in OpenGL"};
     case Transfer::Srgb:
         return {"srgb", "sRGB", "Linear light encoded for the display"};
     }
@@ -146,11 +118,11 @@ enum class ProjectionKind { Perspective, Orthographic, Frustum };
 constexpr Choice choice_of(ProjectionKind kind) {
     switch (kind) {
     case ProjectionKind::Perspective:
-        return {"perspective", "Perspective", "Lines of sight meet in the eye"};
+        return {"perspective", "Perspective", "Lines of sight meet at the eye"};
     case ProjectionKind::Orthographic:
         return {"orthographic", "Orthographic", "Lines of sight are parallel"};
     case ProjectionKind::Frustum:
-        return {"frustum", "Frustum", "A window on the near plane, maybe off the middle"};
+        return {"frustum", "Frustum", "A window on the near plane, which may be off-centre"};
     }
     return {};
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "models/fields/range.h"
+#include "models/range.h"
 #include "models/scene/light.h"
 
 namespace glint {

@@ -25,13 +25,13 @@ concept Of = std::same_as<std::remove_const_t<T>, Struct>;
 
 template <Of<Falloff> F, class Visit> void fields(F& f, Visit&& visit) {
     const Real share{.range = at_least_zero, .step = 0.004f, .usual_max = 2};
-    visit(Row{"constant", "Constant", "c₀: the same at every distance"}, share, f.constant);
-    visit(Row{"linear", "Linear", "c₁: with the distance, per scene unit"}, share, f.linear);
-    visit(Row{"quadratic", "Quadratic", "c₂: with its square, as light spreads"}, share, f.quadratic);
+    visit(Row{"constant", "Constant", "c₀, the constant term"}, share, f.constant);
+    visit(Row{"linear", "Linear", "c₁, multiplied by the distance"}, share, f.linear);
+    visit(Row{"quadratic", "Quadratic", "c₂, multiplied by the square of the distance"}, share, f.quadratic);
 }
 
 template <Of<SpotCone> C, class Visit> void fields(C& c, Visit&& visit) {
-    visit(Row{"direction", "Aim", "Where the cone's axis points, any length, in the light's own coordinates"},
+    visit(Row{"direction", "Aim", "Direction of the cone's axis, of any length, in the light's coordinates"},
           Vector{.condition = "not zero", .step = 0.005f}, c.direction);
     visit(Row{"cutoff_deg", "Cutoff", "Angle from the axis to the edge of the cone; 180: no cone"},
           Real{.range = {0, 90, "0 to 90, or 180", false, false, 180},
@@ -41,7 +41,7 @@ template <Of<SpotCone> C, class Visit> void fields(C& c, Visit&& visit) {
                .usual_max = 90},
           c.cutoff_deg);
     visit(Row{"exponent", "Exponent",
-              "cos(angle from the axis) to this power: 0 is even, more is softer to the edge"},
+              "Power of cos(angle from the axis): 0 is uniform, more fades towards the edge"},
           Real{.range = at_least_zero, .step = 0.02f, .format = "%.2f", .usual_max = 64, .logarithmic = true},
           c.exponent);
 }
@@ -54,24 +54,20 @@ constexpr bool is_square(int n) {
 
 template <Of<AreaShape> A, class Visit> void fields(A& a, Visit&& visit) {
     const Vector edge{.condition = "neither zero nor parallel to the other", .step = 0.005f};
-    visit(Row{"edge_u", "Edge u", "Half-edge of the parallelogram, in the light's own coordinates"}, edge,
+    visit(Row{"edge_u", "Edge u", "Half of an edge of the parallelogram, in the light's coordinates"}, edge,
           a.edge_u);
-    visit(Row{"edge_v", "Edge v", "Half-edge of the parallelogram, in the light's own coordinates"}, edge,
+    visit(Row{"edge_v", "Edge v", "Half of an edge of the parallelogram, in the light's coordinates"}, edge,
           a.edge_v);
-    visit(Row{"samples", "Samples", "n × n points at the centres of n × n equal cells stand for the area"},
+    visit(Row{"samples", "Samples", "Points that represent the area, at the centres of n × n equal cells"},
           Count{1, 64, is_square, "1, 4, 9, 16, 25, 36, 49 or 64"}, a.samples);
 }
 
 template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
-    visit(Row{"name", "Name", "What the light is called"}.undone_as("Rename {}"), Text{max_name_characters},
-          l.name);
+    visit(Row{"name", "Name", "Name of the light"}.undone_as("Rename {}"), Text{max_name_characters}, l.name);
     visit(Row{"type", "Type", "Kind of light"}.undone_as("Type of {}"), OneOf{}, l.kind);
-    visit(Row{"space", "Space",
-              "Coordinates of its position, aim and edges: they stay with the scene or move with the viewer"},
-          OneOf{}, l.space);
+    visit(Row{"space", "Space", "Coordinate system of its position, direction and edges"}, OneOf{}, l.space);
     visit(Row{"position", l.kind == LightKind::Directional ? "Towards" : "Position",
-              "Homogeneous: w = 0 is the direction towards the light, any length; w > 0 a position, divided "
-              "by w"},
+              "Homogeneous: the direction towards the light if w = 0, a position divided by w if w > 0"},
           Homogeneous{l.kind}, l.position);
     visit(Row{"ambient", "Ambient", "Colour for the ambient term"}.undone_as("Colour of {}"), Colour{},
           l.ambient);
@@ -81,60 +77,57 @@ template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
           l.specular);
     visit(Row{"intensity", "Intensity", "Multiplies the light's three colours"}.undone_as("Brightness of {}"),
           Real{.range = at_least_zero, .step = 0.005f, .usual_max = 4}, l.intensity);
-    visit(Row{"enabled", "On", "Whether it shines"}, Switch{}, l.enabled);
-    visit(
-        Row{"falloff", "Falloff  1 / (c₀ + c₁ dist + c₂ dist²)", "Divides what arrives at the distance dist"}
-            .undone_as("Falloff of {}")
-            .when(l.kind == LightKind::Point || l.kind == LightKind::Spot),
-        Group{}, l.falloff);
+    visit(Row{"enabled", "On", "Whether the light is on"}, Switch{}, l.enabled);
+    visit(Row{"falloff", "Falloff  1 / (c₀ + c₁ dist + c₂ dist²)",
+              "Divides the light that arrives at the distance dist"}
+              .undone_as("Falloff of {}")
+              .when(l.kind == LightKind::Point || l.kind == LightKind::Spot),
+          Group{}, l.falloff);
     visit(Row{"spot", "Cone", "Inside the cutoff cos(angle from the axis)^exponent, outside 0"}
               .undone_as("Cone of {}")
               .when(l.kind == LightKind::Spot),
           Group{}, l.spot);
-    visit(Row{"area", "Area", "A parallelogram centred on the position, shining from both sides"}
+    visit(Row{"area", "Area", "A parallelogram centred on the position that emits light from both sides"}
               .undone_as("Area of {}")
               .when(l.kind == LightKind::Area),
           Group{}, l.area);
 }
 
 /// Visits the fields that every mesh has.
-template <class M, class Visit> void fineness_fields(M& m, Visit&& visit) {
-    visit(Row{"decimate", "Decimate",
-              "Triangles at most: the mesh is made coarser, the least quadric error first; 0: as many as it "
-              "has"}
+template <class M, class Visit> void resolution_fields(M& m, Visit&& visit) {
+    visit(Row{"decimate", "Decimate", "Maximum number of triangles, by quadric error decimation; 0: no limit"}
               .omitted_by_default(),
           Count{.low = 0, .high = max_faces_wanted, .zero = "all"}, m.decimate);
     visit(Row{"subdivide", "Subdivide",
-              "How many times each face is then cut into 4, by Loop where all are triangles, else by Catmull "
-              "and Clark"}
+              "Subdivision steps after that: Loop if all faces are triangles, else Catmull–Clark"}
               .omitted_by_default(),
           Count{0, max_subdivisions}, m.subdivide);
 }
 
 template <Of<MeshFile> M, class Visit> void fields(M& m, Visit&& visit) {
     visit(Row{"file", "File",
-              "A mesh file, its path relative to the scene file; a byte that is not UTF-8 is written U+EF00 "
-              "+ byte"},
+              "Path of a mesh file, relative to the scene file; a byte that is not UTF-8 is written as "
+              "U+EF00 + byte"},
           Path{}, m.path);
-    visit(Row{"part", "Part", "Which mesh of a file that holds several, from 0: of glTF, which primitive"}
+    visit(Row{"part", "Part", "Index of the mesh in a file that has several; in glTF, of the primitive"}
               .omitted_by_default(),
           Count{0, max_parts - 1}, m.part);
-    fineness_fields(m, visit);
+    resolution_fields(m, visit);
 }
 
 template <Of<PrimitiveMesh> M, class Visit> void fields(M& m, Visit&& visit) {
     visit(Row{"primitive", "Mesh", "A shape that needs no file"}, OneOf{}, m.primitive);
-    visit(Row{"detail", "Detail", "How finely the shape is cut into polygons"},
-          Count{1, info_of(m.primitive).max_detail}, m.detail);
-    fineness_fields(m, visit);
+    visit(Row{"detail", "Detail", "Tessellation of the shape"}, Count{1, info_of(m.primitive).max_detail},
+          m.detail);
+    resolution_fields(m, visit);
 }
 
 template <Of<Transform> T, class Visit> void fields(T& t, Visit&& visit) {
-    visit(Row{"translate", "Move", "Where its origin is, world coordinates"}.undone_as("Move {}"), Vector{},
-          t.translate);
+    visit(Row{"translate", "Move", "Position of its origin in world coordinates"}.undone_as("Move {}"),
+          Vector{}, t.translate);
     visit(Row{"rotate_deg", "Rotate", "About x, then y, then z"}.undone_as("Rotate {}"),
           Vector{.unit = "°", .step = 0.5f, .format = "%.1f"}, t.rotate_deg);
-    visit(Row{"scale", "Scale", "Along its own axes, before it is rotated; below 0 mirrors"}.undone_as(
+    visit(Row{"scale", "Scale", "Along its own axes, before rotation; negative values mirror"}.undone_as(
               "Scale {}"),
           Vector{.condition = "none is 0"}, t.scale);
 }
@@ -144,32 +137,32 @@ inline constexpr Real angle_field{
     .range = half_turn_deg, .unit = "°", .step = 0.3f, .format = "%.1f°", .usual_max = 180};
 
 template <Of<NormalOptions> N, class Visit> void fields(N& n, Visit&& visit) {
-    visit(Row{"source", "Source", "Where the corners' normals come from"}, OneOf{}, n.source);
-    visit(Row{"weighting", "Weights", "How facets count when normals are averaged"}, OneOf{}, n.weighting);
+    visit(Row{"source", "Source", "Source of the corners' normals"}, OneOf{}, n.source);
+    visit(Row{"weighting", "Weights", "Weight of each facet when normals are averaged"}, OneOf{},
+          n.weighting);
     visit(Row{"crease_deg", "Crease",
               "Facets that meet at a larger angle are not averaged across their edge; 180 averages all"},
           angle_field, n.crease_deg);
-    visit(
-        Row{"flip", "Flip normals", "Every normal is turned round: for a mesh whose faces run the wrong way"}
-            .omitted_by_default(),
-        Switch{}, n.flip);
+    visit(Row{"flip", "Flip normals", "Reverses all normals, for a mesh whose faces are wound the wrong way"}
+              .omitted_by_default(),
+          Switch{}, n.flip);
 }
 
 template <Of<Material> M, class Visit> void fields(M& m, Visit&& visit) {
     visit(Row{"ambient", "Ambient", "k_a: share of ambient light reflected"}, Colour{}, m.ambient);
     visit(Row{"diffuse", "Diffuse", "k_d: share reflected evenly in all directions"}, Colour{}, m.diffuse);
     visit(Row{"specular", "Specular", "k_s: share reflected into the highlight"}, Colour{}, m.specular);
-    visit(Row{"emission", "Emission", "What the surface shines by itself"}, Colour{}, m.emission);
-    visit(Row{"shininess", "Shininess", "Exponent of the highlight: more is smaller and sharper"},
+    visit(Row{"emission", "Emission", "Light that the surface emits"}, Colour{}, m.emission);
+    visit(Row{"shininess", "Shininess", "Exponent of the highlight: larger is smaller and sharper"},
           Real{.range = {0, 10'000, "0 to 10000"}, .format = "%.1f", .usual_max = 1000, .logarithmic = true},
           m.shininess);
     visit(Row{"roughness", "Roughness", "0 smooth, 1 rough; Oren–Nayar and Cook–Torrance"},
           Real{.range = zero_to_one, .step = 0.004f, .format = "%.2f", .usual_max = 1}, m.roughness);
-    visit(Row{"f0", "F0", "Reflectance seen head-on; Cook–Torrance"}, Colour{}, m.f0);
+    visit(Row{"f0", "F0", "Reflectance at normal incidence; Cook–Torrance"}, Colour{}, m.f0);
 }
 
 template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
-    visit(Row{"name", "Name", "What the object is called"}.undone_as("Rename {}"), Text{max_name_characters},
+    visit(Row{"name", "Name", "Name of the object"}.undone_as("Rename {}"), Text{max_name_characters},
           o.name);
     visit(Row{"visible", "Shown", "Whether it is drawn"}.omitted_by_default(), Switch{}, o.visible);
     visit(Row{"mesh", "Mesh", "The shape: a primitive, or a file"}.undone_as("Mesh of {}"), OneMesh{},
@@ -179,7 +172,7 @@ template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
             .undone_as("Transform {}"),
         Group{}, o.transform);
     visit(Row{"normals", "Normals", "Of the corners"}.undone_as("Normals of {}"), Group{}, o.normals);
-    visit(Row{"material", "Material", "What the surface does with light"}
+    visit(Row{"material", "Material", "How the surface reflects light"}
               .undone_as("Material of {}")
               .of_lighting(),
           Group{}, o.material);
@@ -188,13 +181,12 @@ template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
 /// Visits near and far, which every projection has.
 template <class P, class Visit> void depth_fields(P& p, Visit&& visit) {
     const Real depth{.range = above_zero, .logarithmic = true};
-    visit(Row{"near", "Near", "What is nearer to the eye is cut off, scene units; less than far"}, depth,
-          p.near);
-    visit(Row{"far", "Far", "What is farther from the eye is cut off, scene units"}, depth, p.far);
+    visit(Row{"near", "Near", "Distance of the near clipping plane; less than far"}, depth, p.near);
+    visit(Row{"far", "Far", "Distance of the far clipping plane"}, depth, p.far);
 }
 
 template <Of<Perspective> P, class Visit> void fields(P& p, Visit&& visit) {
-    visit(Row{"fov_y_deg", "View angle", "Whole vertical angle of the view"},
+    visit(Row{"fov_y_deg", "View angle", "Full vertical angle of view"},
           Real{.range = {0, 180, "more than 0, less than 180", true, true},
                .unit = "°",
                .step = 0.2f,
@@ -221,18 +213,18 @@ template <Of<Frustum> F, class Visit> void fields(F& f, Visit&& visit) {
 }
 
 template <Of<Camera> C, class Visit> void fields(C& c, Visit&& visit) {
-    visit(Row{"eye", "Eye", "Where the viewer stands, world coordinates"},
+    visit(Row{"eye", "Eye", "Position of the eye in world coordinates"},
           Vector{.condition = "not target", .step = 0.02f}, c.eye);
-    visit(Row{"target", "Target", "What is in the middle of the picture, world coordinates"},
+    visit(Row{"target", "Target", "Point in the middle of the picture, in world coordinates"},
           Vector{.step = 0.02f}, c.target);
-    visit(Row{"up", "Up", "What is up in the picture, world coordinates"},
+    visit(Row{"up", "Up", "Direction that is up in the picture, in world coordinates"},
           Vector{.condition = "not along the view", .step = 0.02f}, c.up);
     visit(Row{"projection", "Projection", "How the view volume is projected"}, OneProjection{}, c.projection);
 }
 
 template <Of<Terms> T, class Visit> void fields(T& t, Visit&& visit) {
-    visit(Row{"emission", "Emission", "What the surface shines by itself"}, Switch{}, t.emission);
-    visit(Row{"ambient", "Ambient", "Light from everywhere, the lights' own too"}, Switch{}, t.ambient);
+    visit(Row{"emission", "Emission", "Light that the surface emits"}, Switch{}, t.emission);
+    visit(Row{"ambient", "Ambient", "Global ambient light, and that of each light"}, Switch{}, t.ambient);
     visit(Row{"diffuse", "Diffuse", "Light reflected evenly"}, Switch{}, t.diffuse);
     visit(Row{"specular", "Specular", "The highlight"}, Switch{}, t.specular);
 }
@@ -248,73 +240,68 @@ constexpr bool is_table_size(int entries) { return entries != 1; }
 template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
     visit(Row{"mode", "Mode", "Where the lighting equation is evaluated"}.undone_as("Shading mode"), OneOf{},
           s.mode);
-    visit(Row{"reflection", "Reflection", "What a light does on a surface"}.undone_as("Reflection model"),
+    visit(Row{"reflection", "Reflection", "How a surface reflects light"}.undone_as("Reflection model"),
           OneOf{}, s.reflection);
-    visit(Row{"interpolation", "Interpolate", "How values between corners are found"}, OneOf{},
+    visit(Row{"interpolation", "Interpolate", "How values are interpolated between corners"}, OneOf{},
           s.interpolation);
-    visit(Row{"flat_point", "Flat lit at", "Which point of a polygon is lit under flat"}, OneOf{},
+    visit(Row{"flat_point", "Flat lit at", "Point of a polygon that is lit under flat"}, OneOf{},
           s.flat_point);
-    visit(Row{"two_sided", "Two-sided", "Seen from behind, the normal is turned round"}, Switch{},
+    visit(Row{"two_sided", "Two-sided", "Reverses the normals of faces that are seen from behind"}, Switch{},
           s.two_sided);
     visit(Row{"local_viewer", "Local view",
-              "v points to the eye; off: v = (0, 0, 1) in camera coordinates everywhere, as if seen from far "
-              "away"},
+              "v points to the eye; off: v = (0, 0, 1) in camera coordinates, as for a distant viewer"},
           Switch{}, s.local_viewer);
     visit(Row{"cull", "Cull",
-              "Which side is left out, by the triangles' winding on the screen, a mirrored object's the "
-              "other way round"},
+              "Faces that are left out, by their winding on the screen (reversed for a mirrored object)"},
           OneOf{}, s.cull);
-    visit(Row{"rules", "Rules of", "Whose rules the equation follows"}, OneOf{}, s.rules);
+    visit(Row{"rules", "Rules of", "Rules of the lighting equation"}, OneOf{}, s.rules);
     visit(Row{"terms", "Terms of the equation", "Off: the term is left out of the sum"}.undone_as("Terms"),
           Group{}, s.terms);
-    visit(Row{"power_table", "cosⁿ table",
-              "Entries of a table, evenly from cosine 0 to 1, in which cosⁿ is looked up, the nearest one; "
-              "0: computed"}
-              .omitted_by_default(),
-          Count{0, 65536, is_table_size, "0, or 2 to 65536 entries", "computed"}, s.power_table);
     visit(
-        Row{"mistakes", "Mistakes", "Done wrong on purpose, to see what it looks like"}.undone_as("Mistakes"),
-        Group{}, s.mistakes);
+        Row{"power_table", "cosˢ table",
+            "Entries of a lookup table of cosˢ, evenly spaced from cosine 0 to 1, nearest entry; 0: computed"}
+            .omitted_by_default(),
+        Count{0, 65536, is_table_size, "0, or 2 to 65536 entries", "computed"}, s.power_table);
+    visit(Row{"mistakes", "Mistakes", "Mistakes made on purpose, to see how they look"}.undone_as("Mistakes"),
+          Group{}, s.mistakes);
 }
 
 template <Of<Npr> N, class Visit> void fields(N& n, Visit&& visit) {
     const Real share{.step = 0.004f, .format = "%.2f", .usual_max = 1};
     visit(Row{"cool_to_warm", "Cool to warm",
               "k_w (warm + beta k_d) + (1 − k_w) (cool + alpha k_d), k_w = (1 + n·l)/2 of the first enabled "
-              "light, in "
-              "place of emission, ambient and diffuse"},
+              "light, replacing emission, ambient and diffuse"},
           Switch{}, n.cool_to_warm);
-    visit(Row{"cool", "Cool", "Tone of what is turned away from the light"}.when(n.cool_to_warm), Colour{},
-          n.cool);
-    visit(Row{"warm", "Warm", "Tone of what is turned to the light"}.when(n.cool_to_warm), Colour{}, n.warm);
+    visit(Row{"cool", "Cool", "Tone of surfaces that face away from the light"}.when(n.cool_to_warm),
+          Colour{}, n.cool);
+    visit(Row{"warm", "Warm", "Tone of surfaces that face the light"}.when(n.cool_to_warm), Colour{}, n.warm);
     visit(Row{"alpha", "Alpha", "Share of k_d mixed into the cool tone"}.when(n.cool_to_warm), share,
           n.alpha);
     visit(Row{"beta", "Beta", "Share of k_d mixed into the warm tone"}.when(n.cool_to_warm), share, n.beta);
     visit(Row{"silhouettes", "Silhouettes",
-              "Strokes where one facet of an edge is seen from the front and the other is not, (e·n₀)(e·n₁) "
-              "≤ 0, and at "
+              "Strokes along edges between a front facet and a back facet, (e·n₀)(e·n₁) ≤ 0, and along "
               "boundary edges"},
           Switch{}, n.silhouettes);
     visit(Row{"creases", "Creases",
-              "Strokes where the normals of two facets differ by the crease angle or more"},
+              "Strokes along edges whose facets' normals differ by the crease angle or more"},
           Switch{}, n.creases);
     visit(Row{"crease_deg", "Crease at",
-              "Angle between the normals of two facets from which their edge is drawn"}
+              "Smallest angle between the normals of two facets whose edge is a crease"}
               .when(n.creases),
           angle_field, n.crease_deg);
     visit(Row{"stroke", "Stroke", "Colour of the strokes"}.when(n.silhouettes || n.creases), Colour{},
           n.stroke);
-    visit(Row{"stroke_width_px", "Width", "Of the strokes, in pixels of the picture; at most 100 are drawn"}
-              .when(n.silhouettes || n.creases),
+    visit(Row{"stroke_width_px", "Width", "Width of the strokes in pixels; at most 100"}.when(n.silhouettes ||
+                                                                                              n.creases),
           Real{.range = at_least_zero, .unit = "pixels", .step = 0.02f, .format = "%.1f px", .usual_max = 10},
           n.stroke_width_px);
 }
 
 template <Of<Display> D, class Visit> void fields(D& d, Visit&& visit) {
-    visit(Row{"background", "Background", "Colour where no object shows"}, Colour{}, d.background);
-    visit(Row{"transfer", "Encoding", "How linear light becomes the numbers of the display: its gamma"},
-          OneOf{}, d.transfer);
-    visit(Row{"exposure", "Exposure", "Multiplies the linear colour before it is shown"},
+    visit(Row{"background", "Background", "Colour where there is no object"}, Colour{}, d.background);
+    visit(Row{"transfer", "Encoding", "How linear light is encoded for the display (gamma)"}, OneOf{},
+          d.transfer);
+    visit(Row{"exposure", "Exposure", "Multiplies the linear colour before display"},
           Real{.range = above_zero, .logarithmic = true}, d.exposure);
 }
 

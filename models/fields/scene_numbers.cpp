@@ -36,7 +36,7 @@ int index_of(std::string_view token) {
 }
 
 /// Returns a label as it stands in a sentence: "cutoff" for "Cutoff", "falloff" for "Falloff  1 / (…)";
-/// symbols such as F0 or cosⁿ stay.
+/// symbols such as F0 or cosˢ stay.
 std::string in_a_sentence(std::string_view label) {
     std::string words(label.substr(0, label.find("  ")));
     const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
@@ -159,14 +159,14 @@ template <class AnyScene, class Visit> void walk(AnyScene& scene, const Tokens* 
 }
 
 /// Sets a number unless its kind forbids the value. What is a float is within an end that is rounded to one.
-std::optional<Violation> assign(const Real& kind, float& to, double value) {
+std::optional<Problem> assign(const Real& kind, float& to, double value) {
     const auto rounded = static_cast<float>(value);
     const bool contained = kind.range.contains(rounded) && (value == rounded || kind.range.contains(value));
     if (!contained) return out_of_range(value, std::string(kind.range.words));
     to = static_cast<float>(value);
     return std::nullopt;
 }
-std::optional<Violation> assign(const Count& kind, int& to, double value) {
+std::optional<Problem> assign(const Count& kind, int& to, double value) {
     if (!kind.contains(value)) return out_of_range(value, words_of(kind));
     to = static_cast<int>(value);
     return std::nullopt;
@@ -196,25 +196,27 @@ std::optional<SceneNumber> number_at(const Scene& scene, const std::string& poin
 }
 
 std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value) {
-    const auto problem = [](const std::string& at, Violation found) {
-        return Problem{"", at, std::move(found.what), std::move(found.expected)};
-    };
     Scene changed = scene;
     const Tokens tokens = tokens_of(pointer);
     bool exists = false;
-    std::optional<Violation> violation;
+    std::optional<Problem> violation;
     walk(changed, &tokens, [&](const SceneNumber&, const auto& kind, auto& to) {
         exists = true;
         violation = assign(kind, to, value);
     });
     if (!exists)
-        return problem(pointer, {"", "there is no such number", "the pointer of a number of the scene"});
-    if (violation) return problem(pointer, *std::move(violation));
-    if (const auto found = violation_of(changed)) return problem(found->at, *found);
+        return Problem{"", pointer, "there is no such number", "the pointer of a number of the scene"};
+    if (violation) {
+        violation->pointer = pointer;
+        return violation;
+    }
+    if (auto found = violation_of(changed)) return found;
     for (std::size_t i = 0; i < changed.lights.size(); ++i) {
         glm::vec4& position = changed.lights[i].position;
-        if (const auto found = violation_of_division(position))
-            return problem(fmt::format("/lights/{}{}", i, found->at), *found);
+        if (auto found = violation_of_division(position)) {
+            found->pointer = fmt::format("/lights/{}{}", i, found->pointer);
+            return found;
+        }
         position = divided_by_w(position);
     }
     for (std::size_t i = 0; i < changed.objects.size(); ++i)

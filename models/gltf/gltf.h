@@ -32,7 +32,7 @@ class GltfFile {
     [[nodiscard]] static Result<GltfFile> parse(std::string bytes, const std::string& path);
 
     /// Returns primitive number `part`, counted through all meshes, as a finished mesh. Vertices at one point
-    /// share a position; normals stay with their corners. Throws Refused and LoadCancelled.
+    /// share a position; normals stay with their corners.
     [[nodiscard]] Result<Mesh> mesh(int part) const;
 
     struct Content {
@@ -60,8 +60,7 @@ struct GltfWritten {
 };
 /// Writes meshes with the normals that they are drawn with, transforms, the camera with the lights that move
 /// with it, lights of KHR_lights_punctual, and materials as metallic-roughness. Precondition: meshes are
-/// loaded. What is written can be opened: a scene of which that is not so is refused, with the pointer of its
-/// value.
-[[nodiscard]] Result<GltfWritten> glb_of(const Scene& scene, const std::string& name);
+/// loaded. Whether the file can be opened is not checked: glb_of() of models/scene_file/scene_file.h does.
+[[nodiscard]] Result<GltfWritten> unchecked_glb_of(const Scene& scene, const std::string& name);
 
 }  // namespace glint

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "models/mesh/normals.h"
-#include "models/scene_file/scene_file.h"
 
 namespace glint {
 namespace {
@@ -20,9 +19,8 @@ void append(std::string& bytes, std::uint32_t bits) {
 
 }  // namespace
 
-GltfJson number_json(float x) { return GltfJson::parse(number_text(x)); }
-GltfJson numbers_json(const glm::vec3& v) {
-    return GltfJson::array({number_json(v.x), number_json(v.y), number_json(v.z)});
+Json numbers_json(const glm::vec3& v) {
+    return Json::array({number_json(v.x), number_json(v.y), number_json(v.z)});
 }
 
 std::string glb_container(std::string_view json, std::string_view bin) {
@@ -61,10 +59,10 @@ int GltfBuffer::add_vectors(const std::vector<glm::vec3>& vectors, bool with_bou
         low = glm::min(low, v);
         high = glm::max(high, v);
     }
-    GltfJson accessor{{"bufferView", add_view(begin, vertex_data)},
-                      {"componentType", of_floats},
-                      {"count", vectors.size()},
-                      {"type", "VEC3"}};
+    Json accessor{{"bufferView", add_view(begin, vertex_data)},
+                  {"componentType", of_floats},
+                  {"count", vectors.size()},
+                  {"type", "VEC3"}};
     if (with_bounds) {
         accessor["min"] = numbers_json(low);
         accessor["max"] = numbers_json(high);
@@ -83,18 +81,11 @@ int GltfBuffer::add_indices(const std::vector<std::uint32_t>& indices) {
     return static_cast<int>(accessors_.size()) - 1;
 }
 
-GltfJson GltfBuffer::add(const Object& object) {
+Json GltfBuffer::add(const Object& object) {
     const Mesh& mesh = *object.mesh;
-    const std::uint64_t of_corners =
-        mesh.corner_position.size() * (2 * sizeof(glm::vec3) + sizeof(std::uint32_t)) +
-        3 * sizeof(std::uint32_t) * mesh.triangles.size();
-    MemoryShare share(memory_need(MemoryUse::Output, of_corners));
     const CornerNormals normals = corner_normals(mesh, object.normals);
     // A vertex is a place with a normal.
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;
-    // Its node in the map, and what it has in two lists, which are there one and a half times as they grow.
-    constexpr std::uint64_t of_vertex = 64 + std::uint64_t{3} * 2 * sizeof(glm::vec3);
-    constexpr std::size_t asked_at_once = 1 << 16;
     std::vector<glm::vec3> places, directions;
     std::vector<std::uint32_t> indices;
     indices.reserve(3 * mesh.triangles.size());
@@ -104,18 +95,11 @@ GltfJson GltfBuffer::add(const Object& object) {
             const std::uint32_t normal = normals.corner.empty() ? position : normals.corner[corner];
             const auto [at, is_new] = known.emplace(std::pair(position, normal), places.size());
             if (is_new) {
-                if (places.size() % asked_at_once == 0)
-                    share.set(memory_need(MemoryUse::Output,
-                                          of_corners + of_vertex * std::min(places.size() + asked_at_once,
-                                                                            mesh.corner_position.size())));
                 places.push_back(mesh.positions[position]);
                 directions.push_back((object.normals.flip ? -1.0f : 1.0f) * normals.normals[normal]);
             }
             indices.push_back(at->second);
         }
-    const std::uint64_t bytes =
-        bytes_.size() + 2 * sizeof(glm::vec3) * places.size() + sizeof(std::uint32_t) * indices.size();
-    share_.set(memory_need(MemoryUse::Output, 3 * bytes));  // up to twice as it grows, and in the file
     const int place = add_vectors(places, true), direction = add_vectors(directions, false);
     return {{"attributes", {{"POSITION", place}, {"NORMAL", direction}}}, {"indices", add_indices(indices)}};
 }

@@ -1,23 +1,19 @@
 #pragma once
-// The binary chunk of a .glb, as it is put together. Inside models/gltf/ only.
+// What the writer of .glb files is made of: its binary chunk, cameras and lights. Inside models/gltf/ only.
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "models/memory_limit.h"
+#include "models/gltf/gltf_items.h"
+#include "models/json/json.h"
 #include "models/scene/scene.h"
 
 namespace glint {
 
-using GltfJson = nlohmann::ordered_json;
-
-/// A float as a person would write it: 0.1.
-[[nodiscard]] GltfJson number_json(float x);
-[[nodiscard]] GltfJson numbers_json(const glm::vec3& v);
+[[nodiscard]] Json numbers_json(const glm::vec3& v);
 
 /// A .glb file of its two chunks; together below 4 GiB.
 [[nodiscard]] std::string glb_container(std::string_view json, std::string_view bin);
@@ -30,12 +26,12 @@ using GltfMeshKey = std::pair<NormalsKey, bool>;  // and NormalOptions::flip
 class GltfBuffer {
   public:
     /// Adds the object's mesh with the normals that it is drawn with (`flip` reverses them). Returns the
-    /// accessors as the members "attributes" and "indices" of a primitive. Throws Refused where there is no
-    /// memory for the numbers or for the file that they go into. Precondition: the object's mesh is loaded.
-    [[nodiscard]] GltfJson add(const Object& object);
+    /// accessors as the members "attributes" and "indices" of a primitive. Precondition: the object's mesh is
+    /// loaded.
+    [[nodiscard]] Json add(const Object& object);
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
-    [[nodiscard]] const GltfJson& views() const { return views_; }
-    [[nodiscard]] const GltfJson& accessors() const { return accessors_; }
+    [[nodiscard]] const Json& views() const { return views_; }
+    [[nodiscard]] const Json& accessors() const { return accessors_; }
 
   private:
     int add_vectors(const std::vector<glm::vec3>& vectors, bool with_bounds);
@@ -43,8 +39,21 @@ class GltfBuffer {
     int add_view(std::size_t begin, int target);
 
     std::string bytes_;
-    MemoryShare share_;  // of bytes_, and of the file that holds them, too
-    GltfJson views_ = GltfJson::array(), accessors_ = GltfJson::array();
+    Json views_ = Json::array(), accessors_ = Json::array();
 };
+
+// The camera and the lights of a scene as glTF has them.
+
+/// An element of "cameras".
+[[nodiscard]] Json camera_json(const Projection& projection, GltfUnsaid& unsaid);
+/// What places a node where the camera stands.
+[[nodiscard]] Json camera_matrix(const Camera& camera);
+
+/// An element of "lights". Precondition: it is not an area light. Throws ProblemFound with `pointer`, the
+/// light's, where its intensity is beyond what is read.
+[[nodiscard]] Json light_json(const Light& light, const Camera& camera, const std::string& pointer,
+                              GltfUnsaid& unsaid);
+/// The node of light number `index`, in the light's space.
+[[nodiscard]] Json light_node(const Light& light, std::size_t index);
 
 }  // namespace glint

@@ -10,18 +10,17 @@
 
 #include "models/gltf/gltf.h"
 #include "models/io/file.h"
-#include "models/mesh_formats/mesh_reader.h"
+#include "models/mesh/formats/mesh_reader.h"
 
 namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_file = std::size_t{16} << 30;
 constexpr std::uint64_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, bin_chunk = 0x004E4942;
 
 [[noreturn]] void fail(const std::string& what, const std::string& expected) {
-    throw ProblemFound{{"", "", what, expected}};
+    throw ProblemFound({"", "", what, expected});
 }
 
 /// The two chunks of a .glb.
@@ -117,8 +116,8 @@ std::string bytes_of_data_uri(const Node& node) {
     return from_base64(node, std::string_view(uri).substr(comma + 1));
 }
 
-std::string bytes_of_file(const Node& node, const std::string& file) {
-    Result<std::string> read = read_file(file, largest_file);
+std::string bytes_of_file(const Node& node, const std::string& file, std::size_t max_bytes) {
+    Result<std::string> read = read_file(file, max_bytes);
     if (const Problem* problem = problem_of(read))
         node.fail(fmt::format("{}: {}", in_quotes(text(node)), problem->what), problem->expected);
     return std::get<std::string>(std::move(read));
@@ -169,12 +168,12 @@ class BufferReader {
         std::error_code error;
         const fs::path canonical = fs::weakly_canonical(file, error);
         const auto [known, is_new] = own_of_file_.try_emplace(error ? file.lexically_normal() : canonical);
-        if (is_new) known->second = keep(bytes_of_file(uri, file.string()));
+        if (is_new) known->second = keep(bytes_of_file(uri, file.string(), max_mesh_file_bytes - own_bytes_));
         return known->second;
     }
 
     std::size_t keep(std::string bytes) {
-        document_.share.add(memory_need(MemoryUse::Files, bytes.size()));
+        own_bytes_ += bytes.size();
         document_.own.push_back(std::move(bytes));
         return document_.own.size() - 1;
     }
@@ -182,6 +181,7 @@ class BufferReader {
     GltfDocument& document_;
     const Chunks& chunks_;
     std::vector<Place> places_;
+    std::size_t own_bytes_ = 0;                    // of all files and data URIs
     std::map<fs::path, std::size_t> own_of_file_;  // by path without links and dots
 };
 
@@ -233,7 +233,7 @@ bool is_gltf_path(const std::string& path) {
 }
 
 Result<GltfFile> GltfFile::read(const std::string& path) {
-    Result<std::string> bytes = read_file(path, largest_file);
+    Result<std::string> bytes = read_file(path, max_mesh_file_bytes);
     if (const Problem* problem = problem_of(bytes)) return *problem;
     return parse(std::get<std::string>(std::move(bytes)), path);
 }
@@ -293,16 +293,15 @@ std::set<GltfVertexKey> shared_vertices_of(const GltfDocument& document) {
 }  // namespace
 
 Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
-    const auto document = std::make_shared<GltfDocument>();
-    try {
+    return result_of(path, [&]() -> Result<GltfFile> {
+        const auto document = std::make_shared<GltfDocument>();
         document->path = path;
         document->bytes = std::move(bytes);
         const std::string_view all = document->bytes;
         if (all.empty()) return Problem{path, "", "the file is empty", "glTF 2.0"};
         Chunks chunks{all, {}};
         if (all.size() >= 4 && little_endian(all.data(), 4) == glb_magic) chunks = chunks_of(all);
-        document->share.set(memory_need(MemoryUse::Files, all.size() - chunks.json.size()));
-        document->root = read_json(chunks.json, path, &document->json_share);
+        document->root = parsed_json(chunks.json, path);
         const Node root(document->root);
         check_version(root);
         check_extensions(root);
@@ -311,14 +310,7 @@ Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
         document->first_parts = first_parts_of(document->root);
         document->shared_vertices = shared_vertices_of(*document);
         return GltfFile(document);
-    } catch (ProblemFound& found) {
-        found.problem.file = path;
-        return std::move(found.problem);
-    } catch (const Refused& refused) {
-        return memory_problem(refused, path);
-    } catch (const std::bad_alloc&) {
-        return Problem{path, "", "the file does not fit in memory", "a smaller one"};
-    }
+    });
 }
 
 }  // namespace glint

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <string_view>
@@ -16,7 +15,6 @@
 #include <vector>
 
 #include "models/json/json_node.h"
-#include "models/memory_limit.h"
 
 namespace glint {
 
@@ -46,11 +44,10 @@ using GltfVertexKey = std::pair<GltfNumbers, GltfNumbers>;
 struct GltfVertices {
     std::vector<glm::vec3> places, normals;
     std::vector<std::uint32_t> place_of;  // of each vertex, in `places`
-    MemoryShare share;
 };
 
 struct GltfDocument {
-    GltfDocument() = default;  // NOLINT(bugprone-exception-escape): a Json of null throws nothing
+    GltfDocument() = default;
     GltfDocument(const GltfDocument&) = delete;  // its buffers lie in it
     GltfDocument& operator=(const GltfDocument&) = delete;
 
@@ -62,7 +59,6 @@ struct GltfDocument {
     bool is_quantized = false;  // it names KHR_mesh_quantization
     // #meshes + 1: the number of each mesh's first primitive, counted through all, and how many there are.
     std::vector<std::size_t> first_parts;
-    MemoryShare json_share, share;  // of the JSON text and `root`; of the other bytes and `own`
     // What several primitives name is read once, with the first of them: not by two threads at a time.
     std::set<GltfVertexKey> shared_vertices;
     mutable std::map<GltfVertexKey, GltfVertices> kept_vertices;
@@ -99,5 +95,10 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
 [[nodiscard]] GltfVertexKey vertex_key_of(const GltfDocument& document, const Node& root,
                                           const Node& attributes);
 [[nodiscard]] bool is_sparse(const Node& root, const Node& from, std::string_view key);
+
+/// How the vertices of a primitive follow one another; None: it has no triangles.
+enum class PrimitiveMode { None, Triangles, Strip, Fan };
+/// Precondition: the primitive is an object.
+[[nodiscard]] PrimitiveMode mode_of(const Node& primitive);
 
 }  // namespace glint

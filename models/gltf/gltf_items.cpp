@@ -177,11 +177,11 @@ GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world
     const glm::dvec3 up = unit_or_zero(glm::dvec3(world[1])), back = unit_or_zero(glm::dvec3(world[2]));
     camera.up = glm::vec3(up);
     camera.target = target_of(camera.eye, -back, 1);
-    std::optional<Violation> wrong = violation_of(camera);
-    if (violation_of_ranges(camera)) wrong = Violation{"", "its place is beyond 1e30", ""};
+    std::optional<Problem> wrong = violation_of(camera);
+    if (violation_of_ranges(camera)) wrong = Problem{"", "", "its place is beyond 1e7", ""};
     if (wrong)
         node.fail("no camera can stand there: " + wrong->what,
-                  "axes that have a length, at a place within 1e30");
+                  "axes that have a length, at a place within 1e7");
     const glm::dvec3 right = glm::normalize(glm::cross(up, back));
     const glm::dmat3 world_from_view(right, glm::cross(back, right), back);
     // Both begin at the eye, however far away that is.
@@ -203,7 +203,8 @@ Light light_from(const Node& node, const std::string& name, const glm::dmat4& pl
     glm::vec3 colour(1);
     float intensity = 1;
     read(node, "color", colour, at_least_zero);
-    read(node, "intensity", intensity, at_least_zero);
+    // In candela or lux; darken_lights() divides what is too bright.
+    read(node, "intensity", intensity, {0, 1e30, "0 to 1e30"});
     light.diffuse = light.specular = colour;
     // Lambert's term is here not divided by pi.
     light.intensity = static_cast<float>(static_cast<double>(intensity) / std::numbers::pi);

@@ -1,4 +1,4 @@
-#include "models/gltf/gltf_left_out.h"
+#include "models/gltf/gltf_items.h"
 
 namespace glint {
 namespace {
@@ -67,8 +67,8 @@ Warnings said_objects(const GltfLeftOut& left) {
          "primitives with sparse accessors are left out");
     warn(w, left.flat, "object has a scale of 0, which makes it flat, and is left out",
          "objects have a scale of 0, which makes them flat, and are left out");
-    warn(w, left.far, "object is larger or further away than 1e30, and is left out",
-         "objects are larger or further away than 1e30, and are left out");
+    warn(w, left.far, "object is larger or further away than 1e7, and is left out",
+         "objects are larger or further away than 1e7, and are left out");
     return w;
 }
 

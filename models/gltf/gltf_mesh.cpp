@@ -8,10 +8,8 @@
 
 #include "models/gltf/gltf.h"
 #include "models/gltf/gltf_document.h"
-#include "models/gltf/gltf_parts.h"
-#include "models/mesh/mesh_memory.h"
-#include "models/mesh_formats/mesh_reader.h"
-#include "models/mesh_formats/places.h"
+#include "models/mesh/formats/mesh_reader.h"
+#include "models/mesh/formats/places.h"
 #include "models/progress.h"
 
 namespace glint {
@@ -77,7 +75,6 @@ std::vector<glm::vec3> vectors(const GltfDocument& document, const GltfNumbers& 
     else if (!document.is_quantized)
         require_type(attributes, what, numbers.type, {gltf_floats},
                      "5126 (floats), or \"KHR_mesh_quantization\" in \"extensionsUsed\"");
-    require_memory(memory_need(MemoryUse::Meshes, 100 * numbers.count));
     std::vector<glm::vec3> all(numbers.count);
     for (std::size_t i = 0; i < all.size(); ++i) {
         all[i] = numbers.vector_at(i);
@@ -115,9 +112,6 @@ const GltfVertices& vertices_of(const GltfDocument& document, const Node& root, 
     if (kept != document.kept_vertices.end()) return kept->second;
     own = read_vertices(document, key, attributes);
     if (!document.shared_vertices.contains(key)) return own;
-    own.share.set(
-        memory_need(MemoryUse::Meshes, sizeof(glm::vec3) * (own.places.size() + own.normals.size()) +
-                                           sizeof(std::uint32_t) * own.place_of.size()));
     return document.kept_vertices.emplace(key, std::move(own)).first->second;
 }
 
@@ -136,7 +130,6 @@ void read_primitive(const GltfDocument& document, const Node& root, const Node& 
             mesh.positions = std::move(own.places);
             mesh.normals = std::move(own.normals);
         } else {
-            require_memory(memory_need(MemoryUse::Meshes, vertices.share.need().total()));
             mesh.positions = vertices.places;
             mesh.normals = vertices.normals;
         }
@@ -145,8 +138,8 @@ void read_primitive(const GltfDocument& document, const Node& root, const Node& 
         const Triangles triangles(document, root, primitive, vertices.place_of.size());
         const std::size_t left = triangles.each(mode, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
             for (const std::uint32_t v : {a, b, c}) {
-                append(mesh, mesh.corner_position, vertices.place_of[v]);
-                if (!mesh.normals.empty()) append(mesh, mesh.corner_normal, v);
+                mesh.corner_position.push_back(vertices.place_of[v]);
+                if (!mesh.normals.empty()) mesh.corner_normal.push_back(v);
             }
             close_face(mesh, document.path);
         });
@@ -175,7 +168,7 @@ PrimitiveMode mode_of(const Node& primitive) {
 Result<Mesh> GltfFile::mesh(int part) const {
     const auto start = std::chrono::steady_clock::now();
     Mesh mesh;
-    try {
+    return result_of(document_->path, [&]() -> Result<Mesh> {
         const Node root(document_->root);
         const std::vector<std::size_t>& first = document_->first_parts;
         if (part < 0 || static_cast<std::size_t>(part) >= first.back())
@@ -196,15 +189,11 @@ Result<Mesh> GltfFile::mesh(int part) const {
             });
         });
         finish_mesh(mesh);
+        if (auto warning = rounding_warning(mesh.bounds)) mesh.warnings.push_back(std::move(*warning));
         const auto time = std::chrono::steady_clock::now() - start;
         mesh.load_ms = std::chrono::duration<double, std::milli>(time).count();
         return mesh;
-    } catch (ProblemFound& found) {
-        found.problem.file = document_->path;
-        return std::move(found.problem);
-    } catch (const Unreadable& unreadable) {
-        return unreadable.problem;
-    }
+    });
 }
 
 }  // namespace glint

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "models/gltf/gltf_document.h"
-#include "models/mesh_formats/mesh_reader.h"
+#include "models/mesh/formats/mesh_reader.h"
 
 namespace glint {
 namespace {

@@ -8,9 +8,7 @@
 #include "models/gltf/gltf.h"
 #include "models/gltf/gltf_document.h"
 #include "models/gltf/gltf_items.h"
-#include "models/gltf/gltf_left_out.h"
 #include "models/gltf/gltf_nodes.h"
-#include "models/gltf/gltf_parts.h"
 
 namespace glint {
 namespace {
@@ -209,13 +207,10 @@ class SceneReader {
 }  // namespace
 
 Result<GltfFile::Content> GltfFile::content(const std::string& file_name) const {
-    try {
+    return result_of(document_->path, [&] {
         const Node root(document_->root);
         return SceneReader(root, document_->first_parts, file_name).read();
-    } catch (ProblemFound& found) {
-        found.problem.file = document_->path;
-        return std::move(found.problem);
-    }
+    });
 }
 
 }  // namespace glint

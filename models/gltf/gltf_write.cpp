@@ -14,26 +14,12 @@
 #include "models/gltf/gltf.h"
 #include "models/gltf/gltf_buffer.h"
 #include "models/gltf/gltf_items.h"
-#include "models/gltf/gltf_open.h"
-#include "models/gltf/gltf_write_view.h"
-#include "models/json/json_reader.h"
-#include "models/memory_limit.h"
-#include "models/scene_file/scene_file.h"
+#include "models/problem.h"
 
 namespace glint {
 namespace {
 
 constexpr const char* strength_extension = "KHR_materials_emissive_strength";
-
-/// Nothing where these bytes can be opened; else why a scene cannot be written as them.
-std::optional<Problem> why_unreadable(std::string bytes) {
-    const Result<GltfOpened> opened = open_gltf(GltfFile::parse(std::move(bytes), ""), "written.glb");
-    const Problem* problem = problem_of(opened);
-    if (problem == nullptr) return {};
-    const std::string at = problem->pointer.empty() ? "" : problem->pointer + ": ";
-    return Problem{"", "", fmt::format("written as glTF it could not be opened: {}{}", at, problem->what),
-                   problem->expected};
-}
 
 class Writer {
   public:
@@ -42,28 +28,29 @@ class Writer {
     GltfWritten write(const std::string& name) {
         for (const Object& object : scene_.objects) add(object);
         if (meshes_.empty())
-            throw ProblemFound{{"", "/objects", "no object is shown", "one with a triangle that is visible"}};
+            throw ProblemFound({"", "/objects", "no object is shown", "one with a triangle that is visible"});
         const int camera = add_camera();
         for (std::size_t i = 0; i < scene_.lights.size(); ++i) add_light(i, camera);
         json_["asset"] = {{"version", "2.0"}, {"generator", gltf_generator}};
         json_["scene"] = 0;
-        json_["scenes"] = GltfJson::array({{{"name", name}, {"nodes", roots_}}});
+        json_["scenes"] = Json::array({{{"name", name}, {"nodes", roots_}}});
         json_["nodes"] = std::move(nodes_);
         json_["meshes"] = std::move(meshes_);
         json_["materials"] = std::move(materials_);
         json_["accessors"] = buffer_.accessors();
         json_["bufferViews"] = buffer_.views();
-        json_["buffers"] = GltfJson::array({{{"byteLength", buffer_.bytes().size()}}});
+        json_["buffers"] = Json::array({{{"byteLength", buffer_.bytes().size()}}});
         if (!lights_.empty()) {
             json_["extensionsUsed"].push_back("KHR_lights_punctual");
             json_["extensions"]["KHR_lights_punctual"]["lights"] = lights_;
         }
         if (has_strength_) json_["extensionsUsed"].push_back(strength_extension);
-        return {glb_container(json_.dump(), buffer_.bytes()), said(unsaid_, scene_)};
+        return {glb_container(json_.dump(-1, ' ', false, Json::error_handler_t::replace), buffer_.bytes()),
+                said(unsaid_, scene_)};
     }
 
   private:
-    int add_node(GltfJson node, GltfJson& parent) {
+    int add_node(Json node, Json& parent) {
         nodes_.push_back(std::move(node));
         parent.push_back(nodes_.size() - 1);
         return static_cast<int>(nodes_.size()) - 1;
@@ -94,9 +81,9 @@ class Writer {
             known_meshes_.try_emplace({key, material, object.name.empty()}, meshes_.size());
         if (!is_new) return known->second;
         if (!primitives_.contains(key)) primitives_[key] = buffer_.add(object);
-        GltfJson primitive = primitives_[key];
+        Json primitive = primitives_[key];
         primitive["material"] = material;
-        meshes_.push_back({{"name", object.name}, {"primitives", GltfJson::array({primitive})}});
+        meshes_.push_back({{"name", object.name}, {"primitives", Json::array({primitive})}});
         return known->second;
     }
 
@@ -110,12 +97,11 @@ class Writer {
         unsaid_.bright += glm::any(glm::greaterThan(whole, glm::vec3(1 + 1e-5f))) ? 1 : 0;
         // Blinn's highlight of that shininess, where the model has no roughness.
         const float roughness = is_physical ? m.roughness : std::pow(2 / (m.shininess + 2), 0.25f);
-        GltfJson out{
-            {"pbrMetallicRoughness",
-             {{"baseColorFactor", {number_json(base.x), number_json(base.y), number_json(base.z), 1}},
-              {"metallicFactor", number_json(metal ? std::clamp(metal->metal, 0.0f, 1.0f) : 0)},
-              {"roughnessFactor", number_json(roughness)}}},
-            {"doubleSided", scene_.shading.cull != Cull::Back}};
+        Json out{{"pbrMetallicRoughness",
+                  {{"baseColorFactor", {number_json(base.x), number_json(base.y), number_json(base.z), 1}},
+                   {"metallicFactor", number_json(metal ? std::clamp(metal->metal, 0.0f, 1.0f) : 0)},
+                   {"roughnessFactor", number_json(roughness)}}},
+                 {"doubleSided", scene_.shading.cull != Cull::Back}};
         const float strength = std::max({m.emission.x, m.emission.y, m.emission.z, 1.0f});
         if (m.emission != glm::vec3(0)) out["emissiveFactor"] = numbers_json(m.emission / strength);
         if (strength > 1) {
@@ -128,7 +114,7 @@ class Writer {
     }
 
     int add_camera() {
-        json_["cameras"] = GltfJson::array({camera_json(scene_.camera.projection, unsaid_)});
+        json_["cameras"] = Json::array({camera_json(scene_.camera.projection, unsaid_)});
         return add_node({{"name", "Camera"}, {"camera", 0}, {"matrix", camera_matrix(scene_.camera)}},
                         roots_);
     }
@@ -138,18 +124,18 @@ class Writer {
         if (!light.enabled) return void(++unsaid_.off);
         if (light.kind == LightKind::Area) return void(++unsaid_.areas);
         lights_.push_back(light_json(light, scene_.camera, fmt::format("/lights/{}", i), unsaid_));
-        GltfJson node = light_node(light, lights_.size() - 1);
+        Json node = light_node(light, lights_.size() - 1);
         if (light.space == LightSpace::World) return void(add_node(std::move(node), roots_));
-        GltfJson child = GltfJson::array();
+        Json child = Json::array();
         add_node(std::move(node), child);
         nodes_[static_cast<std::size_t>(camera)]["children"].push_back(child[0]);
     }
 
     const Scene& scene_;
     GltfBuffer buffer_;
-    GltfJson json_, nodes_ = GltfJson::array(), meshes_ = GltfJson::array(), materials_ = GltfJson::array(),
-                    lights_ = GltfJson::array(), roots_ = GltfJson::array();
-    std::map<GltfMeshKey, GltfJson> primitives_;
+    Json json_, nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array(),
+                lights_ = Json::array(), roots_ = Json::array();
+    std::map<GltfMeshKey, Json> primitives_;
     std::map<std::string, std::size_t> known_materials_;  // by their JSON
     std::map<std::tuple<GltfMeshKey, std::size_t, bool>, std::size_t> known_meshes_;
     GltfUnsaid unsaid_;
@@ -158,7 +144,7 @@ class Writer {
 
 }  // namespace
 
-Result<GltfWritten> glb_of(const Scene& scene, const std::string& name) {
+Result<GltfWritten> unchecked_glb_of(const Scene& scene, const std::string& name) {
     std::set<GltfMeshKey> meshes;
     std::uint64_t bytes = 0, text = 0;
     for (const Object& object : scene.objects) {
@@ -168,23 +154,7 @@ Result<GltfWritten> glb_of(const Scene& scene, const std::string& name) {
     constexpr std::uint64_t most = 4294967295;  // what the header can say
     if (bytes + text > most)
         return Problem{"", "", "the meshes are too large for one .glb file", "less than 4 GiB"};
-    try {
-        // Reserves memory for the text, which exists as JSON values, as written text, and in the file. The
-        // mesh numbers (GltfBuffer) reserve their own.
-        MemoryShare share(memory_need(MemoryUse::Output, 4 * text));
-        GltfWritten written = Writer(scene).write(name);
-        share.set(memory_need(MemoryUse::Output, written.bytes.size()));
-        if (auto problem = why_unreadable(written.bytes)) return *std::move(problem);
-        return written;
-    } catch (const ProblemFound& found) {
-        return found.problem;
-    } catch (const Refused& refused) {
-        return memory_problem(refused);
-    } catch (const std::bad_alloc&) {
-        return Problem{"", "", "the file does not fit in memory", "fewer triangles"};
-    } catch (const nlohmann::json::exception&) {
-        return Problem{"", "", "a name in the scene is not UTF-8", "names in UTF-8"};
-    }
+    return result_of("", [&] { return Writer(scene).write(name); });
 }
 
 }  // namespace glint

@@ -1,5 +1,3 @@
-#include "models/gltf/gltf_write_view.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,9 +8,10 @@
 #include <limits>
 #include <numbers>
 
-#include "models/fields/range.h"
+#include "models/gltf/gltf_buffer.h"
 #include "models/gltf/gltf_items.h"
-#include "models/json/json_reader.h"
+#include "models/problem.h"
+#include "models/range.h"
 
 namespace glint {
 namespace {
@@ -23,7 +22,7 @@ glm::dquat turn_from_z(const glm::dvec3& to) {
     return glm::normalize(glm::dquat(1 + to.z, -to.y, to.x, 0));
 }
 
-GltfJson planes_json(const Projection& projection) {
+Json planes_json(const Projection& projection) {
     return {{"znear", number_json(near_of(projection))}, {"zfar", number_json(far_of(projection))}};
 }
 
@@ -68,8 +67,8 @@ double intensity_of(const Light& light, const Camera& camera, GltfUnsaid& unsaid
 
 }  // namespace
 
-GltfJson camera_json(const Projection& projection, GltfUnsaid& unsaid) {
-    GltfJson lens = planes_json(projection);
+Json camera_json(const Projection& projection, GltfUnsaid& unsaid) {
+    Json lens = planes_json(projection);
     const auto* o = std::get_if<Orthographic>(&projection);
     if (o == nullptr) {
         lens["yfov"] = yfov_of(projection, unsaid);
@@ -81,29 +80,28 @@ GltfJson camera_json(const Projection& projection, GltfUnsaid& unsaid) {
     return {{"type", "orthographic"}, {"orthographic", lens}};
 }
 
-GltfJson camera_matrix(const Camera& camera) {
+Json camera_matrix(const Camera& camera) {
     const glm::dmat4 m = world_from_view(camera);
-    GltfJson matrix = GltfJson::array();
+    Json matrix = Json::array();
     for (int i = 0; i < 12; ++i) matrix.push_back(m[i / 4][i % 4]);
     for (int i = 0; i < 3; ++i) matrix.push_back(number_json(camera.eye[i]));
     matrix.push_back(1);
     return matrix;
 }
 
-GltfJson light_json(const Light& light, const Camera& camera, const std::string& pointer,
-                    GltfUnsaid& unsaid) {
+Json light_json(const Light& light, const Camera& camera, const std::string& pointer, GltfUnsaid& unsaid) {
     // Without a cone a spot shines everywhere, as a point light does.
     const bool is_spot = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
     const double intensity = intensity_of(light, camera, unsaid);
     if (!at_least_zero.contains(intensity))
-        throw ProblemFound{{"", pointer, fmt::format("in glTF's units its intensity is {:.3g}", intensity),
-                            "at most 1e30: a light that is dimmer, or nearer to the camera's target"}};
-    GltfJson out{{"name", light.name},
-                 {"type", light.kind == LightKind::Directional ? "directional"
-                          : is_spot                            ? "spot"
-                                                               : "point"},
-                 {"color", numbers_json(light.diffuse / color_scale(light))},
-                 {"intensity", intensity}};
+        throw ProblemFound({"", pointer, fmt::format("in glTF's units its intensity is {:.3g}", intensity),
+                            "at most 1e7: a light that is dimmer, or nearer to the camera's target"});
+    Json out{{"name", light.name},
+             {"type", light.kind == LightKind::Directional ? "directional"
+                      : is_spot                            ? "spot"
+                                                           : "point"},
+             {"color", numbers_json(light.diffuse / color_scale(light))},
+             {"intensity", intensity}};
     if (is_spot) {
         const GltfCone cone = cone_of(light.spot);
         out["spot"] = {{"innerConeAngle", cone.inner}, {"outerConeAngle", cone.outer}};
@@ -114,14 +112,14 @@ GltfJson light_json(const Light& light, const Camera& camera, const std::string&
     return out;
 }
 
-GltfJson light_node(const Light& light, std::size_t index) {
+Json light_node(const Light& light, std::size_t index) {
     const bool is_sun = light.kind == LightKind::Directional;
     const glm::dvec3 back =
         glm::normalize(glm::dvec3(is_sun ? glm::vec3(light.position) : -light.spot.direction));
     const glm::dquat q = turn_from_z(back);
-    GltfJson node{{"name", light.name},
-                  {"rotation", {q.x, q.y, q.z, q.w}},
-                  {"extensions", {{"KHR_lights_punctual", {{"light", index}}}}}};
+    Json node{{"name", light.name},
+              {"rotation", {q.x, q.y, q.z, q.w}},
+              {"extensions", {{"KHR_lights_punctual", {{"light", index}}}}}};
     if (!is_sun) node["translation"] = numbers_json(glm::vec3(light.position));
     return node;
 }

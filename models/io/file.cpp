@@ -1,23 +1,56 @@
 #include "models/io/file.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
+#include <pthread.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <climits>
+#include <csignal>
+#include <ctime>
 #include <filesystem>
+#include <mutex>
 #include <new>
+#include <set>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
-#include "models/io/descriptor.h"
-#include "models/io/files_read.h"
 #include "models/memory_limit.h"
 #include "models/progress.h"
 
 namespace glint {
 namespace {
+
+/// A file descriptor that is closed at the end, unless it is a standard stream.
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    [[nodiscard]] int number() const { return number_; }
+    /// Returns 0 or an errno: some file systems report a full disk only when a file is closed.
+    int close() {
+        const int number = std::exchange(number_, -1);
+        return number > STDERR_FILENO && ::close(number) != 0 ? errno : 0;
+    }
+
+  private:
+    int number_;
+};
+
+/// "PATH: cannot VERB: the reason; expected ...".
+Problem cannot(const char* verb, const std::string& path, int error, const char* expected) {
+    return {path, "", fmt::format("cannot {}: {}", verb, reason(error)), expected};
+}
 
 Problem cannot_read(const std::string& path, int error) {
     return cannot("read", path, error, "a regular file that can be read");
@@ -43,7 +76,7 @@ Problem too_long(const std::string& path, std::size_t max_bytes) {
 
 /// `guess`: the size that the system tells, which the file may pass while it is read.
 Result<std::string> read_all(int descriptor, const std::string& path, std::size_t max_bytes,
-                             std::size_t guess, const CheckBlock& check, MemoryShare& share) {
+                             std::size_t guess, const CheckBlock& check) {
     if (guess > max_bytes) return too_long(path, max_bytes);
     std::string bytes;
     std::array<char, 1 << 16> block;  // NOLINT: filled by read
@@ -56,19 +89,31 @@ Result<std::string> read_all(int descriptor, const std::string& path, std::size_
         if (read.size() > max_bytes - bytes.size()) return too_long(path, max_bytes);
         if (check)
             if (auto problem = check({read, bytes.size(), guess})) return *problem;
-        if (read.size() > bytes.capacity() - bytes.size()) {
-            const std::size_t room = std::max({guess, bytes.size() + read.size(), 2 * bytes.size()});
-            share.set(memory_need(MemoryUse::Files, room));
-            bytes.reserve(room);
-        }
+        if (read.size() > bytes.capacity() - bytes.size())
+            bytes.reserve(std::max({guess, bytes.size() + read.size(), 2 * bytes.size()}));
         bytes.append(read);
         if (!report_progress(LoadStage::Reading, bytes.size(), guess))
             return Problem{path, "", cancelled_words, ""};
     }
 }
 
-Result<std::string> read_regular(const std::string& path, std::size_t max_bytes, const CheckBlock& check,
-                                 MemoryShare& share) {
+/// The files that this process has read, as replaced_file() names them.
+struct FilesRead {
+    std::mutex mutex;
+    std::set<std::string> files;
+};
+FilesRead& files_read() {
+    static FilesRead all;
+    return all;
+}
+
+void note_read(const std::string& path) {
+    const std::string replaced = replaced_file(path);
+    const std::lock_guard lock(files_read().mutex);
+    files_read().files.insert(replaced);
+}
+
+Result<std::string> read_regular(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
     struct stat status {};
     if (const int error = ask_status(path, status)) return cannot_read(path, error);
     // Asked before opening, which would wait at a pipe and may do things to a device; and again after.
@@ -77,13 +122,221 @@ Result<std::string> read_regular(const std::string& path, std::size_t max_bytes,
     if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return cannot_read(path, errno);
     if (auto problem = why_not_readable(path, status)) return *problem;
     note_read(path);
-    return read_all(file.number(), path, max_bytes, static_cast<std::size_t>(status.st_size), check, share);
+    return read_all(file.number(), path, max_bytes, static_cast<std::size_t>(status.st_size), check);
 }
 
-Result<std::string> read_standard_input(std::size_t max_bytes, const CheckBlock& check, MemoryShare& share) {
+Result<std::string> read_standard_input(std::size_t max_bytes, const CheckBlock& check) {
     static std::atomic<bool> was_read = false;
     if (was_read.exchange(true)) return Problem{"-", "", "standard input was read already", "it once"};
-    return read_all(STDIN_FILENO, "-", max_bytes, 0, check, share);
+    return read_all(STDIN_FILENO, "-", max_bytes, 0, check);
+}
+
+constexpr mode_t permission_bits = 07777;
+
+Problem cannot_write(const std::string& path, int error) {
+    return cannot("write", path == "-" ? "standard output" : path, error, "a place that can be written");
+}
+
+/// Writing to a pipe that nobody reads sends SIGPIPE, whose default is to end the process without a word.
+/// While this lives, this thread gets EPIPE instead.
+class NoSigpipe {
+  public:
+    NoSigpipe() {
+        sigemptyset(&pipe_);
+        sigaddset(&pipe_, SIGPIPE);
+        pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+    }
+    ~NoSigpipe() {
+        if (sigismember(&before_, SIGPIPE) == 1) return;
+        const timespec now{};
+        while (sigtimedwait(&pipe_, nullptr, &now) == SIGPIPE) {  // take back what we caused
+        }
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+    NoSigpipe(const NoSigpipe&) = delete;
+    NoSigpipe& operator=(const NoSigpipe&) = delete;
+
+  private:
+    sigset_t pipe_{}, before_{};
+};
+
+/// 0, or the errno of what went wrong.
+int write_all(int descriptor, std::string_view bytes) {
+    const NoSigpipe no_sigpipe;
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return 0;
+}
+
+/// Returns the end of a chain of links, so that the link stays and the file that it names is replaced; the
+/// end need not exist. A chain longer than the system follows is left for the system to refuse.
+std::string follow_links(std::string path) {
+    std::array<char, PATH_MAX> target;  // NOLINT: filled by readlink
+    for (int i = 0; i < 40; ++i) {
+        const ssize_t length = ::readlink(path.c_str(), target.data(), target.size());
+        if (length < 0) return path;
+        const std::string next(target.data(), static_cast<std::size_t>(length));
+        path.erase(next.starts_with('/') ? 0 : path.rfind('/') + 1);
+        path += next;
+    }
+    return path;
+}
+
+/// The open descriptor that a name such as /dev/stdout stands for, or -1. The file behind it is not to be
+/// replaced: whoever opened it for us still holds it.
+int descriptor_named(const std::string& path) {
+    if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
+    if (path == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view directory : {"/dev/fd/", "/proc/self/fd/"}) {
+        int number = -1;
+        if (!path.starts_with(directory)) continue;
+        const char* const end = path.data() + path.size();
+        const auto [rest, error] = std::from_chars(path.data() + directory.size(), end, number);
+        if (error == std::errc{} && rest == end) return number;
+    }
+    return -1;
+}
+
+/// Where bytes for a path go.
+struct Target {
+    int error = 0;                   // errno of what keeps them from going anywhere
+    int descriptor = -1;             // an open stream
+    bool straight = false;           // it is written through, else replaced
+    std::string path;                // links followed where it is replaced
+    std::optional<struct stat> old;  // of the file to be replaced
+};
+
+Target target_of(const std::string& path) {
+    Target target;
+    target.path = path;
+    target.descriptor = descriptor_named(path);
+    target.straight = target.descriptor >= 0;
+    if (target.straight) return target;
+    struct stat status {};
+    if (path.empty() || path.find('\0') != std::string::npos) {
+        target.error = ENOENT;
+    } else if (::stat(path.c_str(), &status) != 0) {
+        target.error = errno != ENOENT ? errno : path.ends_with('/') ? EISDIR : 0;
+        target.path = follow_links(path);
+    } else if (S_ISDIR(status.st_mode)) {
+        target.error = EISDIR;
+    } else {
+        target.straight = !S_ISREG(status.st_mode);
+        // Renaming would pass over a file that is write-protected.
+        if (::access(path.c_str(), W_OK) != 0) target.error = errno;
+        if (!target.straight) target.old = status;
+        if (!target.straight) target.path = follow_links(path);
+    }
+    return target;
+}
+
+int write_straight_through(const Target& target, std::string_view bytes) {
+    if (target.descriptor >= 0) return write_all(target.descriptor, bytes);
+    Descriptor file(::open(target.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+    if (file.number() < 0) return errno;
+    const int error = write_all(file.number(), bytes);
+    const int close_error = file.close();
+    return error != 0 ? error : close_error;
+}
+
+/// Gives a file the owner, group and permission bits of an older one, as far as the system lets us. If the
+/// group cannot be kept, the new group's members were among all others before, and the old group's members
+/// now are. So the new group and others may only do what the old file let both its group and others do.
+int take_after(int descriptor, const struct stat& old) {
+    struct stat now {};
+    if (::fstat(descriptor, &now) != 0) return errno;
+    if (now.st_uid != old.st_uid || now.st_gid != old.st_gid) {
+        if (::fchown(descriptor, old.st_uid, old.st_gid) != 0)
+            (void)!::fchown(descriptor, static_cast<uid_t>(-1), old.st_gid);
+        if (::fstat(descriptor, &now) != 0) return errno;
+    }
+    mode_t mode = old.st_mode & permission_bits;
+    if (now.st_uid != old.st_uid) mode &= ~mode_t{S_ISUID};
+    if (now.st_gid != old.st_gid) {
+        const mode_t both = mode >> 3 & mode & mode_t{S_IRWXO};
+        mode = (mode & ~mode_t{S_ISGID | S_IRWXG | S_IRWXO}) | both << 3 | both;
+    }
+    return ::fchmod(descriptor, mode) != 0 ? errno : 0;
+}
+
+/// Returns the directory of a path; "." where the path names none.
+std::string directory_of_target(const std::string& path) {
+    const std::string directory = path.substr(0, path.rfind('/') + 1);
+    return directory.empty() ? "." : directory;
+}
+
+/// Puts a directory's entries on the disk, so that a new name outlives a loss of power. Some file systems
+/// cannot do that, which is not an error: the file is in its place.
+void sync_directory(const std::string& directory) {
+    const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.number() >= 0) (void)::fsync(opened.number());
+}
+
+/// Calls `make` with names for a temporary file next to `target` until it does not fail with EEXIST. Returns
+/// the name of the file that it made; empty on an error, which is in `error`.
+template <class Make> std::string new_name(const std::string& target, int& error, const Make& make) {
+    static std::atomic<unsigned> counter = 0;
+    const std::string directory = target.substr(0, target.rfind('/') + 1);
+    error = EEXIST;
+    for (int attempt = 0; error == EEXIST && attempt < 100; ++attempt) {
+        std::string name = fmt::format("{}.glint-{}-{}.tmp", directory, ::getpid(), counter++);
+        error = make(name.c_str()) >= 0 ? 0 : errno;
+        if (error == 0) return name;
+    }
+    return {};
+}
+
+/// Writes a new file next to the target, then renames it over the target. Returns 0 or an errno. A file with
+/// O_TMPFILE gets its name when it is complete, so that a process that is killed leaves nothing behind.
+int replace(const Target& target, std::string_view bytes, bool unnamed) {
+    const mode_t mode = target.old ? 0600 : 0666;  // until it has the old file's permissions
+    int error = 0, number = -1;
+    std::string name;
+    if (unnamed) {
+        number = ::open(directory_of_target(target.path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+        if (number < 0) return errno;
+    } else {
+        name = new_name(target.path, error, [&](const char* path) {
+            return number = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        });
+        if (error != 0) return error;
+    }
+    Descriptor file(number);
+    error = write_all(number, bytes);
+    if (error == 0 && target.old) error = take_after(number, *target.old);
+    if (error == 0 && ::fsync(number) != 0) error = errno;
+    if (error == 0 && unnamed)
+        name = new_name(target.path, error, [link = fmt::format("/proc/self/fd/{}", number)](auto path) {
+            return ::linkat(AT_FDCWD, link.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW);
+        });
+    const int close_error = file.close();
+    if (error == 0) error = close_error;
+    if (error == 0 && ::rename(name.c_str(), target.path.c_str()) != 0) error = errno;
+    if (error == 0) sync_directory(directory_of_target(target.path));
+    if (error != 0 && !name.empty()) ::unlink(name.c_str());
+    return error;
+}
+
+int write_to(const Target& target, std::string_view bytes) {
+    if (target.error != 0) return target.error;
+    if (target.straight) return write_straight_through(target, bytes);
+    if (replace(target, bytes, true) == 0) return 0;
+    return replace(target, bytes, false);  // as on file systems without O_TMPFILE
+}
+
+/// Why a directory will not let the file be replaced: an errno, or 0.
+int why_not_replaceable(const Target& target) {
+    const std::string directory = directory_of_target(target.path);
+    if (::access(directory.c_str(), W_OK | X_OK) != 0) return errno;
+    struct stat status {};
+    if (!target.old || ::geteuid() == 0 || ::stat(directory.c_str(), &status) != 0) return 0;
+    // In a sticky one, such as /tmp, only the owner of the file or of the directory may (rename(2)).
+    const bool sticky = (status.st_mode & S_ISVTX) != 0;
+    return sticky && target.old->st_uid != ::geteuid() && status.st_uid != ::geteuid() ? EPERM : 0;
 }
 
 }  // namespace
@@ -122,18 +375,44 @@ std::optional<Problem> why_not_there(const std::string& path, const char* expect
     return std::nullopt;
 }
 
-Result<std::string> read_file(const std::string& path, std::size_t max_bytes, const CheckBlock& check,
-                              MemoryShare* share) {
-    MemoryShare own;
-    MemoryShare& taken = share == nullptr ? own : *share;
-    try {
-        if (path == "-") return read_standard_input(max_bytes, check, taken);
-        return read_regular(path, max_bytes, check, taken);
-    } catch (const Refused& refused) {
-        return memory_problem(refused, path);
-    } catch (const std::bad_alloc&) {
-        return cannot_read(path, ENOMEM);
-    }
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
+    if (path == "-") return read_standard_input(max_bytes, check);
+    return read_regular(path, max_bytes, check);
+}
+
+Result<std::monostate> write_file(const std::string& path, std::string_view bytes) {
+    if (const int error = write_to(target_of(path), bytes); error != 0) return cannot_write(path, error);
+    return std::monostate{};
+}
+
+Result<std::monostate> write_file_at_once(const std::string& path, std::string_view bytes) {
+    std::error_code ignored;
+    if (std::filesystem::is_fifo(path, ignored))
+        return Problem{path, "", "cannot write: is a pipe", "a file"};
+    return write_file(path, bytes);
+}
+
+bool is_standard_output(const std::string& path) { return descriptor_named(path) == STDOUT_FILENO; }
+
+std::optional<Problem> why_not_writable(const std::string& path) {
+    const Target target = target_of(path);
+    int error = target.error;
+    if (error == 0 && !target.straight) error = why_not_replaceable(target);
+    if (error != 0) return cannot_write(path, error);
+    return std::nullopt;
+}
+
+std::string replaced_file(const std::string& path) {
+    const Target target = target_of(path);
+    if (target.error != 0 || target.straight) return {};
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(target.path, ignored), ignored);
+}
+
+bool was_read(const std::string& path) {
+    const std::string replaced = replaced_file(path);
+    const std::lock_guard lock(files_read().mutex);
+    return !replaced.empty() && files_read().files.count(replaced) > 0;
 }
 
 FileStamp file_stamp(const std::string& path) {

@@ -8,13 +8,10 @@
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 #include "models/problem.h"
 
 namespace glint {
-
-class MemoryShare;
 
 /// The extension that tells a file's format: with its dot and in lower case, ".png"; empty where the name has
 /// none.
@@ -33,23 +30,21 @@ struct FileBlock {
 using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>;
 
 /// The bytes of a regular file, or of standard input for "-", once. A directory, a device, a pipe, a missing
-/// file, one longer than `max_bytes` (of which nothing is read), one that `check` refuses or one that does
-/// not fit into memory (memory_limit.h) is a problem. `share` takes what the bytes need, before it is
-/// reserved, for a caller that keeps them; else it is given back when they are read.
+/// file, one longer than `max_bytes` (of which nothing is read) or one that `check` refuses is a problem.
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes,
-                                            const CheckBlock& check = {}, MemoryShare* share = nullptr);
+                                            const CheckBlock& check = {});
 
 /// Why the system finds nothing at `path`, links followed; nothing when it finds something, of whatever kind.
 [[nodiscard]] std::optional<Problem> why_not_there(const std::string& path, const char* expected);
 
-/// Writes beside the target and renames into place, so that a crash or a full disk leaves the old file whole.
-/// The old file's permission bits are kept, and its owner and group where the system lets us. If the group
-/// cannot be kept, the new group and all others may only do what the old file let both its group and others
-/// do. Until the permissions are set, nobody else can read what is written. A symbolic link stays, and the
-/// file that it names is replaced; other hard links to the old file keep the old bytes. A target that is not
-/// a regular file (a pipe, a device) is written straight through; "-" is standard output, and so is
-/// /dev/stdout. A reader that has gone is a problem, not a signal. On failure nothing is left behind and the
-/// problem names the path and the reason.
+/// Writes a new file in the target's directory, syncs it to the disk and renames it over the target, so that
+/// a crash or a full disk leaves the old file whole. The old file's permission bits are kept, and its owner
+/// and group where the system lets us. If the group cannot be kept, the new group and all others may only do
+/// what the old file let both its group and others do. Until the permissions are set, nobody else can read
+/// what is written. A symbolic link stays, and the file that it names is replaced; other hard links to the
+/// old file keep the old bytes. A target that is not a regular file (a pipe, a device) is written straight
+/// through; "-" is standard output, and so is /dev/stdout. A reader that has gone is a problem, not a signal.
+/// On failure the new file is removed and the problem names the path and the reason.
 [[nodiscard]] Result<std::monostate> write_file(const std::string& path, std::string_view bytes);
 
 /// Does what write_file() does, but takes a pipe for a problem: a window must not wait until somebody reads.
@@ -66,27 +61,9 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// Empty for streams, pipes and devices, which are not replaced, and for paths that cannot be written.
 [[nodiscard]] std::string replaced_file(const std::string& path);
 
-/// Writes several files as write_file() does, but lets them appear together. An error leaves none of the new
-/// files, and each old file where it was. That needs a file system that can exchange two files; on others,
-/// files that were renamed before an error stay renamed. No signal that can be caught ends the process
-/// between two renames. What has gone into a pipe or a device stays there.
-class FilesTogether {
-  public:
-    FilesTogether();
-    ~FilesTogether();  // removes what has not been put in place
-    FilesTogether(const FilesTogether&) = delete;
-    FilesTogether& operator=(const FilesTogether&) = delete;
-
-    /// Writes the bytes beside their target; those for a pipe or a device wait in memory.
-    [[nodiscard]] Result<std::monostate> add(const std::string& path, std::string bytes);
-    /// Writes to pipes and devices, then renames all the others, in the order in which they were added.
-    [[nodiscard]] Result<std::monostate> put_in_place();
-
-  private:
-    struct Staged;
-    [[nodiscard]] static Staged* change_places(const std::vector<Staged*>& files, int& error);
-    std::vector<Staged> files_;
-};
+/// Whether write_file() would replace a file that read_file() has read; links are followed. A command must
+/// not replace its own input.
+[[nodiscard]] bool was_read(const std::string& path);
 
 /// Identifies one state of a file. Writing the file, in place or by renaming another one over it, changes its
 /// stamp.

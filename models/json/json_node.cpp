@@ -5,7 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "models/io/utf8.h"
+#include "models/json/json_pointer.h"
+#include "models/utf8.h"
 
 namespace glint {
 namespace {
@@ -27,7 +28,7 @@ std::string Node::pointer() const {
 }
 
 void Node::fail(std::string what, std::string expected) const {
-    throw ProblemFound{{"", pointer(), std::move(what), std::move(expected)}};
+    throw ProblemFound({"", pointer(), std::move(what), std::move(expected)});
 }
 
 void Node::wrong_type(std::string expected) const {

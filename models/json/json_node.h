@@ -4,14 +4,12 @@
 
 #include <array>
 #include <glm/vec3.hpp>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "models/fields/choices.h"
-#include "models/fields/range.h"
-#include "models/json/json_reader.h"
+#include "models/json/json.h"
+#include "models/range.h"
 
 namespace glint {
 
@@ -68,16 +66,5 @@ void read(const Node& object, std::string_view key, glm::vec3& to, const Range& 
 
 /// "a, b or c"
 [[nodiscard]] std::string listed(const std::vector<std::string>& words);
-
-/// Returns the enumerator that the value names, in the words of the scene file.
-template <class Enum> [[nodiscard]] Enum enumerator(const Node& node) {
-    const std::vector<std::string> names = names_of<Enum>();
-    const std::string& name = text(node, listed(names));
-    if (const std::optional<Enum> value = from_name<Enum>(name)) return *value;
-    node.fail(in_quotes(name) + " is not known", listed(names));
-}
-template <class Enum> void read_enum(const Node& object, std::string_view key, Enum& to) {
-    object.with(key, [&to](const Node& node) { to = enumerator<Enum>(node); });
-}
 
 }  // namespace glint

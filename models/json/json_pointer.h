@@ -3,9 +3,13 @@
 
 #include <charconv>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace glint {
+
+/// A reference token as it is written in a pointer: ~ as ~0, / as ~1.
+[[nodiscard]] std::string escaped_token(std::string_view token);
 
 /// Whether a pointer is `outer` or leads to something within it: "/lights/0/position/1" within "/lights/0".
 [[nodiscard]] inline bool is_within(std::string_view pointer, std::string_view outer) {

@@ -1,12 +1,14 @@
 #include "models/mesh/mesh.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <utility>
 
 #include "models/mesh/normals.h"
 #include "models/mesh/polygon.h"
-#include "models/mesh/repeated_corners.h"
 #include "models/mesh/topology.h"
 #include "models/problem.h"
 #include "models/progress.h"
@@ -35,6 +37,22 @@ std::array<glm::dvec3, 8> corners_of(const Bounds& bounds) {
         corners[i] = {(i & 1) != 0 ? bounds.max.x : bounds.min.x, (i & 2) != 0 ? bounds.max.y : bounds.min.y,
                       (i & 4) != 0 ? bounds.max.z : bounds.min.z};
     return corners;
+}
+
+std::optional<std::string> rounding_warning(const Bounds& bounds) {
+    constexpr float fewest_steps = 1000;  // across; of fewer, each is seen in a picture
+    float farthest = 0, across = 0;
+    for (int i = 0; i < 3; ++i) {
+        farthest = std::max({farthest, std::abs(bounds.min[i]), std::abs(bounds.max[i])});
+        across = std::max(across, bounds.max[i] - bounds.min[i]);
+    }
+    const float step = std::nextafter(farthest, HUGE_VALF) - farthest;
+    if (!(across < fewest_steps * step) || farthest == 0) return {};
+    return fmt::format(
+        "the shape is {:.3g} across at coordinates of up to {:.7g}, which are rounded to steps of "
+        "{:.3g}: it is drawn distorted, and may be too small to see; subtract an offset that brings it near "
+        "the origin",
+        across, farthest, step);
 }
 
 void finish_mesh(Mesh& mesh) {
@@ -110,18 +128,6 @@ std::size_t count_duplicates(const Mesh& mesh) {
     return duplicates;
 }
 
-const char* normals_by_default(GivenNormals given) {
-    switch (given) {
-    case GivenNormals::None:
-        return "vertex";
-    case GivenNormals::File:
-        return "file";
-    case GivenNormals::Analytic:
-        return "analytic";
-    }
-    return "";  // not reached
-}
-
 void count_edges(const Mesh& mesh, MeshInfo& info) {
     const Topology topology = make_topology(mesh);
     info.edges = topology.edges.size();
@@ -149,7 +155,6 @@ MeshInfo mesh_info(const Mesh& mesh) {
     count_edges(mesh, info);
     info.duplicate_faces = count_duplicates(mesh);
     info.bounds = mesh.bounds;
-    info.normals = normals_by_default(mesh.given_normals);
     info.warnings = mesh.warnings;
     warn_of_missing_normals(mesh, info.warnings);
     info.load_ms = mesh.load_ms;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,7 +51,7 @@ struct Mesh {
     Warnings warnings;                         // what was tolerated while reading and cutting
     double load_ms = 0;                        // time to read or make it
     std::size_t given_triangles = 0;           // of the mesh that this one was made of, finer or coarser
-                                               // (models/fineness/fineness.h); 0: it is as it was given
+                                      // (models/mesh/resolution/resolution.h); 0: it is as it was given
 
     [[nodiscard]] std::size_t face_count() const {
         return first_corner.empty() ? 0 : first_corner.size() - 1;
@@ -66,6 +67,13 @@ struct Mesh {
 };
 
 using MeshPtr = std::shared_ptr<const Mesh>;
+
+/// The size of a file of meshes, and of all the files that it names together.
+inline constexpr std::size_t max_mesh_file_bytes = std::size_t{2} << 30;
+
+/// Says that a shape is so small, and so far from the origin, that the rounding of its coordinates to floats
+/// shows; nothing of any other.
+[[nodiscard]] std::optional<std::string> rounding_warning(const Bounds& bounds);
 
 /// Fills in triangles and bounds from the polygon list: convex polygons as a fan from the first corner,
 /// others by ear clipping (above 1000 corners as a fan, with a warning). A corner that repeats the one before
@@ -86,7 +94,6 @@ struct MeshInfo {
     std::size_t degenerate_faces = 0;    // fewer than three distinct corners, or no area
     std::size_t duplicate_faces = 0;     // the same vertices as an earlier face, whatever their order
     Bounds bounds;
-    std::string normals;  // "file", "analytic" or "vertex": what the source `auto` takes
     Warnings warnings;
     double load_ms = 0;
 };

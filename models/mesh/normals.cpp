@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "models/fields/choices.h"
 #include "models/mesh/polygon.h"
 #include "models/problem.h"
 
@@ -57,8 +56,11 @@ CornerNormals given_normals(const Mesh& mesh, const NormalOptions& options) {
     return result;
 }
 
-NormalSource automatic(GivenNormals given) {
-    switch (given) {
+}  // namespace
+
+NormalSource used_source(const Mesh& mesh, NormalSource asked) {
+    if (asked == NormalSource::Facet || asked == NormalSource::Vertex) return asked;
+    switch (mesh.given_normals) {
     case GivenNormals::File:
         return NormalSource::File;
     case GivenNormals::Analytic:
@@ -68,8 +70,6 @@ NormalSource automatic(GivenNormals given) {
     }
     return NormalSource::Vertex;  // not reached
 }
-
-}  // namespace
 
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
     const double length = glm::length(v);
@@ -90,16 +90,15 @@ void warn_of_missing_normals(const Mesh& mesh, Warnings& warnings) {
 }
 
 CornerNormals corner_normals(const Mesh& mesh, const NormalOptions& options) {
-    if (options.source == NormalSource::Facet) return facet_normals(mesh);
-    const NormalSource taken =
-        options.source == NormalSource::Vertex ? NormalSource::Vertex : automatic(mesh.given_normals);
+    const NormalSource taken = used_source(mesh, options.source);
+    if (taken == NormalSource::Facet) return facet_normals(mesh);
     CornerNormals result = taken == NormalSource::Vertex
                                ? vertex_normals(mesh, options.weighting, options.crease_deg)
                                : given_normals(mesh, options);
     if (taken != options.source && options.source != NormalSource::Auto)
         result.warnings.insert(result.warnings.begin(),
                                fmt::format("the mesh has no \"{}\" normals; \"{}\" normals are used",
-                                           name_of(options.source), name_of(taken)));
+                                           choice_of(options.source).word, choice_of(taken).word));
     return result;
 }
 

@@ -5,14 +5,42 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "models/memory_limit.h"
 #include "models/mesh/mesh.h"
 #include "models/mesh/topology.h"
+#include "models/range.h"
 
 namespace glint {
 
 enum class NormalSource { Auto, File, Facet, Vertex, Analytic };
 enum class NormalWeighting { Uniform, Area, Angle };
+
+constexpr Choice choice_of(NormalSource source) {
+    switch (source) {
+    case NormalSource::Auto:
+        return {"auto", "Auto", "From the file, else analytic, else averaged"};
+    case NormalSource::File:
+        return {"file", "File", "From the mesh file"};
+    case NormalSource::Facet:
+        return {"facet", "Facet", "Normal of each polygon"};
+    case NormalSource::Vertex:
+        return {"vertex", "Vertex", "Facet normals averaged around each vertex"};
+    case NormalSource::Analytic:
+        return {"analytic", "Analytic", "From the formula of the surface"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(NormalWeighting weighting) {
+    switch (weighting) {
+    case NormalWeighting::Uniform:
+        return {"uniform", "Uniform", "Every facet counts the same"};
+    case NormalWeighting::Area:
+        return {"area", "Area", "By the facet's area"};
+    case NormalWeighting::Angle:
+        return {"angle", "Angle", "By the facet's angle at the vertex"};
+    }
+    return {};
+}
 
 struct NormalOptions {
     NormalSource source = NormalSource::Auto;
@@ -35,6 +63,10 @@ struct NormalOptions {
 /// Source: M. Newell, in Sutherland, Sproull, Schumacker 1974.
 [[nodiscard]] glm::vec3 facet_normal(const Mesh& mesh, std::size_t face);
 
+/// Returns the source of the normals of corner_normals(): `asked`, or for `auto`, and for one that the mesh
+/// does not have, Vertex, File or Analytic.
+[[nodiscard]] NormalSource used_source(const Mesh& mesh, NormalSource asked);
+
 /// Normals of all corners, object coordinates, unit (or zero where nothing defines one).
 struct CornerNormals {
     std::vector<glm::vec3> normals;
@@ -42,7 +74,6 @@ struct CornerNormals {
         corner;                 // #C, indices into normals; empty: corner c has normals[corner_position[c]]
     Warnings warnings;          // source fallen back, corners without a normal
     std::size_t of_facets = 0;  // of `normals` the last so many: those of facets, where a sum cancels
-    MemoryShare share;          // of these, and of `corner` where only they need it
 };
 /// Finds the normals by the source, weighting and crease of `options`. A source that the mesh does not have
 /// falls back as `auto` does, with a warning; corners without a normal of the chosen source (or with a zero
@@ -59,7 +90,7 @@ void warn_of_missing_normals(const Mesh& mesh, Warnings& warnings);
 /// Groups the corners at each vertex whose facets are joined there, perhaps through other facets, across
 /// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). An edge of exactly
 /// that angle is joined here; as a stroke (renderer/strokes/stroke_edges.h) it is drawn. Source:
-/// docs/interface.md, `normals/crease_deg`.
+/// docs/scene_file.md, `normals/crease_deg`.
 struct CreaseGroups {
     std::vector<std::uint32_t> group;  // #C, numbered from 0 in the order of their first corner
     std::size_t count = 0;

@@ -1,9 +1,11 @@
 #pragma once
 // One polygon of a mesh: its plane and size, in double, which cutting, normals and counting share, and its
-// triangles (docs/interface.md, "How a colour is computed").
+// triangles (docs/scene_file.md, "The lighting equation").
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <utility>
 #include <vector>
 
 #include "models/mesh/mesh.h"
@@ -67,6 +69,24 @@ class Triangulator {
     // Lists the corners in the order of their x: only those between the ends of an ear can lie in
     // it.
     std::vector<std::size_t> order_, lower_, higher_;
+};
+
+// Polygons that visit a vertex twice.
+
+/// Looks for them; keeps its buffers from one polygon to the next.
+class RepeatedCorners {
+  public:
+    /// Whether a vertex comes twice in the polygon of these corners, other than at the ends of a bridge: an
+    /// edge that is gone both ways, but not straight back, joins a hole to the outline. Precondition: no
+    /// vertex comes twice in a row. Time: n log n.
+    [[nodiscard]] bool comes_back(const Mesh& mesh, const std::vector<std::uint32_t>& corners);
+
+  private:
+    [[nodiscard]] bool has_spike() const;
+    [[nodiscard]] bool ends_bridge(std::uint32_t vertex) const;
+
+    std::vector<std::uint32_t> vertices_, sorted_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> sides_;  // from, to; sorted
 };
 
 }  // namespace glint

@@ -50,19 +50,6 @@ class Builder {
         faces_at_.resize(mesh.positions.size(), 0);
     }
 
-    /// The bytes of all its lists, and of the topology's, as long as they can be.
-    static std::uint64_t memory(const Mesh& mesh) {
-        using Items = OpenMesh::ArrayItems;
-        constexpr std::uint64_t a_vertex = sizeof(Items::Vertex) + sizeof(std::uint32_t);
-        constexpr std::uint64_t a_position =
-            a_vertex + sizeof(VertexHandle) + sizeof(std::uint32_t) + sizeof(char);
-        constexpr std::uint64_t an_edge = sizeof(Items::Edge) + 2 * sizeof(std::uint32_t) +
-                                          sizeof(Topology::edges[0]) + sizeof(Topology::first_use[0]);
-        constexpr std::uint64_t a_side = a_vertex + an_edge + sizeof(EdgeUse) + sizeof(Side);
-        return mesh.positions.size() * a_position + mesh.corner_position.size() * a_side +
-               mesh.face_count() * (sizeof(Items::Face) + sizeof(std::uint32_t));
-    }
-
     Topology build() {
         for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) add_polygon(f);
         Topology t;
@@ -205,8 +192,6 @@ class Builder {
 };
 
 }  // namespace
-
-std::uint64_t topology_memory(const Mesh& mesh) { return Builder::memory(mesh); }
 
 Topology make_topology(const Mesh& mesh) { return Builder(mesh).build(); }
 

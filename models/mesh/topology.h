@@ -31,10 +31,6 @@ struct Topology {
     }
 };
 
-/// Returns the bytes that make_topology() needs at most: OpenMesh's half-edges meanwhile, then ours. Where
-/// all polygons share their edges it needs about half.
-[[nodiscard]] std::uint64_t topology_memory(const Mesh& mesh);
-
 /// Finds the edges. Degenerate polygons are included; a side from a vertex to itself is not an edge. Time:
 /// about linear (n log n in what OpenMesh cannot hold).
 [[nodiscard]] Topology make_topology(const Mesh& mesh);

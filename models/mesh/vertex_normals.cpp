@@ -152,9 +152,6 @@ void fall_back_to_facets(const Mesh& mesh, const Averages& averages, CornerNorma
         while (c < mesh.first_corner[f + 1] && !falls_back(c)) ++c;
         result.of_facets += c < mesh.first_corner[f + 1] ? 1 : 0;
     }
-    const std::size_t indices = result.corner.empty() ? mesh.corner_position.size() : 0;
-    result.share.set(memory_need(MemoryUse::Objects,
-                                 result.of_facets * sizeof(glm::vec3) + indices * sizeof(std::uint32_t)));
     result.normals.reserve(result.normals.size() + result.of_facets);
     if (result.corner.empty()) result.corner = mesh.corner_position;
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {

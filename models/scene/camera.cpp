@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "models/range.h"
+
 namespace glint {
 namespace {
 
@@ -70,7 +72,7 @@ Projection fitted(const Projection& projection, PictureSize size) {
         const double fov_y_deg = std::min(std::atan(half) * 360 / std::numbers::pi, widest_deg);
         p->fov_y_deg = std::max(static_cast<float>(fov_y_deg), p->fov_y_deg);
     } else if (auto* o = std::get_if<Orthographic>(&shown)) {
-        o->height = static_cast<float>(std::min(o->height * composed_aspect / aspect, 1e30));
+        o->height = static_cast<float>(std::min(o->height * composed_aspect / aspect, max_number));
     }
     return shown;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A light as the scene file describes it (docs/interface.md, "Lights"; lecture: "Light Sources").
+// A light as the scene file describes it (docs/scene_file.md, "Lights"; lecture: "Light Sources").
 // Plain data; what it does to a point is in renderer/lighting.
 
 #include <glm/vec3.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// What a surface does with light (docs/interface.md; lecture: "Lighting in OpenGL").
+// What a surface does with light (docs/scene_file.md; lecture: "Lighting in OpenGL").
 
 #include <glm/vec3.hpp>
 #include <span>

@@ -1,8 +1,7 @@
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "models/json/json_reader.h"
+#include "models/json/json.h"
 #include "models/material_presets_text.h"
 #include "models/scene/material.h"
 
@@ -26,7 +25,7 @@ MaterialPreset preset_of(const Json& entry) {
 }  // namespace
 
 std::span<const MaterialPreset> material_presets() {
-    static const Json document = read_json(material_presets_text, "materials.json");  // holds the names
+    static const Json document = parsed_json(material_presets_text, "materials.json");  // holds the names
     static const std::vector<MaterialPreset> presets = [] {
         std::vector<MaterialPreset> made;
         for (const Json& entry : document["materials"]) made.push_back(preset_of(entry));

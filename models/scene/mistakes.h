@@ -9,10 +9,7 @@
 
 namespace glint {
 
-/// The step of drawing that a mistake changes. Where its code is: Equation and Viewer in
-/// renderer/lighting/equation_mistakes.h, Lights and Materials in renderer/shade/light_sources.cpp, Normals
-/// in renderer/geometry/object_normals.cpp, Faces in renderer/visibility, Display in
-/// renderer/lighting/display.h.
+/// The step of drawing that a mistake changes. Its code is where its flag is read: `git grep -w NAME renderer`.
 enum class MistakeStage { Equation, Viewer, Lights, Materials, Normals, Faces, Display };
 
 /// What one sees first.

@@ -4,7 +4,7 @@
 // file a model. The lighting kernels of every instruction set read the rows: as data, so that nothing of the
 // standard library is compiled into them.
 
-#include "models/fields/choice.h"
+#include "models/range.h"
 
 namespace glint {
 
@@ -30,7 +30,7 @@ struct ReflectionInfo {
     HighlightPeak peak = HighlightPeak::Mirror;
     bool is_bounded =
         true;  // the diffuse factor stays within max_diffuse_factor, S within max_specular_factor
-    const char* program = "";  // the formula for written programs (renderer/programs/model_text.h)
+    const char* program = "";  // the formula for written programs (programs/model_text.h)
 
     [[nodiscard]] constexpr bool uses_shininess() const { return cosine != HighlightCosine::None; }
     [[nodiscard]] constexpr bool uses_r() const { return cosine == HighlightCosine::RV; }

@@ -1,7 +1,7 @@
 #pragma once
 // What a scene is: a value. Copyable, equality-comparable, no callbacks, no globals. Undo is a list of
 // scenes; a test is a scene and a picture. Names and defaults are those of the scene file
-// (docs/interface.md).
+// (docs/scene_file.md).
 
 #include <algorithm>
 #include <string>
@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include "models/fineness/fineness.h"
 #include "models/mesh/mesh.h"
 #include "models/mesh/normals.h"
-#include "models/primitives/primitives.h"
+#include "models/mesh/primitives/primitives.h"
+#include "models/mesh/resolution/resolution.h"
 #include "models/scene/camera.h"
 #include "models/scene/light.h"
 #include "models/scene/material.h"
@@ -30,13 +30,13 @@ inline constexpr int max_parts = 100'000;
 struct MeshFile {
     std::string path;                 // as written in the scene file: relative to it, or absolute
     int part = 0;                     // which of the meshes that the file holds
-    int decimate = 0, subdivide = 0;  // of Fineness
+    int decimate = 0, subdivide = 0;  // of MeshResolution
     bool operator==(const MeshFile&) const = default;
 };
 struct PrimitiveMesh {
     Primitive primitive = Primitive::Sphere;
     int detail = 48;
-    int decimate = 0, subdivide = 0;  // of Fineness
+    int decimate = 0, subdivide = 0;  // of MeshResolution
     bool operator==(const PrimitiveMesh&) const = default;
 };
 /// As finely cut as where a scene says no detail.
@@ -46,8 +46,8 @@ struct PrimitiveMesh {
 using MeshSource = std::variant<PrimitiveMesh, MeshFile>;
 
 /// The decimation and subdivision that a source asks for, and the same source without them.
-[[nodiscard]] inline Fineness fineness_of(const MeshSource& source) {
-    return std::visit([](const auto& s) { return Fineness{s.decimate, s.subdivide}; }, source);
+[[nodiscard]] inline MeshResolution resolution_of(const MeshSource& source) {
+    return std::visit([](const auto& s) { return MeshResolution{s.decimate, s.subdivide}; }, source);
 }
 [[nodiscard]] inline MeshSource as_given(MeshSource source) {
     std::visit([](auto& s) { s.decimate = s.subdivide = 0; }, source);

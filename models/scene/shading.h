@@ -63,4 +63,9 @@ struct Shading {
     bool operator==(const Shading&) const = default;
 };
 
+/// Whether flat shading lights each triangle at its provoking corner, instead of each polygon at its centroid.
+constexpr bool flat_at_provoking_corner(const Shading& shading) {
+    return shading.flat_point == FlatPoint::Provoking || shading.rules == Rules::OpenGL2;
+}
+
 }  // namespace glint

@@ -1,8 +1,10 @@
 #pragma once
-// Where an object stands in the world: M = T Rz Ry Rx S (docs/interface.md, "Objects").
+// Where an object stands in the world: M = T Rz Ry Rx S (docs/scene_file.md, "Objects").
 
+#include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 namespace glint {
 
@@ -15,5 +17,20 @@ struct Transform {
 
 /// World coordinates from object coordinates, in double (see view_from_world).
 [[nodiscard]] glm::dmat4 world_from_object(const Transform& transform);
+
+// The three steps written in another order than a scene file has them. Lecture: "Transformations" (the last
+// one that is written is the first one that happens).
+
+enum class TransformStep { Translate, Rotate, Scale };
+
+/// The steps in the order in which they are written; the last one is applied first.
+using TransformOrder = std::array<TransformStep, 3>;
+inline constexpr TransformOrder file_order{TransformStep::Translate, TransformStep::Rotate,
+                                           TransformStep::Scale};
+
+/// Returns the transform in file order that has the same matrix as `written` in `order`, with the rotation
+/// and the scale of `written`. Nothing where a scale is written before a rotation with which it does not
+/// commute: that shears or scales along other axes, which a scene file cannot express with these numbers.
+[[nodiscard]] std::optional<Transform> in_file_order(const Transform& written, const TransformOrder& order);
 
 }  // namespace glint

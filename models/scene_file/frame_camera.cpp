@@ -7,11 +7,10 @@
 #include <numbers>
 #include <optional>
 
-#include "models/fields/range.h"
 #include "models/fields/scene_rules.h"
-#include "models/io/utf8.h"
-#include "models/scene_file/default_lights.h"
+#include "models/range.h"
 #include "models/scene_file/scene_file.h"
+#include "models/utf8.h"
 
 namespace glint {
 namespace {
@@ -38,7 +37,7 @@ template <class F> void each_corner(const Scene& scene, int object, F f) {
 /// A sphere around the centre of the bounds: not the smallest one, but at most a seventh larger in the worst
 /// of ordinary cases.
 std::optional<Sphere> bounding_sphere(const Scene& scene, int object) {
-    glm::dvec3 low(2 * max_number), high(-2 * max_number);
+    glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
     bool any = false;
     each_corner(scene, object, [&](glm::dvec3 p) {
         low = glm::min(low, p);
@@ -129,7 +128,7 @@ Scene scene_of_mesh(MeshPtr mesh, const std::string& path) {
     scene.objects.push_back(std::move(object));
     scene.lights = default_lights();
 
-    scene.camera.eye = {0.5f, 0.35f, 1};  // framing keeps the direction: from the front, a little above
+    scene.camera.eye = eye_before_framing;
     frame_camera(scene);
     return scene;
 }

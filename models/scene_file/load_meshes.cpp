@@ -12,25 +12,19 @@
 #include <utility>
 
 #include "models/fields/choices.h"
-#include "models/fineness/fineness.h"
 #include "models/gltf/gltf.h"
 #include "models/io/file.h"
-#include "models/mesh/mesh_memory.h"
-#include "models/mesh_formats/mesh_file.h"
+#include "models/mesh/formats/mesh_file.h"
+#include "models/mesh/resolution/resolution.h"
+#include "models/problem.h"
 #include "models/progress.h"
+#include "models/scene/scene_cost.h"
 #include "models/scene_file/scene_file.h"
-#include "models/warning_list.h"
 
 namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Makes a primitive. The memory share for making it is given back before the mesh gets its own.
-Mesh made(const PrimitiveMesh& mesh) {
-    const MemoryShare making(memory_need(MemoryUse::Meshes, bytes_to_make(mesh.primitive, mesh.detail)));
-    return make_primitive(mesh.primitive, mesh.detail);
-}
 
 /// Identifies a mesh as it is given: by a primitive's name and detail, or by the file itself (whatever path
 /// leads to it), its part, and the extension by which it is read.
@@ -55,36 +49,25 @@ Result<Mesh> part_of(const std::string& path, GivenKey key, GltfFiles& files) {
 
 Result<MeshPtr> load(const MeshSource& source, const GivenKey& key, const std::string& mesh_dir,
                      GltfFiles& files) {
-    try {
-        if (const auto* mesh = std::get_if<PrimitiveMesh>(&source)) return share_mesh(made(*mesh));
+    return result_of("", [&]() -> MeshPtr {
+        if (const auto* mesh = std::get_if<PrimitiveMesh>(&source))
+            return std::make_shared<const Mesh>(make_primitive(mesh->primitive, mesh->detail));
         const auto& named = std::get<MeshFile>(source);
         const std::string path = path_from(mesh_dir, named.path);
-        Result<Mesh> read = is_gltf_path(path) ? part_of(path, key, files) : read_mesh(path, named.part);
-        if (const Problem* problem = problem_of(read)) return *problem;
-        return share_mesh(std::get<Mesh>(std::move(read)));
-    } catch (const LoadCancelled&) {
-        return Problem{"", "", cancelled_words, ""};
-    } catch (const Refused& refused) {
-        return memory_problem(refused);
-    } catch (const std::bad_alloc&) {
-        return Problem{"", "", "the mesh does not fit in memory", "a smaller detail"};
-    }
+        if (!is_gltf_path(path) && named.part != 0)
+            throw ProblemFound(
+                {"", "/part", fmt::format("the file holds one mesh, and not a part {}", named.part), "0"});
+        return std::make_shared<const Mesh>(
+            value_or_throw(is_gltf_path(path) ? part_of(path, key, files) : read_mesh(path)));
+    });
 }
 
 /// Returns `given` made finer or coarser as wanted; `given` itself when it is fine as it is.
-Result<MeshPtr> refined(const MeshPtr& given, const Fineness& wanted) {
-    if (is_fine_as_it_is(*given, wanted)) return given;
-    try {
-        Result<Mesh> made = with_fineness(*given, wanted);
-        if (const Problem* problem = problem_of(made)) return *problem;
-        return share_mesh(std::get<Mesh>(std::move(made)));
-    } catch (const LoadCancelled&) {
-        return Problem{"", "", cancelled_words, ""};
-    } catch (const Refused& refused) {
-        return memory_problem(refused);
-    } catch (const std::bad_alloc&) {
-        return Problem{"", "", "the mesh does not fit in memory", "fewer faces"};
-    }
+Result<MeshPtr> refined(const MeshPtr& given, const MeshResolution& wanted) {
+    if (has_resolution(*given, wanted)) return given;
+    Result<Mesh> made = with_resolution(*given, wanted);
+    if (const Problem* problem = problem_of(made)) return *problem;
+    return std::make_shared<const Mesh>(std::get<Mesh>(std::move(made)));
 }
 
 GivenKey key_of_file(const std::string& path) {
@@ -106,10 +89,13 @@ class Loader {
         if (known) return known;
         Result<MeshPtr> given = given_mesh(object.source, pointer);
         if (problem_of(given) != nullptr) return given;
-        Result<MeshPtr> made = refined(std::get<MeshPtr>(given), fineness_of(object.source));
+        Result<MeshPtr> made = refined(std::get<MeshPtr>(given), resolution_of(object.source));
         if (const Problem* problem = problem_of(made))
             return Problem{file_, pointer + problem->pointer, problem->what, problem->expected};
         known = std::get<MeshPtr>(std::move(made));
+        cost_.meshes += mesh_bytes(*known);
+        if (const auto problem = too_much_memory(cost_))
+            return Problem{file_, pointer, problem->what, problem->expected};
         for (const std::string& warning : known->warnings) {
             const std::string line = named != nullptr ? named->path + ": " + warning : warning;
             warnings_.add(line);
@@ -122,33 +108,6 @@ class Loader {
         if (object.mesh) known_[key_of(object.source)] = object.mesh;
     }
 
-    /// Checks, before any is made, the memory that all primitives still to be made need together. The problem
-    /// names the largest of them.
-    std::optional<Problem> too_much_memory(const std::vector<Object>& objects) {
-        std::set<MeshKey> counted;
-        std::uint64_t all = 0, max_more = 0, most = 0;
-        std::size_t largest = 0;
-        for (std::size_t i = 0; i < objects.size(); ++i) {
-            const auto* mesh = std::get_if<PrimitiveMesh>(&objects[i].source);
-            if (objects[i].mesh || mesh == nullptr) continue;
-            const MeshKey key = key_of(as_given(objects[i].source));
-            if (known_.contains(key) || !counted.insert(key).second) continue;
-            const std::uint64_t kept = bytes_once_made(mesh->primitive, mesh->detail);
-            const std::uint64_t made = bytes_to_make(mesh->primitive, mesh->detail);
-            all += kept;
-            max_more = std::max(max_more, made - kept);
-            if (made > most) largest = i;
-            most = std::max(most, made);
-        }
-        try {
-            require_memory(memory_need(MemoryUse::Meshes, all + max_more));
-        } catch (const Refused& refused) {
-            Problem problem = glint::memory_problem(refused, file_);
-            problem.pointer = fmt::format("/objects/{}/mesh", largest);
-            return problem;
-        }
-        return {};
-    }
     Warnings take_warnings() { return warnings_.take(); }
 
   private:
@@ -158,14 +117,13 @@ class Loader {
         MeshPtr& known = known_[key_of(as_given(source))];
         if (known) return known;
         if (named != nullptr) {
-            const std::string why = why_no_file(path_from(mesh_dir_, named->path));
-            if (!why.empty())
+            if (const auto why = why_no_mesh_file(path_from(mesh_dir_, named->path)))
                 return Problem{file_, pointer + "/file",
-                               fmt::format("cannot read \"{}\": {}", named->path, why), "a mesh file"};
-            if (!is_mesh_path(named->path))
+                               fmt::format("cannot read \"{}\": {}", named->path, why->what), why->expected};
+            if (!is_mesh_path(named->path) && !is_gltf_path(named->path))
                 return Problem{file_, pointer + "/file",
                                fmt::format("\"{}\" has another extension", named->path),
-                               ".obj, .ply, .off, .stl, .om, .gltf or .glb"};
+                               ".obj, .ply, .off, .stl, .gltf or .glb"};
         }
         Result<MeshPtr> loaded = load(source, given_key_of(source), mesh_dir_, gltf_files_);
         if (const Problem* problem = problem_of(loaded)) {
@@ -177,7 +135,7 @@ class Loader {
     }
 
     MeshKey key_of(const MeshSource& source) {
-        const Fineness wanted = fineness_of(source);
+        const MeshResolution wanted = resolution_of(source);
         return {given_key_of(source), wanted.decimate, wanted.subdivide};
     }
     GivenKey given_key_of(const MeshSource& source) {
@@ -197,50 +155,38 @@ class Loader {
     GltfFiles gltf_files_;
     std::map<MeshKey, MeshPtr> known_;
     std::map<std::string, GivenKey> key_of_path_;  // each is asked for once
+    SceneCost cost_;
     WarningList warnings_;
 };
 
-/// `meshes`: one an object.
-std::optional<Problem> too_many_triangles(const std::vector<MeshPtr>& meshes, const std::string& file) {
-    std::size_t triangles = 0;
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        triangles += meshes[i]->triangles.size();
-        if (triangles > max_scene_triangles)
-            return Problem{file, fmt::format("/objects/{}/mesh", i),
-                           fmt::format("with this one the objects have {} triangles", triangles),
-                           fmt::format("at most {} in a scene", max_scene_triangles)};
-    }
-    return std::nullopt;
-}
-
 }  // namespace
 
-std::string why_no_file(const std::string& path) {
+std::optional<Problem> why_no_mesh_file(const std::string& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) return "no such file";
-    if (!fs::exists(status)) return reason(error.value());
-    if (fs::is_directory(status)) return "it is a directory";
-    return fs::is_regular_file(status) ? "" : "it is a device or a pipe";
+    if (fs::is_regular_file(status)) return std::nullopt;
+    const auto problem = [&path](const std::string& what) { return Problem{path, "", what, "a mesh file"}; };
+    if (status.type() == fs::file_type::not_found) return problem("no such file");
+    if (!fs::exists(status)) return problem(reason(error.value()));
+    return problem(fs::is_directory(status) ? "it is a directory" : "it is a device or a pipe");
 }
 
 Result<Warnings> load_meshes(Scene& scene, const std::string& file, const std::string& mesh_dir) {
     Loader loader(file, mesh_dir);
-    std::vector<MeshPtr> meshes;  // given to the scene when all are there
+    Scene loaded = scene;
     for (const Object& object : scene.objects) loader.remember(object);
-    if (const auto problem = loader.too_much_memory(scene.objects)) return *problem;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        if (scene.objects[i].mesh) {
-            meshes.push_back(scene.objects[i].mesh);
-            continue;
-        }
+    for (std::size_t i = 0; i < loaded.objects.size(); ++i) {
+        if (loaded.objects[i].mesh) continue;
         if (load_cancelled()) return Problem{file, "", cancelled_words, ""};
-        Result<MeshPtr> mesh = loader.mesh_of(scene.objects[i], i);
+        Result<MeshPtr> mesh = loader.mesh_of(loaded.objects[i], i);
         if (const Problem* problem = problem_of(mesh)) return *problem;
-        meshes.push_back(std::get<MeshPtr>(std::move(mesh)));
+        loaded.objects[i].mesh = std::get<MeshPtr>(std::move(mesh));
     }
-    if (auto problem = too_many_triangles(meshes, file)) return *problem;
-    for (std::size_t i = 0; i < meshes.size(); ++i) scene.objects[i].mesh = std::move(meshes[i]);
+    if (auto problem = too_large(loaded)) {
+        problem->file = file;
+        return *problem;
+    }
+    scene = std::move(loaded);
     return loader.take_warnings();
 }
 

@@ -4,9 +4,10 @@
 
 #include <cmath>
 
+#include "models/fields/choices.h"
 #include "models/fields/scene_fields.h"
 #include "models/fields/scene_rules.h"
-#include "models/io/utf8.h"
+#include "models/utf8.h"
 
 namespace glint {
 namespace {
@@ -17,12 +18,23 @@ template <class T> std::vector<std::string> keys_of(T& value) {
     return keys;
 }
 
+/// Reads an enumerator, in the words of the scene file.
+template <class Enum> void read_enum(const Node& object, std::string_view key, Enum& to) {
+    object.with(key, [&to](const Node& node) {
+        const std::vector<std::string> names = names_of<Enum>();
+        const std::string& name = text(node, listed(names));
+        const std::optional<Enum> value = from_name<Enum>(name);
+        if (!value) node.fail(in_quotes(name) + " is not known", listed(names));
+        to = *value;
+    });
+}
+
 /// Fails where the value breaks a condition between its numbers.
 template <class T> void check(const Node& node, const T& value) {
     if constexpr (requires { violation_of(value); })
-        if (std::optional<Violation> found = violation_of(value))
-            throw ProblemFound{
-                {"", node.pointer() + found->at, std::move(found->what), std::move(found->expected)}};
+        if (std::optional<Problem> found = violation_of(value))
+            throw ProblemFound(
+                {"", node.pointer() + found->pointer, std::move(found->what), std::move(found->expected)});
 }
 
 MeshFile read_mesh_file(const Node& node) {

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "models/json/json_node.h"
-#include "models/memory_limit.h"
 #include "models/scene/scene.h"
 #include "models/scene_file/scene_file.h"
 
@@ -21,8 +20,8 @@ namespace glint {
 /// A projection of that kind with its defaults.
 [[nodiscard]] Projection default_projection(ProjectionKind kind);
 
-// `--set /pointer=JSON`: assignments to a document before it is checked (docs/interface.md, "Changing a
-// scene from the command line").
+// `--set /pointer=JSON`: assignments to a document before it is checked (docs/command_line.md, "Changing a
+// scene").
 
 /// Applies all assignments in order. Missing parents are made: lists and the numbers of a vector where a
 /// scene has them, else objects. A light's `type` set alone brings its own w, a projection's `type` drops the
@@ -37,10 +36,7 @@ class SceneJson {
 
   private:
     std::string file_;
-    MemoryShare share_;
-    Json json_;
-    TakenApart taken_apart_{json_};
-    std::optional<Problem> problem_;  // why the text cannot be read
+    Result<Json> json_;
 };
 
 /// True when an assignment sets the value at `pointer` or one around it.

@@ -8,13 +8,11 @@
 #include <optional>
 #include <system_error>
 
-#include "models/gltf/gltf_open.h"
 #include "models/io/file.h"
-#include "models/io/png_text.h"
+#include "models/io/png_info.h"
 #include "models/json/json_pointer.h"
-#include "models/json/json_reader.h"
-#include "models/mesh/mesh_memory.h"
-#include "models/mesh_formats/mesh_file.h"
+#include "models/mesh/formats/mesh_file.h"
+#include "models/problem.h"
 #include "models/scene_file/read_scene.h"
 #include "models/scene_file/scene_file.h"
 
@@ -22,8 +20,6 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t max_png_bytes = std::size_t{4} << 30;  // 16384 x 16384 pixels that nothing compresses
 
 /// Meshes that are loaded are shared where their source stays.
 void take_meshes(Scene& scene, const std::vector<Object>& loaded) {
@@ -91,42 +87,44 @@ std::optional<PictureSize> fitted_size_of(const std::string& words) {
     return size;
 }
 
-/// Notes the size to which the picture's scene is fitted, if it is.
-void take_fitted_size(SceneDocument& document, const std::string& png) {
-    constexpr std::size_t longest = 16;
-    const Result<std::string> text = png_text(png, png_field_keyword, longest, document.path);
-    if (problem_of(text) != nullptr) return;
-    document.fitted_to = fitted_size_of(std::get<std::string>(text));
-    if (!document.fitted_to)
-        document.warnings.push_back(fmt::format("{}: its chunk {} is not a size, and is ignored",
-                                                on_one_line(document.path), png_field_keyword));
+/// Notes how the picture was drawn: its size, its samples, and the size to which its scene is fitted, if it
+/// is.
+void take_picture(SceneDocument& document, const PngInfo& png) {
+    const auto ignore = [&document](std::string_view what, const char* kind) {
+        document.warnings.push_back(
+            fmt::format("{}: its {} is not {}, and is ignored", on_one_line(document.path), what, kind));
+    };
+    const auto is_side = [](std::uint32_t side) { return side >= 1 && side <= max_picture_side; };
+    if (is_side(png.width) && is_side(png.height))
+        document.picture_size = {static_cast<int>(png.width), static_cast<int>(png.height)};
+    else
+        ignore("header", "that of a picture of 1x1 to 16384x16384");
+    if (const std::string* text = png.text(png_samples_keyword)) {
+        const bool is_count = *text == "1" || *text == "2" || *text == "4" || *text == "8";
+        if (is_count)
+            document.picture_samples = (*text)[0] - '0';
+        else
+            ignore(fmt::format("chunk {}", png_samples_keyword), "1, 2, 4 or 8");
+    }
+    if (const std::string* text = png.text(png_field_keyword)) {
+        document.fitted_to = fitted_size_of(*text);
+        if (!document.fitted_to) ignore(fmt::format("chunk {}", png_field_keyword), "a size");
+    }
 }
 
 Result<SceneDocument> open_picture(const std::string& path, const std::vector<Assignment>& assignments) {
-    MemoryShare share;
-    const auto check = [&path](const FileBlock& block) -> std::optional<Problem> {
-        if (block.at > 0) return {};
-        return why_no_png(block.bytes, path);
-    };
-    const Result<std::string> bytes = read_file(path, max_png_bytes, check, &share);
-    if (const Problem* problem = problem_of(bytes)) return *problem;
-    const auto& png = std::get<std::string>(bytes);
-    const Result<std::string> text = png_text(png, png_scene_keyword, max_json_bytes, path);
-    if (const Problem* problem = problem_of(text)) return *problem;
-    Result<SceneDocument> opened = document_of(std::get<std::string>(text), path, assignments);
-    if (auto* document = std::get_if<SceneDocument>(&opened)) take_fitted_size(*document, png);
+    const Result<PngInfo> read = read_png_info(path, png_scene_keyword, max_json_bytes);
+    if (const Problem* problem = problem_of(read)) return *problem;
+    const auto& png = std::get<PngInfo>(read);
+    Result<SceneDocument> opened = document_of(*png.text(png_scene_keyword), path, assignments);
+    if (auto* document = std::get_if<SceneDocument>(&opened)) take_picture(*document, png);
     return opened;
 }
 
 Result<SceneDocument> open_mesh(const std::string& path, const std::vector<Assignment>& assignments) {
     Result<Mesh> read = read_mesh(path);
     if (const Problem* problem = problem_of(read)) return *problem;
-    MeshPtr mesh;
-    try {
-        mesh = share_mesh(std::get<Mesh>(std::move(read)));
-    } catch (const Refused& refused) {
-        return memory_problem(refused, path);
-    }
+    const auto mesh = std::make_shared<const Mesh>(std::get<Mesh>(std::move(read)));
     const std::string name = fs::path(path).filename().string();
     SceneDocument document{scene_of_mesh(mesh, name), path, directory_of(path), {}};
     if (!assignments.empty()) {
@@ -238,6 +236,10 @@ Result<SceneDocument> open_document(const std::string& path, const std::vector<A
     if (auto* document = std::get_if<SceneDocument>(&opened))
         document->stamp = stamp, document->assignments = assignments;
     return opened;
+}
+
+bool carries_scene(const std::string& path) {
+    return problem_of(read_png_info(path, png_scene_keyword, max_json_bytes)) == nullptr;
 }
 
 Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path) {

@@ -2,10 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "models/json/json_reader.h"
+#include "models/json/json.h"
 #include "models/scene_file/read_scene.h"
 
 namespace glint {
@@ -17,26 +16,19 @@ Scene read_assigned(Json& document, const std::vector<Assignment>& assignments) 
     return read_scene(Node(document));
 }
 
-/// Returns what read() returns, or the problem that it throws. A problem without a file is the assignments'
-/// when it lies in what they set, or when the text is right without them, as `is_right()` says.
+/// A problem without a file is the assignments' when it lies in what they set, or when the text is right
+/// without them, as `is_right()` says; else the file's.
 template <class Read, class IsRight>
-Result<Scene> scene_or_problem(const Read& read, const std::string& file,
-                               const std::vector<Assignment>& assignments, const IsRight& is_right) {
-    try {
-        return read();
-    } catch (ProblemFound& found) {
-        Problem problem = std::move(found.problem);
-        if (!problem.file.empty()) return problem;
-        const bool theirs = !assignments.empty() && (is_assigned(problem.pointer, assignments) || is_right());
-        problem.file = theirs ? "--set" : file;
-        return problem;
-    } catch (const Refused& refused) {
-        return memory_problem(refused, file);
+Result<Scene> scene_of(const Read& read, const std::string& file, const std::vector<Assignment>& assignments,
+                       const IsRight& is_right) {
+    Result<Scene> scene = result_of("", read);
+    if (auto* problem = std::get_if<Problem>(&scene); problem != nullptr && problem->file.empty()) {
+        const bool theirs =
+            !assignments.empty() && (is_assigned(problem->pointer, assignments) || is_right());
+        problem->file = theirs ? "--set" : file;
     }
+    return scene;
 }
-
-/// Bytes of the scene that JSON text holds: of its strings, at most.
-MemoryNeed need_of_scene(std::string_view text) { return memory_need(MemoryUse::Files, text.size()); }
 
 }  // namespace
 
@@ -53,37 +45,22 @@ Result<Assignment> parse_assignment(std::string_view text) {
 Result<Scene> parse_scene(std::string_view text, const std::string& file,
                           const std::vector<Assignment>& assignments) {
     const auto read = [&] {
-        MemoryShare share;  // until the scene is made
-        Json document = read_json(text, file, &share);
-        const TakenApart taken_apart(document);
-        share.add(need_of_scene(text));
+        Json document = parsed_json(text, file);
         return read_assigned(document, assignments);
     };
-    return scene_or_problem(read, file, assignments,
-                            [&] { return problem_of(parse_scene(text, file)) == nullptr; });
+    return scene_of(read, file, assignments, [&] { return problem_of(parse_scene(text, file)) == nullptr; });
 }
 
-SceneJson::SceneJson(std::string_view text, std::string file) : file_(std::move(file)) {
-    try {
-        json_ = read_json(text, file_, &share_);
-        share_.add(need_of_scene(text));
-    } catch (ProblemFound& found) {
-        problem_ = std::move(found.problem);
-    } catch (const Refused& refused) {
-        problem_ = memory_problem(refused, file_);
-    }
-}
+SceneJson::SceneJson(std::string_view text, std::string file)
+    : file_(std::move(file)), json_(read_json(text, file_)) {}
 
 Result<Scene> SceneJson::scene_with(const std::vector<Assignment>& assignments) const {
-    if (problem_) return *problem_;
+    if (const Problem* problem = problem_of(json_)) return *problem;
     const auto read = [&] {
-        const MemoryShare share(share_.need());  // of the copy, which is assigned to
-        Json document;
-        const TakenApart taken_apart(document);
-        copy_json(json_, document);
+        Json document = std::get<Json>(json_);
         return read_assigned(document, assignments);
     };
-    return scene_or_problem(read, file_, assignments, [&] { return problem_of(scene_with({})) == nullptr; });
+    return scene_of(read, file_, assignments, [&] { return problem_of(scene_with({})) == nullptr; });
 }
 
 }  // namespace glint

@@ -1,5 +1,6 @@
 #pragma once
-// The scene file, version 1 (docs/interface.md): read, checked and written. What is written reads back equal.
+// The scene file, version 1 (docs/scene_file.md): read, checked and written. What is written reads back
+// equal.
 
 #include <cstdint>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/gltf/gltf.h"
 #include "models/io/file.h"
 #include "models/problem.h"
 #include "models/scene/scene.h"
@@ -19,6 +21,8 @@ inline constexpr std::string_view png_scene_keyword = "glint-scene";
 /// The keyword of the chunk that stands beside it where the picture shows the scene as fitted() to its size
 /// (PictureSize::keeps_width): that size, "640x716".
 inline constexpr std::string_view png_field_keyword = "glint-field";
+/// The keyword of the chunk with the picture's samples a pixel, where it has several: "4".
+inline constexpr std::string_view png_samples_keyword = "glint-samples";
 
 /// One `--set /pointer=JSON`.
 struct Assignment {
@@ -35,7 +39,10 @@ struct SceneDocument {
     Warnings warnings;
     FileStamp stamp = {};  // of the file at `path` when it was read or written; none for a new scene
     std::optional<PictureSize> fitted_to = {};  // of a picture that shows the scene so
-    std::vector<Assignment> assignments = {};   // that were applied to what the file holds
+    // Of the picture that carries the scene: its own size, and its samples a pixel.
+    std::optional<PictureSize> picture_size = {};
+    int picture_samples = 1;
+    std::vector<Assignment> assignments = {};  // that were applied to what the file holds
 };
 
 /// Splits "POINTER=JSON"; a problem (file "--set") when there is no '=' or the pointer does not begin with
@@ -51,12 +58,6 @@ struct SceneDocument {
 /// JSON text of a scene: every key (of mistakes only those made), floats in the shortest form that reads back
 /// equal, ends with a newline.
 [[nodiscard]] std::string scene_text(const Scene& scene);
-/// Returns the bytes that telling or carrying a scene takes beside it: for a copy, its JSON, and the text
-/// while it grows.
-[[nodiscard]] std::uint64_t bytes_to_tell(const Scene& scene);
-
-/// The shortest decimals that read back as the same float, as scene_text() writes them: "0.1", "-0.0".
-[[nodiscard]] std::string number_text(float x);
 
 /// Loads the mesh of every object whose `mesh` is null. A mesh named twice is loaded once. Paths are relative
 /// to `mesh_dir`. `file` and the object's pointer stand in messages about paths that cannot be read; what
@@ -64,16 +65,15 @@ struct SceneDocument {
 [[nodiscard]] Result<Warnings> load_meshes(Scene& scene, const std::string& file,
                                            const std::string& mesh_dir);
 
-/// Why no mesh can be read at `path`, in the words of the scene that names it: "no such file"; empty where a
-/// file is there.
-[[nodiscard]] std::string why_no_file(const std::string& path);
+/// Why no mesh can be read at `path`: "no such file"; nothing if a file is there.
+[[nodiscard]] std::optional<Problem> why_no_mesh_file(const std::string& path);
 
 /// What open_document() opens, for "expected ...".
 inline constexpr const char* opened_files =
-    "a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl, .om)";
+    "a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl)";
 
 /// Anything `glint FILE` takes: a scene (.json), a picture that Glint wrote (.png), a mesh (.obj .ply .off
-/// .stl .om; framed, with two default lights, one in world, one in camera coordinates), or "-" (a scene on
+/// .stl; framed, with two default lights, one in world, one in camera coordinates), or "-" (a scene on
 /// standard input). Meshes are loaded.
 [[nodiscard]] Result<SceneDocument> open_document(const std::string& path,
                                                   const std::vector<Assignment>& assignments = {});
@@ -96,18 +96,27 @@ inline constexpr const char* opened_files =
 [[nodiscard]] std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
                                              const std::string& picture_path);
 
+/// Whether the file is a PNG that carries a scene.
+[[nodiscard]] bool carries_scene(const std::string& path);
+
 /// Writes the scene as .json beside its target and renames it into place ("-" is standard output). Mesh paths
 /// are made relative to the new place, or whole where that is a link into another directory. Problems:
 /// another extension, what cannot be written, a scene that would not read back equal.
 [[nodiscard]] Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path);
 
+/// Returns a directional light in world coordinates and a dimmer point light at the viewer.
+[[nodiscard]] std::vector<Light> default_lights();
+
 /// A scene of one mesh, framed, with two default lights. Precondition: the mesh has a face.
 [[nodiscard]] Scene scene_of_mesh(MeshPtr mesh, const std::string& path);
 
+/// The eye of a scene without a camera of its own before it is framed: from the front, a little above.
+inline constexpr glm::vec3 eye_before_framing{0.5f, 0.35f, 1};
+
 /// Moves the camera, direction, up and angles kept, so that a sphere around all objects (or one, when
-/// `object` >= 0) fits a picture from 1:1 to 16:9; near, far and an orthographic height follow. Returns false,
-/// and nothing changes, when there is no loaded mesh, or no such camera within the numbers of a scene file.
-/// Precondition: the camera is valid.
+/// `object` >= 0) fits a picture from 1:1 to 16:9; near, far and an orthographic height follow. Returns
+/// false, and nothing changes, when there is no loaded mesh, or no such camera within the numbers of a scene
+/// file. Precondition: the camera is valid.
 bool frame_camera(Scene& scene, int object = -1);
 
 /// The scene with the assignments applied, as `--set` would, to its text with every key written out. Meshes
@@ -132,6 +141,23 @@ class SceneVariants {
     const SceneDocument& document_;
     std::unique_ptr<const SceneJson> json_;
 };
+
+// A glTF file as a scene that can be drawn, and a scene as a glTF file.
+
+struct GltfOpened {
+    Scene scene;  // meshes loaded
+    Warnings warnings;
+};
+/// Reads the file and adds what a picture needs: a camera that shows all objects and two default lights,
+/// where the file has none; but a file of ours without lights is dark. Lights that are far too bright, as
+/// candela and lux can be, are all divided by one factor, which a warning gives.
+[[nodiscard]] Result<GltfOpened> open_gltf(const std::string& path);
+/// Does the same with a file that was read already.
+[[nodiscard]] Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& path);
+
+/// A scene as a .glb file (unchecked_glb_of) that can be opened: a scene of which that is not so is refused,
+/// with the pointer of its value. Precondition: meshes are loaded.
+[[nodiscard]] Result<GltfWritten> glb_of(const Scene& scene, const std::string& name);
 
 /// JSON Schema, draft 2020-12, of the scene file: keys, types, ranges, words, defaults. Made of the rows of
 /// models/fields/scene_fields.h. It accepts every valid scene. Conditions between numbers (near < far, an

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "models/fields/scene_fields.h"
-#include "models/io/utf8.h"
 #include "models/json/json_pointer.h"
 #include "models/scene_file/read_scene.h"
+#include "models/utf8.h"
 
 namespace glint {
 namespace {
@@ -17,7 +16,7 @@ namespace {
 using Tokens = std::vector<std::string>;
 
 [[noreturn]] void fail(const std::string& pointer, std::string what, std::string expected) {
-    throw ProblemFound{{"--set", pointer, std::move(what), std::move(expected)}};
+    throw ProblemFound({"--set", pointer, std::move(what), std::move(expected)});
 }
 
 /// "/a~1b/0" -> "a/b", "0" (RFC 6901, section 4).
@@ -49,14 +48,14 @@ bool is_word(std::string_view text) {
 
 Json value_of(const Assignment& a) {
     try {
-        return read_json(a.json, "--set");
-    } catch (const ProblemFound& found) {
+        return parsed_json(a.json, "--set");
+    } catch (const NotJson& found) {
         if (is_word(a.json)) return a.json;
-        if (!found.is_syntax)
-            fail(a.pointer + found.problem.pointer, found.problem.what, found.problem.expected);
         fail(a.pointer,
              fmt::format("{} is neither JSON nor a word: {}", in_quotes(a.json), found.problem.what),
              "a JSON value such as 2, [1, 2, 3] or \"text\"; or a word");
+    } catch (const ProblemFound& found) {
+        fail(a.pointer + found.problem.pointer, found.problem.what, found.problem.expected);
     }
 }
 
@@ -117,7 +116,7 @@ std::size_t index_of(const std::string& token, const Json& array, const std::str
 
 /// The value under `token`, made if there is none.
 Json& child_of(Json& parent, const std::string& token, const Json& made, const std::string& pointer) {
-    if (parent.is_object()) return parent.emplace(token, made).first.value();
+    if (parent.is_object()) return parent.emplace(token, Json(made)).first.value();
     if (!parent.is_array())
         fail(pointer, fmt::format("{} is to go into a value that holds no others", in_quotes(token)),
              "a pointer to a value of the scene");

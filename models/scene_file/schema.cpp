@@ -1,45 +1,39 @@
 
-#include <nlohmann/json.hpp>
-
 #include "models/fields/scene_fields.h"
+#include "models/json/json.h"
 #include "models/scene_file/read_scene.h"
 #include "models/scene_file/scene_file.h"
 
 namespace glint {
 namespace {
 
-using Schema = nlohmann::ordered_json;
-
-/// A float as the scene file writes it: 0.1, not 0.10000000149011612.
-Schema number_json(float x) { return Schema::parse(number_text(x)); }
-
-Schema range_json(const Range& range) {
-    Schema within{{"type", "number"},
-                  {range.low_open ? "exclusiveMinimum" : "minimum", range.low},
-                  {range.high_open ? "exclusiveMaximum" : "maximum", range.high}};
+Json range_json(const Range& range) {
+    Json within{{"type", "number"},
+                {range.low_open ? "exclusiveMinimum" : "minimum", range.low},
+                {range.high_open ? "exclusiveMaximum" : "maximum", range.high}};
     if (!range.also) return within;
     return {{"anyOf", {within, {{"const", *range.also}}}}};
 }
 
-Schema array_of(const Schema& each, std::size_t least, std::size_t most) {
+Json array_of(const Json& each, std::size_t least, std::size_t most) {
     return {{"type", "array"}, {"items", each}, {"minItems", least}, {"maxItems", most}};
 }
 
-template <class T> Schema schema_of(const T& value);
+template <class T> Json schema_of(const T& value);
 
 // A member's schema without its words, and its default. Groups and lists do not have a default of their own.
 struct Described {
-    Schema schema, initial = nullptr;
+    Json schema, initial = nullptr;
 };
 
-template <class V> Schema numbers_json(const V& v, int size) {
-    Schema list = Schema::array();
+template <class V> Json numbers_json(const V& v, int size) {
+    Json list = Json::array();
     for (int i = 0; i < size; ++i) list.push_back(number_json(v[i]));
     return list;
 }
 
 Described described(const Text& kind, const std::string& s) {
-    Schema schema{{"type", "string"}};
+    Json schema{{"type", "string"}};
     if (kind.max_characters > 0) schema["maxLength"] = kind.max_characters;
     return {std::move(schema), s};
 }
@@ -61,7 +55,7 @@ Described described(const Count& kind, int n) {
     if (kind.is_allowed == nullptr)
         return {{{"type", "number"}, {"multipleOf", 1}, {"minimum", kind.low}, {"maximum", kind.high}}, n};
     if (kind.high > 64) {  // too many to list: those between the ends, and those that are not allowed
-        Schema refused = Schema::array();
+        Json refused = Json::array();
         for (int i = kind.low; i <= kind.high; ++i)
             if (!kind.contains(i)) refused.push_back(i);
         return {{{"type", "number"},
@@ -71,13 +65,13 @@ Described described(const Count& kind, int n) {
                  {"not", {{"enum", refused}}}},
                 n};
     }
-    Schema allowed = Schema::array();
+    Json allowed = Json::array();
     for (int i = kind.low; i <= kind.high; ++i)
         if (kind.contains(i)) allowed.push_back(i);
     return {{{"enum", allowed}}, n};
 }
 template <class E> Described described(const OneOf&, E value) {
-    Schema words = Schema::array();
+    Json words = Json::array();
     for (const Choice& row : choices<E>)
         words.push_back(
             {{"const", std::string(row.word)}, {"title", row.label}, {"description", row.meaning}});
@@ -85,13 +79,13 @@ template <class E> Described described(const OneOf&, E value) {
 }
 template <class T> Described described(const Group&, const T& value) { return {schema_of(value)}; }
 template <class T> Described described(const List& kind, const std::vector<T>&) {
-    return {{{"type", "array"}, {"items", schema_of(T{})}, {"maxItems", kind.max}}, Schema::array()};
+    return {{{"type", "array"}, {"items", schema_of(T{})}, {"maxItems", kind.max}}, Json::array()};
 }
 Described described(const OneProjection&, const Projection&) {
-    Schema any = Schema::array();
+    Json any = Json::array();
     for (const ProjectionKind kind : enumerators<ProjectionKind>) {
         const Choice row = choice_of(kind);
-        Schema schema = schema_of(default_projection(kind));
+        Json schema = schema_of(default_projection(kind));
         schema["description"] = row.meaning;
         schema["properties"]["type"] = {{"const", std::string(row.word)}};
         // The first is meant where no type stands; a frustum needs all of its numbers.
@@ -103,23 +97,23 @@ Described described(const OneProjection&, const Projection&) {
 }
 /// A primitive of each name, since how finely it can be cut depends on it; or a file.
 Described described(const OneMesh&, const MeshSource&) {
-    Schema any = Schema::array();
+    Json any = Json::array();
     for (const Primitive primitive : enumerators<Primitive>) {
         const PrimitiveInfo info = info_of(primitive);
-        Schema schema = schema_of(PrimitiveMesh{primitive, info.default_detail});
+        Json schema = schema_of(PrimitiveMesh{primitive, info.default_detail});
         schema["description"] = info.choice.meaning;
         schema["properties"]["primitive"] = {{"const", std::string(info.choice.word)}};
         if (primitive != PrimitiveMesh{}.primitive) schema["required"] = {"primitive"};
         any.push_back(schema);
     }
-    Schema file = schema_of(MeshFile{});
+    Json file = schema_of(MeshFile{});
     file["required"] = {"file"};
     any.push_back(file);
     return {{{"oneOf", any}}};
 }
 
-template <class T> Schema schema_of(const T& value) {
-    Schema properties = Schema::object();
+template <class T> Json schema_of(const T& value) {
+    Json properties = Json::object();
     fields(value, [&](const Row& row, const auto& kind, const auto& member) {
         Described made = described(kind, member);
         made.schema["title"] = row.label;
@@ -131,9 +125,9 @@ template <class T> Schema schema_of(const T& value) {
 }
 
 /// position with four numbers: w = 0 for a directional light, above 0 for the others.
-Schema w_follows_type() {
-    const auto fourth = [](const Schema& w) {
-        return Schema{{"properties", {{"position", {{"prefixItems", {true, true, true, w}}}}}}};
+Json w_follows_type() {
+    const auto fourth = [](const Json& w) {
+        return Json{{"properties", {{"position", {{"prefixItems", {true, true, true, w}}}}}}};
     };
     return {{"if",
              {{"properties", {{"type", {{"const", std::string(name_of(LightKind::Directional))}}}}},
@@ -145,9 +139,9 @@ Schema w_follows_type() {
 }  // namespace
 
 std::string scene_schema() {
-    Schema schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                  {"title", "Scene of Glint, version 1"},
-                  {"description", "See docs/interface.md, \"The scene file\"."}};
+    Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                {"title", "Scene of Glint, version 1"},
+                {"description", "See docs/scene_file.md."}};
     schema.update(schema_of(Scene{}));
     schema["properties"]["glint"] = {{"const", 1}, {"description", "The version of the format"}};
     schema["required"] = {"glint"};

@@ -2,26 +2,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
-#include <cmath>
 
 #include "models/fields/scene_fields.h"
-#include "models/io/utf8.h"
-#include "models/json/json_value.h"
+#include "models/json/json.h"
+#include "models/numbers.h"
 #include "models/scene_file/scene_file.h"
+#include "models/utf8.h"
 
 namespace glint {
-
-// The reader goes by way of a double, which for a few floats (7.0385307e-26 is one) rounds the shortest
-// decimals of the float to its neighbour: those get more digits.
-std::string number_text(float x) {
-    if (x == 0 && std::signbit(x)) return "-0.0";  // "-0" is a whole number, which has no sign
-    std::string text = fmt::format("{}", x);
-    double read = 0;
-    std::from_chars(text.data(), text.data() + text.size(), read);
-    return static_cast<float>(read) == x ? text : fmt::format("{}", static_cast<double>(x));
-}
-
 namespace {
 
 /// Where an object's text breaks into lines.
@@ -102,10 +90,5 @@ template <class T> std::string text_of(const T& value) {
 }  // namespace
 
 std::string scene_text(const Scene& scene) { return text_of(scene); }
-
-std::uint64_t bytes_to_tell(const Scene& scene) {
-    constexpr std::uint64_t times = 4;
-    return times * scene_text(scene).size();
-}
 
 }  // namespace glint

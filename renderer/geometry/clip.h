@@ -111,14 +111,4 @@ struct ClipMemory {
             static_cast<float>(at.inv_w)};
 }
 
-// Positions so far away that the square of their distance does not fit a float.
-
-/// Returns the factor that brings `place` (camera coordinates) to the distance `max_distance` if it is
-/// farther, else 1.
-[[nodiscard]] inline double share_of_way(const glm::dvec3& place) {
-    return std::min(1.0, max_distance / glm::length(place));
-}
-/// Limits the distance of a position to `max_distance`, in the same direction.
-[[nodiscard]] inline glm::dvec3 not_too_far(const glm::dvec3& place) { return share_of_way(place) * place; }
-
 }  // namespace glint

@@ -2,7 +2,6 @@
 // projection, normals by the inverse transpose of the first two (transform_objects).
 #include "renderer/geometry/geometry.h"
 
-#include <fmt/core.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -13,7 +12,6 @@
 #include <map>
 #include <utility>
 
-#include "models/memory_limit.h"
 #include "renderer/geometry/clip.h"
 
 namespace glint {
@@ -98,23 +96,10 @@ bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
     return true;
 }
 
-/// Throws Refused for too many triangles: their numbers have 30 bits. A scene that is read is refused before
-/// (load_meshes); one that grows in memory ends here.
-void count_triangles(const Scene& scene) {
-    std::size_t triangles = 0;
-    for (const Object& o : scene.objects) triangles += o.mesh->triangles.size();
-    if (triangles > max_scene_triangles)
-        throw Refused({"", "/objects", fmt::format("the objects have {} triangles", triangles),
-                       fmt::format("at most {} in a scene", max_scene_triangles)});
-}
-
 }  // namespace
 
 glm::vec3 ObjectGeometry::position(std::uint32_t index) const {
-    const glm::vec3 p(vertices[index].x, vertices[index].y, vertices[index].z);
-    if (glm::dot(p, p) <= static_cast<float>(max_distance * max_distance)) return p;
-    const glm::dvec4 object(glm::dvec3(mesh->positions[index]), 1.0);
-    return glm::vec3(not_too_far(glm::dvec3(view_from_object * object)));
+    return {vertices[index].x, vertices[index].y, vertices[index].z};
 }
 
 glm::dvec3 ObjectGeometry::centroid(std::uint32_t face) const {
@@ -133,7 +118,6 @@ std::uint32_t Geometry::object_of(std::uint32_t triangle) const {
 
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size) {
     if (same_inputs(kept, scene, size)) return false;
-    count_triangles(scene);
     static std::atomic<std::uint64_t> states = 0;
     kept.state = ++states;
     kept.size = size;

@@ -35,7 +35,7 @@ struct ObjectGeometry {
     std::vector<TransformedVertex> vertices;           // #V
     std::vector<ScreenVertex> screen;                  // #V
 
-    /// A position of the mesh in camera coordinates, with its distance limited to `max_distance`.
+    /// A position of the mesh in camera coordinates.
     [[nodiscard]] glm::vec3 position(std::uint32_t index) const;
     /// The mean of a polygon's corners in camera coordinates.
     [[nodiscard]] glm::dvec3 centroid(std::uint32_t face) const;
@@ -62,8 +62,8 @@ struct Geometry {
     }
 };
 
-/// Runs the stage again if its inputs differ from those of `kept`; returns whether they did. Throws Refused,
-/// and leaves `kept` as it was, when the scene has more than max_scene_triangles.
+/// Runs the stage again if its inputs differ from those of `kept`; returns whether they did. Precondition:
+/// the scene is not too_large().
 bool update_geometry(Geometry& kept, const Scene& scene, PictureSize size);
 
 }  // namespace glint

@@ -27,11 +27,9 @@ inline constexpr std::uint32_t needs_clipping = OutsideNear | OutsideFar | Outsi
 /// 16384, times 32, times 256 subpixels, is 2^27: edge functions then fit 64 bits with room to spare.
 inline constexpr double guard_band = 64;
 
-/// Within these w, products of two corners' clip coordinates fit a float, and keep its digits where the
-/// corners lie close together. Beyond, pixels are placed in doubles.
-inline constexpr double min_float_w = 1e-12, max_float_w = 1e15;
-/// The square of a distance up to this fits a float; scene units.
-inline constexpr double max_distance = 1e18;
+/// From this w on, products of two corners' clip coordinates keep a float's digits where the corners lie
+/// close together. Below, pixels are placed in doubles.
+inline constexpr double min_float_w = 1e-12;
 
 /// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner. Four numbers, read at
 /// once.

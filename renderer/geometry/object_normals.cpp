@@ -148,8 +148,6 @@ void take_normals(std::vector<ObjectNormals>& kept, const Scene& scene) {
             for (const ObjectNormals& n : kept)
                 if (n.of_mesh) known.insert({n.mesh.get(), {n.options, n.of_mesh}});
         kept[o].of_mesh = normals_of(known, object);
-        kept[o].of_facets.set(
-            memory_need(MemoryUse::Objects, kept[o].of_mesh->of_facets * sizeof(CameraNormal)));
         kept[o].mesh = object.mesh;
         kept[o].options = object.normals;
     }

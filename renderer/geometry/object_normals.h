@@ -27,7 +27,6 @@ struct ObjectNormals {
     // Object coordinates; the same for all objects of that mesh with those options.
     std::shared_ptr<const CornerNormals> of_mesh;
     std::vector<CameraNormal> normals;  // of_mesh->normals in camera coordinates
-    MemoryShare of_facets;              // of those of facets, where a sum cancels
 
     /// For each corner of the mesh the index into `normals`.
     [[nodiscard]] const std::vector<std::uint32_t>& normal_of_corner() const {

@@ -20,7 +20,7 @@ void transform_lanes(const VertexJob& job, const float (&p)[3][together], int i,
     const Point4<D> object{widened<D>(p[0] + i), widened<D>(p[1] + i), widened<D>(p[2] + i), D(1)};
     const Point4<D> camera = transformed(job.view_from_object, object);
     const Point4<D> clip = transformed(job.clip_from_view, camera);
-    const Outside<D> outside = outside_of(camera, clip);
+    const Outside<D> outside = outside_of(clip);
     const GridPoint<D> at = grid_point(job.viewport, clip);
     const auto whole = outside.cut <= D(0);  // else it has no place on the grid
     store_narrowed(out.clip[0] + i, clip.x);

@@ -20,18 +20,16 @@ template <Number D> Point4<D> transformed(const Matrix4& m, const Point4<D>& p) 
 }
 
 /// The OutsideBits of a vertex as two sums: those of the sides of the view, and those that need clipping.
-/// outside_of() takes the vertex in camera and in clip coordinates.
+/// `c`: the vertex in clip coordinates.
 template <Number D> struct Outside { D sides, cut; };
-template <Number D> Outside<D> outside_of(const Point4<D>& camera, const Point4<D>& c) {
+template <Number D> Outside<D> outside_of(const Point4<D>& c) {
     const auto bit = [](auto where, OutsideBits b) { return select(where, D(static_cast<double>(b)), D(0)); };
     const auto one = [](auto where) { return select(where, D(1), D(0)); };
     const D sides = bit(c.x < -c.w, OutsideLeft) + bit(c.x > c.w, OutsideRight) +
                     bit(c.y < -c.w, OutsideBottom) + bit(c.y > c.w, OutsideTop);
     const D g = D(guard_band) * c.w;  // NaN is not within
-    const D squared = camera.x * camera.x + camera.y * camera.y + camera.z * camera.z;
-    const D floats = one((c.w - D(min_float_w)) * (D(max_float_w) - c.w) >= D(0)) *
-                     one(squared <= D(max_distance * max_distance));
-    const D within = one(c.x >= -g) * one(c.x <= g) * one(c.y >= -g) * one(c.y <= g) * floats;
+    const D within =
+        one(c.x >= -g) * one(c.x <= g) * one(c.y >= -g) * one(c.y <= g) * one(c.w >= D(min_float_w));
     return {sides, bit(c.z < -c.w, OutsideNear) + bit(c.z > c.w, OutsideFar) +
                        (D(1) - within) * D(static_cast<double>(OutsideGuard))};
 }

@@ -12,7 +12,6 @@
 #include <string_view>
 
 #include "models/io/file.h"
-#include "models/memory_limit.h"
 #include "models/scene_file/scene_file.h"
 
 namespace glint {
@@ -71,18 +70,7 @@ class PngWriter {
     png_infop info_ = nullptr;
 };
 
-constexpr std::uint64_t bytes_beside_pixels = 1 << 20;  // of the libraries
-
 }  // namespace
-
-// Strings that grow have up to twice the room that they need.
-std::uint64_t png_memory(PictureSize size) {
-    return std::uint64_t{2} * 3 * size.pixels() + bytes_beside_pixels;
-}
-std::uint64_t pfm_memory(PictureSize size) { return std::uint64_t{12} * size.pixels() + bytes_beside_pixels; }
-std::uint64_t exr_memory(PictureSize size) {
-    return std::uint64_t{3} * 12 * size.pixels() + bytes_beside_pixels;
-}
 
 const char* extension_of(PictureFormat format) {
     switch (format) {
@@ -117,18 +105,6 @@ Result<Picture> read_picture(const std::string& path) {
     return Picture{};  // not reached
 }
 
-std::uint64_t file_memory(PictureFormat format, PictureSize size) {
-    switch (format) {
-    case PictureFormat::Png:
-        return png_memory(size);
-    case PictureFormat::Pfm:
-        return pfm_memory(size);
-    case PictureFormat::Exr:
-        return exr_memory(size);
-    }
-    return 0;  // not reached
-}
-
 std::string picture_bytes(const Picture& picture, PictureFormat format, float exposure,
                           const std::string& scene_json) {
     switch (format) {
@@ -151,6 +127,8 @@ std::string png_bytes(const Picture& picture, const std::string& scene_json) {
         if (is_widened(picture.size))
             png.text(std::string(png_field_keyword).c_str(),
                      fmt::format("{}x{}", picture.size.width, picture.size.height));
+        if (picture.samples > 1)
+            png.text(std::string(png_samples_keyword).c_str(), std::to_string(picture.samples));
     }
     png.rows(picture);
     return bytes;

@@ -1,8 +1,7 @@
 #pragma once
 // Pictures to and from bytes (models/io/file.h writes them): PNG (8 bit, carrying its scene in a text chunk),
-// PFM and OpenEXR (linear float); and rows of them as GIF.
+// PFM and OpenEXR (linear float).
 
-#include <memory>
 #include <string>
 
 #include "models/problem.h"
@@ -19,17 +18,9 @@ enum class PictureFormat { Png, Pfm, Exr };
 /// Whether it holds linear float numbers: then Picture::linear must be filled.
 [[nodiscard]] constexpr bool is_linear(PictureFormat format) { return format != PictureFormat::Png; }
 
-/// Returns a file of that format, and an upper bound of the memory in bytes that making it takes. `exposure`
-/// is for the linear formats, `scene_json` for PNG: see below.
+/// Returns a file of that format. `exposure` is for the linear formats, `scene_json` for PNG: see below.
 [[nodiscard]] std::string picture_bytes(const Picture& picture, PictureFormat format, float exposure,
                                         const std::string& scene_json);
-[[nodiscard]] std::uint64_t file_memory(PictureFormat format, PictureSize size);
-
-/// Upper bounds of the memory in bytes that making a file of a picture of that size takes: as PNG (which is
-/// never much longer than the colours that go into it), PFM, EXR.
-[[nodiscard]] std::uint64_t png_memory(PictureSize size);
-[[nodiscard]] std::uint64_t pfm_memory(PictureSize size);
-[[nodiscard]] std::uint64_t exr_memory(PictureSize size);
 
 /// PNG bytes of the red, green and blue of `rgba`; `scene_json` goes into a text chunk (iTXt, not compressed,
 /// keyword png_scene_keyword of models/scene_file/scene_file.h) unless empty. Same input, same bytes.
@@ -57,28 +48,5 @@ enum class PictureFormat { Png, Pfm, Exr };
 
 /// Reads a picture of whichever of these formats the name of the file ends in.
 [[nodiscard]] Result<Picture> read_picture(const std::string& path);
-
-// Moving pictures as GIF, for slides that show nothing else. A frame has at most 256 colours: steps that are
-// not in the picture appear in its gradients. Where it can be, a row of PNG files is the better choice.
-
-/// GIF89a, endlessly repeated; each frame has a palette of its own (median cut, Heckbert 1982).
-class GifWriter {
-  public:
-    /// Precondition: the size is 1x1 to 16384x16384.
-    explicit GifWriter(PictureSize size);
-    ~GifWriter();
-    GifWriter(const GifWriter&) = delete;
-    GifWriter& operator=(const GifWriter&) = delete;
-
-    /// Adds a picture of that size, shown for so many hundredths of a second. False when there is no memory
-    /// for it.
-    [[nodiscard]] bool add(const Picture& picture, int hundredths);
-    /// The whole file, once.
-    [[nodiscard]] Result<std::string> finish();
-
-  private:
-    struct Encoder;
-    std::unique_ptr<Encoder> encoder_;
-};
 
 }  // namespace glint

@@ -15,7 +15,6 @@
 #include <optional>
 
 #include "models/io/file.h"
-#include "models/memory_limit.h"
 #include "renderer/image/exr_stream.h"
 #include "renderer/image/image_file.h"
 
@@ -32,10 +31,9 @@ bool fits(long long width, long long height) {
     return width >= 1 && height >= 1 && width <= max_picture_side && height <= max_picture_side;
 }
 
-/// A picture of that size with room for its linear numbers. Throws Refused.
+/// A black picture of that size, linear.
 Picture empty_linear(long long width, long long height) {
     Picture picture{{static_cast<int>(width), static_cast<int>(height)}, {}, {}};
-    require_memory(memory_need(MemoryUse::Pixels, 3 * sizeof(float) * picture.size.pixels()));
     picture.linear.resize(3 * picture.size.pixels());
     return picture;
 }
@@ -156,10 +154,9 @@ void require_all_blocks(Imf::InputFile& file, int rows) {
 }
 
 /// What an EXR's display window shows of the pixels that its data window holds: a renderer may store those
-/// alone that are not black, or more than it shows. Throws Refused.
+/// alone that are not black, or more than it shows.
 Picture displayed_part(Picture stored, const Imath::Box2i& data, const Imath::Box2i& display) {
     if (data == display) return stored;
-    const MemoryShare share(memory_need(MemoryUse::Pixels, sizeof(float) * stored.linear.size()));
     Picture shown = empty_linear(1LL + display.max.x - display.min.x, 1LL + display.max.y - display.min.y);
     const int left = std::max(data.min.x, display.min.x), right = std::min(data.max.x, display.max.x);
     for (int y = std::max(data.min.y, display.min.y); y <= std::min(data.max.y, display.max.y); ++y) {
@@ -232,8 +229,7 @@ Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path
 }  // namespace
 
 Result<Picture> read_pfm(const std::string& path) {
-    MemoryShare share;
-    const auto file = read_file(path, max_linear_bytes, {}, &share);
+    const auto file = read_file(path, max_linear_bytes);
     if (const Problem* problem = problem_of(file)) return *problem;
     const std::string& bytes = std::get<std::string>(file);
     const auto heading = pfm_heading(std::string_view(bytes).substr(0, 256));
@@ -252,28 +248,23 @@ Result<Picture> read_pfm(const std::string& path) {
     if (const std::size_t more = bytes.size() - first - pixel_bytes; more > 0)
         return unreadable(path, fmt::format("has {} byte{} after its last pixel", more, more == 1 ? "" : "s"),
                           "a PFM");
-    try {
-        Picture picture = empty_linear(heading->width, heading->height);
-        const bool little = heading->scale < 0;
-        for (std::size_t i = 0; i < 3 * width * height; ++i) {
-            const std::size_t pixel = i / 3, row = height - 1 - pixel / width;
-            const std::size_t from = channels * (row * width + pixel % width) + (channels == 3 ? i % 3 : 0);
-            picture.linear[i] = pfm_number(&bytes[first + 4 * from], little);
-        }
-        return picture;
-    } catch (const Refused& refused) {
-        return memory_problem(refused, path);
+    Picture picture = empty_linear(heading->width, heading->height);
+    const bool little = heading->scale < 0;
+    for (std::size_t i = 0; i < 3 * width * height; ++i) {
+        const std::size_t pixel = i / 3, row = height - 1 - pixel / width;
+        const std::size_t from = channels * (row * width + pixel % width) + (channels == 3 ? i % 3 : 0);
+        picture.linear[i] = pfm_number(&bytes[first + 4 * from], little);
     }
+    return picture;
 }
 
 Result<Picture> read_exr(const std::string& path) {
-    MemoryShare share;
-    const auto file = read_file(path, max_linear_bytes, {}, &share);
+    const auto file = read_file(path, max_linear_bytes);
     if (const Problem* problem = problem_of(file)) return *problem;
     try {
         return read_exr_bytes(std::get<std::string>(file), path);
-    } catch (const std::bad_alloc& error) {
-        return memory_problem(error, path);
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& error) {
         return unreadable(path, std::string("cannot be read as an OpenEXR (") + error.what() + ")",
                           "an OpenEXR");

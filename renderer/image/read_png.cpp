@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "models/io/file.h"
-#include "models/memory_limit.h"
 #include "renderer/image/image_file.h"
 
 namespace glint {
@@ -117,9 +116,8 @@ std::optional<Problem> check_first_block(const FileBlock& block, const std::stri
 }  // namespace
 
 Result<Picture> read_png(const std::string& path) {
-    MemoryShare share;
     const auto check = [&](const FileBlock& block) { return check_first_block(block, path); };
-    const auto file = read_file(path, max_png_bytes, check, &share);
+    const auto file = read_file(path, max_png_bytes, check);
     if (const Problem* problem = problem_of(file)) return *problem;
     const std::string& bytes = std::get<std::string>(file);
     if (bytes.empty()) return unreadable(path, "is empty");
@@ -133,15 +131,12 @@ Result<Picture> read_png(const std::string& path) {
         // One bit a pixel is the least that a PNG can hold.
         if (pixels / 8 > max_inflation * bytes.size())
             return unreadable(path, "claims more pixels than it can hold");
-        require_memory(memory_need(MemoryUse::Pixels, 4 * pixels));
         Picture picture{{static_cast<int>(width), static_cast<int>(height)}, {}, {}};
         picture.rgba.resize(4 * pixels);
         png.read_rows(picture.rgba);
         return picture;
     } catch (const PngFault& fault) {
         return unreadable(path, fault);
-    } catch (const Refused& refused) {
-        return memory_problem(refused, path);
     }
 }
 

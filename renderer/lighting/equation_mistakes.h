@@ -16,7 +16,7 @@ void apply_light_mistakes(const Mistakes& wrong, const LightAt<F>& light, F dist
                           F& spot) {
     if (wrong.falloff_inverted && light.has_falloff)
         falloff =
-            min(falloff_polynomial(light.constant, light.linear, light.quadratic, distance), light.most);
+            min(falloff_polynomial(light.constant, light.linear, light.quadratic, distance), F(max_factor));
     if (wrong.cone_cosines_swapped && light.has_cone)
         spot = select(along_axis(light, l) >= light.cos_cutoff, F(0), F(1));
 }

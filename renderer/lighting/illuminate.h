@@ -59,7 +59,7 @@ template <Number F> Attenuation<F> attenuation(const LightAt<F>& light, const Li
 /// The equation for one light and one point. `colors`: colors_on(m, light), which is the same at all points;
 /// `light_vector` and `attenuation`: what the functions of these names give here. Degenerate input: a light
 /// at the point has l = 0, so only its ambient share is left; n = 0 likewise; l = -v gives h = 0. No term
-/// exceeds largest_term (light_job.h) or is NaN, but for the mistakes that double a term or make it NaN.
+/// overflows or is NaN (max_factor in light_job.h), but for the mistake that makes a term NaN.
 /// `with_mistakes`: set it to false where equation.mistakes is null. The code of the mistakes is then not
 /// compiled, which saves registers in the kernels.
 template <bool with_mistakes = true, Number F>
@@ -92,9 +92,10 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     if (wrong && wrong->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;
     F diffuse = reaching * t.response.diffuse;
     Vec3<F> specular = reaching * t.response.specular;
-    if (wrong) diffuse = held(diffuse, light.most);
+    if (wrong) diffuse = held(diffuse, F(max_factor));
     if (wrong || !info_of(equation.model).is_bounded) {
-        specular = {held(specular.x, light.most), held(specular.y, light.most), held(specular.z, light.most)};
+        const F most(max_factor);
+        specular = {held(specular.x, most), held(specular.y, most), held(specular.z, most)};
     }
     if (equation.terms.diffuse) t.diffuse = diffuse * colors.diffuse;
     if (equation.terms.specular) t.specular = specular * colors.specular;

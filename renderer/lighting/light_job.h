@@ -17,9 +17,10 @@ struct Float3 {
     bool operator==(const Float3&) const = default;
 };
 
-/// No term of one light exceeds this. The terms of the 64 samples of 4096 lights then have a sum that a float
-/// holds, 3e38, with room to spare for what the sum begins with.
-inline constexpr float largest_term = 1e31f;
+/// Falloff, and the factors of a highlight without a bound, are clamped to this: near a light they grow
+/// without limit. The numbers of a scene are at most 1e7 (models/range.h), so that a term is at most
+/// 1e31, and the terms of 64 samples of 4096 lights have a sum that a float can hold.
+inline constexpr float max_factor = 1e10f;
 
 /// One light, or one sample of an area light: camera coordinates, colours times intensity.
 /// Members as in LightAt (renderer/lighting/light_source.h).
@@ -31,10 +32,6 @@ struct LightSource {
     Float3 axis;
     float cos_cutoff = -1, exponent = 0;
     float patch = 0;
-    /// largest_term divided by the largest product of its colours with a material's, or by 1 where that is
-    /// less: what falloff, cone and reflection model multiply these colours with is held at this.
-    float most = largest_term;
-    float distance_scale = 1;  // true distance divided by |xyz|: above 1 where a far source was moved nearer
     bool has_falloff = false, has_cone = false, is_patch = false;
     int light = 0;  // index in Scene::lights
     bool operator==(const LightSource&) const = default;

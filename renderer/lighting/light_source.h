@@ -17,7 +17,6 @@ template <Number F> struct LightAt {
     F cos_cutoff{-1};      // of a spot
     Exponent<F> exponent;  // of a spot
     F patch{};             // of an area light's sample: area / (pi * samples)
-    F most{largest_term};  // what multiplies the colours is held at this, see LightSource
     bool has_falloff = false, has_cone = false, is_patch = false;
     bool has_ambient = true;  // false: its ambient colour is 0
 };
@@ -35,11 +34,11 @@ template <class D> D falloff_polynomial(D constant, D linear, D quadratic, D r) 
     return constant + r * (linear + r * quadratic);
 }
 
-/// 1 / (constant + linear r + quadratic r^2) at the distance r >= 0, at most light.most; 0 where that would
+/// 1 / (constant + linear r + quadratic r^2) at the distance r >= 0, at most max_factor; 0 where that would
 /// divide by zero. Lecture: "Light Source Falloff" (its a, b, c are quadratic, linear, constant).
 template <Number F> F falloff(const LightAt<F>& light, F r) {
     const F divisor = falloff_polynomial(light.constant, light.linear, light.quadratic, r);
-    return min(inverse_or_zero(divisor), light.most);
+    return min(inverse_or_zero(divisor), F(max_factor));
 }
 
 /// |v| times the cosine of the angle between the spot's axis and the ray from the light to the point. v
@@ -65,10 +64,10 @@ template <Number F> bool may_be_inside(const LightAt<F>& light, Vec3<F> to_light
 }
 
 /// The factor that takes the place of falloff for one sample of an area light: A |cos theta'| / (pi n^2 r^2),
-/// theta' at the emitter; 0 at r = 0, at most light.most. With all samples it tends to Lambert's polygon
+/// theta' at the emitter; 0 at r = 0, at most max_factor. With all samples it tends to Lambert's polygon
 /// formula.
 template <Number F> F patch_factor(const LightAt<F>& light, Vec3<F> l, F r) {
-    return min(light.patch * abs(dot(l, light.axis)) * inverse_or_zero(r * r), light.most);
+    return min(light.patch * abs(dot(l, light.axis)) * inverse_or_zero(r * r), F(max_factor));
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -21,7 +21,6 @@ template <Number F> LightAt<F> light_at(const LightSource& s) {
     light.cos_cutoff = F(s.cos_cutoff);
     light.exponent = F(s.exponent);
     light.patch = F(s.patch);
-    light.most = F(s.most);
     light.has_falloff = s.has_falloff;
     light.has_cone = s.has_cone;
     light.is_patch = s.is_patch;

@@ -17,44 +17,7 @@
 namespace glint {
 namespace {
 
-// Scenes may hold numbers to 1e30, whose products and squares do not fit a float; infinity times 0 is NaN.
-constexpr double largest_product = 1e30;
-
-/// A product of colours, held at 1e30.
-Float3 product(glm::dvec3 a, glm::dvec3 b, double most = largest_product) {
-    return to_float3(glm::min(a * b, glm::dvec3(most)));
-}
-
-/// The largest of 1 and all that the materials multiply lights with.
-double reflectance_of(const std::vector<Object>& objects) {
-    float most = 1;
-    for (const Object& o : objects) most = std::max(most, largest_reflectance(o.material));
-    return most;
-}
-
-/// The largest component of its colours.
-double brightness(const LightSource& s) {
-    float most = 0;
-    for (const Float3& c : {s.ambient, s.diffuse, s.specular}) most = std::max({most, c.x, c.y, c.z});
-    return most;
-}
-
-/// Sets the position of a light source, or of one sample of an area light with the area factor `patch`. Where
-/// a float cannot hold the squared distance, the source is moved nearer to the eye in the same direction, and
-/// its falloff is computed here, from the true distance.
-void put_at(LightSource& source, const glm::dvec3& position, double patch) {
-    constexpr double near_float_limit = 1e38;
-    const double distance = glm::length(position), nearer = share_of_way(position);
-    source.patch = static_cast<float>(std::min(patch, largest_product));
-    source.xyz = to_float3(nearer * position);
-    if (nearer == 1) return;
-    source.patch = static_cast<float>(std::min(patch * nearer * nearer, near_float_limit));
-    source.distance_scale = static_cast<float>(1 / nearer);
-    source.constant = static_cast<float>(
-        std::min(falloff_polynomial<double>(source.constant, source.linear, source.quadratic, distance),
-                 near_float_limit));
-    source.linear = source.quadratic = 0;
-}
+Float3 product(glm::dvec3 a, glm::dvec3 b) { return to_float3(a * b); }
 
 /// Camera coordinates of a light's places and directions.
 struct Frame {
@@ -98,8 +61,9 @@ void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSourc
 }
 
 LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
-    const auto f = [&m](int row, int column) {             // products with places have to fit a float
-        return static_cast<float>(std::clamp(m[column][row], -max_distance, max_distance));
+    const auto f = [&m](int row,
+                        int column) {  // of a narrow view: products with positions have to fit a float
+        return static_cast<float>(std::clamp(m[column][row], -1e18, 1e18));
     };
     return {f(0, 0), f(0, 2), f(0, 3), f(1, 1), f(1, 2), f(1, 3), f(2, 2), f(2, 3), f(3, 2), f(3, 3)};
 }
@@ -121,8 +85,7 @@ void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job) {
     const bool orthographic = is_orthographic(scene.camera.projection);
     if (wrong.perspective_view_in_ortho && orthographic) job.infinite_viewer = !scene.shading.local_viewer;
     job.mistakes.unnormalized_view &= !job.infinite_viewer;  // there v is unit from the start
-    if (wrong.viewer_at_origin_of_world)
-        job.eye = to_float3(not_too_far(glm::dvec3(view_from_world(scene.camera)[3])));
+    if (wrong.viewer_at_origin_of_world) job.eye = to_float3(glm::dvec3(view_from_world(scene.camera)[3]));
     if (wrong.lit_after_projection)
         job.projection = projection_of(clip_from_view(scene.camera.projection, size));
 }
@@ -139,7 +102,8 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
         for (int j = 0; j < n; ++j) {
             const double s = (2.0 * i + 1) / n - 1, t = (2.0 * j + 1) / n - 1;
             sources.push_back(source);
-            put_at(sources.back(), centre + s * u + t * v, patch);
+            sources.back().xyz = to_float3(centre + s * u + t * v);
+            sources.back().patch = static_cast<float>(patch);
         }
 }
 
@@ -147,8 +111,7 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
 struct LightsOfScene {
     const Scene& scene;
     glm::dmat4 view;
-    double reflectance;  // of its objects
-    double divisor;      // every light's intensity is divided by this
+    double divisor;  // every light's intensity is divided by this
 };
 
 void add_directional(std::vector<LightSource>& sources, LightSource s, const Light& light, const Frame& frame,
@@ -167,11 +130,9 @@ void add_light(std::vector<LightSource>& sources, const LightsOfScene& all, std:
     LightSource s;
     s.light = static_cast<int>(index);
     const glm::dvec3 intensity(static_cast<double>(light.intensity) / all.divisor);
-    const double max_color = largest_product / all.reflectance;  // times any material's it is within 1e30
-    s.ambient = product(light.ambient, intensity, max_color);
-    s.diffuse = product(light.diffuse, intensity, max_color);
-    s.specular = product(light.specular, intensity, max_color);
-    s.most = most_factor(brightness(s) * all.reflectance);
+    s.ambient = product(light.ambient, intensity);
+    s.diffuse = product(light.diffuse, intensity);
+    s.specular = product(light.specular, intensity);
     const bool directional = light.kind == LightKind::Directional;
     if (directional && !mistakes.direction_is_position)
         return add_directional(sources, s, light, frame, mistakes);
@@ -195,21 +156,19 @@ void add_light(std::vector<LightSource>& sources, const LightsOfScene& all, std:
         s.exponent = light.spot.exponent;
     }
     apply_source_mistakes(mistakes, light, s);
-    put_at(s, position, 0);
+    s.xyz = to_float3(position);
     sources.push_back(s);
 }
 
 /// The cool-to-warm tone. It warms towards the first enabled light, for an area light towards the mean of its
-/// samples. The part that it takes from the material is clamped to 1e30.
-CoolToWarm tone_of(const Npr& npr, const Material& m, const std::vector<LightSource>& lights) {
-    const float most =
-        static_cast<float>(largest_product) / std::max({1.0f, m.diffuse.x, m.diffuse.y, m.diffuse.z});
+/// samples.
+CoolToWarm tone_of(const Npr& npr, const std::vector<LightSource>& lights) {
     CoolToWarm tone;
     tone.on = npr.cool_to_warm;
     tone.cool = to_float3(npr.cool);
     tone.warm = to_float3(npr.warm);
-    tone.alpha = std::clamp(npr.alpha, -most, most);
-    tone.beta = std::clamp(npr.beta, -most, most);
+    tone.alpha = npr.alpha;
+    tone.beta = npr.beta;
     if (lights.empty()) return tone;
     tone.light_w = lights[0].w;
     glm::dvec3 sum(0);
@@ -237,13 +196,8 @@ double share_divisor(const Scene& scene) {
     return static_cast<double>(std::max(enabled, decltype(enabled){1}));
 }
 
-float most_factor(double product) {
-    return static_cast<float>(static_cast<double>(largest_term) / std::max(1.0, product));
-}
-
 void light_sources(const Scene& scene, std::vector<LightSource>& sources) {
-    const LightsOfScene all{scene, view_from_world(scene.camera), reflectance_of(scene.objects),
-                            share_divisor(scene)};
+    const LightsOfScene all{scene, view_from_world(scene.camera), share_divisor(scene)};
     sources.clear();
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         if (!scene.lights[i].enabled) continue;
@@ -270,7 +224,7 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& given,
     job.material.global_ambient = product(m.ambient, scene.global_ambient);
     job.model = scene.shading.reflection;
     job.terms = scene.shading.terms;
-    job.tone = tone_of(scene.npr, m, lights);
+    job.tone = tone_of(scene.npr, lights);
     if (job.tone.on) job.terms.emission = job.terms.ambient = job.terms.diffuse = false;
     job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
     job.clamp = opengl && at_corners;

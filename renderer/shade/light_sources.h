@@ -30,7 +30,4 @@ void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 [[nodiscard]] LightJob light_job(const Scene& scene, PictureSize size, const Material& material,
                                  const std::vector<LightSource>& lights, bool at_corners);
 
-/// LightSource::most where no product of the light's colours with a material's exceeds `product`.
-[[nodiscard]] float most_factor(double product);
-
 }  // namespace glint

@@ -163,7 +163,7 @@ bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_cor
 void prepare_picture(Lighting& kept, PictureSize size, const Visibility& visibility, const Strokes& strokes,
                      const DisplayJob& display, bool same_ground) {
     const bool plain = visibility.samples == 1 && strokes.coverage.empty();
-    if (same_ground && plain && kept.picture.size == size && kept.covered.size() == visibility.covered.size())
+    if (same_ground && plain && kept.picture.size == size && !kept.covered.empty())
         uncover(kept, visibility, display);
     else
         clear_picture(kept, size, strokes, display);

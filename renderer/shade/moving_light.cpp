@@ -11,7 +11,6 @@
 #include <cmath>
 
 #include "models/fields/choices.h"
-#include "models/memory_limit.h"
 #include "models/scene/reflection.h"
 #include "renderer/lighting/reflection.h"
 #include "renderer/shade/lighting.h"
@@ -135,23 +134,12 @@ void MovingLight::light_others(const std::vector<LightJob>& jobs, const Surface&
     });
 }
 
-bool MovingLight::has_room(const Surface& s) {
-    constexpr std::size_t bounds = sizeof(BoundsBlock) + sizeof(std::uint16_t);
-    try {
-        share_.set(
-            memory_need(MemoryUse::Pixels, s.points.size() * (sizeof(ColorBlock) + bounds / block_size)));
-    } catch (const Refused&) {
-        return false;
-    }
-    return true;
-}
-
 void MovingLight::follow(int moving, bool same_grids, const std::vector<LightSource>& sources,
                          const std::vector<LightJob>& jobs, const Surface& surface) {
     // A mistake may make shares so large that their sum depends on its order.
     const bool exact =
         std::all_of(jobs.begin(), jobs.end(), [](const LightJob& j) { return j.grid > 0 && !j.any_mistake; });
-    if (!allowed || moving < 0 || !exact || !has_room(surface)) {
+    if (!allowed || moving < 0 || !exact) {
         moving_ = -1;
         return;
     }

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "models/memory_limit.h"
 #include "models/scene/light.h"
 #include "renderer/shade/shade_kernels.h"
 #include "renderer/surface/surface.h"
@@ -26,7 +25,7 @@ class MovingLight {
 
     /// Brings the sums up to date for the light `moving` (index in Scene::lights), the only one that differs
     /// from the frame before; -1: none or several differ. `same_grids`: each object's grid is as it was. No
-    /// light is followed where the sum of some object is not exact, or where memory is short.
+    /// light is followed where the sum of some object is not exact.
     void follow(int moving, bool same_grids, const std::vector<LightSource>& sources,
                 const std::vector<LightJob>& jobs, const Surface& surface);
 
@@ -42,12 +41,9 @@ class MovingLight {
     /// The kept picture is gone: every group has to be coloured again.
     void forget_picture();
 
-    [[nodiscard]] MemoryNeed memory() const { return share_.need(); }
-
   private:
     void split(int moving, const std::vector<LightSource>& sources, const std::vector<LightJob>& jobs);
     void light_others(const std::vector<LightJob>& jobs, const Surface& surface);
-    [[nodiscard]] bool has_room(const Surface& surface);
 
     int moving_ = -1;  // index in Scene::lights of the light that is followed; -1: none
     std::vector<LightSource> moving_sources_, other_sources_;
@@ -57,7 +53,6 @@ class MovingLight {
     // Bit i of word b: the kept picture of group 16 b + i includes light from the moving light. 0xFFFF:
     // unknown, colour it again.
     std::vector<std::uint16_t> shown_lit_;
-    MemoryShare share_;  // of others_, bounds_ and shown_lit_
 };
 
 /// The index of the only light that differs, or -1 when none or several do.

@@ -11,9 +11,6 @@
 namespace glint {
 namespace {
 
-// Cook-Torrance's other factors are 1e9 together at most, where its facets are as smooth as they may be.
-constexpr double largest_f0 = 1e28;
-
 /// The sRGB encoding of a linear component of a colour, 0 and above; 0 and 1 stay exactly what they are,
 /// which floats alone (srgb_encoded) miss by their last bit.
 float srgb_of(float x) {
@@ -38,18 +35,12 @@ float min_cosine_squared(float shininess) {
                          : std::numeric_limits<float>::lowest();  // anything to the power 0 is 1
 }
 
-float largest_reflectance(const Material& m) {
-    float most = 0;
-    for (const glm::vec3& k : {m.ambient, m.diffuse, m.specular}) most = std::max({most, k.x, k.y, k.z});
-    return most;
-}
-
 SurfaceMaterial surface_material(const Material& m) {
     SurfaceMaterial s;
     s.k_a = to_float3(m.ambient);
     s.k_d = to_float3(m.diffuse);
     s.k_s = to_float3(m.specular);
-    s.f0 = to_float3(glm::min(glm::dvec3(m.f0), glm::dvec3(largest_f0)));
+    s.f0 = to_float3(m.f0);
     s.shininess = m.shininess;
     s.roughness = m.roughness;
     s.emission = to_float3(m.emission);

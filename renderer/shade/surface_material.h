@@ -1,6 +1,5 @@
 #pragma once
-// Converts a material to what the kernels take: held within what a float's products can hold, and as a
-// mistake has it.
+// Converts a material to what the kernels take, changed as a mistake changes it.
 
 #include <glm/vec3.hpp>
 
@@ -19,9 +18,6 @@ inline constexpr float opengl_max_shininess = 128;
 
 /// The material as the equation takes it: as it is, but for mistakes.
 [[nodiscard]] Material mistaken_material(const Mistakes& mistakes, Material material);
-
-/// The largest number that the material multiplies a light's colours with.
-[[nodiscard]] float largest_reflectance(const Material& material);
 
 /// A material as the equation sees it, without k_a I_a: `global_ambient` stays 0.
 [[nodiscard]] SurfaceMaterial surface_material(const Material& material);

@@ -173,24 +173,13 @@ class Follower {
 
 std::vector<StrokeLine> visible_lines(const Geometry& g, const Visibility& visibility, std::uint32_t object,
                                       const MeshEdges& mesh, std::span<const StrokeEdge> edges,
-                                      double margin_px, MemoryShare& share) {
-    constexpr std::size_t told_at_once = 1024;
-    constexpr std::uint64_t copies = 3;  // one list of all, after those of the tasks, that grows
+                                      double margin_px) {
     const Follower follower(g, visibility, object, mesh, margin_px);
     std::vector<std::vector<StrokeLine>> found((edges.size() + edges_a_task - 1) / edges_a_task);
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t chunk) {
-        std::size_t told = 0;
-        const auto tell = [&](std::size_t more) {
-            share.add(memory_need(MemoryUse::Objects, copies * more * sizeof(StrokeLine)));
-            told += more;
-        };
         for (std::size_t i = chunk * edges_a_task; i < std::min(edges.size(), (chunk + 1) * edges_a_task);
-             ++i) {
+             ++i)
             follower.follow(edges[i], found[chunk]);
-            const std::size_t untold = found[chunk].size() - told;
-            if (untold >= told_at_once) tell(untold);
-        }
-        tell(found[chunk].size() - told);
     });
     std::vector<StrokeLine> all;
     for (auto& part : found) {

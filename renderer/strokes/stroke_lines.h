@@ -15,7 +15,6 @@
 #include <span>
 #include <vector>
 
-#include "models/memory_limit.h"
 #include "renderer/geometry/geometry.h"
 #include "renderer/strokes/stroke_edges.h"
 #include "renderer/visibility/visibility.h"
@@ -51,7 +50,6 @@ struct StrokeLine {
 /// pixel of its length: what that takes is added to `share`.
 [[nodiscard]] std::vector<StrokeLine> visible_lines(const Geometry& geometry, const Visibility& visibility,
                                                     std::uint32_t object, const MeshEdges& mesh,
-                                                    std::span<const StrokeEdge> edges, double margin_px,
-                                                    MemoryShare& share);
+                                                    std::span<const StrokeEdge> edges, double margin_px);
 
 }  // namespace glint

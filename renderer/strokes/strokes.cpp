@@ -39,7 +39,7 @@ Span pixels_near(const StrokeLine& line, float reach, int y, int width) {
 class Filler {
   public:
     Filler(const Geometry& g, const Visibility& visibility, std::span<const StrokeLine> lines, float width_px,
-           std::vector<float>& coverage, MemoryShare& share)
+           std::vector<float>& coverage)
         : g_(g),
           visibility_(visibility),
           occlusion_(g),
@@ -47,7 +47,7 @@ class Filler {
           width_px_(width_px),
           reach_(0.5f * width_px + 0.5f),
           coverage_(coverage) {
-        sort_into_bands(share);
+        sort_into_bands();
     }
 
     [[nodiscard]] int band_count() const { return static_cast<int>(bands_.size()); }
@@ -59,12 +59,10 @@ class Filler {
     }
 
   private:
-    void sort_into_bands(MemoryShare& share) {
+    void sort_into_bands() {
         bands_.resize(static_cast<std::size_t>((g_.size.height + band_height - 1) / band_height));
         std::vector<std::size_t> counts(bands_.size(), 0);
         for (const StrokeLine& line : lines_) for_each_band(line, [&](std::size_t band) { ++counts[band]; });
-        const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-        share.add(memory_need(MemoryUse::Objects, all * sizeof(std::uint32_t)));
         for (std::size_t band = 0; band < bands_.size(); ++band) bands_[band].reserve(counts[band]);
         for (std::uint32_t i = 0; i < lines_.size(); ++i)
             for_each_band(lines_[i], [&](std::size_t band) { bands_[band].push_back(i); });
@@ -127,9 +125,9 @@ namespace {
 /// are no darker there; ends are round. A line does not cover a pixel that shows another object in front of
 /// it. The order of the lines does not change a bit.
 std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibility,
-                                   std::span<const StrokeLine> lines, float width_px, MemoryShare& share) {
+                                   std::span<const StrokeLine> lines, float width_px) {
     std::vector<float> coverage(g.size.pixels(), 0.0f);
-    const Filler filler(g, visibility, lines, width_px, coverage, share);
+    const Filler filler(g, visibility, lines, width_px, coverage);
     tbb::parallel_for(0, filler.band_count(), [&filler](int band) { filler.fill(band); });
     return coverage;
 }
@@ -163,16 +161,15 @@ EdgeView edge_view(const Camera& camera, const ObjectGeometry& object) {
 std::vector<float> draw_strokes(Strokes& kept, const Geometry& g, const Visibility& visibility) {
     update_meshes(kept.meshes, g);
     const double margin = 1 + 0.5 * static_cast<double>(kept.width_px);
-    MemoryShare share;  // of the lines
     std::vector<StrokeLine> lines;
     for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
         if (!g.objects[o].visible) continue;
         const MeshEdges& mesh = edges_of(kept.meshes, g.objects[o].mesh);
         const auto edges = stroke_edges(mesh, edge_view(g.camera, g.objects[o]), kept.choice);
-        const auto seen = visible_lines(g, visibility, o, mesh, edges, margin, share);
+        const auto seen = visible_lines(g, visibility, o, mesh, edges, margin);
         lines.insert(lines.end(), seen.begin(), seen.end());
     }
-    return stroke_coverage(g, visibility, lines, kept.width_px, share);
+    return stroke_coverage(g, visibility, lines, kept.width_px);
 }
 
 }  // namespace

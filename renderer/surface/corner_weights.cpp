@@ -26,7 +26,7 @@ void place(SampleFace& face, const std::array<ClipCorner<F>, 3>& clip, const std
     const Vec3<F> w = perspective_weights(clip[0], clip[1], clip[2], at);
     const Vec3<F> p = blend(w, camera[0], camera[1], camera[2]);
     face.weights = {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
-    face.p = glm::vec3(not_too_far(glm::dvec3(p.x, p.y, p.z)));
+    face.p = glm::vec3(p.x, p.y, p.z);
 }
 
 CornerWeights of_triangle(const Triangle& t, Vec3<float> w) {

@@ -1,5 +1,5 @@
 // The points that several pixels share: under flat shading one a face (SurfaceKind::Faces), under Gouraud the
-// corners (SurfaceKind::Corners). blended_colors() in renderer/kernels/lighting_kernels_isa.cpp blends their
+// corners (SurfaceKind::Corners). blended_colors() in renderer/simd/isa/lighting_kernels_isa.cpp blends their
 // colours. Phong and facet light each pixel.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -8,7 +8,6 @@
 #include <array>
 #include <atomic>
 
-#include "models/memory_limit.h"
 #include "renderer/surface/surface.h"
 
 namespace glint {
@@ -16,19 +15,13 @@ namespace {
 
 void number_items(LitPoints& lit, const Surface& s, const Geometry& g) {
     lit.first.assign(1, 0);
-    std::uint64_t more = 0;
     for (std::size_t o = 0; o < g.objects.size(); ++o) {
         const Mesh& mesh = *g.objects[o].mesh;
         std::size_t items = mesh.face_count();
         if (s.choice.provoking) items = mesh.triangles.size();
-        if (s.choice.kind == SurfaceKind::Corners) {
-            items = s.normals[o].slot_count();
-            if (s.normals[o].of_mesh->of_facets > 0) more += items - std::min(items, mesh.positions.size());
-        }
+        if (s.choice.kind == SurfaceKind::Corners) items = s.normals[o].slot_count();
         lit.first.push_back(lit.first.back() + 2 * items);
     }
-    constexpr std::uint64_t bytes_of_item = sizeof(lit.seen[0]) + sizeof(lit.point[0]) + sizeof(ShadingPoint);
-    lit.of_facets.set(memory_need(MemoryUse::Objects, 2 * more * bytes_of_item));
     lit.seen.assign(lit.first.back(), 0);
     lit.point.assign(lit.first.back(), no_index);
 }
@@ -74,8 +67,6 @@ void number_seen(LitPoints& lit, Surface& s) {
             lit.shading_points.push_back({o, static_cast<std::uint32_t>(local / 2), local % 2 != 0});
             ++s.point_count;
         }
-        if (lit.shading_points.size() >= no_index - block_size)
-            throw Refused({"", "", "more than 4294967279 corners are lit", "fewer, or a smaller picture"});
         while (lit.shading_points.size() % block_size) lit.shading_points.push_back({o, no_index, false});
         s.point_object.resize(lit.shading_points.size() / block_size, o);
     }
@@ -126,7 +117,7 @@ void refer_to_faces(PerFace& faces, const Surface& s, const Geometry& g, const V
 }
 
 /// Stores the lit points and the weights that each pixel of a group blends, pixel by pixel. The colours are
-/// blended later (blended_colors() in renderer/kernels/lighting_kernels_isa.cpp).
+/// blended later (blended_colors() in renderer/simd/isa/lighting_kernels_isa.cpp).
 void store_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
                       std::size_t group) {
     const std::size_t first = s.corner_ref(group, 0), end = s.corner_ref(group + 1, 0);

@@ -163,12 +163,9 @@ void find_row(const Geometry& g, const Visibility& visibility, int y, SampledRow
 
 void find_sampled_groups(Surface& s, const Geometry& g, const Visibility& visibility) {
     s.sampled_rows.resize(static_cast<std::size_t>(g.size.height));
-    s.share.set({});
     tbb::parallel_for(0, g.size.height, [&](int y) {
         SampledRow& row = s.sampled_rows[static_cast<std::size_t>(y)];
         find_row(g, visibility, y, row);
-        s.share.add(
-            memory_need(MemoryUse::Pixels, bytes_of_groups(s.choice, row.groups.size(), visibility.samples)));
     });
     std::size_t count = 0;
     for (const SampledRow& row : s.sampled_rows) count += row.groups.size();

@@ -76,7 +76,6 @@ void find_groups(Surface& s, const Geometry& g, const Visibility& visibility) {
     });
     for (std::size_t y = 1; y <= height; ++y) s.row_groups[y].first_group += s.row_groups[y - 1].first_group;
     const std::size_t count = s.row_groups[height].first_group;
-    s.share.set(memory_need(MemoryUse::Pixels, bytes_of_groups(s.choice, count, visibility.samples)));
     s.groups.resize(count);
     tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
         PixelGroup* next = s.groups.data() + s.row_groups[y].first_group;
@@ -98,24 +97,10 @@ SurfaceChoice surface_choice(const Shading& shading) {
     c.facet_normals = c.kind == SurfaceKind::Pixels && shading.mode == ShadingMode::Facet;
     if (c.kind == SurfaceKind::Corners || (c.kind == SurfaceKind::Pixels && !c.facet_normals))
         c.interpolation = shading.interpolation;
-    c.provoking = c.kind == SurfaceKind::Faces &&
-                  (shading.flat_point == FlatPoint::Provoking || shading.rules == Rules::OpenGL2);
+    c.provoking = c.kind == SurfaceKind::Faces && flat_at_provoking_corner(shading);
     c.two_sided = shading.two_sided && !shading.mistakes.flipped_twice;
     c.mistakes = normal_mistakes(shading.mistakes);
     return c;
-}
-
-std::uint64_t bytes_of_groups(const SurfaceChoice& choice, std::uint64_t groups, int samples) {
-    std::uint64_t a_run = sizeof(PixelGroup);
-    if (choice.kind == SurfaceKind::Pixels) a_run += sizeof(PointBlock) + sizeof(std::uint32_t);
-    if (choice.kind == SurfaceKind::Faces) a_run += sizeof(FaceRefs);
-    if (choice.kind == SurfaceKind::Corners)
-        a_run += static_cast<std::uint64_t>(max_blended(choice)) * block_size *
-                 (sizeof(std::uint32_t) + sizeof(float));
-    // The groups are kept row by row, in lists that exist twice while they grow, and all together.
-    if (samples > 1)
-        a_run += 2 * (sizeof(PixelGroup) + sizeof(GroupSamples)) + sizeof(GroupSamples) + sizeof(std::size_t);
-    return groups * a_run;
 }
 
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,

@@ -9,7 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "models/memory_limit.h"
 #include "renderer/geometry/object_normals.h"
 #include "renderer/lighting/light_job.h"
 #include "renderer/simd/pixel_vector.h"
@@ -123,7 +122,6 @@ struct LitPoints {
     std::vector<std::uint8_t> seen;            // 1: some pixel shows it
     std::vector<std::uint32_t> point;          // the lit point's number, or no_index
     std::vector<ShadingPoint> shading_points;  // of each lit point, 16 a block; unused ones have no_index
-    MemoryShare of_facets;  // of the items that normals of facets make more, where sums cancel
 
     [[nodiscard]] std::size_t number(const ShadingPoint& s) const {
         return first[s.object] + 2 * std::size_t{s.item} + (s.turned ? 1 : 0);
@@ -167,7 +165,6 @@ struct Surface {
     std::variant<PerPixel, PerVertex, PerFace> kept;  // as choice.kind says
     std::uint64_t pixel_count = 0;                    // that show a surface
     std::uint64_t point_count = 0;                    // lit
-    MemoryShare share;                                // of what there is for each group
 
     /// Returns the data of a surface of this kind: the data so far if they are of this kind, else empty data.
     template <class Kind> Kind& as() {
@@ -195,11 +192,7 @@ struct Surface {
     }
 };
 
-/// Bytes of so many groups and of all that there is for each, with `samples` a pixel.
-[[nodiscard]] std::uint64_t bytes_of_groups(const SurfaceChoice& choice, std::uint64_t groups, int samples);
-
-/// Runs the stage again if anything it reads differs; returns whether it did. Throws Refused where the groups
-/// do not fit in memory.
+/// Runs the stage again if anything it reads differs; returns whether it did.
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 

@@ -123,14 +123,6 @@ void bin_chunk(const CellGrid& grid, BinnedChunk& chunk, const std::vector<std::
                 });
 }
 
-/// Asks for memory for that many entries before it is taken, and for what the lists hold already.
-void ask_for_room(TileLists& lists, std::uint64_t entries) {
-    constexpr std::size_t a_piece = sizeof(ClippedTriangle) + 3 * sizeof(std::uint32_t);
-    const std::uint64_t kept = std::max<std::uint64_t>(entries, lists.entries.capacity());
-    lists.share.set(
-        memory_need(MemoryUse::Tiles, kept * sizeof(TileEntry) + lists.clipped.capacity() * a_piece));
-}
-
 /// Cuts a triangle, which crosses the near or far plane or leaves the guard band, into pieces that do not.
 void clip_triangle(TileLists& lists, const Geometry& g, const ObjectGeometry& object, std::uint32_t t) {
     std::vector<glm::dvec4>& polygon = lists.polygon;
@@ -146,8 +138,9 @@ void clip_triangle(TileLists& lists, const Geometry& g, const ObjectGeometry& ob
     };
     for (std::size_t i = 2; i < polygon.size(); ++i) {
         if (lists.clipped.size() == max_pieces)
-            throw Refused({"", "", fmt::format("more than {} pieces of triangles are in view", max_pieces),
-                           "fewer triangles that cross the near or far plane"});
+            throw LimitExceeded({"", "",
+                                 fmt::format("more than {} pieces of triangles are in view", max_pieces),
+                                 "fewer triangles that cross the near or far plane"});
         lists.clipped.push_back({{corner(polygon[0]), corner(polygon[i - 1]), corner(polygon[i])},
                                  object.first_triangle + t,
                                  object.mirrored});
@@ -160,7 +153,6 @@ void clip_triangles(TileLists& lists, const Geometry& g) {
         std::size_t n = 0;
         for (const ChunkPart& part : chunk.parts)
             for (; n < part.clip_end; ++n) clip_triangle(lists, g, g.objects[part.object], chunk.to_clip[n]);
-        if (n > 0) ask_for_room(lists, 0);
     }
 }
 
@@ -182,7 +174,7 @@ void bin_pieces(TileLists& lists, const Geometry& g, const BinJob& like) {
 
 void refuse_too_many_tiles(std::uint64_t met) {
     if (met > max_met_tiles)
-        throw Refused(
+        throw LimitExceeded(
             {"", "", fmt::format("the triangles meet {} tiles of the picture", met),
              fmt::format("at most {}: fewer or smaller triangles, or a smaller picture", max_met_tiles)});
 }
@@ -204,7 +196,6 @@ void number_places(TileLists& lists) {
             first += place;
         }
     lists.cell_first.back() = first;
-    ask_for_room(lists, first);
     lists.entries.resize(first);
 }
 
@@ -224,15 +215,6 @@ void put_into_cells(TileLists& lists, BinnedChunk& chunk) {
 }
 
 }  // namespace
-
-std::uint64_t bytes_to_bin(std::uint64_t triangles, std::uint64_t tiles) {
-    const std::uint64_t chunks = (triangles + chunk_size - 1) / chunk_size;
-    constexpr std::uint64_t a_triangle = sizeof(TriangleBox) + sizeof(std::uint32_t);
-    // The cells of all levels are less than twice the tiles, and one a level.
-    const std::uint64_t cells = 2 * tiles + CellGrid::levels;
-    return (triangles + chunks) * a_triangle +
-           chunks * (sizeof(BinnedChunk) + sizeof(ChunkPart) + cells * sizeof(std::uint32_t));
-}
 
 CellGrid::CellGrid(PictureSize size)
     : tiles_x(static_cast<std::uint32_t>((size.width + tile_size - 1) / tile_size)),

@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "models/memory_limit.h"
 #include "renderer/geometry/geometry.h"
 #include "renderer/visibility/visibility_kernels.h"
 
@@ -59,7 +58,6 @@ struct TileLists {
     BinnedChunk pieces;                              // of the clipped ones: binned as one more object, with
     std::vector<std::uint32_t> clipped_vertices;     // three vertices each of their own
     std::vector<glm::dvec4> polygon, spare_polygon;  // while a triangle is clipped
-    MemoryShare share;                               // of the entries and the clipped triangles
 
     [[nodiscard]] std::size_t count_in_cell(std::uint32_t cell) const {
         return cell_first[cell + 1] - cell_first[cell];
@@ -70,12 +68,9 @@ struct TileLists {
 /// minutes.
 inline constexpr std::uint64_t max_met_tiles = std::uint64_t{1} << 30;
 
-/// Bytes that binning needs at most for an object of so many triangles, in a picture of so many tiles.
-[[nodiscard]] std::uint64_t bytes_to_bin(std::uint64_t triangles, std::uint64_t tiles);
-
 /// Makes the lists again, reusing their memory. `multisampled`: for samples anywhere in their pixels, not at
-/// the centres alone. `hidden`: as in Visibility. Throws Refused where they do not fit, and when the
-/// triangles meet more than max_met_tiles.
+/// the centres alone. `hidden`: as in Visibility. Throws LimitExceeded when the triangles meet more
+/// than max_met_tiles.
 void bin_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled,
                     const std::vector<std::uint8_t>& hidden = {});
 

@@ -108,19 +108,18 @@ bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, int sampl
                        const std::vector<std::uint8_t>& hidden) {
     if (!geometry_redone && kept.cull == cull && kept.samples == samples && kept.hidden == hidden)
         return false;
+    const bool same_shape = kept.size == g.size && kept.samples == samples;
     kept.hidden = hidden;
     kept.cull = cull;
+    kept.size = g.size;
     kept.samples = samples;
     bin_into_tiles(kept.tiles, g, cull, samples > 1, hidden);
     kept.plane = g.size.pixels();
     kept.groups_a_row = (static_cast<std::size_t>(g.size.width) + block_size - 1) / block_size;
-    const std::size_t codes = kept.plane * static_cast<std::size_t>(samples);
-    const std::size_t tiles = kept.tiles.grid.tile_count();
-    const std::size_t groups = kept.groups_a_row * static_cast<std::size_t>(g.size.height);
-    if (kept.seen.size() != codes || kept.tile_drawn.size() != tiles || kept.covered.size() != groups) {
-        kept.seen.assign(codes, 0);
-        kept.covered.assign(groups, 0);
-        kept.tile_drawn.assign(tiles, 0);
+    if (!same_shape) {
+        kept.seen.assign(kept.plane * static_cast<std::size_t>(samples), 0);
+        kept.covered.assign(kept.groups_a_row * static_cast<std::size_t>(g.size.height), 0);
+        kept.tile_drawn.assign(kept.tiles.grid.tile_count(), 0);
     }
     rasterize_tiles(g, kept);
     return true;

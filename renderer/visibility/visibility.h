@@ -14,6 +14,7 @@ namespace glint {
 struct Visibility {
     Cull cull = Cull::None;
     std::vector<std::uint8_t> hidden;  // #triangles, 1: not drawn; empty: none is hidden
+    PictureSize size{0, 0};            // of the picture that `seen`, `covered` and `tile_drawn` are of
     int samples = 1;                   // a pixel: 1, 2, 4 or 8; each has a plane of width x height of its own
     TileLists tiles;
     std::vector<DrawnObject> objects;

@@ -149,7 +149,7 @@ TEST_CASE(
     const auto check_axes = [](const std::string& rows, const std::string& columns, const std::string& line) {
         check_wrong({"sheet", "-", "--rows", rows, "--cols", columns, "-o", "/dev/null"}, line);
     };
-    const std::string negative = ": -1 is out of range; expected 0 to 1e30";
+    const std::string negative = ": -1 is out of range; expected 0 to 1e7";
     check_axes("/npr/stroke_width_px=-1,2", "/npr/stroke=[0,0,0],[1,0,0]",
                "--rows: /npr/stroke_width_px" + negative);
     check_axes("/shading/mode=flat,phong", "/lights/-/intensity=-1,2",
@@ -158,7 +158,7 @@ TEST_CASE(
     check_axes("/lights/-/intensity=1", "/lights/1/intensity=-1", "--cols: /lights/1/intensity" + negative);
     // The rows' near is beyond the far of the scene, but that is not what is wrong here.
     check_axes("/camera/projection/near=200", "/camera/projection/far=-1",
-               "--cols: /camera/projection/far: -1 is out of range; expected more than 0, up to 1e30");
+               "--cols: /camera/projection/far: -1 is out of range; expected more than 0, up to 1e7");
 }
 
 TEST_CASE("glint sheet without a font says in one line what to install", "[cli][sheet][bad-input]") {
@@ -202,17 +202,6 @@ TEST_CASE("glint lobe says what is wrong with its options", "[cli][lobes][bad-in
     check_wrong({"lobe", "-", "--angle", "x"}, "--angle: x is not a number; expected 0 to 89.9");
     check_wrong({"lobe", "-", "--steps", "0"}, "--steps: 0 is out of range; expected 1 to 100000");
     check_wrong({"lobe", "-", "--format", "xml"}, "--format: xml is not known; expected csv, json");
-}
-
-TEST_CASE("glint lobe takes no more memory than it may", "[cli][lobes][memory]") {
-    for (const char* const format : {"csv", "json"}) {
-        const Ended ended =
-            run_glint({"lobe", "-", "--steps", "100000", "--format", format, "--memory", "4M"},
-                      R"({"glint": 1, "objects": [{}]})");
-        CHECK(ended.status == 1);
-        CHECK(ended.out.empty());
-        CHECK(ended.err.find(": this needs ") != std::string::npos);
-    }
 }
 
 TEST_CASE("glint microfacets answers in JSON, the same for the same seed", "[cli][microfacets]") {

@@ -9,10 +9,13 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "renderer/image/image_file.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/gltf_triangle.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 
 using namespace glint;
 using nlohmann::json;
@@ -132,30 +135,6 @@ TEST_CASE("an explanation's terms add up to the pixel of the picture, to the las
     }
 }
 
-TEST_CASE(
-    "a pixel under very many samples of lights is not explained where that needs more memory than there may "
-    "be",
-    "[cli][explain][memory]") {
-    std::string lights = R"({"type": "area", "position": [0, 3, 0], "area": {"samples": 64}})";
-    for (int i = 1; i < 256; ++i)
-        lights += R"(, {"type": "area", "position": [0, 3, 0], "area": {"samples": 64}})";
-    const TemporaryDirectory directory;
-    const std::string scene = directory.file(
-        "s.json",
-        R"({"glint": 1, "shading": {"mode": "gouraud"}, "objects": [{"mesh": {"primitive": "cube"}}], "lights": [)" +
-            lights + "]}");
-    const std::vector<std::string> explain{"explain", scene, "--pixel", "4,4", "--size", "8x8", "--memory"};
-    const auto with = [&](const char* memory) {
-        std::vector<std::string> all = explain;
-        all.emplace_back(memory);
-        return run_glint(all);
-    };
-    CHECK(with("128M").status == 0);
-    const Ended refused = with("16M");
-    CHECK(refused.status == 1);
-    CHECK(refused.err.find("it for the output; expected at most 16.0 MiB") != std::string::npos);
-}
-
 TEST_CASE("a name with line breaks and escape sequences stays one harmless line of an explanation",
           "[cli][explain]") {
     const char* const scene = R"({"glint": 1, "lights": [{"name": "a\n\u001b[31mb"}],
@@ -228,6 +207,59 @@ TEST_CASE("a picture that Glint wrote opens as its scene and gives the same pict
     CHECK(json::parse(must({"info", a}).out)["lights"] == 4);
 }
 
+TEST_CASE("a picture of another size than 1280x720 is explained pixel by pixel", "[cli][explain]") {
+    const TemporaryDirectory directory;
+    const std::string a = directory.path("a.png");
+    must({"render", directory.file("scene.json", three_lights), "-o", a, "--size", "97x61"});
+    const Picture picture = std::get<Picture>(read_png(a));
+    for (const auto& [x, y] : {std::pair{48, 30}, {20, 45}, {96, 60}}) {
+        const json pixel =
+            json::parse(must({"explain", a, "--pixel", fmt::format("{},{}", x, y), "--format", "json"}).out);
+        const std::uint8_t* const rgba = &picture.rgba[4 * picture.pixel(x, y)];
+        CHECK(pixel["byte"] == json({rgba[0], rgba[1], rgba[2]}));
+    }
+    const Ended outside = run_glint({"explain", a, "--pixel", "97,0"});
+    CHECK(outside.status == 2);
+    CHECK(outside.err == "glint: error: --pixel: 97,0 is outside the picture; expected 0 to 96, 0 to 60\n");
+    CHECK(run_glint({"explain", a, "--pixel", "97,0", "--size", "98x61"}).status == 0);
+    const Ended profiled = must({"profile", a, "--from", "0,30", "--to", "96,30"});
+    CHECK(std::count(profiled.out.begin(), profiled.out.end(), '\n') == 1 + 97);
+    CHECK(run_glint({"profile", a, "--from", "0,30", "--to", "97,30"}).status == 2);
+}
+
+TEST_CASE("commands draw the scene of a picture in its size, with its samples", "[cli][render]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("scene.json", three_lights), a = directory.path("a.png"),
+                      b = directory.path("b.png");
+    must({"render", scene, "-o", a, "--size", "97x61", "--samples", "4"});
+    must({"render", a, "-o", b});
+    CHECK(bytes_of(a) == bytes_of(b));
+    must({"render", a, "-o", b, "--size", "32x24", "--samples", "1"});
+    must({"render", scene, "-o", a, "--size", "32x24"});
+    CHECK(bytes_of(a) == bytes_of(b));
+
+    must({"render", scene, "-o", a, "--size", "96x48", "--samples", "8"});
+    const json matrices = json::parse(must({"info", a}).out)["matrices"];  // half as wide as high
+    CHECK(matrices["clip_from_view"][1][1].get<double>() ==
+          Approx(2 * matrices["clip_from_view"][0][0].get<double>()));
+    CHECK(json::parse(must({"bench", a, "--frames", "1"}).out)["width"] == 96);
+    const std::vector<std::string> sheet{
+        "--rows", "/shading/mode=flat", "--cols", "/display/exposure=1", "-o", "-", "--cell", "40x30"};
+    const auto drawn = [&sheet](std::vector<std::string> line) {
+        line.insert(line.end(), sheet.begin(), sheet.end());
+        return must(line).out;
+    };
+    CHECK(drawn({"sheet", a}) == drawn({"sheet", scene, "--samples", "8"}));
+    CHECK(drawn({"sheet", a}) != drawn({"sheet", scene}));
+    const std::string edges = a +
+                              ": the picture has 8 samples a pixel, and these numbers are of one: they "
+                              "differ at edges\n";
+    CHECK(run_glint({"explain", a, "--pixel", "1,1"}).err == "glint: warning: " + edges);
+    CHECK(run_glint({"profile", a, "--from", "1,1", "--to", "9,9"}).err == "glint: warning: " + edges);
+    CHECK(run_glint({"render", a, "-o", b, "--buffers", directory.path("")}).err ==
+          "glint: error: --buffers: a pixel of several samples has several surfaces; expected --samples 1\n");
+}
+
 TEST_CASE("a picture finds its scene's meshes again from another directory", "[cli][render]") {
     const TemporaryDirectory meshes, pictures;
     const std::string obj = meshes.file("pyramid.obj", pyramid);
@@ -280,40 +312,6 @@ TEST_CASE("a file that may not grow any more is an error, and no part of it stay
     CHECK(ended.status == 1);
     CHECK(ended.out.find("glint: error: " + out + ": cannot write: file too large") != std::string::npos);
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
-}
-
-// Not under the sanitizers, which need more memory than is left here.
-TEST_CASE("many threads draw where there are addresses for few of their stacks", "[cli][release]") {
-    const TemporaryDirectory directory;
-    const std::string scene = directory.file("scene.json", three_lights);
-    // In KiB; a thousand threads want 4 GiB for their stacks, and a heap of 64 MiB each.
-    for (const char* const limit : {"150000", "200000", "300000"})
-        for (const char* const threads : {"8", "64", "1000"}) {
-            const Ended ended = run_glint(
-                {"--version"}, {},
-                fmt::format("; (ulimit -v {}; '{}' render '{}' -o - --size 500x500 -j {} >/dev/null; "
-                            "echo status $?) 2>&1",
-                            limit, glint_program, scene, threads));
-            INFO(limit << ", " << threads);
-            CHECK(ended.out.ends_with("\nstatus 0\n"));
-            CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 2);
-        }
-}
-
-TEST_CASE("where there are addresses for no second stack one thread draws", "[cli][release]") {
-    const TemporaryDirectory directory;
-    const std::string scene = directory.file("scene.json", three_lights);
-    const auto ended = [&](int limit, const char* threads) {
-        return run_glint({"--version"}, {},
-                         fmt::format("; (ulimit -v {}; '{}' render '{}' -o - --size 50x50 -j {} >/dev/null; "
-                                     "echo status $?) 2>&1",
-                                     limit, glint_program, scene, threads))
-            .out;
-    };
-    for (int limit = 24000; limit <= 42000; limit += 1500) {
-        CAPTURE(limit);
-        CHECK(ended(limit, "2") == ended(limit, "1"));
-    }
 }
 
 TEST_CASE("a failure leaves the old picture as it was", "[cli][bad-input]") {
@@ -481,12 +479,50 @@ TEST_CASE("info counts what a mesh file holds, and gives a scene's matrices", "[
     CHECK(scene["matrices"]["clip_from_view"][0][0].get<double>() == Approx((1 + std::sqrt(2.0)) / 2));
 }
 
+TEST_CASE("info names the normals that each object is drawn with", "[cli][info]") {
+    const TemporaryDirectory directory;
+    const std::string obj = directory.file("pyramid.obj", pyramid);
+    CHECK(json::parse(must({"info", obj}).out)["normals"] == "vertex");
+    CHECK(json::parse(must({"info", obj, "--set", "/objects/0/normals/source=facet"}).out)["normals"] ==
+          "facet");
+    const json scene = json::parse(must({"info", directory.file("scene.json", R"({"glint": 1, "objects": [
+        {"mesh": {"file": "pyramid.obj"}, "normals": {"source": "facet"}},
+        {"mesh": {"file": "pyramid.obj"}, "normals": {"source": "file"}},
+        {"mesh": {"primitive": "cube"}}, {"mesh": {"primitive": "cube"}, "normals": {"source": "vertex"}}]})")})
+                                       .out);
+    std::vector<std::string> normals;
+    for (const json& object : scene["objects"]) normals.push_back(object["mesh"]["normals"]);
+    CHECK(normals == std::vector<std::string>{"facet", "vertex", "analytic", "vertex"});
+}
+
 TEST_CASE("what was tolerated in a mesh is one warning line, and the work is done", "[cli]") {
     const TemporaryDirectory directory;
     const std::string obj = directory.file("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\nf 1 2 3\n");
     const Ended ended = must({"render", obj, "-o", directory.path("a.png"), "--size", "8x8"});
     CHECK(ended.err.rfind("glint: warning: ", 0) == 0);
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+}
+
+TEST_CASE("a small mesh far from the origin gets a warning that says why it looks wrong", "[cli]") {
+    const TemporaryDirectory directory;
+    const auto box = [&](const std::string& name, const std::string& x, const std::string& y) {
+        std::string text;
+        for (int i = 0; i < 8; ++i)
+            text += fmt::format("v {}{} {}{} 0.{}\n", x, 1 + 2 * (i & 1), y, 1 + (i & 2), 1 + (i >> 1 & 2));
+        return directory.file(name,
+                              text + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+    };
+    const auto warnings = [&](const std::string& file) {
+        return must({"render", file, "-o", directory.path("a.png"), "--size", "8x8"}).err;
+    };
+    CHECK(warnings(box("near.obj", "0.", "0.")).empty());
+    // Between 2^22 and 2^23 floats are 0.5 apart: y is 5400000 or 5400000.5.
+    const std::string far = box("far.obj", "500000.", "5400000.");
+    const std::string said =
+        "the shape is 0.5 across at coordinates of up to 5400000, which are rounded to steps of 0.5: it is "
+        "drawn distorted, and may be too small to see; subtract an offset that brings it near the origin";
+    CHECK(warnings(far).find("glint: warning: far.obj: " + said + "\n") != std::string::npos);
+    CHECK(json::parse(must({"info", far}).out)["warnings"].back() == said);
 }
 
 TEST_CASE("what is missing in two meshes is told of each, and once where one mesh stands twice", "[cli]") {
@@ -564,7 +600,7 @@ TEST_CASE("bench measures the frames that it was asked for", "[cli][bench]") {
 TEST_CASE("an edge of which an eye far away leaves no number is not followed", "[cli][bench][hostile]") {
     // As many steps as it is pixels long are not a number: undefined behaviour, which the sanitizers end.
     const TemporaryDirectory directory;
-    const std::string scene = directory.file("far.json", R"({"glint": 1, "camera": {"eye": [0, 0, 1e30]},
+    const std::string scene = directory.file("far.json", R"({"glint": 1, "camera": {"eye": [0, 0, 1e7]},
         "objects": [{"mesh": {"primitive": "cube"}}], "npr": {"silhouettes": true}})");
     (void)must({"bench", scene, "--frames", "1", "--size", "40x30", "--drag", "object", "-j", "1"});
 }
@@ -608,4 +644,17 @@ TEST_CASE("an explanation in words says why a light gives nothing", "[cli][expla
     CHECK(ended.out.find("Lamp, spot light (outside the cone by 15.0°)\n") != std::string::npos);
     CHECK(ended.out.find("red clips: ") != std::string::npos);
     CHECK(must({"explain", scene, "--pixel", "0,0"}).out.rfind("Pixel 0, 0: background\n", 0) == 0);
+}
+
+TEST_CASE("a command that runs out of memory ends in one line", "[cli][memory]") {
+    if (test::sanitized) return;
+    CHECK(test::in_process_with_room(std::uint64_t{300} << 20, [] {
+        const Ended ended =
+            run_glint({"render", "-", "-o", "-", "--size", "8192x8192", "--threads", "1", "--memory", "64G"},
+                      R"({"glint": 1, "objects": [{}]})");
+        return ended.status == 1 && ended.out.empty() &&
+               ended.err ==
+                   "glint: error: there is not enough memory; expected more of it, or a smaller "
+                   "scene\n";
+    }));
 }

@@ -1,5 +1,5 @@
 // What the command line answers to a wrong one: the exact line, the exit status, and nothing on standard
-// output. Lines are those that docs/interface.md gives or follow its form.
+// output. Lines are those that docs/command_line.md gives or follow its form.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -98,12 +98,11 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
         {{"compare", "a.png", "b.png", "-o", "-"},
          "-o: standard output is the answer's; expected a name that ends in .png"},
         {{"compare", "a.png", "b.png", "-o", ""}, "-o: is empty; expected DIFF.png"},
-        {{"compare", "", "b.png"}, "A.png: is empty; expected a picture"},
+        {{"compare", "", "b.png"}, "A.png: is empty; expected a PNG picture"},
         {{"render", scene, "-o", out, "--buffers", ""}, "--buffers: is empty; expected DIR"},
         {{"info", scene, "--memory", ""}, "--memory: is empty; expected SIZE"},
-        {{"exercise", ""}, "NAME: is empty; expected a lesson by its name or number, or its file"},
-        {{"quiz", ""},
-         "ANSWERS: is empty; expected files that people saved from the page: counts them, as JSON"},
+        {{"exercise", ""}, "NAME: is empty; expected a lesson: its name, number or file"},
+        {{"quiz", ""}, "ANSWERS: is empty; expected answers saved from the page, to be counted"},
         {{"compare", "a.png", "b.png", "--max-error", "much"},
          "--max-error: much is not a number; expected 0 to 255"},
         {{"compare", "a.png", "b.png", "--max-error", "inf"},

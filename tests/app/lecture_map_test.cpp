@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "models/lesson/lesson.h"
+#include "lessons/lesson.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
@@ -164,6 +164,47 @@ TEST_CASE("every picture that the documents show is there, and none is left unsh
         if (entry.is_regular_file()) made.insert(entry.path().lexically_relative(pictures).generic_string());
     CHECK(shown == made);
     CHECK(made.size() > 20);
+}
+
+TEST_CASE("every file and folder that a document names exists", "[docs]") {
+    std::vector<fs::path> documents{"README.md", "SECURITY.md", "renderer/README.md"};
+    for (const auto& entry : fs::directory_iterator(source_dir / "docs"))
+        if (entry.path().extension() == ".md")
+            documents.push_back(fs::path("docs") / entry.path().filename());
+    const std::regex link(R"(\]\(([^)#:]+)\))");
+    // Not with a word in capitals, as in `assets/scenes/NAME.json`, nor with a star.
+    const std::regex path(
+        R"((?:^| |\./)((?:app|ui|diagnose|lessons|programs|renderer|models|tests|cmake|assets|docs)/[a-z0-9_./-]+)(?![\w*]))");
+    int named = 0;
+    const auto check = [&named](const fs::path& folder, const std::string& text, const std::regex& name) {
+        for (std::sregex_iterator i(text.begin(), text.end(), name), end; i != end; ++i, ++named) {
+            CAPTURE(text);
+            CHECK(fs::exists(folder / (*i)[1].str()));
+        }
+    };
+    for (const fs::path& document : documents) {
+        CAPTURE(document);
+        std::istringstream lines(text_of(source_dir / document));
+        for (std::string line; std::getline(lines, line);) {
+            check(source_dir / document.parent_path(), line, link);
+            for (const std::string& quoted : in_backticks(line)) check(source_dir, quoted, path);
+        }
+    }
+    CHECK(named > 300);
+}
+
+TEST_CASE("the steps of each list in a document are numbered in order", "[docs]") {
+    for (const char* const document : {"README.md", "docs/changing.md", "docs/architecture.md"}) {
+        std::istringstream lines(text_of(source_dir / document));
+        int last = 0;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with("#")) last = 0;
+            std::smatch step;
+            if (!std::regex_search(line, step, std::regex(R"(^(\d+)\. )"))) continue;
+            CAPTURE(document, line);
+            CHECK(std::stoi(step[1]) == ++last);
+        }
+    }
 }
 
 TEST_CASE("every idea of the lecture map is programmed in the files that it names", "[docs]") {

@@ -34,7 +34,7 @@ TEST_CASE("glint lessons lists those that come with the program, as text and as 
     REQUIRE(text.status == 0);
     REQUIRE(json.status == 0);
     const auto lessons = nlohmann::json::parse(json.out)["lessons"];
-    CHECK(lessons.size() >= 16);
+    CHECK(lessons.size() >= 24);
     for (const auto& lesson : lessons) {
         const std::string name = lesson["name"], title = lesson["title"];
         CAPTURE(name);
@@ -47,6 +47,8 @@ TEST_CASE("glint lessons lists those that come with the program, as text and as 
         CAPTURE(word);
         CHECK(nlohmann::json::parse(one.out)["lessons"].at(0)["name"] == "05-lambert");
     }
+    const Ended first = run_glint({"lessons", "0", "--format", "json"});
+    CHECK(nlohmann::json::parse(first.out)["lessons"].at(0)["name"] == "00-one-point");
 }
 
 TEST_CASE("glint lessons --check ends with status 1 where a claim of one's own folder falls short",

@@ -10,51 +10,54 @@ namespace {
 
 using std::string_view;
 
-/// From the top of the house to the ground.
-constexpr std::array<string_view, 4> floors{"app", "ui", "renderer", "models"};
-
-/// The rooms of the renderer, each before those that may include it: a file; a folder with all in it; or,
-/// with a star, the files of a folder itself.
-constexpr std::array<string_view, 18> rooms{
-    "renderer/picture.h",        "renderer/simd/",       "renderer/lighting/",
-    "renderer/geometry/",        "renderer/visibility/", "renderer/surface/",
-    "renderer/strokes/",         "renderer/shade/",      "renderer/stages.h",
-    "renderer/inspect/explain/", "renderer/kernels/",    "renderer/*",
-    "renderer/image/",           "renderer/inspect/",    "renderer/diagnose/search/",
-    "renderer/diagnose/",        "renderer/lessons/",    "renderer/programs/",
+/// The layers, from the bottom up; a file includes its own layer and those below. A layer is a file; a folder
+/// with everything in it; or, with a star, the files directly in a folder. The longest that matches counts.
+constexpr std::array<string_view, 31> layers{
+    "models/*",
+    "models/io/",
+    "models/json/",
+    "models/mesh/",
+    "models/scene/",
+    "models/fields/",
+    "models/gltf/",
+    "models/scene_file/",
+    "renderer/picture.h",
+    "renderer/simd/",
+    "renderer/lighting/",
+    "renderer/geometry/",
+    "renderer/visibility/",
+    "renderer/surface/",
+    "renderer/strokes/",
+    "renderer/shade/",
+    "renderer/stages.h",
+    "renderer/explain/",
+    "renderer/simd/isa/",
+    "renderer/*",
+    "renderer/image/",
+    "renderer/reflectance/",
+    "renderer/debug_views/",
+    "renderer/answers/",
+    "programs/",
+    "diagnose/search/",
+    "diagnose/",
+    "lessons/",
+    "ui/widgets/",
+    "ui/",
+    "app/",
 };
 
-std::optional<std::size_t> room_of(string_view path) {
+std::optional<std::size_t> layer_of(string_view path) {
     std::optional<std::size_t> found;
     std::size_t longest = 0;
-    for (std::size_t i = 0; i < rooms.size(); ++i) {
-        const bool star = rooms[i].ends_with('*');
-        const string_view start = star ? rooms[i].substr(0, rooms[i].size() - 1) : rooms[i];
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const bool star = layers[i].ends_with('*');
+        const string_view start = star ? layers[i].substr(0, layers[i].size() - 1) : layers[i];
         if (!path.starts_with(start) || start.size() <= longest) continue;
         if (star && path.find('/', start.size()) != path.npos) continue;
         found = i;
         longest = start.size();
     }
     return found;
-}
-
-/// Why one file of the renderer may not include another.
-std::string complaint_inside(string_view path, string_view name) {
-    const auto from = room_of(path), to = room_of(name);
-    if (!from) return "is included by a file in none of the renderer's rooms";
-    if (!to) return "is in none of the renderer's rooms";
-    if (*to > *from)
-        return "is in a later room; expected simd -> lighting -> geometry -> visibility -> surface -> "
-               "strokes "
-               "-> shade -> inspect -> diagnose -> lessons";
-    return {};
-}
-
-std::optional<std::size_t> floor_of(string_view path) {
-    const string_view folder = path.substr(0, path.find('/'));
-    const auto* at = std::find(floors.begin(), floors.end(), folder);
-    if (folder.size() == path.size() || at == floors.end()) return std::nullopt;
-    return static_cast<std::size_t>(at - floors.begin());
 }
 
 bool begins_with_one_of(string_view name, std::initializer_list<string_view> prefixes) {
@@ -68,26 +71,23 @@ bool is_gl_or_window(string_view name) {
 
 /// Why `path` may not include `name`; empty when it may.
 std::string complaint(string_view path, string_view name, bool quoted) {
-    const auto from = floor_of(path), to = floor_of(name);
-    if (!from) return {};
-    if (quoted && !to) return "is not written from the root of the project";
-    if (to && *to < *from) return "points up; expected app -> ui -> renderer -> models";
-    if (floors[*from] == "renderer" && from == to) {
-        if (std::string why = complaint_inside(path, name); !why.empty()) return why;
-    }
-    if (path.starts_with("ui/widgets/") && name.starts_with("ui/") && !name.starts_with("ui/widgets/"))
-        return "is not a widget; expected ui/widgets/ to stand by itself";
-    if (*from > 0 && is_gl_or_window(name)) return "brings GL, GLFW or a window below app";
-    if (*from > 1 && name.starts_with("imgui")) return "brings ImGui below ui";
-    // models/fineness shares its half-edges among its files, and with nobody else.
+    const auto from = layer_of(path), to = layer_of(name);
+    if (!from) return "is included by a file outside of every layer";
+    if (quoted && !to) return "is in no layer";
+    if (to && *to > *from)
+        return "points up from " + std::string(layers[*from]) + " to " + std::string(layers[*to]);
+    if (!path.starts_with("app/") && is_gl_or_window(name)) return "brings GL, GLFW or a window below app";
+    if (!path.starts_with("app/") && !path.starts_with("ui/") && name.starts_with("imgui"))
+        return "brings ImGui below ui";
+    // models/mesh/resolution shares its half-edges among its files, and with nobody else.
     const bool in_source = path.starts_with("models/") && path.ends_with(".cpp");
-    if (name.starts_with("OpenMesh/") && !in_source && path != "models/fineness/half_edges.h")
+    if (name.starts_with("OpenMesh/") && !in_source && path != "models/mesh/resolution/half_edges.h")
         return "brings OpenMesh out of models/*.cpp";
-    if (name == "models/fineness/half_edges.h" && !path.starts_with("models/fineness/"))
-        return "brings OpenMesh out of models/fineness";
-    // Each takes a file that includes it seconds to compile.
-    if (name.starts_with("nlohmann/") && !path.starts_with("models/"))
-        return "is for models; expected models/json/json_value.h";
+    if (name == "models/mesh/resolution/half_edges.h" && !path.starts_with("models/mesh/resolution/"))
+        return "brings OpenMesh out of models/mesh/resolution";
+    // Each takes seconds to compile.
+    if (name.starts_with("nlohmann/") && path != "models/json/json.h")
+        return "is for models/json/json.h; expected that";
     if (name.starts_with("CLI/") && path != "app/options.cpp")
         return "is for app/options.cpp; expected app/options.h";
     return {};

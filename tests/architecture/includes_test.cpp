@@ -16,7 +16,7 @@ TEST_CASE("includes point down only, and GL, GLFW, ImGui and OpenMesh stay where
     const fs::path root = glint::project_folder;
     std::vector<std::string> found;
     int files = 0;
-    for (const char* folder : {"app", "ui", "renderer", "models"}) {
+    for (const char* folder : {"app", "ui", "lessons", "diagnose", "programs", "renderer", "models"}) {
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
             const auto extension = entry.path().extension();
             if (extension != ".h" && extension != ".cpp") continue;
@@ -32,24 +32,34 @@ TEST_CASE("includes point down only, and GL, GLFW, ImGui and OpenMesh stay where
     for (const auto& line : found) FAIL_CHECK(line);
 }
 
-TEST_CASE("a room of the renderer that includes a later one is reported", "[architecture]") {
+TEST_CASE("a layer that includes a higher one is reported", "[architecture]") {
     const auto reported = [](const char* path, const std::string& name) {
         return forbidden_includes(path, "#include \"" + name + "\"").size() == 1;
     };
+    CHECK(reported("models/problem.cpp", "models/io/file.h"));
+    CHECK(reported("models/json/json_node.h", "models/fields/choices.h"));
+    CHECK(reported("models/mesh/formats/mesh_file.cpp", "models/gltf/gltf.h"));
+    CHECK(reported("models/gltf/gltf_write.cpp", "models/scene_file/scene_file.h"));
+    CHECK(reported("models/new_room/file.h", "models/problem.h"));
+    CHECK_FALSE(reported("models/scene_file/load_meshes.cpp", "models/gltf/gltf.h"));
+    CHECK_FALSE(reported("models/mesh/normals.h", "models/range.h"));
     CHECK(reported("renderer/simd/pow.h", "renderer/lighting/illuminate.h"));
     CHECK(reported("renderer/lighting/phong.h", "renderer/geometry/interpolate.h"));
     CHECK(reported("renderer/geometry/geometry.h", "renderer/visibility/binning.h"));
     CHECK(reported("renderer/surface/surface.h", "renderer/shade/lighting.h"));
     CHECK(reported("renderer/shade/lighting.h", "renderer/renderer.h"));
-    CHECK(reported("renderer/inspect/explain/explain.h", "renderer/renderer.h"));
-    CHECK(reported("renderer/renderer.h", "renderer/inspect/reflectance/lobes.h"));
-    CHECK(reported("renderer/inspect/debug_views/sheet.h", "renderer/diagnose/diagnose.h"));
-    CHECK(reported("renderer/diagnose/search/score.h", "renderer/diagnose/diagnose.h"));
+    CHECK(reported("renderer/explain/explain.h", "renderer/renderer.h"));
+    CHECK(reported("renderer/renderer.h", "renderer/reflectance/lobes.h"));
+    CHECK(reported("renderer/image/sheet.h", "diagnose/diagnose.h"));
+    CHECK(reported("diagnose/search/score.h", "diagnose/diagnose.h"));
     CHECK(reported("renderer/renderer.h", "renderer/new_room/file.h"));
     CHECK(reported("renderer/new_room/file.h", "renderer/renderer.h"));
+    CHECK(reported("renderer/renderer.h", "programs/program.h"));
+    CHECK(reported("programs/program.h", "diagnose/diagnose.h"));
+    CHECK(reported("diagnose/diagnose.h", "lessons/quiz.h"));
     CHECK_FALSE(reported("renderer/shade/lighting.h", "renderer/picture.h"));
-    CHECK_FALSE(reported("renderer/renderer.cpp", "renderer/inspect/explain/explain.h"));
-    CHECK_FALSE(reported("renderer/inspect/reflectance/highlight.h", "renderer/renderer.h"));
+    CHECK_FALSE(reported("renderer/renderer.cpp", "renderer/explain/explain.h"));
+    CHECK_FALSE(reported("renderer/reflectance/highlight.h", "renderer/renderer.h"));
     CHECK_FALSE(reported("renderer/surface/surface.h", "renderer/geometry/geometry.h"));
 }
 
@@ -83,7 +93,7 @@ TEST_CASE("no two headers define a class of one name, which the linker would tak
     // Specialisations are not asked about, nor what stands in another namespace: it is indented or in a .cpp.
     const std::regex definition(R"(^(?:struct|class|enum class|enum)(?: alignas\(\d+\))? (\w+)[^;<]*\{.*)");
     std::map<std::string, std::string> header_of;
-    for (const char* folder : {"app", "ui", "renderer", "models"})
+    for (const char* folder : {"app", "ui", "lessons", "diagnose", "programs", "renderer", "models"})
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(glint::project_folder) / folder)) {
             if (entry.path().extension() != ".h") continue;
             std::ifstream file(entry.path());
@@ -98,25 +108,10 @@ TEST_CASE("no two headers define a class of one name, which the linker would tak
     CHECK(header_of.size() > 100);
 }
 
-TEST_CASE("no folder of code or tests holds more than 20 files", "[architecture]") {
-    std::map<std::string, int> files;
-    const fs::path root = glint::project_folder;
-    for (const char* folder : {"app", "ui", "renderer", "models", "tests"})
-        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
-            if (entry.is_regular_file())
-                ++files[fs::relative(entry.path().parent_path(), root).generic_string()];
-    std::erase_if(files, [](const auto& f) { return f.first.starts_with("tests/fuzz/corpus/"); });
-    for (const auto& [folder, count] : files) {
-        INFO(folder << " holds " << count << " files");
-        CHECK(count <= 20);
-    }
-}
-
 TEST_CASE("an upward include is reported with its file and line", "[architecture]") {
     CHECK(forbidden_includes("ui/panel.cpp", "#include <string>\n#include \"app/window/window.h\"\n") ==
           std::vector<std::string>{
-              "ui/panel.cpp:2: includes app/window/window.h, which points up; expected app -> "
-              "ui -> renderer -> models"});
+              "ui/panel.cpp:2: includes app/window/window.h, which points up from ui/ to app/"});
     CHECK(forbidden_includes("models/a.h", "#include \"renderer/picture.h\"").size() == 1);
     CHECK(forbidden_includes("models/a.h", "  #  include <ui/widgets/theme.h>  // why").size() == 1);
     CHECK(forbidden_includes("renderer/a/b.cpp", "#include \"ui/widgets/theme.h\"").size() == 1);
@@ -137,10 +132,10 @@ TEST_CASE("libraries of the window are reported below their floor", "[architectu
 TEST_CASE("libraries that take seconds to compile are reported outside the files that hide them",
           "[architecture]") {
     CHECK(forbidden_includes("ui/files/a.cpp", "#include <nlohmann/json.hpp>").size() == 1);
-    CHECK(forbidden_includes("app/commands/a.cpp", "#include <nlohmann/json_fwd.hpp>").size() == 1);
+    CHECK(forbidden_includes("models/gltf/a.cpp", "#include <nlohmann/json_fwd.hpp>").size() == 1);
     CHECK(forbidden_includes("app/arguments.h", "#include <CLI/CLI.hpp>").size() == 1);
     CHECK(forbidden_includes("app/options.cpp", "#include <CLI/CLI.hpp>").empty());
-    CHECK(forbidden_includes("models/json/json_value.cpp", "#include <nlohmann/json.hpp>").empty());
+    CHECK(forbidden_includes("models/json/json.h", "#include <nlohmann/json.hpp>").empty());
 }
 
 TEST_CASE("includes that the house allows are not reported", "[architecture]") {

@@ -36,13 +36,16 @@ struct Row {
     Drag drag;
     ShadingMode mode;
     bool relight;
+    Cull cull = Cull::Back;
 };
-constexpr std::array<Row, 5> rows{
+constexpr std::array<Row, 6> rows{
     Row{"light drag, Phong, all lights again", Drag::Light, ShadingMode::Phong, true},
     {"light drag, Phong, sum of the others kept", Drag::Light, ShadingMode::Phong, false},
     {"light drag, Gouraud", Drag::Light, ShadingMode::Gouraud, false},
     {"light drag, flat", Drag::Light, ShadingMode::Flat, false},
-    {"camera drag, Phong", Drag::Camera, ShadingMode::Phong, false}};
+    {"camera drag, Phong", Drag::Camera, ShadingMode::Phong, false},
+    // As scenes are that say nothing of it: the faces turned away are drawn, too.
+    {"camera drag, Phong, nothing culled", Drag::Camera, ShadingMode::Phong, false, Cull::None}};
 
 /// The value that a share of all is not above: 0.5 is the median.
 double quantile(std::vector<double> values, double share) {
@@ -96,6 +99,7 @@ struct Cell {
 
 Cell measure(Scene scene, const Row& row, const Arguments& arguments) {
     scene.shading.mode = row.mode;
+    scene.shading.cull = row.cull;
     Renderer renderer(arguments.threads);
     renderer.keep_sums(!row.relight);
     Rival rival(scene, size, arguments.threads);

@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "models/fineness/fineness.h"
-#include "models/primitives/primitives.h"
+#include "models/mesh/primitives/primitives.h"
+#include "models/mesh/resolution/resolution.h"
 #include "models/scene_file/scene_file.h"
-#include "renderer/kernels/instruction_set.h"
 #include "renderer/renderer.h"
 #include "renderer/shade/light_sources.h"
+#include "renderer/simd/isa/instruction_set.h"
 #include "renderer/surface/surface.h"
 #include "tests/places.h"
 
@@ -118,7 +118,7 @@ void draw(benchmark::State& state, Stage last, int detail) {
 /// From the knot's 69 thousand triangles to 2 thousand, beside the window.
 void decimate(benchmark::State& state) {
     const Mesh mesh = make_primitive(Primitive::Knot, 525);
-    for (auto _ : state) benchmark::DoNotOptimize(with_fineness(mesh, {2000, 0}));
+    for (auto _ : state) benchmark::DoNotOptimize(with_resolution(mesh, {2000, 0}));
     state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
 }
 

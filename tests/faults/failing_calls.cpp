@@ -29,8 +29,8 @@
 namespace glint::faults {
 namespace {
 
-constexpr std::array<int, kinds> usual_errors{ENOMEM, EACCES, EIO,    ENOSPC, EIO,   EIO,
-                                              EROFS,  EACCES, ENOLCK, EPERM,  EROFS, EAGAIN};
+constexpr std::array<int, kinds> usual_errors{EACCES, EIO,    ENOSPC, EIO,   EIO,   EROFS,
+                                              EACCES, ENOLCK, EPERM,  EROFS, EAGAIN};
 
 std::array<std::atomic<long>, kinds> counts;
 std::atomic<bool> is_on{false}, failed{false};
@@ -250,10 +250,10 @@ int rename(const char* from, const char* to) {
     return fails(Kind::Rename) ? -1 : int(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
 }
 
-int renameat2(int from_directory, const char* from, int to_directory, const char* to, unsigned flags) {
-    log_line("rename %s %s\n", from, to);
+int linkat(int from_directory, const char* from, int to_directory, const char* to, int flags) {
+    log_line("link %s %s\n", from, to);
     return fails(Kind::Rename) ? -1
-                               : int(::syscall(SYS_renameat2, from_directory, from, to_directory, to, flags));
+                               : int(::syscall(SYS_linkat, from_directory, from, to_directory, to, flags));
 }
 
 int unlink(const char* path) {
@@ -298,65 +298,5 @@ void* dlopen(const char* name, int flags) {
     return library;
 }
 
-// Memory. glibc's own allocation has these names too, so that dlsym() may ask for memory while it looks.
-void* __libc_malloc(size_t bytes);
-void* __libc_calloc(size_t count, size_t bytes);
-void* __libc_realloc(void* memory, size_t bytes);
-void* __libc_memalign(size_t alignment, size_t bytes);
-
-#if !GLINT_FAULTS_KEEP_MALLOC
-void* malloc(size_t bytes) { return fails(Kind::Memory) ? nullptr : __libc_malloc(bytes); }
-void* calloc(size_t count, size_t bytes) {
-    return fails(Kind::Memory) ? nullptr : __libc_calloc(count, bytes);
-}
-void* realloc(void* memory, size_t bytes) {
-    return fails(Kind::Memory) ? nullptr : __libc_realloc(memory, bytes);
-}
-void* memalign(size_t alignment, size_t bytes) {
-    return fails(Kind::Memory) ? nullptr : __libc_memalign(alignment, bytes);
-}
-void* aligned_alloc(size_t alignment, size_t bytes) { return memalign(alignment, bytes); }
-int posix_memalign(void** memory, size_t alignment, size_t bytes) {
-    const int error = glint::faults::failure(Kind::Memory);
-    if (error != 0) return error;
-    *memory = __libc_memalign(alignment, bytes);
-    return *memory != nullptr ? 0 : ENOMEM;
-}
-#endif
-
 }  // extern "C"
-
-#if GLINT_FAULTS_KEEP_MALLOC
-// AddressSanitizer has a malloc() of its own, which finds what is lost, and so has what is below here: all
-// forms, because it takes those that are not replaced for its own and asks for its own operator delete.
-namespace {
-void* counted_or_null(std::size_t bytes, std::size_t alignment) noexcept {
-    if (fails(Kind::Memory)) return nullptr;
-    return aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-}
-void* counted(std::size_t bytes, std::size_t alignment) {
-    void* const memory = counted_or_null(bytes, alignment);
-    if (memory == nullptr) throw std::bad_alloc();
-    return memory;
-}
-constexpr std::size_t usual = alignof(std::max_align_t);
-}  // namespace
-#define GLINT_NEW_AND_DELETE(new_form, delete_form)                                                 \
-    void* new_form(std::size_t bytes) { return counted(bytes, usual); }                             \
-    void* new_form(std::size_t bytes, std::align_val_t alignment) {                                 \
-        return counted(bytes, std::size_t(alignment));                                              \
-    }                                                                                               \
-    void* new_form(std::size_t bytes, const std::nothrow_t&) noexcept {                             \
-        return counted_or_null(bytes, usual);                                                       \
-    }                                                                                               \
-    void* new_form(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept { \
-        return counted_or_null(bytes, std::size_t(alignment));                                      \
-    }                                                                                               \
-    void delete_form(void* memory) noexcept { free(memory); }                                       \
-    void delete_form(void* memory, std::size_t) noexcept { free(memory); }                          \
-    void delete_form(void* memory, std::align_val_t) noexcept { free(memory); }                     \
-    void delete_form(void* memory, std::size_t, std::align_val_t) noexcept { free(memory); }
-GLINT_NEW_AND_DELETE(operator new, operator delete)
-GLINT_NEW_AND_DELETE(operator new[], operator delete[])
-#endif
 // NOLINTEND

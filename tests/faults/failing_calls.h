@@ -8,9 +8,9 @@
 namespace glint::faults {
 
 /// The calls, by kind; a kind is named as in `kind_names`.
-enum class Kind { Memory, Open, Read, Write, Fsync, Close, Rename, Stat, Lock, Mode, Unlink, Thread };
-inline constexpr std::array kind_names{"memory", "open", "read", "write", "fsync",  "close",
-                                       "rename", "stat", "lock", "mode",  "unlink", "thread"};
+enum class Kind { Open, Read, Write, Fsync, Close, Rename, Stat, Lock, Mode, Unlink, Thread };
+inline constexpr std::array kind_names{"open", "read", "write", "fsync",  "close", "rename",
+                                       "stat", "lock", "mode",  "unlink", "thread"};
 inline constexpr int kinds = int(kind_names.size());
 
 /// A run that takes longer hangs: seconds.
@@ -19,7 +19,7 @@ inline constexpr unsigned longest_run_s = 10;
 /// Which calls of a kind fail, and how. A write that is the first of several to fail still writes the half of
 /// its bytes, as on a disk that is full.
 struct Fault {
-    Kind kind = Kind::Memory;
+    Kind kind = Kind::Open;
     long first = 0;  // counted from 0
     long count = 1;  // how many in a row
     int error = 0;   // errno; 0: what the kind's calls fail with most

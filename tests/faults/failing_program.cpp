@@ -108,7 +108,7 @@ std::string wrong_failure(const Command& command, const Ended& ended, const Made
 
 Calls calls_of(const Command& command) {
     const TemporaryDirectory notes;
-    (void)run(command, "memory 9999999999 0 0", notes);
+    (void)run(command, "open 9999999999 0 0", notes);
     Calls calls;
     std::istringstream lines(bytes_of(notes.path("calls")));
     for (std::string line; std::getline(lines, line);) {
@@ -125,7 +125,7 @@ Calls calls_of(const Command& command) {
 
 Made made_by(const Command& command) {
     const TemporaryDirectory notes;
-    const Ended ended = run(command, "memory 9999999999 0 0", notes);
+    const Ended ended = run(command, "open 9999999999 0 0", notes);
     if (ended.status != 0) return {"failed: " + ended.err, {}};
     return {ended.out, command.out.empty() ? "" : bytes_of(command.out)};
 }

@@ -1,15 +1,14 @@
 // Bytes -> a glTF file's scene and meshes, or one line that says what is wrong. What is read is written as a
 // .glb, which reads back.
 
-#include "models/gltf/gltf.h"
-
 #include <string>
 #include <variant>
 
 #include "models/fields/scene_rules.h"
 #include "models/gltf/gltf_buffer.h"
 #include "models/memory_limit.h"
-#include "models/mesh_formats/mesh_reader.h"
+#include "models/mesh/formats/mesh_reader.h"
+#include "models/scene_file/scene_file.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/json_mutator.h"
 
@@ -76,7 +75,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     set_memory_limit(memory);
     try {
         read(fuzz::text_of(data, size));
-    } catch (const Refused&) {  // which the commands tell
+    } catch (const LimitExceeded&) {  // which the commands tell
     }
     return 0;
 }

@@ -17,10 +17,11 @@ bool is_word(std::string_view text) {
     return !text.empty() && text.size() <= longest && text.find_first_of(" ,;()$#") == std::string_view::npos;
 }
 
-void collect(const JsonValue& json, std::vector<std::string>& words) {
-    if (json.is_string() && is_word(json.string())) words.push_back(json.string());
-    for (const JsonValue& element : json.elements()) collect(element, words);
-    for (const auto& [name, value] : json.members()) {
+void collect(const Json& json, std::vector<std::string>& words) {
+    if (json.is_string() && is_word(json.get_ref<const std::string&>()))
+        words.push_back(json.get_ref<const std::string&>());
+    for (const Json& element : elements_of(json)) collect(element, words);
+    for (const auto& [name, value] : members_of(json)) {
         if (is_word(name)) words.push_back(name);
         collect(value, words);
     }
@@ -30,7 +31,7 @@ void collect(const JsonValue& json, std::vector<std::string>& words) {
 const std::vector<std::string>& words() {
     static const std::vector<std::string> all = [] {
         std::vector<std::string> found;
-        collect(JsonValue::parse(scene_schema()).value_or(JsonValue()), found);
+        collect(json_or_null(scene_schema()), found);
         std::sort(found.begin(), found.end());
         found.erase(std::unique(found.begin(), found.end()), found.end());
         return found;
@@ -40,7 +41,7 @@ const std::vector<std::string>& words() {
 
 double random_number(std::mt19937& random) {
     constexpr double hard[] = {0,      -0.0,    1,    -1,    0.5,  2,    4,     9,     16,    64,
-                               90,     180,     1e30, -1e30, 2e30, 1e39, 1e308, 1e-45, 1e-46, 1e-300,
+                               90,     180,     1e7,  -1e7,  2e7,  1e39, 1e308, 1e-45, 1e-46, 1e-300,
                                1e-6,   65536,   4096, 10001, 1e18, 0.1,  3,     255,   256,   2147483648.0,
                                9.3e18, 16777217};
     if (below(random, 3) != 0) return hard[below(random, std::size(hard))];
@@ -48,26 +49,26 @@ double random_number(std::mt19937& random) {
 }
 
 /// How many values there are in it, itself too.
-std::size_t count_of(const JsonValue& json) {
+std::size_t count_of(const Json& json) {
     std::size_t count = 1;
-    for (const JsonValue& element : json.elements()) count += count_of(element);
-    for (const auto& [name, value] : json.members()) count += count_of(value);
+    for (const Json& element : elements_of(json)) count += count_of(element);
+    for (const auto& [name, value] : members_of(json)) count += count_of(value);
     return count;
 }
 
 /// The value that stands `index` values after the first.
-const JsonValue& value_at(const JsonValue& json, std::size_t index) {
+const Json& value_at(const Json& json, std::size_t index) {
     if (index == 0) return json;
     --index;
-    const auto within = [&index](const JsonValue& value) {
+    const auto within = [&index](const Json& value) {
         const std::size_t count = count_of(value);
         if (index < count) return true;
         index -= count;
         return false;
     };
-    for (const JsonValue& element : json.elements())
+    for (const Json& element : elements_of(json))
         if (within(element)) return value_at(element, index);
-    for (const auto& [name, value] : json.members())
+    for (const auto& [name, value] : members_of(json))
         if (within(value)) return value_at(value, index);
     return json;
 }
@@ -76,27 +77,27 @@ const JsonValue& value_at(const JsonValue& json, std::size_t index) {
 struct Change {
     enum Kind { Replace, LeaveOut, Double } kind;
     std::size_t index;
-    const JsonValue& replacement;
+    const Json& replacement;
     const std::string& name;
 };
 
-JsonValue changed(const JsonValue& json, const Change& change, std::size_t& at) {
+Json changed(const Json& json, const Change& change, std::size_t& at) {
     if (at++ == change.index && change.kind == Change::Replace) return change.replacement;
     if (json.is_array()) {
-        JsonValue::Elements elements;
-        for (const JsonValue& element : json.elements()) {
+        Json::array_t elements;
+        for (const Json& element : elements_of(json)) {
             const bool here = at == change.index;
-            JsonValue next = changed(element, change, at);
+            Json next = changed(element, change, at);
             if (here && change.kind == Change::Double) elements.push_back(next);
             if (!here || change.kind != Change::LeaveOut) elements.push_back(std::move(next));
         }
-        return JsonValue(std::move(elements));
+        return Json(std::move(elements));
     }
     if (!json.is_object()) return json;
-    JsonValue members = JsonValue::object();
-    for (const auto& [name, value] : json.members()) {
+    Json members = Json::object();
+    for (const auto& [name, value] : members_of(json)) {
         const bool here = at == change.index;
-        JsonValue next = changed(value, change, at);
+        Json next = changed(value, change, at);
         if (here && change.kind == Change::Double) members[change.name] = next;
         if (!here || change.kind != Change::LeaveOut) members[name] = std::move(next);
     }
@@ -105,18 +106,18 @@ JsonValue changed(const JsonValue& json, const Change& change, std::size_t& at) 
 
 }  // namespace
 
-JsonValue random_leaf(std::mt19937& random) {
+Json random_leaf(std::mt19937& random) {
     switch (below(random, 8)) {
     case 0:
         return below(random, 2) == 0;
     case 1:
         return words()[below(random, words().size())];
     case 2:
-        return below(random, 2) == 0 ? JsonValue::array() : JsonValue::object();
+        return below(random, 2) == 0 ? Json::array() : Json::object();
     case 3:
-        return JsonValue();
+        return Json();
     case 4: {
-        JsonValue vector = JsonValue::array();
+        Json vector = Json::array();
         for (std::size_t i = 2 + below(random, 3); i > 0; --i) vector.push_back(random_number(random));
         return vector;
     }
@@ -126,16 +127,15 @@ JsonValue random_leaf(std::mt19937& random) {
 }
 
 std::string with_changed_json(std::string_view text, std::mt19937& random) {
-    const std::optional<JsonValue> json = JsonValue::parse(text);
-    if (!json) return std::string(text);
-    const std::size_t count = count_of(*json);
-    const JsonValue other =
-        below(random, 3) == 0 ? value_at(*json, below(random, count)) : random_leaf(random);
+    const Json json = json_or_null(text);
+    if (json.is_null()) return std::string(text);
+    const std::size_t count = count_of(json);
+    const Json other = below(random, 3) == 0 ? value_at(json, below(random, count)) : random_leaf(random);
     const std::string name = words()[below(random, words().size())];
     constexpr Change::Kind kinds[] = {Change::Replace, Change::Replace, Change::LeaveOut, Change::Double};
     std::size_t at = 0;
-    return changed(*json, {kinds[below(random, std::size(kinds))], below(random, count), other, name}, at)
-        .text();
+    return json_line(
+        changed(json, {kinds[below(random, std::size(kinds))], below(random, count), other, name}, at));
 }
 
 std::size_t mutate_json(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {

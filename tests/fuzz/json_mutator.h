@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "models/json/json_value.h"
+#include "models/json/json.h"
 
 namespace glint::fuzz {
 
@@ -14,7 +14,7 @@ namespace glint::fuzz {
 [[nodiscard]] std::string with_changed_json(std::string_view text, std::mt19937& random);
 
 /// A number, a word, a switch, null or something empty, as JSON.
-[[nodiscard]] JsonValue random_leaf(std::mt19937& random);
+[[nodiscard]] Json random_leaf(std::mt19937& random);
 
 /// What a LLVMFuzzerCustomMutator returns for JSON: half of the time its structure is changed, else its
 /// bytes.

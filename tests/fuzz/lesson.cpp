@@ -1,6 +1,6 @@
 // Markdown -> a lesson, or one line that says what is wrong.
 
-#include "models/lesson/lesson.h"
+#include "lessons/lesson.h"
 
 #include <variant>
 

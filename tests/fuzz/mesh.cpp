@@ -3,8 +3,8 @@
 
 #include <variant>
 
-#include "models/fineness/fineness.h"
-#include "models/mesh_formats/mesh_file.h"
+#include "models/mesh/formats/mesh_file.h"
+#include "models/mesh/resolution/resolution.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace glint;
@@ -23,9 +23,10 @@ void make_coarser_and_finer(const Mesh& mesh, std::size_t size) {
     constexpr std::size_t most_faces = 256;
     if (size % 4 != 1 || mesh.face_count() > most_faces) return;
     const int half = 1 + static_cast<int>(mesh.triangles.size() / 2);
-    const Fineness wanted{size % 3 == 0 ? 0 : half, size % 3 == 1 ? 0 : 1 + static_cast<int>(size / 4 % 2)};
-    if (is_fine_as_it_is(mesh, wanted)) return;
-    const Result<Mesh> made = with_fineness(mesh, wanted);
+    const MeshResolution wanted{size % 3 == 0 ? 0 : half,
+                                size % 3 == 1 ? 0 : 1 + static_cast<int>(size / 4 % 2)};
+    if (has_resolution(mesh, wanted)) return;
+    const Result<Mesh> made = with_resolution(mesh, wanted);
     if (const Problem* problem = problem_of(made)) return require_one_line(*problem);
     const Mesh& other = std::get<Mesh>(made);
     if (other.face_count() > 0) fuzz::require_sound(other);

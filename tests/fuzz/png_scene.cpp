@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "models/io/png_text.h"
+#include "models/io/png_info.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -12,14 +12,14 @@ using fuzz::require;
 constexpr std::size_t most_text = 1 << 16;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const Result<std::string> text =
-        png_text(fuzz::text_of(data, size), png_scene_keyword, most_text, "p.png");
-    if (const Problem* problem = problem_of(text)) {
+    const Result<PngInfo> png = png_info(fuzz::text_of(data, size), png_scene_keyword, most_text, "p.png");
+    if (const Problem* problem = problem_of(png)) {
         require(problem->text().find('\n') == std::string::npos, "a problem is one line");
         return 0;
     }
-    require(std::get<std::string>(text).size() <= most_text, "a text is not longer than asked for");
-    const Result<Scene> scene = parse_scene(std::get<std::string>(text), "p.png");
+    const std::string& text = *std::get<PngInfo>(png).text(png_scene_keyword);
+    require(text.size() <= most_text, "a text is not longer than asked for");
+    const Result<Scene> scene = parse_scene(text, "p.png");
     if (const Problem* problem = problem_of(scene))
         require(problem->text().find('\n') == std::string::npos, "a problem is one line");
     return 0;

@@ -14,7 +14,7 @@ namespace glint::fuzz {
 namespace {
 
 constexpr std::size_t most_items = 3;                // of a list
-constexpr std::uint64_t most_triangles = 300;        // of a mesh, or as few as its shape has
+constexpr int max_detail = 3;                        // of a mesh: an icosphere has 1280 triangles then
 constexpr int most_samples = 9, most_entries = 300;  // of an area light; of a table of powers
 
 MeshPtr mesh_of(const MeshSource& source) {
@@ -29,8 +29,8 @@ MeshPtr mesh_of(const MeshSource& source) {
 /// shows nothing.
 float number_within(const Range& range, float usual_max, float initial, Bytes& bytes) {
     constexpr unsigned keeps = 120, plain = 200, power = 228;
-    constexpr std::array<float, 14> hard{0,      -0.0f, 1,     -1,     1e30f, -1e30f,      1e-45f,
-                                         1e-38f, 1e18f, 1e17f, 1e-18f, 180,   16777217.0f, 0.0031308f};
+    constexpr std::array<float, 14> hard{0,      -0.0f, 1,    -1,     1e7f, -1e7f,      1e-45f,
+                                         1e-38f, 1e6f,  1e5f, 1e-18f, 180,  9999999.0f, 0.0031308f};
     const unsigned kind = bytes.byte();
     const unsigned high = bytes.byte(), low = bytes.byte();
     const float share = static_cast<float>(256 * high + low) / 65535.0f;
@@ -119,9 +119,7 @@ class Filler {
         if (!is_next()) return;
         const Primitive primitive = enumerators<Primitive>[bytes_.below(enumerators<Primitive>.size())];
         const PrimitiveInfo info = info_of(primitive);
-        int detail = 1 + static_cast<int>(bytes_.byte()) % info.max_detail;
-        while (detail > 1 && info.max_triangles(static_cast<std::uint64_t>(detail)) > most_triangles)
-            --detail;
+        const int detail = 1 + static_cast<int>(bytes_.byte()) % std::min(info.max_detail, max_detail);
         source = PrimitiveMesh{primitive, detail};
     }
 

@@ -1,5 +1,4 @@
-// The files of the window's folder: what it remembers, the recent files, and the copy of unsaved work. The
-// first byte says which.
+// The files of the window's folder: its settings, and the copy of unsaved work. The first byte says which.
 
 #include <variant>
 
@@ -37,12 +36,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text = fuzz::text_of(data + 1, size - 1);
     if (data[0] == 'c') {
         read_copy(text);
-    } else if (data[0] == 'r') {
-        const std::vector<std::string> recent = read_recent_files(std::string(text));
-        require(recent.size() <= max_recent_files, "there are not more recent files than are kept");
-        require(read_recent_files(recent_files_text(recent)) == recent, "recent files read back equal");
     } else {
         const Preferences preferences = read_preferences(std::string(text));
+        require(preferences.recent.size() <= max_recent_files, "no more recent files than are kept");
         require(read_preferences(preferences_text(preferences)) == preferences,
                 "preferences read back equal");
     }

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "models/io/file.h"
+#include "renderer/image/compare.h"
 #include "renderer/image/image_file.h"
-#include "renderer/inspect/debug_views/compare.h"
 #include "tests/golden/sheet.h"
 #include "tests/support/catch.h"
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "models/primitives/primitives.h"
+#include "models/mesh/primitives/primitives.h"
 #include "models/scene/transform.h"
 #include "renderer/picture.h"
 

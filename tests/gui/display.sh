@@ -34,7 +34,7 @@ within() {
 
 display_answers() { xdotool getdisplaygeometry >/dev/null 2>&1; }
 
-# WxH. Two servers that start at once may want the same number: then once more. Without -noreset a server starts afresh
+# WxH OPTIONS...: of Xvfb. Two servers that start at once may want the same number: then once more. Without -noreset a server starts afresh
 # when its last client leaves, as the one that asked whether it answers does, and refuses who comes meanwhile.
 start_display() {
     unset WAYLAND_DISPLAY
@@ -42,7 +42,7 @@ start_display() {
     for try in 1 2 3; do
         rm -f "$work/display"
         mkfifo "$work/display"
-        Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp -noreset 3>"$work/display" 2>/dev/null &
+        Xvfb -displayfd 3 -screen 0 "$1x24" -nolisten tcp -noreset "${@:2}" 3>"$work/display" 2>/dev/null &
         xvfb_pid=$!
         number=
         read -r -t 20 number <"$work/display"

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <vector>
 
-#include "renderer/kernels/kernel_set.h"
 #include "renderer/lighting/light_job.h"
+#include "renderer/simd/isa/kernel_set.h"
 
 namespace glint::GLINT_ISA {
 extern const ColorKernels colors;

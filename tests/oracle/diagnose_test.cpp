@@ -1,6 +1,6 @@
 // Pictures by Mesa's OpenGL, right ones and those of a program with a mistake in its text: what a diagnosis
 // makes of them.
-#include "renderer/diagnose/diagnose.h"
+#include "diagnose/diagnose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 #include <map>
 
 #include "models/scene/mistakes.h"
+#include "tests/diagnose/wrong_pictures.h"
 #include "tests/oracle/gl_canvas.h"
 #include "tests/oracle/gl_scene.h"
 #include "tests/oracle/left_out.h"
 #include "tests/oracle/random_scene.h"
 #include "tests/oracle/wrong_programs.h"
-#include "tests/renderer/diagnose/wrong_pictures.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

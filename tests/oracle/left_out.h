@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "models/scene/scene.h"
-#include "renderer/inspect/explain/explanation.h"
+#include "renderer/explain/explanation.h"
 
 namespace glint::oracle {
 

@@ -1,10 +1,14 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include "models/fields/choices.h"
 #include "models/scene/mistakes.h"
 #include "models/scene_file/scene_file.h"
+#include "programs/gl_calls.h"
 #include "tests/oracle/random_scene.h"
 #include "tests/programs/same_picture.h"
 #include "tests/support/asset_scenes.h"
@@ -377,4 +381,34 @@ TEST_CASE("without a reflection model a program makes no mistake of lighting", "
           "/shading/power_table: powers are looked up in a table, which cpp cannot do; expected a scene "
           "without "
           "it, or --language glsl and one without /shading/mistakes/culled_by_light");
+}
+
+TEST_CASE("the calls that the window copies compile as C and as C++", "[programs][calls]") {
+    std::string all;
+    int functions = 0;
+    const auto add = [&](const Scene& scene) {
+        std::string text = calls_text(gl_calls(scene));
+        const std::string name = "void draw";
+        text.insert(text.find(name) + name.size(), std::to_string(functions++));
+        all += text;
+    };
+    for (const std::string& path : test::asset_scenes()) {
+        Scene scene = std::get<SceneDocument>(open_document(path)).scene;
+        add(scene);
+        scene.camera.projection = Orthographic{5, 0.1f, 100};
+        scene.shading.rules = Rules::OpenGL2;
+        scene.lights.resize(12);
+        for (Light& light : scene.lights) light.enabled = true;
+        scene.lights[0].name = "line\nbreak, end of a line \\";
+        add(scene);
+    }
+    const TemporaryDirectory folder;
+    (void)folder.file("calls.c", all);
+    for (const char* compiler : {"gcc -std=c99", "g++ -std=c++17 -x c++"}) {
+        const std::string command = fmt::format(
+            "cd '{}' && {} -fsyntax-only -Wall -Werror calls.c >said 2>&1", folder.path(), compiler);
+        const bool compiles = std::system(command.c_str()) == 0;
+        INFO(compiler << ": " << bytes_of(folder.path("said")));
+        CHECK(compiles);
+    }
 }

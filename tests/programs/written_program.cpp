@@ -9,7 +9,7 @@
 #include <regex>
 #include <stdexcept>
 
-#include "renderer/programs/mesh_text.h"
+#include "programs/mesh_text.h"
 #include "tests/support/program.h"
 
 namespace glint::programs {
@@ -122,9 +122,8 @@ Drawn build_and_run(const ProgramOf& of, Language language) {
         (void)folder.file(file.name, file.text);
         drawn.text += file.text;
     }
-    MemoryShare share;
     for (const ProgramMesh& mesh : program.meshes)
-        (void)folder.file(mesh.name, mesh_text(mesh.object, of.scene.shading.mistakes, share));
+        (void)folder.file(mesh.name, mesh_text(mesh.object, of.scene.shading.mistakes));
     std::string build = line_after(text, "build offscreen");
     replace(build, "-O2", "-O1 -Wall -Wextra -Werror");
     static QuickerBuild quicker_build;

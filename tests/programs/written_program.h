@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/programs/program.h"
+#include "programs/program.h"
 
 namespace glint::programs {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Scenes that may be drawn, by seed: everything that a scene file can choose, in small, and stretched by any
-// power of ten from 1e-18 to 1e18.
+// power of ten from 1e-7 to 1e7.
 
 #include <random>
 #include <vector>

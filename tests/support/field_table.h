@@ -1,5 +1,5 @@
 #pragma once
-// The table of docs/interface.md for the fields of a struct, made of their rows.
+// The table of docs/scene_file.md for the fields of a struct, made of their rows.
 
 #include <fmt/core.h>
 
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "models/fields/scene_fields.h"
+#include "models/numbers.h"
 #include "models/scene_file/scene_file.h"
 
 namespace glint::test {
@@ -112,21 +113,6 @@ inline std::string primitive_table() {
         text += fmt::format("| `{}` | {} | {} | {} | {} |\n", info.choice.word, info.choice.meaning,
                             info.detail_meaning, info.default_detail, info.max_detail);
     }
-    return text;
-}
-
-inline std::string mistake_table() {
-    std::string text =
-        "| mistake | what the wrong program does | how it looks | looks like | asked in |\n"
-        "|---|---|---|---|---|\n";
-    const auto cell = [](std::string_view words) {  // a bar ends a cell
-        std::string escaped;
-        for (const char c : words) escaped += c == '|' ? "\\|" : std::string(1, c);
-        return escaped;
-    };
-    for (const MistakeName& m : mistake_names())
-        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", m.name, cell(m.what), m.looks, m.look_alikes,
-                            m.sources);
     return text;
 }
 

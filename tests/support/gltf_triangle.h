@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "models/gltf/gltf.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/program.h"
 

@@ -7,7 +7,7 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
-#include "ui/inspector/tabs.h"
+#include "ui/features/inspector/tabs.h"
 
 namespace glint::test {
 

@@ -47,16 +47,16 @@ inline const StationQuestion& asked(const HeadlessWindow& bench) {
 /// Gives an answer with mouse and keys, the right one where that can be met so, and does not lock it in.
 inline void give_answer(HeadlessWindow& bench) {
     const StationQuestion& question = asked(bench);
-    const JsonValue& right = question.right.value;
+    const Json& right = question.right.value;
     switch (question.asks->kind) {
     case PredictionKind::Number:
         bench.click(bench.control("Your answer"));
-        return type(bench, std::to_string(right.number()));
+        return type(bench, std::to_string(right.get<double>()));
     case PredictionKind::Choice:
         return bench.click(
-            bench.control(question.asks->options[static_cast<std::size_t>(right.number())].text));
+            bench.control(question.asks->options[static_cast<std::size_t>(right.get<double>())].text));
     case PredictionKind::Click: {
-        const glm::dvec2 place{right.elements()[0].number(), right.elements()[1].number()};
+        const glm::dvec2 place{elements_of(right)[0].get<double>(), elements_of(right)[1].get<double>()};
         const PictureSize size = bench.state.rendered->size;
         return bench.click(
             bench.at_pixel(share_of_lesson_pixel(bench.state, place) * glm::dvec2(size.width, size.height)));

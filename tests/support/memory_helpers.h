@@ -1,5 +1,5 @@
 #pragma once
-// For tests of what happens when memory is short, or no thread can begin.
+// For tests of the memory limit, of a small address space, and of threads that cannot begin.
 
 #include <pthread.h>
 #include <sys/resource.h>
@@ -11,18 +11,25 @@
 #include <fstream>
 
 #include "models/memory_limit.h"
+#include "models/scene/scene_cost.h"
 #include "tests/support/catch.h"
 
 namespace glint::test {
 
-/// While it lives, so much may be asked for beside what is asked for already.
+/// Sets the memory limit while it lives.
 class MemoryLimit {
   public:
-    explicit MemoryLimit(std::uint64_t bytes) { set_memory_limit(memory_limit() - memory_left() + bytes); }
+    explicit MemoryLimit(std::uint64_t bytes) { set_memory_limit(bytes); }
     ~MemoryLimit() { set_memory_limit(0); }
     MemoryLimit(const MemoryLimit&) = delete;
     MemoryLimit& operator=(const MemoryLimit&) = delete;
 };
+
+/// The memory limit that a scene and its picture just keep.
+inline std::uint64_t cost_of(const Scene& scene, PictureSize size) {
+    const SceneCost cost = scene_cost(scene, size, 1);
+    return cost.meshes + cost.objects + cost.picture;
+}
 
 /// What `action` says in a process of its own that may take only so many bytes of address space more than it
 /// has; false too when that process does not end well. Not under sanitizers, which take all addresses.

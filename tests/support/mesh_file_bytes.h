@@ -8,21 +8,28 @@
 #include <variant>
 #include <vector>
 
-#include "models/mesh_formats/mesh_file.h"
+#include "models/gltf/gltf.h"
+#include "models/mesh/formats/mesh_file.h"
 #include "tests/support/catch.h"
 
 namespace glint::test {
 
+/// The mesh that a file of that name has in `bytes`; of glTF the first part.
+inline Result<Mesh> parsed(const std::string& name, const std::string& bytes) {
+    if (!is_gltf_path(name)) return parse_mesh(bytes, name);
+    return result_of(name, [&] { return value_or_throw(GltfFile::parse(bytes, name)).mesh(0); });
+}
+
 /// The mesh in `bytes`; fails the test with its one line when there is none.
 inline Mesh read_text(const std::string& name, const std::string& bytes) {
-    Result<Mesh> result = parse_mesh(bytes, name);
+    Result<Mesh> result = parsed(name, bytes);
     if (const Problem* problem = problem_of(result)) FAIL(problem->text());
     return std::get<Mesh>(std::move(result));
 }
 
 /// The one line about `bytes`; empty when they are read.
 inline std::string error_of(const std::string& name, const std::string& bytes) {
-    const Result<Mesh> result = parse_mesh(bytes, name);
+    const Result<Mesh> result = parsed(name, bytes);
     const Problem* problem = problem_of(result);
     return problem == nullptr ? "" : problem->text();
 }
@@ -88,33 +95,6 @@ inline std::string binary_ply(bool big) {
     }
     bytes.u32({2}).add<double>({1, 2}).u8({9}).u16({4}).u32({0, 1, 2, 3});
     return bytes.str();
-}
-
-/// An OM of version 1.2: a square by vertex indices.
-inline std::string old_om(std::uint8_t last_index = 3, std::uint32_t vertices = 4) {
-    return Bytes("OMP\x22")
-        .u32({vertices, 1, 4})
-        .u16({0x1600})
-        .f32({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0})
-        .u16({0x00E8})
-        .u16({4})
-        .u8({0, 1, 2, last_index})
-        .u16({0x001C})
-        .str();
-}
-
-/// An OM of version 2.2: one triangle by its half-edges. `next` follows half-edge 0, `face` is the face's.
-inline std::string om(std::uint8_t next = 2, std::uint8_t face = 0) {
-    return Bytes("OMP\x42")
-        .u32({3, 1, 3})
-        .u16({0x1600})
-        .f32({0, 0, 0, 1, 0, 0, 0, 1, 0})
-        .u16({0x16F8})  // next, to vertex, face of both half-edges of each edge
-        .u8({next, 1, 0, 5, 0, 255, 4, 2, 0, 1, 1, 255, 0, 0, 0, 3, 2, 255})
-        .u16({0x06E8})
-        .u8({face})
-        .u16({0x001C})
-        .str();
 }
 
 }  // namespace glint::test

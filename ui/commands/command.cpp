@@ -28,7 +28,10 @@ void tell(UiState& state, const WindowCommand& command, KeyPress press) {
     // One of a closed set is chosen, not switched.
     if (const auto on = is_on(state, command); on && sets.find('=') == std::string_view::npos)
         what += *on ? ": on" : ": off";
-    state.notifications.tell(refused.empty() ? what + key : refused + key);
+    if (refused.empty())
+        state.notifications.tell(what + key);
+    else
+        state.notifications.tell(refused + key, Tone::Warning);
 }
 
 std::vector<WindowCommand> all_commands() {
@@ -114,18 +117,19 @@ void run_keys(UiState& state, const UiInput& input) {
         };
         const auto found = std::find_if(commands().begin(), commands().end(), has_key);
         if (found == commands().end()) continue;
-        const auto told = [&state] {
+        const auto told = [&state, now = ImGui::GetFrameCount()] {
             const auto& list = state.notifications.list;
-            return std::any_of(list.begin(), list.end(), [](const Notification& n) { return n.of_key; });
+            return std::count_if(list.begin(), list.end(),
+                                 [now](const Notification& n) { return n.of_key && n.frame == now; });
         };
         // What is pressed by mistake says what it did, and whatever does nothing says why.
         const bool tells = is_one_letter(press) || !why_disabled(state, *found).empty();
-        if (tells) std::erase_if(state.notifications.list, [](const Notification& n) { return n.of_key; });
+        const auto told_before = told();
         const ItemCounts before = item_counts(state.editor.scene());
         run_command(state, *found);
         // An open field or colour picker is one of an item by its number: from now on it would be another's.
         if (item_counts(state.editor.scene()) != before) let_go_of_fields();
-        if (tells && !told()) tell(state, *found, press);  // some say it better themselves
+        if (tells && told() == told_before) tell(state, *found, press);  // some say it better themselves
     }
 }
 

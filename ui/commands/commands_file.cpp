@@ -5,8 +5,8 @@
 #include "ui/commands/command_rows.h"
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
-#include "ui/export/clipboard.h"
-#include "ui/export/save_with_command.h"
+#include "ui/features/export/clipboard.h"
+#include "ui/features/export/save_with_command.h"
 #include "ui/picture/draw_picture.h"
 
 namespace glint {
@@ -20,6 +20,10 @@ void ask_scene(UiState& state) {
     const bool fits = std::any_of(state.files.entries.begin(), state.files.entries.end(), is_file);
     if (!fits && !state.shipped_scenes.empty())
         state.files.ask(FilePurpose::OpenScene, state.shipped_scenes + "/");
+}
+
+std::string unless_picture_can_be_written(const UiState& state) {
+    return state.rendered == nullptr ? unless_drawn(nullptr) : unless_busy(bool(state.exporting.job));
 }
 
 std::string copy_disabled_reason(const UiState& state) {
@@ -70,18 +74,15 @@ std::vector<WindowCommand> file_commands() {
         {.name = "Save picture…",
          .keys = {{Key::F12}},
          .menu = Menu::File,
-         .run = [](UiState& s) { s.files.ask(FilePurpose::SavePicture, offered_name(s, ".png")); },
-         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
+         .run = [](UiState& s) { ask_for_picture(s, FilePurpose::SavePicture); },
+         .why_disabled = unless_picture_can_be_written,
          .line_above = true,
          .words = "image screenshot png"},
         {.name = "Save picture here and copy its command",
          .keys = {{Key::F12, !ctrl, shift}},
          .menu = Menu::File,
          .run = save_with_command,
-         .why_disabled =
-             [](const UiState& s) {
-                 return s.rendered == nullptr ? unless_drawn(nullptr) : unless_busy(bool(s.exporting.job));
-             }},
+         .why_disabled = unless_picture_can_be_written},
         {.name = "Export picture…",
          .keys = {{Key::E, ctrl}},
          .menu = Menu::File,

@@ -1,8 +1,8 @@
 // The commands of the menus Lecture and Help.
 #include "ui/commands/command_rows.h"
 #include "ui/document/document_actions.h"
-#include "ui/lecture/lecture.h"
-#include "ui/lessons/lesson_parts.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/lesson_parts.h"
 #include "ui/picture/draw_picture.h"
 
 namespace glint {
@@ -166,7 +166,7 @@ std::vector<WindowCommand> showing_commands() {
          .run = switch_animate,
          .is_on = [](const UiState& s) { return s.animate.open; },
          .line_above = true,
-         .words = "video movie gif"},
+         .words = "video movie gif webp"},
         {.name = "Step wedge: what does this projector show?",
          .menu = Menu::Lecture,
          .run = [](UiState& s) { s.lecture.wedge.open ^= true; },

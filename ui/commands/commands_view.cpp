@@ -2,8 +2,8 @@
 #include <imgui.h>
 
 #include "ui/commands/command_rows.h"
+#include "ui/features/views/views.h"
 #include "ui/ui.h"
-#include "ui/views/views.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {

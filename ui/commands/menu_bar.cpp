@@ -43,7 +43,7 @@ void menu_item(UiState& state, const WindowCommand& command) {
 }
 
 void recent_menu(UiState& state) {
-    const auto& recent = state.persistence.recent;
+    const auto& recent = state.persistence.preferences.recent;
     const bool open = ImGui::BeginMenu("Open recent", !recent.empty());
     list_control("Open recent", "", last_item());
     if (!open) {

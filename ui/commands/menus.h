@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "ui/document/scene_edit.h"
-#include "ui/widgets/kept.h"
 
 namespace glint {
 
@@ -21,15 +20,7 @@ struct PaletteEntry {
     std::string keys;         // that do the same; or empty
     std::string refused;      // why it cannot be done now; empty when it can
     std::function<void(UiState&)> run;
-    std::string words = "";    // what it is about: found by the beginnings of these words, after all names
-    bool keeps_order = false;  // of equal matches not the shortest is first
-};
-
-/// What matches a text, best first, and the text whose letters are marked: the nearest word, where nothing
-/// is called as it was typed.
-struct PaletteFound {
-    std::vector<int> matches;  // of the entries
-    std::string marked;
+    std::string words = "";  // what it is about: found by the beginnings of these words, too
 };
 
 struct PaletteState {
@@ -38,10 +29,10 @@ struct PaletteState {
     std::string text;
     int chosen = -1;  // of those that match; -1: none, until something is typed or an arrow key pressed
     std::vector<PaletteEntry> entries;
-    ItemCounts made_for;                    // of the scene: entries name its lights and objects by number
-    Kept<std::string, PaletteFound> found;  // of these entries, by the text
-    bool has_keyboard = false;              // its text, since the frame before
-    std::vector<ImWchar> typed_ahead;       // until then
+    std::vector<int> matches;          // of the entries, for the text
+    ItemCounts made_for;               // of the scene: entries name its lights and objects by number
+    bool has_keyboard = false;         // its text, since the frame before
+    std::vector<ImWchar> typed_ahead;  // until then
 };
 
 /// Draws the menus; called between ImGui::BeginMenuBar() and EndMenuBar().
@@ -57,15 +48,13 @@ void shortcuts_sheet(UiState& state);
 /// scenes to open.
 [[nodiscard]] std::vector<PaletteEntry> palette_entries(const UiState& state);
 
-/// Returns the indices of the entries that match, best first; for an empty text all of them, in their order.
-/// Names are matched first, and words about an entry that equal the text; then names together with their
-/// groups; then words that begin with the text. If nothing matches, the text is tried again with spaces in
-/// place of its hyphens and underscores.
+/// Adds the entries that follow from the rows of models/fields/scene_fields.h.
+void add_field_entries(std::vector<PaletteEntry>& entries, const UiState& state);
+
+/// Returns the indices of the entries that match, best first, equal ones in their order; for an empty text
+/// all of them.
 [[nodiscard]] std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries,
                                                const std::string& text);
-/// Returns the word of a name that is spelt most like the text, for when nothing matches; empty if not even
-/// half of the letters agree.
-[[nodiscard]] std::string nearest_word(const std::vector<PaletteEntry>& entries, const std::string& text);
 
 void open_palette(UiState& state);
 void palette(UiState& state, const UiInput& input);

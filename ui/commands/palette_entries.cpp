@@ -9,16 +9,15 @@
 #include "models/io/file.h"
 #include "models/scene/mistakes.h"
 #include "ui/commands/command.h"
+#include "ui/commands/match.h"
 #include "ui/commands/menus.h"
-#include "ui/commands/palette_rows.h"
 #include "ui/document/document_actions.h"
 #include "ui/document/loading.h"
 #include "ui/document/scene_edit.h"
-#include "ui/export/animation.h"
-#include "ui/fields/field_panel.h"
+#include "ui/features/export/animation.h"
+#include "ui/features/inspector/equation/equation_tab.h"
+#include "ui/features/inspector/tabs.h"
 #include "ui/fields/panels.h"
-#include "ui/inspector/equation/equation_tab.h"
-#include "ui/inspector/tabs.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/widgets/parts.h"
 
@@ -26,6 +25,11 @@ namespace glint {
 namespace {
 
 using Entries = std::vector<PaletteEntry>;
+
+void add(Entries& entries, std::string name, std::string group, std::function<void(UiState&)> run,
+         std::string refused = "") {
+    entries.push_back({std::move(name), std::move(group), "", std::move(refused), std::move(run)});
+}
 
 void add_commands(Entries& entries, const UiState& state) {
     for (const WindowCommand& command : commands()) {
@@ -37,103 +41,95 @@ void add_commands(Entries& entries, const UiState& state) {
     }
 }
 
-/// A bool, found again in the scene of the moment.
+/// A switch, found again in the scene of the moment.
 template <class Find>
 void add_switch(Entries& entries, const UiState& state, std::string name, const char* group, Find find) {
     const bool on = find(const_cast<Scene&>(state.editor.scene()));
-    entries.push_back({std::move(name), fmt::format("{} · {}", group, on ? "on" : "off"), "", "",
-                       [find](UiState& s) { find(s.editor.scene()) ^= true; }});
+    add(entries, std::move(name), fmt::format("{} · {}", group, on ? "on" : "off"),
+        [find](UiState& s) { find(s.editor.scene()) ^= true; });
 }
 
 void add_mistakes(Entries& entries, const UiState& state) {
-    for (const MistakeName& mistake : mistake_names()) {
-        add_switch(entries, state, "Mistake: " + with_spaces(std::string(mistake.name)), "Mistake",
+    for (const MistakeName& mistake : mistake_names())
+        add_switch(entries, state, "Mistake: " + with_spaces(mistake.name), "Mistake",
                    [flag = mistake.flag](Scene& s) -> bool& { return s.shading.mistakes.*flag; });
-    }
 }
 
-void add_presets(Entries& entries, const UiState& state) {
-    const bool object = state.editor.selection.kind == Selection::Kind::Object;
-    for (const MaterialPreset& preset : material_presets())
-        entries.push_back({fmt::format("Material: {}", preset.name), "Preset", "",
-                           object ? "" : "No object is selected", [&preset](UiState& s) {
-                               auto& objects = s.editor.scene().objects;
-                               apply(preset,
-                                     objects[static_cast<std::size_t>(s.editor.selection.index)].material);
-                           }});
-}
-
-/// What a click in the list or the panel does to a light.
+/// What the panel of the selected light does.
 void add_light_choices(Entries& entries, const UiState& state) {
     const int index = selected_light(state.editor.selection);
     if (index < 0) return;
-    const Light& light = state.editor.scene().lights[static_cast<std::size_t>(index)];
-    const auto light_of = [index](UiState& s) -> Light& {
-        return s.editor.scene().lights[static_cast<std::size_t>(index)];
-    };
+    const auto at = static_cast<std::size_t>(index);
+    const Light& light = state.editor.scene().lights[at];
     const bool rides = light.space == LightSpace::Camera;
-    entries.push_back(
-        {fmt::format("{}: {}", light.name, rides ? "leave it in the world" : "ride with the camera"), "Light",
-         "", "", [light_of, rides](UiState& s) {
-             Light& l = light_of(s);
-             l = in_space(l, rides ? LightSpace::World : LightSpace::Camera, s.editor.scene().camera);
-         }});
-    for (const LightKind kind : enumerators<LightKind>)
-        entries.push_back({fmt::format("{}: {}", light.name, choice_of(kind).label),
-                           light.kind == kind ? "Light · chosen" : "Light", "", "",
-                           [light_of, kind](UiState& s) {
-                               const Scene& scene = s.editor.scene();
-                               const ScreenMap map = screen_map(scene.camera, s.rendered->size);
-                               const Dome dome = sun_dome(scene.camera.target, scene_bounds(scene), map);
-                               light_of(s) = as_kind(light_of(s), kind, dome, map);
-                           }});
-}
-
-/// What the + of both lists adds, but for the light that has a key.
-void add_additions(Entries& entries, const UiState& state) {
-    const Scene& scene = state.editor.scene();
-    const auto add = [&](const std::string& what, bool full, std::function<void(UiState&)> run) {
-        entries.push_back({"Add " + what, "Scene", "", full ? is_full : "", std::move(run)});
-    };
-    for (const LightKind kind : enumerators<LightKind>) {
-        if (kind == LightKind::Point) continue;
-        add(fmt::format("a light: {}", choice_of(kind).label), scene.lights.size() >= max_lights,
-            [kind](UiState& s) { add_light(s.editor.scene(), s.editor.selection, kind); });
-    }
-    const bool full = scene.objects.size() >= max_objects;
-    add("an object: mesh file…", full, [](UiState& s) { ask_mesh(s, -1); });
-    for (const Primitive primitive : enumerators<Primitive>)
-        add(fmt::format("an object: {}", choice_of(primitive).label), full, [primitive](UiState& s) {
-            add_object(s.editor.scene(), s.editor.selection, default_mesh(primitive));
+    add(entries, fmt::format("{}: {}", light.name, rides ? "leave it in the world" : "ride with the camera"),
+        "Light", [at, rides](UiState& s) {
+            Light& l = s.editor.scene().lights[at];
+            l = in_space(l, rides ? LightSpace::World : LightSpace::Camera, s.editor.scene().camera);
         });
+    for (const LightKind kind : enumerators<LightKind>)
+        add(entries, fmt::format("{}: {}", light.name, choice_of(kind).label), "Light",
+            [at, kind](UiState& s) {
+                Scene& scene = s.editor.scene();
+                const ScreenMap map = screen_map(scene.camera, s.rendered->size);
+                const Dome dome = sun_dome(scene.camera.target, scene_bounds(scene), map);
+                scene.lights[at] = as_kind(scene.lights[at], kind, dome, map);
+            });
 }
 
-/// What the panel's drop-down does to an object's mesh.
-void add_mesh_choices(Entries& entries, const UiState& state) {
+/// What the panel of the selected object does.
+void add_object_choices(Entries& entries, const UiState& state) {
     const Selection selection = state.editor.selection;
-    if (selection.kind != Selection::Kind::Object) return;
-    const auto index = static_cast<std::size_t>(selection.index);
-    const Object& object = state.editor.scene().objects[index];
+    const bool selected = selection.kind == Selection::Kind::Object;
+    const auto at = static_cast<std::size_t>(std::max(selection.index, 0));
+    for (const MaterialPreset& preset : material_presets())
+        add(
+            entries, fmt::format("Material: {}", preset.name), "Preset",
+            [at, &preset](UiState& s) { apply(preset, s.editor.scene().objects[at].material); },
+            selected ? "" : "No object is selected");
+    if (!selected) return;
+    const Object& object = state.editor.scene().objects[at];
     const auto* present = std::get_if<PrimitiveMesh>(&object.source);
     for (const Primitive primitive : enumerators<Primitive>) {
-        const bool chosen = present != nullptr && present->primitive == primitive;
-        entries.push_back({fmt::format("{}: {}", object.name, choice_of(primitive).label),
-                           chosen ? "Mesh · chosen" : "Mesh", "", "", [index, chosen, primitive](UiState& s) {
-                               if (chosen) return;
-                               Object& o = s.editor.scene().objects[index];
-                               o.source = default_mesh(primitive);
-                               o.mesh = nullptr;  // it is made beside the window
-                           }});
+        if (present != nullptr && present->primitive == primitive) continue;
+        add(entries, fmt::format("{}: {}", object.name, choice_of(primitive).label), "Mesh",
+            [at, primitive](UiState& s) {
+                Object& o = s.editor.scene().objects[at];
+                o.source = default_mesh(primitive);
+                o.mesh = nullptr;  // it is made in the background
+            });
     }
-    entries.push_back({fmt::format("{}: mesh file…", object.name), "Mesh", "", "",
-                       [selection](UiState& s) { ask_mesh(s, selection.index); }});
+    add(entries, fmt::format("{}: mesh file…", object.name), "Mesh",
+        [at](UiState& s) { ask_mesh(s, static_cast<int>(at)); });
+}
+
+/// What the + of both lists adds, except for the light that has a key.
+void add_additions(Entries& entries, const UiState& state) {
+    const Scene& scene = state.editor.scene();
+    const char* const no_light = scene.lights.size() >= max_lights ? is_full : "";
+    const char* const no_object = scene.objects.size() >= max_objects ? is_full : "";
+    for (const LightKind kind : enumerators<LightKind>) {
+        if (kind == LightKind::Point) continue;
+        add(
+            entries, fmt::format("Add a light: {}", choice_of(kind).label), "Scene",
+            [kind](UiState& s) { add_light(s.editor.scene(), s.editor.selection, kind); }, no_light);
+    }
+    add(
+        entries, "Add an object: mesh file…", "Scene", [](UiState& s) { ask_mesh(s, -1); }, no_object);
+    for (const Primitive primitive : enumerators<Primitive>)
+        add(
+            entries, fmt::format("Add an object: {}", choice_of(primitive).label), "Scene",
+            [primitive](UiState& s) {
+                add_object(s.editor.scene(), s.editor.selection, default_mesh(primitive));
+            },
+            no_object);
 }
 
 void add_items(Entries& entries, const UiState& state) {
     const Scene& scene = state.editor.scene();
     const auto select = [&](const std::string& name, Selection selection) {
-        entries.push_back({fmt::format("Select {}", name), "Scene", "", "",
-                           [selection](UiState& s) { s.editor.selection = selection; }});
+        add(entries, fmt::format("Select {}", name), "Scene",
+            [selection](UiState& s) { s.editor.selection = selection; });
     };
     select("the camera", {Selection::Kind::Camera, 0});
     select("shading", {Selection::Kind::Shading, 0});
@@ -149,65 +145,66 @@ void add_items(Entries& entries, const UiState& state) {
 
 void add_tabs(Entries& entries) {
     for (const InspectorTabInfo& info : inspector_tabs())
-        entries.push_back(
-            {fmt::format("Why: {}", info.label), "Column", "", "", [tab = info.tab](UiState& s) {
-                 s.inspector.tab = tab;
-                 s.left_shows_inspector = s.layout.right = true;
-             }});
+        add(entries, fmt::format("Why: {}", info.label), "Column", [tab = info.tab](UiState& s) {
+            s.inspector.tab = tab;
+            s.left_shows_inspector = s.layout.right = true;
+        });
 }
 
 std::string why_no_copy(const UiState& state) {
-    const bool is_there = state.explanation && state.explanation->hit;
-    return is_there ? "" : "No pixel is picked that shows an object";
+    const bool exists = state.explanation && state.explanation->hit;
+    return exists ? "" : "No pixel is picked that shows an object";
 }
 
 void add_copies(Entries& entries, const UiState& state) {
     for (const CopyFormat& format : copy_formats())
-        entries.push_back({fmt::format("Copy the explanation as {}", format.label), "Action", "",
-                           why_no_copy(state), [&format](UiState& s) {
-                               // Since the entry was made the pixel may have gone.
-                               const std::string refused = why_no_copy(s);
-                               if (!refused.empty()) return s.notifications.add(Tone::Warning, refused);
-                               copy_explanation(s, format);
-                           }});
+        add(
+            entries, fmt::format("Copy the explanation as {}", format.label), "Action",
+            [&format](UiState& s) {
+                // Since the entry was made the pixel may have gone.
+                const std::string refused = why_no_copy(s);
+                if (!refused.empty()) return s.notifications.add(Tone::Warning, refused);
+                copy_explanation(s, format);
+            },
+            why_no_copy(state));
 }
 
 void add_open(Entries& entries, std::string name, std::string group, const std::string& path) {
-    entries.push_back({std::move(name), std::move(group), "", "",
-                       [path](UiState& s) { begin_pending(s, Pending::What::Open, path); }});
+    add(entries, std::move(name), std::move(group),
+        [path](UiState& s) { begin_pending(s, Pending::What::Open, path); });
 }
 
 void add_recent(Entries& entries, const UiState& state) {
-    for (const std::string& path : state.persistence.recent) {
+    for (const std::string& path : state.persistence.preferences.recent) {
         const std::filesystem::path file(path);
         add_open(entries, fmt::format("Open recent: {}", file.filename().string()),
                  file.parent_path().string(), path);
     }
 }
 
-/// What the offer to recover unsaved work asks, while it stands.
+/// What the offer to recover unsaved work asks.
 void add_answers_of_copy(Entries& entries, const UiState& state) {
     if (state.persistence.orphans.empty()) return;
     const std::string title = state.persistence.orphans.front().title;
-    const auto add = [&](const std::string& name, CopyAnswer answer) {
-        entries.push_back({name, "Copy of unsaved work", "", "", [answer](UiState& s) {
-                               if (!s.persistence.orphans.empty()) answer_copy(s, answer);
-                           }});
+    const auto answer = [&](const std::string& name, CopyAnswer what) {
+        add(entries, name, "Copy of unsaved work", [what](UiState& s) {
+            if (!s.persistence.orphans.empty()) answer_copy(s, what);
+        });
     };
-    add(fmt::format("Recover the copy of {}", title), CopyAnswer::Recover);
-    add(fmt::format("Discard the copy of {}", title), CopyAnswer::Discard);
-    add(fmt::format("Not now: keep the copy of {} for the next start", title), CopyAnswer::NotNow);
+    answer(fmt::format("Recover the copy of {}", title), CopyAnswer::Recover);
+    answer(fmt::format("Discard the copy of {}", title), CopyAnswer::Discard);
+    answer(fmt::format("Not now: keep the copy of {} for the next start", title), CopyAnswer::NotNow);
 }
 
 void add_animation(Entries& entries, const UiState& state) {
     const AnimateState& animate = state.animate;
     for (const Motion motion : enumerators<Motion>)
-        entries.push_back({fmt::format("Animate: {}", choice_of(motion).label), "Animation", "", "",
-                           [motion](UiState& s) { begin_animation(s, motion); }});
+        add(entries, fmt::format("Animate: {}", choice_of(motion).label), "Animation",
+            [motion](UiState& s) { begin_animation(s, motion); });
     const std::string refused = animate.job ? "Frames are being written" : animate.refused;
-    entries.push_back({animate.playing ? "Stop the animation" : "Play the animation", "Animation", "",
-                       refused, switch_playing});
-    entries.push_back({"Write the animation's frames…", "Animation", "", refused, ask_for_frames});
+    add(entries, animate.playing ? "Stop the animation" : "Play the animation", "Animation", switch_playing,
+        refused);
+    add(entries, "Write the animation's frames…", "Animation", ask_for_frames, refused);
 }
 
 void add_shipped_scenes(Entries& entries, const std::string& folder) {
@@ -228,7 +225,6 @@ void add_lessons(Entries& entries, const std::vector<LessonEntry>& lessons) {
             lesson.title.empty() ? file : fmt::format("{} {}", number_of(lesson), lesson.title);
         add_open(entries, "Lesson: " + name, "Glint's lessons", lesson.path);
         entries.back().words = file + " " + lesson.topic;
-        entries.back().keeps_order = true;
     }
 }
 
@@ -241,16 +237,14 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     add_recent(entries, state);
     const std::size_t of_the_scene = entries.size();
     add_animation(entries, state);
-    add_fields(entries, state);
-    add_settings(entries, state);
+    add_field_entries(entries, state);
     add_mistakes(entries, state);
     add_light_choices(entries, state);
     add_additions(entries, state);
-    add_mesh_choices(entries, state);
+    add_object_choices(entries, state);
     add_items(entries, state);
     add_tabs(entries);
     add_copies(entries, state);
-    add_presets(entries, state);
     if (is_held(state))
         for (std::size_t i = of_the_scene; i < entries.size(); ++i) entries[i].refused = why_held;
     add_shipped_scenes(entries, state.shipped_scenes);

@@ -90,7 +90,7 @@ void forget_unwanted(UiState& state) {
         state.notifications.tell(
             "The object was deleted before its new mesh was made: undo brings it back with the old one");
     list.erase(std::remove_if(list.begin(), list.end(), unwanted), list.end());
-    if (list.empty()) state.loading.leave(state.loading.meshes);
+    if (list.empty()) leave(state.loading.meshes, state.loading.left);
 }
 
 /// A problem with a mesh of `scene` by the mesh's name: an object that is only to come has no place yet.
@@ -136,9 +136,9 @@ void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) 
         editor.scene().objects.back().mesh = mesh;
 }
 
-/// Whether only the fineness of a mesh was edited: its panel has words of its own beside the sliders, and a
+/// Whether only the resolution of a mesh was edited: its panel has words of its own beside the sliders, and a
 /// drag brings many such edits.
-bool is_another_fineness(const AwaitedMesh& awaited) {
+bool has_other_resolution(const AwaitedMesh& awaited) {
     return awaited.mesh_before && as_given(awaited.wanted) == as_given(awaited.before);
 }
 
@@ -166,13 +166,13 @@ void poll_meshes(UiState& state) {
         } else {
             const auto& loaded = std::get<SceneDocument>(result);
             auto& list = loading.awaited;
-            if (!std::all_of(list.begin(), list.end(), is_another_fineness))
+            if (!std::all_of(list.begin(), list.end(), has_other_resolution))
                 state.notifications.add(loaded.warnings);
             const auto come = [&](const AwaitedMesh& awaited) {
                 for (const Object& object : loaded.scene.objects)
                     if (object.source == awaited.wanted && object.mesh != awaited.mesh_before) {
                         give_mesh(state, awaited, object.mesh);
-                        if (!is_another_fineness(awaited)) say_averaged(state, object);
+                        if (!has_other_resolution(awaited)) say_averaged(state, object);
                         return true;
                     }
                 return false;  // wanted only since the load began
@@ -191,7 +191,7 @@ void give_up_meshes(UiState& state) {
     state.editor.scene() = std::move(made);
     for (Object& object : loading.known) object.source = made_of(object, loading.awaited);
     loading.awaited.clear();
-    loading.leave(loading.meshes);
+    leave(loading.meshes, loading.left);
 }
 
 void undo_awaiting(UiState& state) {
@@ -202,7 +202,7 @@ void undo_awaiting(UiState& state) {
 bool is_quick(const PrimitiveMesh& mesh) {
     if (mesh.decimate > 0 || mesh.subdivide > 3) return false;
     // Triangles go with the square of the detail; a largest one has about 8 million
-    // (models/primitives/primitives.cpp).
+    // (models/mesh/primitives/primitives.cpp).
     const int most = info_of(mesh.primitive).max_detail >> (mesh.subdivide > 0 ? mesh.subdivide + 1 : 0);
     if (mesh.primitive == Primitive::Icosphere)
         return mesh.detail + mesh.subdivide <= 6;  // there with its power of 4

@@ -8,21 +8,18 @@
 #include <filesystem>
 #include <memory>
 #include <new>
-#include <stdexcept>
 #include <utility>
 
 #include "models/io/file.h"
 #include "models/memory_limit.h"
-#include "ui/diagnosis/my_picture.h"
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/picture/picture_notes.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
 #include "ui/widgets/numbers/number_input.h"
 
 namespace glint {
 namespace {
-
-constexpr int largest_divisor_for_memory = 64;
-constexpr double first_memory_wait = 1, longest_memory_wait = 60;  // seconds until a larger picture is tried
 
 /// Whatever draws beside the one picture, or wants more of it than its bytes.
 void put_views_away(UiState& state) {
@@ -45,30 +42,16 @@ void put_views_away(UiState& state) {
 /// Whether the picture that was drawn last shows a state of the document in hand.
 bool knows_drawn(const UiState& state) { return state.rendered_is_edited && !state.editor.before; }
 
-/// Names what take_scene_back() takes away: the document that was opened, or the mesh's file or primitive;
-/// empty where it is neither.
-std::string taken_away(const UiState& state) {
-    if (state.editor.before) return state.editor.document.path;
-    const Scene& kept = knows_drawn(state) ? state.rendered_scene : state.editor.history.present();
-    for (const Object& object : state.editor.scene().objects) {
-        const auto has_it = [&](const Object& other) { return other.source == object.source; };
-        if (std::none_of(kept.objects.begin(), kept.objects.end(), has_it)) return short_name(object.source);
-    }
-    return "";
-}
-
-/// B and the frozen picture outlive their document: makes their mesh paths relative to the next one's folder.
+/// B outlives its document: makes its mesh paths relative to the next one's folder.
 void lead_meshes_from(UiState& state, const std::string& next_dir) {
     const std::string& dir = state.editor.document.mesh_dir;
     if (dir == next_dir) return;
     std::shared_ptr<const Scene>& stored = state.views.compare.choice.stored;
     if (stored) stored = std::make_shared<const Scene>(with_mesh_paths_from(*stored, dir, next_dir));
-    std::optional<Scene>& frozen = state.lecture.frozen;
-    if (frozen) frozen = with_mesh_paths_from(*std::move(frozen), dir, next_dir);
 }
 
 /// Restores the edited scene as it was drawn last, or as the history's newest step has it. A scene that was
-/// drawn already, smaller or with less, stays.
+/// drawn already stays.
 void take_scene_back(UiState& state) {
     Editor& editor = state.editor;
     if (knows_drawn(state) && state.rendered_scene == editor.scene()) return;
@@ -89,51 +72,6 @@ void take_scene_back(UiState& state) {
     editor.selection = valid_selection(editor.selection, editor.scene());
 }
 
-bool can_draw(UiState& state, const Scene& scene, PictureSize size) {
-    try {
-        state.rendered = &state.renderer->render(scene, size);
-    } catch (const std::exception&) {
-        return false;
-    }
-    return true;
-}
-
-/// The edited scene, as large as it can be.
-void draw_what_can_be(UiState& state, PictureSize full) {
-    const Scene& scene = state.editor.scene();
-    int divisor = state.pace.memory_divisor;
-    while (divisor <= largest_divisor_for_memory && !can_draw(state, scene, divided(full, divisor)))
-        divisor *= 2;
-    if (divisor > largest_divisor_for_memory) {
-        Scene nothing = scene;
-        nothing.objects.clear();
-        state.rendered = &state.renderer->render(nothing, divided(full, divisor));
-    }
-    state.pace.memory_divisor = divisor;
-    state.pace.memory_divided = full;
-    state.rendered_scene = scene;
-    state.rendered_is_edited = true;
-}
-
-/// The words for an exception that ends a piece of the window's work, about `file` where it has a name.
-void add_what_failed(UiState& state, const std::exception& error, const std::string& file) {
-    if (const auto* no_memory = dynamic_cast<const std::bad_alloc*>(&error))
-        return state.notifications.add(memory_problem(*no_memory, file));
-    if (dynamic_cast<const std::length_error*>(&error) != nullptr)  // more than any machine has
-        return state.notifications.add(memory_problem(std::bad_alloc(), file));
-    state.notifications.add({.file = {}, .pointer = {}, .what = error.what(), .expected = {}});
-}
-
-/// Tells the user what failed. If the edited scene is taken back because of it (`goes_back`), the message
-/// also names what is lost. If there is no memory even for the message, a later frame shows one.
-void say_what_failed(UiState& state, const std::exception& error, bool goes_back) {
-    try {
-        add_what_failed(state, error, goes_back ? taken_away(state) : "");
-    } catch (const std::bad_alloc&) {
-        state.notifications.owes_no_memory = true;
-    }
-}
-
 }  // namespace
 
 void begin_pending(UiState& state, Pending::What what, const std::string& path, std::size_t left_out) {
@@ -145,6 +83,7 @@ void take_scene(UiState& state, SceneDocument document) {
     if (document.path.empty() || document.path != state.editor.document.path) {  // another scene
         put_picture_away(state);
         lay_level(state.views.scope);
+        end_picture_notes(state);
     }
     leave_dialogs_of_scene(state);
     leave_lesson(state);
@@ -209,8 +148,7 @@ bool save(UiState& state) {
         // which the program was started.
         const std::filesystem::path name = std::filesystem::path(state.editor.document.path).filename();
         state.files.ask(FilePurpose::SaveScene, name.string());
-        state.notifications.add(Tone::Done,
-                                "This is an example of Glint: it is saved as a scene of your own");
+        state.notifications.add(Tone::Warning, "This is a built-in example. Choose where to save your copy.");
         return false;
     }
     if (!state.editor.has_scene_file()) {
@@ -232,11 +170,11 @@ void say_missing_mesh(UiState& state) {
     for (const Object& object : document.scene.objects) {
         const auto* const named = std::get_if<MeshFile>(&object.source);
         if (named == nullptr) continue;
-        const std::string why = why_no_file(path_from(document.mesh_dir, named->path));
-        if (why.empty()) continue;
-        return state.notifications.add(
-            Tone::Warning,
-            fmt::format("The scene opens again when \"{}\" is there: {}", on_one_line(named->path), why));
+        const auto why = why_no_mesh_file(path_from(document.mesh_dir, named->path));
+        if (!why) continue;
+        return state.notifications.add(Tone::Warning,
+                                       fmt::format("The scene opens again when \"{}\" is there: {}",
+                                                   on_one_line(named->path), why->what));
     }
 }
 
@@ -256,7 +194,9 @@ bool save_as(UiState& state, const std::string& path) {
         awaited = ", with the mesh as it was: the new one is being built";
         state.pending = {};  // the scene in hand is not given up before it is whole
     }
-    state.notifications.add(Tone::Done, fmt::format("Saved {}{}", state.editor.title(), awaited));
+    const std::string named = notes_of_edited(state).in_file;
+    state.notifications.add(Tone::Done, fmt::format("Saved {}{}{}", state.editor.title(), awaited,
+                                                    named.empty() ? "" : " (" + named + ")"));
     say_missing_mesh(state);
     return true;
 }
@@ -268,23 +208,14 @@ void reload(UiState& state) {
     begin_open(state, state.editor.document.path);
 }
 
-void take_back(UiState& state, const std::exception& error, PictureSize full, bool previewed) {
+void draw_scene_before(UiState& state, bool previewed) {
     if (state.rendered == nullptr) throw;
-    FramePace& pace = state.pace;
-    if (pace.memory_tries_again) {  // in vain, and that was said before
-        pace.memory_divisor *= 2;
-        pace.memory_wait = std::min(2 * pace.memory_wait, longest_memory_wait);
-    } else {
-        say_what_failed(state, error, !previewed);
-        pace.memory_wait = first_memory_wait;
-    }
-    pace.memory_tries_again = false;
-    pace.memory_rests_until = ImGui::GetTime() + pace.memory_wait;
+    const PictureSize size = state.rendered->size;
     if (!previewed) take_scene_back(state);
-    put_views_away(state);
-    draw_what_can_be(state, full);
-    state.displayed = state.rendered;
-    ++state.picture_serial;
+    state.rendered = nullptr;
+    state.rendered = &state.renderer->render(state.editor.scene(), size);
+    state.rendered_scene = state.editor.scene();
+    state.rendered_is_edited = true;
 }
 
 void give_up_frame(UiState& state, const std::exception& error) {
@@ -294,7 +225,7 @@ void give_up_frame(UiState& state, const std::exception& error) {
     ImGui::SetCurrentFont(ImGui::GetDefaultFont());
     ImGui::ErrorCheckEndFrameRecover(nullptr);
     put_views_away(state);
-    say_what_failed(state, error, false);
+    state.notifications.add(problem_from(error));
 }
 
 }  // namespace glint

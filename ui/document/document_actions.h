@@ -1,6 +1,6 @@
 #pragma once
-// Opens, begins anew, saves and quits, asking first where work could be lost; and keeps the window going if
-// memory does not suffice.
+// Opens, begins anew, saves and quits, asking first where work could be lost; and keeps the window going
+// after an exception.
 
 #include <exception>
 #include <string>
@@ -39,15 +39,12 @@ bool save_as(UiState& state, const std::string& path);
 /// Opens the document's file again, giving up what is not saved.
 void reload(UiState& state);
 
-// If memory does not suffice, the scene that was drawn last stays open and the window goes on.
+/// Restores the scene that was drawn last (unless a preview failed: `previewed`) and draws it again, after
+/// the renderer has thrown. Rethrows if nothing has been drawn yet.
+void draw_scene_before(UiState& state, bool previewed);
 
-/// Handles an exception while the edited scene (or, if `previewed`, another one in its place) was drawn: says
-/// so, restores the document or the scene that was drawn before, and draws that, smaller if `full` is too
-/// much. Rethrows if nothing has been drawn yet, or if not even an empty scene can be.
-void take_back(UiState& state, const std::exception& error, PictureSize full, bool previewed);
-
-/// Handles an exception anywhere in a frame: says so, closes what ImGui has open, and closes the views drawn
-/// beside the picture. The next frame begins afresh.
+/// Handles an exception anywhere in a frame: reports it, closes what ImGui has open, and closes the views
+/// drawn in addition to the picture. The next frame begins afresh. Rethrows if there is no picture.
 void give_up_frame(UiState& state, const std::exception& error);
 
 }  // namespace glint

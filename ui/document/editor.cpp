@@ -8,7 +8,6 @@
 
 #include "models/fields/scene_rules.h"
 #include "models/io/file.h"
-#include "models/mesh/mesh_memory.h"
 
 namespace glint {
 namespace {
@@ -50,7 +49,7 @@ std::string Editor::title() const { return file_title(document.path); }
 bool Editor::has_scene_file() const { return lower_extension(document.path) == ".json"; }
 
 void take_document(Editor& editor, SceneDocument document) {
-    Editor next;  // it takes its place when it is whole, whatever memory there is
+    Editor next;
     next.document = std::move(document);
     next.saved = next.document.scene;
     next.saved_edited_camera = next.saved.camera;
@@ -87,7 +86,7 @@ std::optional<Problem> take_back_invalid(Editor& editor) {
     if (editor.valid)
         if (auto found = violation_since(*editor.valid, editor.scene())) {
             take_step(editor, *editor.valid);
-            return Problem{"", found->at, std::move(found->what), std::move(found->expected)};
+            return found;
         }
     editor.valid = editor.scene();
     return {};
@@ -145,7 +144,7 @@ SceneDocument first_scene() {
     ball.name = "Ball";
     const PrimitiveMesh sphere = default_mesh(Primitive::Sphere);
     ball.source = sphere;
-    ball.mesh = share_mesh(make_primitive(sphere.primitive, sphere.detail));
+    ball.mesh = std::make_shared<const Mesh>(make_primitive(sphere.primitive, sphere.detail));
     ball.material.diffuse = {0.8f, 0.35f, 0.25f};
     scene.objects = {ball};
     return document;

@@ -4,16 +4,19 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
 
+#include "models/gltf/gltf.h"
 #include "models/io/file.h"
-#include "models/mesh_formats/mesh_file.h"
+#include "models/mesh/formats/mesh_file.h"
+#include "renderer/image/animation_file.h"
+#include "ui/features/lecture/lecture.h"
 #include "ui/shell/modal.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/text/text_field.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -22,11 +25,6 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
 
 /// The extensions of the files that serve a purpose, beside meshes; a new file's name gets the first one.
 std::vector<std::string> extensions(FilePurpose purpose) {
@@ -44,7 +42,7 @@ std::vector<std::string> extensions(FilePurpose purpose) {
     case FilePurpose::ExportPicture:
         return {".png", ".pfm", ".exr"};
     case FilePurpose::SaveFrames:
-        return {".gif", ".png"};
+        return {".gif", ".webp", ".png"};
     }
     return {};  // not reached
 }
@@ -57,12 +55,13 @@ bool saves(FilePurpose purpose) {
 bool serves(const std::string& name, FilePurpose purpose) {
     const std::vector<std::string> known = extensions(purpose);
     return std::find(known.begin(), known.end(), lower_extension(name)) != known.end() ||
-           (!saves(purpose) && purpose != FilePurpose::MyPicture && is_mesh_path(name));
+           (!saves(purpose) && purpose != FilePurpose::MyPicture &&
+            (is_mesh_path(name) || is_gltf_path(name)));
 }
 
 /// Whether each frame of an animation gets a file of its own.
 bool writes_many(const std::string& path, FilePurpose purpose) {
-    return purpose == FilePurpose::SaveFrames && lower_extension(path) != ".gif";
+    return purpose == FilePurpose::SaveFrames && !animation_format(path);
 }
 
 struct Words {
@@ -72,10 +71,10 @@ Words words(FilePurpose purpose) {
     switch (purpose) {
     case FilePurpose::OpenScene:
         return {"Open", "Open",
-                "Scenes (.json .glb .gltf), pictures of Glint (.png), meshes (.obj .ply .off .stl .om), "
+                "Scenes (.json .glb .gltf), pictures of Glint (.png), meshes (.obj .ply .off .stl), "
                 "lessons (.md)"};
     case FilePurpose::OpenMesh:
-        return {"Choose a mesh", "Choose", "Meshes (.obj .ply .off .stl .om .glb .gltf)"};
+        return {"Choose a mesh", "Choose", "Meshes (.obj .ply .off .stl .glb .gltf)"};
     case FilePurpose::MyPicture:
         return {"Compare my picture", "Compare", "A picture of this scene by any program (.png .pfm .exr)"};
     case FilePurpose::SaveScene:
@@ -85,7 +84,7 @@ Words words(FilePurpose purpose) {
     case FilePurpose::SavePicture:
         return {"Save the picture", "Save", "Picture (.png), which carries its scene"};
     case FilePurpose::SaveFrames:
-        return {"Write frames", "Write", "One file (.gif), or one a frame: NAME-0001.png …"};
+        return {"Write frames", "Write", "One file (.gif .webp), or one a frame: NAME-0001.png …"};
     case FilePurpose::ExportPicture:
         return {"Export the picture", "Export",
                 "Picture: .png (carries its scene), .pfm, .exr (linear float)"};
@@ -225,7 +224,7 @@ std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purp
         entries.push_back({name, is_folder});
     }
     std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
-        return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+        return a.folder != b.folder ? a.folder : natural_less(a.name, b.name);
     });
     return entries;
 }
@@ -253,6 +252,7 @@ bool may_replace(const std::string& path, FilePurpose purpose) {
 void FileDialog::ask(FilePurpose asked_for, const std::string& path) {
     purpose = asked_for;
     open = offers_name = true;
+    warning.clear();
     const fs::path given(path);
     name = saves(asked_for) ? given.filename().string() : "";
     go_to(*this, given.has_parent_path() ? given.parent_path() : fs::path("."));
@@ -284,7 +284,10 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     const bool many = writes_many(whole_path(dialog), dialog.purpose);
     const char* const question =
         many ? "Frames of that name are there already. Replace them?" : "It is there already. Replace it?";
-    dim_text(dialog.asks_overwrite ? question : say.hint);
+    if (dialog.asks_overwrite || dialog.warning.empty())
+        dim_text(dialog.asks_overwrite ? question : say.hint);
+    else
+        coloured(theme().warning, dialog.warning);
     if (decided) chosen = decide(dialog);
     if (!dialog.open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

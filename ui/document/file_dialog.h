@@ -42,6 +42,7 @@ struct FileDialog {
     bool asks_overwrite = false;
     bool offers_name = false;    // until the name is in hand: all of it is selected then, and typed over
     bool asks_keyboard = false;  // for the name, when the next frame is drawn
+    std::string warning;         // below the name, in place of the hint; ask() clears it
 
     /// Opens the dialog in the folder of `path` (the working directory's, when empty) with its name filled
     /// in.

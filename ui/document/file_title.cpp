@@ -1,9 +1,8 @@
 // What a file is called where a window has little room and its name may be anything.
 #include <filesystem>
 
-#include "models/io/utf8.h"
-#include "models/json/json_reader.h"
 #include "models/problem.h"
+#include "models/utf8.h"
 #include "ui/document/editor.h"
 
 namespace glint {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "models/json/json_pointer.h"
-#include "ui/export/animation.h"
+#include "ui/features/export/animation.h"
 #include "ui/ui.h"
 
 namespace glint {

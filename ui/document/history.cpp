@@ -9,7 +9,7 @@
 
 #include "models/fields/scene_fields.h"
 #include "models/memory_limit.h"
-#include "models/mesh/mesh_memory.h"
+#include "models/scene/scene_cost.h"
 #include "ui/document/editor.h"
 
 namespace glint {

@@ -5,12 +5,13 @@
 #include <chrono>
 #include <exception>
 #include <functional>
-#include <new>
+#include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "models/memory_limit.h"
 #include "models/problem.h"
@@ -72,12 +73,8 @@ template <class T> class Job {
         try {
             const ProgressScope scope(progress_);
             result_ = work(progress_);
-        } catch (const Refused& refused) {
-            result_ = memory_problem(refused, name_);
-        } catch (const std::bad_alloc&) {
-            result_ = Problem{name_, "", "does not fit in memory", "a smaller one"};
-        } catch (const std::exception& error) {
-            result_ = Problem{name_, "", error.what(), ""};
+        } catch (const std::exception& error) {  // a thread must not end with one
+            result_ = problem_from(error, name_);
         }
         done_ = true;
     }
@@ -90,5 +87,19 @@ template <class T> class Job {
 };
 
 using LoadJob = Job<SceneDocument>;
+
+/// Jobs that were cancelled and have not ended yet.
+template <class T> using LeftJobs = std::vector<std::unique_ptr<Job<T>>>;
+
+template <class T> void drop_ended(LeftJobs<T>& left) {
+    std::erase_if(left, [](const auto& job) { return job->done(); });
+}
+
+/// Cancels a job, if there is one, whose thread may go on for a while.
+template <class T> void leave(std::unique_ptr<Job<T>>& job, LeftJobs<T>& left) {
+    if (!job) return;
+    job->cancel();
+    left.push_back(std::move(job));
+}
 
 }  // namespace glint

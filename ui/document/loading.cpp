@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -71,7 +70,7 @@ void poll_document(UiState& state) {
 /// Waits for a document, in place of the one that was being loaded.
 void await_document(UiState& state, Opening opening, std::optional<Recovery> recovery) {
     Loading& loading = state.loading;
-    loading.leave(loading.document);
+    leave(loading.document, loading.left);
     loading.loaded.reset();
     loading.recovery = std::move(recovery);
     loading.course = std::move(opening.course);
@@ -82,12 +81,6 @@ void await_document(UiState& state, Opening opening, std::optional<Recovery> rec
 }
 
 }  // namespace
-
-void Loading::leave(std::unique_ptr<LoadJob>& job) {
-    if (!job) return;
-    job->cancel();
-    left.push_back(std::move(job));
-}
 
 void begin_open(UiState& state, const std::string& path) {
     Loading& loading = state.loading;
@@ -135,13 +128,12 @@ void poll_loads(UiState& state) {
     Loading& loading = state.loading;
     poll_document(state);
     poll_meshes(state);
-    const auto ended = [](const std::unique_ptr<LoadJob>& job) { return job->done(); };
-    loading.left.erase(std::remove_if(loading.left.begin(), loading.left.end(), ended), loading.left.end());
+    drop_ended(loading.left);
 }
 
 void cancel_loads(UiState& state) {
     give_up_meshes(state);
-    state.loading.leave(state.loading.document);
+    leave(state.loading.document, state.loading.left);
     state.loading.loaded.reset();
 }
 

@@ -8,7 +8,7 @@
 
 #include "ui/document/editor.h"
 #include "ui/document/job.h"
-#include "ui/lessons/course.h"
+#include "ui/features/lessons/course.h"
 #include "ui/shell/layout.h"
 
 namespace glint {
@@ -46,12 +46,10 @@ struct Loading {
     std::vector<AwaitedMesh> awaited;
     std::vector<Object> known;  // the edited scene's as poll_loads() left them. By these it tells what an
                                 // object without a mesh was before the edit
-    std::vector<std::unique_ptr<LoadJob>> left;  // cancelled, and not ended yet
-    double since = 0;                            // ImGui's time when the newest of them began
+    LeftJobs<SceneDocument> left;
+    double since = 0;  // ImGui's time when the newest of them began
 
     [[nodiscard]] bool active() const { return document || meshes; }
-    /// Cancels a job, whose thread may go on for a while. Nothing where there is none.
-    void leave(std::unique_ptr<LoadJob>& job);
 };
 
 /// Begins to open a scene, with the assignments applied to it, a mesh or a lesson.

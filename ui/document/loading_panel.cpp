@@ -121,8 +121,8 @@ bool is_shown_to_others(const UiState& state) {
 void answer_copy(UiState& state, CopyAnswer answer) {
     auto& left = state.persistence.orphans;
     if (answer == CopyAnswer::Recover)
-        return begin_pending(state, Pending::What::Recover, left.front().lock.path());
-    const std::string copy = left.front().lock.path();
+        return begin_pending(state, Pending::What::Recover, left.front().lock.path);
+    const std::string copy = left.front().lock.path;
     std::error_code failed;
     if (answer == CopyAnswer::Discard) std::filesystem::remove(copy, failed);
     if (failed)
@@ -138,7 +138,7 @@ void recovery_panel(UiState& state, const Rect& picture) {
     const float width = begin_over_picture("##recovery", px(470), picture);
     ImGui::PushTextWrapPos(width - px(14));
     ImGui::TextUnformatted(
-        fmt::format("Glint ended while {} had changes that were not saved. A copy of {} was kept.",
+        fmt::format("Glint ended while {} had changes that were not saved. A copy from {} was kept.",
                     left.front().title, left.front().when)
             .c_str());
     ImGui::PopTextWrapPos();

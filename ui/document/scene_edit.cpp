@@ -10,8 +10,8 @@
 #include <unordered_set>
 
 #include "models/fields/choices.h"
-#include "models/io/utf8.h"
 #include "models/json/json_pointer.h"
+#include "models/utf8.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/picture/screen.h"
 

@@ -90,9 +90,14 @@ bool draw_asked(const std::string& pointer, Typed typed, const std::function<boo
 
 bool dimmed_unless(bool applies, const std::function<bool()>& draw) {
     if (applies) return draw();
-    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.5f * ImGui::GetStyle().Alpha);
+    // Not by ImGuiStyleVar_Alpha: menus, lists and pickers that the field opens must stay opaque.
+    ImVector<ImDrawVert>& vertices = ImGui::GetWindowDrawList()->VtxBuffer;
+    const int first = vertices.Size;
     const bool edited = draw();
-    ImGui::PopStyleVar();
+    for (int i = first; i < vertices.Size; ++i) {
+        ImU32& colour = vertices[i].col;
+        colour = (colour & ~IM_COL32_A_MASK) | ((colour >> IM_COL32_A_SHIFT) / 2) << IM_COL32_A_SHIFT;
+    }
     return edited;
 }
 

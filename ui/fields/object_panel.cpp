@@ -9,7 +9,6 @@
 #include <type_traits>
 
 #include "models/gltf/gltf.h"
-#include "models/saturate.h"
 #include "ui/document/averaged_normals.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
@@ -125,7 +124,7 @@ bool decimate_field(const Row& row, int& decimate, const Mesh* mesh, const Help&
                     .logarithmic = true};
     float wanted = decimate == 0 ? all : std::min(static_cast<float>(decimate), all);
     if (!number_field(row.label, wanted, kind, all, help)) return false;
-    decimate = wanted >= all ? 0 : std::max(saturated_int(std::round(wanted)), 1);
+    decimate = wanted >= all ? 0 : std::max(static_cast<int>(std::round(wanted)), 1);
     return true;
 }
 

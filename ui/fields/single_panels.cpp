@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/scene/degree.h"
+#include "models/numbers.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/orbit.h"

@@ -6,11 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "models/saturate.h"
 #include "ui/document/document_actions.h"
-#include "ui/inspector/inspector.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/views/views.h"
 #include "ui/ui.h"
-#include "ui/views/views.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/widgets.h"
 
@@ -51,19 +50,6 @@ PictureSize paced_size(UiState& state, PictureSize full, bool changed, bool smal
     if (!small_now || rest <= 0) return full;
     redraw_within(rest);
     return state.rendered->size;
-}
-
-/// The size of the next picture where there is not memory for a whole one.
-PictureSize size_for_memory(FramePace& pace, PictureSize paced, PictureSize full) {
-    pace.memory_tries_again = false;
-    if (full != pace.memory_divided) pace.memory_divisor = 1;
-    if (pace.memory_divisor == 1) return paced;
-    const double rest = pace.memory_rests_until - ImGui::GetTime();
-    pace.memory_tries_again = rest <= 0;
-    if (pace.memory_tries_again) pace.memory_divisor /= 2;
-    redraw_within(std::max(rest, 0.0));
-    const PictureSize fitting = divided(full, pace.memory_divisor);
-    return paced.width < fitting.width ? paced : fitting;
 }
 
 /// Explains the pixel at the asked place: in a smaller picture a larger pixel, whose colour is the one on the
@@ -135,9 +121,10 @@ void picture_took(FramePace& pace, int divisor, double ms) {
         pace.divisor = 1;
         return;
     }
-    const int wanted = saturated_int(std::ceil(std::sqrt(pace.full_ms / wanted_picture_ms)));
+    const double wanted = std::ceil(std::sqrt(pace.full_ms / wanted_picture_ms));
     // Within a motion it only gets coarser: a picture that changes its grain is worse than a coarse one.
-    pace.divisor = std::clamp(std::max(wanted, divisor), 2, largest_divisor);
+    pace.divisor =
+        static_cast<int>(std::clamp(std::max(wanted, double(divisor)), 2.0, double(largest_divisor)));
 }
 
 PictureSize divided(PictureSize full, int divisor) {
@@ -181,12 +168,11 @@ std::optional<Scene> preview_of(const UiState& state) {
 
 bool is_explained(const UiState& state) { return !state.asked_other && is_of_its_scene(state); }
 
-Scene& asked_scene(UiState& state) {
-    return state.asked_other ? state.asked_other->scene : state.editor.scene();
-}
 const Scene& asked_scene(const UiState& state) {
     return state.asked_other ? state.asked_other->scene : state.editor.scene();
 }
+
+Scene* editable_scene(UiState& state) { return state.asked_other ? nullptr : &state.editor.scene(); }
 
 std::optional<OtherScene> resting_below_cells(const UiState& state) {
     switch (resting_of(state)) {
@@ -217,25 +203,26 @@ const Scene& shown_scene(const UiState& state) {
 
 void draw_picture(UiState& state, const PictureView& view) {
     poll_loads(state);
+    state.full_size = view.map.size;
     state.resting = resting_scene(state);
     const std::optional<Scene> preview = preview_of(state);
     const Scene& shown = preview ? *preview : state.editor.scene();
     const bool moves = may_be_small(state, preview.has_value());
     state.pace.drawn_at = 0;
     const bool changed = !(state.rendered_scene == shown);
-    if (state.editor.before) state.pace.memory_divisor = 1;  // another document may be a smaller one
-    const PictureSize size =
-        size_for_memory(state.pace, paced_size(state, view.map.size, changed, moves), view.map.size);
+    if (state.editor.before) state.failed_size = {0, 0};  // another document may be a smaller one
+    const bool failed = state.rendered != nullptr && view.map.size == state.failed_size;
+    const PictureSize size = failed ? state.rendered->size : paced_size(state, view.map.size, changed, moves);
     const bool same_size = state.rendered != nullptr && state.rendered->size == size;
     const bool linear = views_need_linear(state.views);
     const bool has_linear = state.rendered != nullptr && !state.rendered->linear.empty();
     if (!same_size || changed || (linear && !has_linear)) {
         try {
             state.rendered = &state.renderer->render(shown, size, linear);
-        } catch (const std::exception& error) {
-            take_back(state, error, view.map.size, preview.has_value());
-            state.resting = resting_scene(state);
-            return explain_asked(state, view);  // at another size
+        } catch (const std::exception&) {
+            state.failed_size = changed ? PictureSize{0, 0} : size;
+            draw_scene_before(state, preview.has_value());
+            throw;
         }
         state.rendered_scene = shown;
         ++state.picture_serial;

@@ -36,12 +36,6 @@ struct FramePace {
     bool in_vain = false;              // smaller ones are not faster: the time goes elsewhere
     double rests_since = 0;            // seconds on the clock that the caller keeps: the last change
     int drawn_at = 0;  // divisor of the picture drawn in this frame; 0: none was, or nothing moves
-    // If memory does not suffice, pictures of this size are divided by that, whether or not something moves.
-    // Now and then a larger one is tried.
-    PictureSize memory_divided{0, 0};
-    int memory_divisor = 1;
-    double memory_wait = 0, memory_rests_until = 0;  // seconds, on the clock as above
-    bool memory_tries_again = false;
 };
 
 /// Smaller ones are chosen to take about this.
@@ -86,9 +80,10 @@ inline constexpr const char* name_of_stored = "B, the stored scene";
 /// selected and edited.
 [[nodiscard]] bool is_explained(const UiState& state);
 
-/// The scene that `explanation` is about. What is changed in one that is not the edited scene is lost.
-[[nodiscard]] Scene& asked_scene(UiState& state);
+/// The scene that `explanation` is about.
 [[nodiscard]] const Scene& asked_scene(const UiState& state);
+/// The same scene to be edited; null where it is not the edited one.
+[[nodiscard]] Scene* editable_scene(UiState& state);
 
 /// The scene that rests on the screen in place of the edited one while no cells of Light × term are kept
 /// there.

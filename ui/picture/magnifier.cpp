@@ -4,11 +4,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "models/saturate.h"
 #include "models/scene/transform.h"
+#include "ui/features/views/views.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
-#include "ui/views/views.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
@@ -24,10 +23,10 @@ struct PixelRange {
 PixelRange visible(const ImDrawList& list, const PictureView& view) {
     const glm::dvec2 low = view.to_pixel(list.GetClipRectMin()), high = view.to_pixel(list.GetClipRectMax());
     const PictureSize size = view.map.size;
-    return {std::clamp(saturated_int(std::floor(low.x)), 0, size.width),
-            std::clamp(saturated_int(std::floor(low.y)), 0, size.height),
-            std::clamp(saturated_int(std::ceil(high.x)), 0, size.width),
-            std::clamp(saturated_int(std::ceil(high.y)), 0, size.height)};
+    return {static_cast<int>(std::clamp(std::floor(low.x), 0.0, double(size.width))),
+            static_cast<int>(std::clamp(std::floor(low.y), 0.0, double(size.height))),
+            static_cast<int>(std::clamp(std::ceil(high.x), 0.0, double(size.width))),
+            static_cast<int>(std::clamp(std::ceil(high.y), 0.0, double(size.height)))};
 }
 
 PixelRange within(const PixelRange& range, const PartRect& rect) {

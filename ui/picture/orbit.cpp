@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "models/fields/scene_rules.h"
+#include "models/range.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/screen.h"
@@ -15,7 +16,7 @@
 namespace glint {
 namespace {
 
-constexpr double closest = 1e-4, farthest = 1e7;  // eye to target, scene units
+constexpr double closest = 1e-4, farthest = max_number / 10;  // eye to target, scene units
 constexpr double closest_share = 1e-4;  // of the farthest coordinate: below it floats turn the view direction
 constexpr double pole_margin = std::numbers::pi / 180;
 
@@ -23,8 +24,8 @@ bool usable(const Camera& camera) {
     const glm::vec3 reach = glm::max(glm::abs(camera.eye), glm::abs(camera.target));
     const double away = std::max({double(reach.x), double(reach.y), double(reach.z)});
     const double distance = target_depth(camera);
-    return distance > std::max(closest, closest_share * away) && distance < farthest &&
-           away < farthest * 10 && !violation_of(camera);
+    return distance > std::max(closest, closest_share * away) && distance < farthest && away < max_number &&
+           !violation_of(camera);
 }
 
 /// Depths of the nearest and farthest corner of a box in front of a camera.
@@ -117,7 +118,7 @@ void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds
     std::visit(
         [low = low, high = high](auto& p) {
             [[maybe_unused]] const float near_before = p.near;
-            if (high > p.far) p.far = static_cast<float>(high * 1.5);
+            if (high > p.far) p.far = static_cast<float>(std::min(high * 1.5, max_number));
             // A near plane at the eye would waste all of the depth's precision; one that is there already
             // stays.
             if (low < p.near) p.near = std::min(p.near, static_cast<float>(std::max(low / 2, p.far * 1e-4)));

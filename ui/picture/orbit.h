@@ -54,11 +54,6 @@ inline constexpr std::size_t max_views = 8;
 /// Keeps a view; one that is kept already is not kept twice, and the oldest of nine is forgotten.
 void keep_view(std::vector<Camera>& views, const Camera& camera);
 
-/// Returns `kept` with what was kept and what was forgotten between `before` and `now`.
-[[nodiscard]] std::vector<Camera> with_changed_views(std::vector<Camera> kept,
-                                                     const std::vector<Camera>& before,
-                                                     const std::vector<Camera>& now);
-
 /// The view after the one that shows, from the first on again; nothing when none is kept.
 [[nodiscard]] std::optional<Camera> next_view(const std::vector<Camera>& views, const Camera& shown);
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "ui/lecture/lecture.h"
+#include "ui/features/lecture/lecture.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
@@ -37,7 +37,8 @@ bool is_used_up(UiState& state) {
     for (const PenLine& line : state.lecture.pen.lines) places += line.places.size();
     if (places < max_places) return false;
     state.notifications.tell(fmt::format("The pen has drawn as much as the picture holds: {} wipes it clean",
-                                         keys_of(CommandId::WipePen)));
+                                         keys_of(CommandId::WipePen)),
+                             Tone::Warning);
     return true;
 }
 
@@ -122,7 +123,8 @@ void pen_bar(PenState& pen, const Rect& picture) {
         const ImVec2 middle = last_item().middle();
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddCircleFilled(middle, size * 0.32f, to_u32(pen_colour(i)));
-        list.AddCircle(middle, size * 0.32f, to_u32(theme().dim_text), 0, px(1));  // so that white is seen on white
+        list.AddCircle(middle, size * 0.32f, to_u32(theme().dim_text), 0,
+                       px(1));  // so that white is seen on white
         if (pen.colour == i) list.AddCircle(middle, size * 0.45f, to_u32(theme().text), 0, px(1.5f));
         tooltip("Pen", "Draws in this colour over the picture");
         ImGui::PopID();

@@ -6,14 +6,14 @@
 #include <array>
 #include <utility>
 
-#include "models/saturate.h"
-#include "ui/inspector/vectors/vectors_tab.h"
+#include "ui/features/inspector/vectors/vectors_tab.h"
+#include "ui/features/views/debug_view_legend.h"
+#include "ui/features/views/views.h"
 #include "ui/picture/draw_picture.h"
+#include "ui/picture/picture_notes.h"
 #include "ui/picture/tool.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
-#include "ui/views/debug_view_legend.h"
-#include "ui/views/views.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
@@ -181,7 +181,7 @@ PictureView view_of(const Scene& scene, const Rect& centre, const UiState& state
     const Rect area = picture_area(centre, px(1));
     const ImVec2 room = area.size();
     const auto pixels = [dots](float units) {
-        return std::clamp(saturated_int(units * dots), 1, max_picture_side);
+        return static_cast<int>(std::clamp(units * dots, 1.0f, float(max_picture_side)));
     };
     PictureView view;
     view.origin = area.low;
@@ -233,21 +233,12 @@ void picture_overlay(UiState& state, const Layout& layout) {
         draw_tools(list, state, view);
         draw_point_vectors(list, state, view);
         first_hints(list, state);
-        // Below the label of a comparison's first part.
-        const float above = state.views.compare.choice.on ? small_text_height() + px(16) : px(10);
-        const ImVec2 corner = clip_area(list).low + ImVec2(px(10), above);
-        const bool is_moment = state.inspector.instead && !state.inspector.instead_rests;
-        std::string other;
-        if (state.lecture.frozen)
-            other = "Frozen (" + keys_of(CommandId::Freeze) + ")";
-        else if (!is_moment && state.resting && state.resting->name == std::string_view(name_of_stored))
-            other = "B is shown (" + keys_of(CommandId::ShowB) + ")";
-        if (!other.empty()) list_control("Other scene", other, badge(list, corner, other));
     }
     draw_pen(list, state.lecture.pen, view);
     const Rect in_sight = clip_area(list);
     list.PopClipRect();
     ImGui::End();
+    if (!state.layout.hides_all) picture_badge(state, in_sight);
     pen_bar(state.lecture.pen, in_sight);
     // Over a clean picture only what needs an eye is said.
     if (state.layout.hides_all)

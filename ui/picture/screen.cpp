@@ -6,7 +6,6 @@
 #include <glm/vec4.hpp>
 #include <numbers>
 
-#include "models/saturate.h"
 #include "renderer/geometry/clip.h"
 #include "ui/widgets/parts.h"
 
@@ -62,8 +61,8 @@ bool is_inside(PictureSize size, glm::dvec2 pixel) {
 }
 
 glm::ivec2 nearest_pixel(PictureSize size, glm::dvec2 pixel) {
-    return {std::clamp(saturated_int(pixel.x), 0, size.width - 1),
-            std::clamp(saturated_int(pixel.y), 0, size.height - 1)};
+    return {static_cast<int>(std::clamp(pixel.x, 0.0, size.width - 1.0)),
+            static_cast<int>(std::clamp(pixel.y, 0.0, size.height - 1.0))};
 }
 
 glm::ivec2 pixel_at_place(glm::ivec2 pixel, PictureSize from, PictureSize to) {
@@ -72,16 +71,20 @@ glm::ivec2 pixel_at_place(glm::ivec2 pixel, PictureSize from, PictureSize to) {
 
 double PictureView::pixels(float units) const { return double(px(units)) / double(units_per_pixel); }
 
-void WorldPen::line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const {
+std::optional<std::pair<ImVec2, ImVec2>> PictureView::shown(glm::dvec3 a, glm::dvec3 b) const {
     constexpr double eye = 1e-3;
-    const double depth_a = -(view.map.view_from_world * glm::dvec4(a, 1)).z;
-    const double depth_b = -(view.map.view_from_world * glm::dvec4(b, 1)).z;
-    if (depth_a < eye && depth_b < eye) return;
+    const double depth_a = -(map.view_from_world * glm::dvec4(a, 1)).z;
+    const double depth_b = -(map.view_from_world * glm::dvec4(b, 1)).z;
+    if (depth_a < eye && depth_b < eye) return {};
     if (depth_a < eye) a += (b - a) * ((eye - depth_a) / (depth_b - depth_a));
     if (depth_b < eye) b += (a - b) * ((eye - depth_b) / (depth_a - depth_b));
-    const OnScreen from = project(view.map, a), to = project(view.map, b);
-    if (!from.in_front || !to.in_front) return;
-    list.AddLine(view.to_window(from.pixel), view.to_window(to.pixel), colour, width);
+    const OnScreen from = project(map, a), to = project(map, b);
+    if (!from.in_front || !to.in_front) return {};
+    return std::pair(to_window(from.pixel), to_window(to.pixel));
+}
+
+void WorldPen::line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const {
+    if (const auto ends = view.shown(a, b)) list.AddLine(ends->first, ends->second, colour, width);
 }
 
 void WorldPen::cased(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float opacity, float width) const {

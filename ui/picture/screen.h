@@ -8,6 +8,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <utility>
 
 #include "models/mesh/mesh.h"
 #include "models/scene/camera.h"
@@ -72,6 +74,9 @@ struct PictureView {
     }
     /// Where a place in the world shows, which must lie in front of the eye.
     [[nodiscard]] ImVec2 shown(glm::dvec3 world) const { return to_window(project(map, world).pixel); }
+    /// The ends of a segment of the world in the window, cut where it passes the eye; nothing where it is
+    /// behind the eye.
+    [[nodiscard]] std::optional<std::pair<ImVec2, ImVec2>> shown(glm::dvec3 a, glm::dvec3 b) const;
     /// The window's place of the picture's far corner.
     [[nodiscard]] ImVec2 end() const { return to_window({map.size.width, map.size.height}); }
     /// The picture's pixels that `units` of the design take.

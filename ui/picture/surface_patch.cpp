@@ -61,6 +61,15 @@ glm::dvec2 SurfacePatch::slope_of_log(const std::vector<double>& values, int wit
     return glm::inverse(squares) * rises;
 }
 
+double SurfacePatch::steepness(const std::function<double(const SeenPoint&)>& value) const {
+    // Of the nine pixels, 1 is above the middle, 3 and 5 are left and right of it, 7 is below.
+    const auto slope = [&](std::size_t before, std::size_t after) {
+        const double span = (used[before] ? 1 : 0) + (used[after] ? 1 : 0);
+        return span > 0 ? (value(points[after]) - value(points[before])) / span : 0.0;
+    };
+    return std::hypot(slope(3, 5), slope(1, 7));
+}
+
 double SurfacePatch::distance_of_maximum(const std::vector<double>& values) const {
     const std::size_t middle = points.size() / 2;
     if (!(values[middle] > 0)) return radius + 1;

@@ -1,6 +1,7 @@
 #pragma once
 // A patch holds the surface in a few pixels round one, and measures the slope of a quantity there.
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
@@ -36,6 +37,8 @@ struct SurfacePatch {
     /// Gradient at the middle of ln(values), per pixel, from pairs of opposite pixels up to `within` pixels
     /// across or up, so that curvature does not count. 0 where nothing can be said; values of 0 are not used.
     [[nodiscard]] glm::dvec2 slope_of_log(const std::vector<double>& values, int within) const;
+    /// Length of the gradient at the middle of a patch of radius 1, per pixel; 0 where nothing can be said.
+    [[nodiscard]] double steepness(const std::function<double(const SeenPoint&)>& value) const;
     /// Distance of the largest value from the middle, pixels; of equal ones the nearest. `radius` + 1 where
     /// the middle is 0.
     [[nodiscard]] double distance_of_maximum(const std::vector<double>& values) const;

@@ -61,7 +61,7 @@ struct ToolCapture {
 void escape(UiState& state);
 
 extern const Tool pen_tool, magnifier_tool, compare_tool, scope_tool;
-extern const Tool lesson_tool;  // ui/lessons/lesson_tool.cpp
+extern const Tool lesson_tool;  // ui/features/lessons/lesson_tool.cpp
 extern const Tool hand_tool;    // the camera, and all handles: ui/picture/viewport.cpp
 
 }  // namespace glint

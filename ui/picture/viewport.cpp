@@ -235,7 +235,7 @@ int hand_press(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
     if (tool.state.lecture.frozen && state.gesture == Gesture::None) {
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-            tool.state.notifications.tell(it_is_frozen());
+            tool.state.notifications.tell(it_is_frozen(), Tone::Warning);
         return not_taken;
     }
     // What a lesson plays goes on until a hand comes, which may want what moves there.

@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "models/io/file.h"
-#include "models/io/temporary.h"
-#include "ui/picture/orbit.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
@@ -18,23 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double seconds_of_rest = 1, seconds_between_asking = 0.02;
-constexpr std::size_t longest_memory = 1 << 16;
+constexpr double seconds_of_rest = 1;
+constexpr std::size_t longest_file = 1 << 18;
+constexpr const char* settings_file = "window.json";
 
-constexpr const char* kept_views_words = "Kept views";
-
-std::string text_of(const Persistence& memory, const char* name) {
-    const Result<std::string> text = read_file(memory.file(name), longest_memory);
-    return problem_of(text) == nullptr ? std::get<std::string>(text) : "";
+Preferences remembered(const Persistence& memory) {
+    const Result<std::string> text = read_file(memory.file(settings_file), longest_file);
+    return read_preferences(problem_of(text) == nullptr ? std::get<std::string>(text) : "");
 }
 
-/// Writes a file of the folder; returns why it could not. Most failures are not reported: nothing that
-/// the user made is lost.
-std::optional<Problem> write(const Persistence& memory, const char* name, const std::string& text) {
-    if (auto problem = why_no_folder(memory.folder)) return problem;  // it may have been removed meanwhile
-    const Result<std::monostate> written = write_file_at_once(memory.file(name), text);
-    const Problem* problem = problem_of(written);
-    return problem == nullptr ? std::nullopt : std::optional(*problem);
+Result<std::monostate> write_settings(const Persistence& memory) {
+    if (auto problem = why_no_folder(memory.folder)) return *problem;  // it may have been removed meanwhile
+    return write_file_at_once(memory.file(settings_file), preferences_text(memory.preferences));
 }
 
 /// The file to open again: a lesson's, as long as what it shows was not saved under a name.
@@ -43,38 +36,22 @@ const std::string& open_file(const UiState& state) {
     return scene.empty() && state.lesson.course ? state.lesson.course->lesson.path : scene;
 }
 
-/// False when another window has the list just now, for longer than `patience` seconds.
-bool note_recent(UiState& state, double patience = 0) {
+void note_recent(UiState& state) {
     Persistence& memory = state.persistence;
     const std::string& path = open_file(state);
-    if (path == memory.opened) return true;
-    // Other windows write there too: their files stay in the list.
-    const FolderLock lock(memory.folder, patience);
-    if (!lock.held()) return false;
+    if (path == memory.opened) return;
     memory.opened = path;
-    memory.recent = with_recent_file(read_recent_files(text_of(memory, "recent.json")), path);
-    (void)write(memory, "recent.json", recent_files_text(memory.recent));
-    return true;
+    memory.preferences.recent = with_recent_file(memory.preferences.recent, path);
 }
 
-/// Views that other windows have kept stay. False when one of them writes for longer than `patience` seconds.
-bool write_preferences(UiState& state, double patience = 0) {
+/// Of several windows the last one to write wins.
+void write_preferences(UiState& state) {
     Persistence& memory = state.persistence;
-    if (memory.preferences == memory.written) return true;
-    const FolderLock lock(memory.folder, patience);
-    if (!lock.held()) return false;
-    Preferences all = memory.preferences;
-    const std::string text = text_of(memory, "window.json");
-    if (!text.empty())
-        all.views.kept = with_changed_views(read_preferences(text).views.kept, memory.written.views.kept,
-                                            memory.preferences.views.kept);
-    memory.tried = memory.preferences;
-    const std::optional<Problem> failed = write(memory, "window.json", preferences_text(all));
-    if (!failed)
-        memory.written = memory.preferences;
-    else if (memory.preferences.views.kept != memory.written.views.kept)
-        tell_not_kept(state, kept_views_words, *failed);
-    return true;
+    if (memory.preferences == memory.written) return;
+    memory.written = memory.preferences;  // a failed write is repeated when they change again
+    const Result<std::monostate> written = write_settings(memory);
+    if (const Problem* problem = problem_of(written))
+        tell_not_kept(state, "The settings of the window", *problem);
 }
 
 void note_preferences(UiState& state) {
@@ -92,10 +69,10 @@ void note_preferences(UiState& state) {
     const double time = ImGui::GetTime();
     if (!(now == memory.preferences)) memory.preferences_changed = time;
     memory.preferences = now;
-    if (memory.preferences == memory.written || memory.preferences == memory.tried) return;
+    if (memory.preferences == memory.written) return;
     const double rest = memory.preferences_changed + seconds_of_rest - time;
     if (rest > 0) return redraw_within(rest);
-    if (!write_preferences(state)) redraw_within(seconds_between_asking);
+    write_preferences(state);
 }
 
 }  // namespace
@@ -137,22 +114,18 @@ void begin_persistence(UiState& state, const std::string& folder) {
     memory.no_folder = why_no_folder(folder);
     if (memory.no_folder) return;
     memory.folder = folder;
-    memory.recent = read_recent_files(text_of(memory, "recent.json"));
-    memory.preferences = memory.written = read_preferences(text_of(memory, "window.json"));
+    memory.preferences = memory.written = remembered(memory);
     state.dark = memory.preferences.dark;
     state.layout = memory.preferences.layout;
     recall_views(state, memory.preferences.views);
     memory.orphans = orphaned_autosaves(folder);
-    for (const OrphanedAutosave& copy : memory.orphans) memory.offered.insert(copy.lock.path());
 }
 
 void poll_persistence(UiState& state) {
-    if (const auto& why = state.persistence.no_folder) {
-        if (state.editor.unsaved()) tell_no_copy(state, *why);
-        if (!state.kept_views.empty()) tell_not_kept(state, kept_views_words, *why);
-    }
+    if (const auto& why = state.persistence.no_folder; why && state.editor.unsaved())
+        tell_no_copy(state, *why);
     if (state.persistence.folder.empty()) return;
-    if (!note_recent(state)) redraw_within(seconds_between_asking);
+    note_recent(state);
     note_preferences(state);
     poll_unsaved_work(state);
 }
@@ -161,8 +134,8 @@ void end_persistence(UiState& state, bool keeps_copy) {
     Persistence& memory = state.persistence;
     if (memory.folder.empty()) return;
     if (!keeps_copy) drop_autosave(state);
-    (void)note_recent(state, patience_at_end);
-    (void)write_preferences(state, patience_at_end);
+    note_recent(state);
+    write_preferences(state);
 }
 
 void reset_layout(UiState& state) {

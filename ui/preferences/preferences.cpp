@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 
-#include "models/json/json_value.h"
+#include "models/json/json.h"
 #include "models/scene_file/scene_file.h"
+#include "models/utf8.h"
 #include "ui/picture/orbit.h"
 #include "ui/preferences/persistence.h"
 #include "ui/ui.h"
@@ -13,20 +15,20 @@
 namespace glint {
 namespace {
 
-using Json = JsonValue;
+namespace fs = std::filesystem;
 
 // Reads members of untrusted JSON: an invalid or missing one leaves the value as it is.
 
 void read(const Json& json, const char* name, bool& value) {
-    if (const Json* found = json.find(name); found != nullptr && found->is_boolean())
-        value = found->boolean();
+    if (const Json* found = find_member(json, name); found != nullptr && found->is_boolean())
+        value = found->get<bool>();
 }
 
 /// Brought into low .. high.
 template <class Real> void read(const Json& json, const char* name, Real& value, Real low, Real high) {
-    const Json* found = json.find(name);
+    const Json* found = find_member(json, name);
     if (found == nullptr || !found->is_number()) return;
-    const double number = found->number();
+    const double number = found->get<double>();
     if (!std::isfinite(number)) return;
     value = static_cast<Real>(std::clamp(number, static_cast<double>(low), static_cast<double>(high)));
 }
@@ -35,21 +37,21 @@ template <class Real> void read(const Json& json, const char* name, Real& value,
 Json camera_json(const Camera& camera) {
     Scene scene;
     scene.camera = camera;
-    return *Json::parse(scene_text(scene))->find("camera");
+    return json_or_null(scene_text(scene))["camera"];
 }
 
 std::optional<Camera> read_camera(const Json& json) {
-    Json file = *Json::parse(scene_text({}));
+    Json file = json_or_null(scene_text({}));
     file["camera"] = json;
-    const Result<Scene> scene = parse_scene(file.text(), "");
+    const Result<Scene> scene = parse_scene(json_line(file), "");
     if (const auto* read = std::get_if<Scene>(&scene)) return read->camera;
     return {};
 }
 
 void read_share(const Json& json, const char* name, glm::dvec2& value) {
-    const Json* found = json.find(name);
-    if (found == nullptr || found->elements().size() != 2) return;
-    const Json both{{"x", found->elements()[0]}, {"y", found->elements()[1]}};
+    const Json* found = find_member(json, name);
+    if (found == nullptr || elements_of(*found).size() != 2) return;
+    const Json both{{"x", elements_of(*found)[0]}, {"y", elements_of(*found)[1]}};
     read(both, "x", value.x, 0.0, 1.0);
     read(both, "y", value.y, 0.0, 1.0);
 }
@@ -66,11 +68,11 @@ Json compare_json(const CompareChoice& choice) {
 
 /// Lines that rise, one fewer than parts; else they stay evenly spread.
 void read_lines(const Json& json, CompareChoice& choice) {
-    if (!json.is_array() || json.elements().size() != choice.wipes.size()) return;
+    if (!json.is_array() || elements_of(json).size() != choice.wipes.size()) return;
     std::vector<double> lines;
-    for (const Json& line : json.elements()) {
+    for (const Json& line : elements_of(json)) {
         if (!line.is_number()) return;
-        lines.push_back(line.number());
+        lines.push_back(line.get<double>());
         if (!(lines.back() >= 0 && lines.back() <= 1)) return;
         if (lines.size() > 1 && !(lines.back() >= lines[lines.size() - 2])) return;
     }
@@ -86,66 +88,68 @@ CompareChoice read_compare(const Json& json) {
     read(json, "gain", gain, 1, max_gain);
     while (2 * choice.gain <= gain) choice.gain *= 2;
     std::vector<Variant> parts;
-    if (const Json* found = json.find("parts"))
-        for (const Json& part : found->elements())
-            if (const auto setting = part.is_string() ? variant_named(part.string()) : std::nullopt)
+    if (const Json* found = find_member(json, "parts"))
+        for (const Json& part : elements_of(*found))
+            if (const auto setting =
+                    part.is_string() ? variant_named(part.get_ref<const std::string&>()) : std::nullopt)
                 parts.push_back(*setting);
     if (parts.size() == 2 || parts.size() == 3) set_parts(choice, parts);
-    if (const Json* found = json.find("lines")) read_lines(*found, choice);
+    if (const Json* found = find_member(json, "lines")) read_lines(*found, choice);
     return choice;
 }
 
-Json to_json(bool on) { return on; }
-Json to_json(glm::dvec2 share) {  // one that waits outside of the picture comes to its edge
+// Recent files: absolute paths without control characters, each once, at most max_recent_files.
+
+constexpr std::size_t longest_path = 4096;  // PATH_MAX
+
+bool can_be_shown(const std::string& path) {
+    const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    return path.size() <= longest_path && fs::path(path).is_absolute() &&
+           std::none_of(path.begin(), path.end(), control);
+}
+
+void add_recent(std::vector<std::string>& paths, const std::string& path) {
+    if (paths.size() >= max_recent_files || !can_be_shown(path)) return;
+    if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+}
+
+Json recent_json(const std::vector<std::string>& paths) {
+    Json list = Json::array();
+    for (const std::string& path : paths) list.push_back(escaped_bytes(path));  // a path need not be UTF-8
+    return list;
+}
+
+std::vector<std::string> read_recent(const Json& list) {
+    std::vector<std::string> paths;
+    for (const Json& item : elements_of(list))
+        if (item.is_string()) add_recent(paths, unescaped_bytes(item.get_ref<const std::string&>()));
+    return paths;
+}
+
+Json share_json(glm::dvec2 share) {  // one that waits outside of the picture comes to its edge
     const glm::dvec2 inside = glm::clamp(share, 0.0, 1.0);
     return {inside.x, inside.y};
 }
-Json to_json(const CompareChoice& choice) { return compare_json(choice); }
-Json to_json(const std::vector<Camera>& cameras) {
-    Json all = Json::array();
-    for (const Camera& camera : cameras) all.push_back(camera_json(camera));
-    return all;
-}
 
-void read_from(const Json& json, const char* name, bool& on) { read(json, name, on); }
-void read_from(const Json& json, const char* name, glm::dvec2& share) { read_share(json, name, share); }
-void read_from(const Json& json, const char* name, CompareChoice& choice) {
-    if (const Json* found = json.find(name)) choice = read_compare(*found);
-}
-void read_from(const Json& json, const char* name, std::vector<Camera>& cameras) {
-    if (const Json* found = json.find(name))
-        for (const Json& camera : found->elements())
-            if (const auto view = read_camera(camera)) keep_view(cameras, *view);
-}
-
-/// Everything that is remembered of the views, once: visit(its name in the file, its member, a function that
-/// leads to its place in the window).
-template <class Memory, class Visit> void view_fields(Memory& m, const Visit& visit) {
-    visit(
-        "compare", m.compare, [](auto& s) -> auto& { return s.views.compare.choice; });
-    visit(
-        "scope_from", m.scope_from, [](auto& s) -> auto& { return s.views.scope.from; });
-    visit(
-        "scope_to", m.scope_to, [](auto& s) -> auto& { return s.views.scope.to; });
-    visit(
-        "scope_channels", m.scope_channels, [](auto& s) -> auto& { return s.views.scope.channels; });
-    visit(
-        "scope_eye", m.scope_eye, [](auto& s) -> auto& { return s.views.scope.eye; });
-    visit(
-        "kept_views", m.kept, [](auto& s) -> auto& { return s.kept_views; });
-}
-
-Json view_json(const ViewPreferences& memory) {
-    Json json = Json::object();
-    view_fields(memory, [&](const char* name, const auto& value, auto) { json[name] = to_json(value); });
-    return json;
+Json view_json(const ViewPreferences& views) {
+    Json kept = Json::array();
+    for (const Camera& camera : views.kept) kept.push_back(camera_json(camera));
+    return {{"compare", compare_json(views.compare)}, {"scope_from", share_json(views.scope_from)},
+            {"scope_to", share_json(views.scope_to)}, {"scope_channels", views.scope_channels},
+            {"scope_eye", views.scope_eye},           {"kept_views", kept}};
 }
 
 ViewPreferences read_view(const Json& json) {
-    ViewPreferences memory;
-    if (json.is_object())
-        view_fields(memory, [&](const char* name, auto& value, auto) { read_from(json, name, value); });
-    return memory;
+    ViewPreferences views;
+    if (const Json* compare = find_member(json, "compare")) views.compare = read_compare(*compare);
+    read_share(json, "scope_from", views.scope_from);
+    read_share(json, "scope_to", views.scope_to);
+    read(json, "scope_channels", views.scope_channels);
+    read(json, "scope_eye", views.scope_eye);
+    if (const Json* kept = find_member(json, "kept_views"))
+        for (const Json& camera : elements_of(*kept))
+            if (const auto view = read_camera(camera)) keep_view(views.kept, *view);
+    return views;
 }
 
 struct Limits {
@@ -171,43 +175,63 @@ template <class P, class Visit> void preference_fields(P& p, const Visit& visit)
 }  // namespace
 
 ViewPreferences views_to_remember(const UiState& state) {
-    ViewPreferences memory;
-    view_fields(memory, [&](const char*, auto& value, auto now) { value = now(state); });
-    if (state.mine.shown) memory.compare = state.mine.compare_before;
-    if (state.match.on) memory.compare = state.match.compare_before;
-    memory.compare.stored.reset();  // a scene is not a preference
-    memory.compare.shows_stored = memory.compare.on = false;
-    return memory;
+    const ScopeState& scope = state.views.scope;
+    ViewPreferences views{
+        state.views.compare.choice, scope.from, scope.to, scope.channels, scope.eye, state.kept_views};
+    if (state.mine.shown) views.compare = state.mine.compare_before;
+    if (state.match.on) views.compare = state.match.compare_before;
+    views.compare.stored.reset();  // a scene is not a preference
+    views.compare.shows_stored = views.compare.on = false;
+    return views;
 }
 
-void recall_views(UiState& state, const ViewPreferences& memory) {
-    std::shared_ptr<const Scene> stored = std::move(state.views.compare.choice.stored);
-    std::shared_ptr<const Picture> mine = std::move(state.views.compare.choice.mine);
-    view_fields(memory, [&](const char*, const auto& value, auto now) { now(state) = value; });
-    state.views.compare.choice.stored = std::move(stored);
-    state.views.compare.choice.mine = std::move(mine);
+void recall_views(UiState& state, const ViewPreferences& views) {
+    CompareChoice& choice = state.views.compare.choice;
+    const auto stored = choice.stored;
+    const auto mine = choice.mine;
+    choice = views.compare;
+    choice.stored = stored;
+    choice.mine = mine;
+    ScopeState& scope = state.views.scope;
+    scope.from = views.scope_from;
+    scope.to = views.scope_to;
+    scope.channels = views.scope_channels;
+    scope.eye = views.scope_eye;
+    state.kept_views = views.kept;
 }
 
 std::string preferences_text(const Preferences& p) {
     Json json{{"theme", p.dark ? "dark" : "light"}};
     preference_fields(p, [&](const char* name, const auto& value, auto...) { json[name] = value; });
     json["view"] = view_json(p.views);
+    json["recent"] = recent_json(p.recent);
     return json_text(json);
 }
 
 Preferences read_preferences(const std::string& text) {
     Preferences p;
-    const Json json = Json::parse(text).value_or(Json());
+    const Json json = json_or_null(text);
     if (!json.is_object()) return p;
-    if (const Json* theme = json.find("theme")) p.dark = *theme != "light";
+    if (const Json* theme = find_member(json, "theme")) p.dark = *theme != "light";
     preference_fields(p, [&]<class T>(const char* name, T& value, auto... range) {
         if constexpr (sizeof...(range) == 0)
             read(json, name, value);
         else
             (read(json, name, value, static_cast<T>(range.low), static_cast<T>(range.high)), ...);
     });
-    if (const Json* view = json.find("view")) p.views = read_view(*view);
+    if (const Json* view = find_member(json, "view")) p.views = read_view(*view);
+    if (const Json* recent = find_member(json, "recent")) p.recent = read_recent(*recent);
     return p;
+}
+
+std::vector<std::string> with_recent_file(const std::vector<std::string>& paths, const std::string& path) {
+    if (path.empty() || path == "-") return paths;
+    std::error_code failed;
+    const std::string full = fs::absolute(path, failed).lexically_normal().string();
+    if (failed || !can_be_shown(full)) return paths;
+    std::vector<std::string> list{full};
+    for (const std::string& other : paths) add_recent(list, other);
+    return list;
 }
 
 }  // namespace glint

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "ui/document/document_actions.h"
+#include "ui/features/inspector/tabs.h"
+#include "ui/features/lessons/lesson_parts.h"
 #include "ui/fields/panels.h"
-#include "ui/inspector/tabs.h"
-#include "ui/lessons/lesson_parts.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/area.h"

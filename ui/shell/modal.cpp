@@ -11,7 +11,7 @@
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
 #include "ui/document/document_actions.h"
-#include "ui/export/animation.h"
+#include "ui/features/export/animation.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -77,15 +77,6 @@ void changed_question(UiState& state, const UiInput& input) {
     ImGui::EndPopup();
 }
 
-void save_picture(UiState& state, const std::string& path) {
-    const std::string carried =
-        carried_scene_text(as_made(state, state.rendered_scene), state.editor.document.mesh_dir, path);
-    const auto written = write_file_at_once(path, png_bytes(*state.rendered, carried));
-    if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
-    state.notifications.add(Tone::Done,
-                            fmt::format("Saved {}", std::filesystem::path(path).filename().string()));
-}
-
 /// The path is kept absolute: saving makes it relative.
 void use_mesh(UiState& state, const std::string& path) {
     const int object = std::exchange(state.mesh_for_object, -1);
@@ -106,7 +97,7 @@ void use_file(UiState& state, const std::string& path) {
     case FilePurpose::MyPicture:
         return bring_picture(state, path);
     case FilePurpose::SavePicture:
-        return save_picture(state, path);
+        return begin_export(state, {state.full_size, 1}, path);
     case FilePurpose::SaveAnswers:
         return save_answers(state, path);
     case FilePurpose::SaveFrames:

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
 
-#include "models/io/utf8.h"
-#include "models/memory_limit.h"
+#include "models/utf8.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
@@ -89,9 +87,10 @@ float draw_one(const Notification& note, int index, ImVec2 low_right, float top,
 
 }  // namespace
 
-void Notifications::tell(const std::string& text) {
-    std::erase_if(list, [](const Notification& note) { return note.of_key; });
-    add(Tone::Done, text);
+void Notifications::tell(const std::string& text, Tone tone) {
+    const int now = ImGui::GetFrameCount();
+    std::erase_if(list, [now](const Notification& note) { return note.of_key && note.frame != now; });
+    add(tone, text);
     list.back().of_key = true;
 }
 
@@ -110,8 +109,6 @@ void Notifications::add(const Warnings& warnings) {
 
 void draw_notifications(Notifications& notifications, ImVec2 low_right, float top, float max_width) {
     auto& list = notifications.list;
-    if (notifications.owes_no_memory) notifications.add(memory_problem(std::bad_alloc()));
-    notifications.owes_no_memory = false;
     const double now = ImGui::GetTime();
     list.erase(
         std::remove_if(list.begin(), list.end(), [now](const Notification& n) { return n.until <= now; }),

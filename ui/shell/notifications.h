@@ -24,12 +24,11 @@ struct Notification {
 
 struct Notifications {
     std::vector<Notification> list;
-    bool owes_no_memory = false;  // memory ran out, and did not even suffice to say so
 
     /// A text of more than some nine lines is shown without its middle.
     void add(Tone tone, const std::string& text);
-    /// Tells for a moment what a key did, in place of what the key before it did.
-    void tell(const std::string& text);
+    /// Reports what a key did, in place of what the keys of earlier frames did. A refusal is a warning.
+    void tell(const std::string& text, Tone tone = Tone::Done);
     void add(const Problem& problem) { add(Tone::Error, problem.text()); }
     void add(const Warnings& warnings);
 };

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "ui/inspector/tabs.h"
+#include "ui/features/inspector/tabs.h"
 #include "ui/picture/tool.h"
 #include "ui/shell/columns.h"
 #include "ui/widgets/fonts.h"
@@ -50,20 +50,18 @@ void stats_tooltip(const FrameStats& stats) {
     tooltip("Last picture", "What was done again, and how long it took", lines);
 }
 
-/// That a mistake is on must not be overlooked: a click shows which. Returns its width.
+/// Names the mistakes that are on; a click opens their tab. Returns its width. While a lesson's question
+/// waits it would give the answer away.
 float mistakes_mark(UiState& state, ImVec2 right) {
-    const int on = mistakes_on(state.editor.scene().shading.mistakes);
-    if (on == 0) return 0;
-    const std::string text = fmt::format("{} mistake{} on", on, on == 1 ? "" : "s");
+    const std::string text = mistakes_text(state.editor.scene().shading.mistakes);
+    if (text.empty() || is_held(state)) return 0;
     const float width = ImGui::CalcTextSize(text.c_str()).x, gap = px(14);
     ImGui::SetCursorScreenPos({right.x - width - gap, right.y});
     coloured(theme().warning, text);
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (ImGui::IsItemClicked()) {
-        state.inspector.tab = InspectorTab::Mistakes;
-        state.layout.right = state.left_shows_inspector = true;
-    }
-    tooltip("Mistakes", "The picture is wrong on purpose; click to see which", "", "/shading/mistakes");
+    if (ImGui::IsItemClicked()) show_mistake(state);
+    tooltip("Mistakes", "The picture is wrong on purpose; click to show the mistake", "",
+            "/shading/mistakes");
     return width + gap;
 }
 

@@ -102,7 +102,7 @@ bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const 
     changed |= take_dropped_colour(picked);
     ImGui::SetNextWindowPos(beside, ImGuiCond_Appearing);
     changed |= picker(label, picked);
-    if (picked != value) value = glm::clamp(picked, glm::vec3(0), glm::vec3(1e30f));
+    if (picked != value) value = glm::clamp(picked, glm::vec3(0), glm::vec3(float(max_number)));
     ImGui::PopID();
     return changed;
 }

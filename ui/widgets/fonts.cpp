@@ -38,9 +38,9 @@ std::vector<fs::path> font_folders() {
 }
 
 /// Latin, Greek, and the signs that the equation and the words of the window use.
-constexpr std::array<ImWchar, 23> glyphs{0x20,   0xFF,   0x131,  0x131,  0x370,  0x3FF,  0x2010, 0x2027,
-                                         0x2030, 0x203A, 0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF,
-                                         0x25A0, 0x25FF, 0x2713, 0x2717, 0x2022, 0x2022, 0};
+constexpr std::array<ImWchar, 25> glyphs{
+    0x20,   0xFF,   0x131,  0x131,  0x2E2,  0x2E2,  0x370,  0x3FF,  0x2010, 0x2027, 0x2030, 0x203A, 0x2070,
+    0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0x2713, 0x2717, 0x2022, 0x2022, 0};
 
 /// ImGui's own font is Latin-1 only: signs beyond stand in by their nearest letter.
 void stand_in(ImFont& font) {
@@ -52,6 +52,7 @@ void stand_in(ImFont& font) {
                                       {0x2192, '>'},
                                       {0x2032, '\''},
                                       {0x2026, 0xB7},
+                                      {0x2E2, 's'},
                                       {0x3A3, 'S'},
                                       {0x3B1, 'a'},
                                       {0x3B8, 'o'},

@@ -105,6 +105,7 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
     if (!is_due()) return;
     const float width = place_tooltip();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);      // a disabled item is translucent
     ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // whatever colour the item's own text has
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(width);
@@ -123,7 +124,7 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 void list_controls_in(std::vector<NamedControl>* list) { listed = list; }

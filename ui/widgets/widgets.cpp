@@ -8,8 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "models/io/utf8.h"
-#include "models/saturate.h"
+#include "models/utf8.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/text/text_field.h"
@@ -95,7 +94,7 @@ bool integer_field(const char* label, int& value, const Count& count, int initia
         refuse_edit("the field takes whole numbers");
         return false;
     }
-    const int whole = std::clamp(saturated_int(real), low, high);
+    const int whole = static_cast<int>(std::clamp(double(real), double(low), double(high)));
     const bool changed = whole != value;
     value = whole;
     return changed;

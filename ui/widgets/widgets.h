@@ -11,8 +11,8 @@
 #include <span>
 #include <string>
 
-#include "models/fields/choice.h"
 #include "models/fields/field_kinds.h"
+#include "models/range.h"
 
 namespace glint {
 

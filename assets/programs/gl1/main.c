@@ -290,7 +290,7 @@ void draw(void) {
     //@else
     const double aspect = (double)width / height;
     //@if projection.orthographic
-    glOrtho(-view_height / 2 * aspect, view_height / 2 * aspect, -view_height / 2, view_height / 2, near, far);
+    glOrtho(-view_height * aspect / 2, view_height * aspect / 2, -view_height / 2.0, view_height / 2.0, near, far);
     //@else
     gluPerspective(fov_y_deg, aspect, near, far);
     //@end

@@ -9,6 +9,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/gltf_triangle.h"
 #include "tests/support/memory_helpers.h"
+#include "tests/support/sanitized.h"
 
 using namespace glint;
 using namespace glint::gltf_triangle;
@@ -69,7 +70,7 @@ TEST_CASE("a hostile glTF file is one line that says where and what", "[gltf]") 
     check("AAAAAAAAAAAAAAAAAACAPw", "AADAfwAAAAAAAAAAAACAPw",
           "t.gltf: /meshes/0/primitives/0/attributes/POSITION: a number of vertex 0 is nan; expected a "
           "number within "
-          "-1e30 and 1e30");
+          "-1e7 and 1e7");
     check("\"2.0\"}", "\"1.0\"}", "t.gltf: /asset: \"1.0\" is its version; expected 2.0");
     check("\"2.0\"}", "\"2.0\"}, \"extensionsRequired\": [\"KHR_draco_mesh_compression\"]",
           "t.gltf: /extensionsRequired/0: \"KHR_draco_mesh_compression\" is needed, and cannot be read here; "
@@ -163,7 +164,8 @@ TEST_CASE("a file that many buffers of a glTF file name is read and held once, b
         for (const char* uri : {"held.bin", "./held.bin", "below/link.bin", "hel%64.bin"})
             more += fmt::format("{{\"byteLength\": 36, \"uri\": \"{}\"}}, ", uri);
     const std::string many = folder.file("many.gltf", changed("\"buffers\": [", "\"buffers\": [" + more));
-    const test::MemoryLimit limit(8 << 20);
+    const auto opens = [&many] { return problem_of(open_document(many)) == nullptr; };
+    if (!test::sanitized) CHECK(test::in_process_with_room(std::uint64_t{128} << 20, opens));
     const Result<SceneDocument> opened = open_document(many);
     REQUIRE(problem_of(opened) == nullptr);
     CHECK(std::get<SceneDocument>(opened).scene.objects[0].mesh->positions ==

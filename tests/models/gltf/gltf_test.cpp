@@ -1,11 +1,12 @@
 // Files that numpy and json write by the specification (write_gltf.py), and what they must be, by hand.
+#include "models/gltf/gltf.h"
+
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
 #include "models/memory_limit.h"
-#include "models/mesh_formats/mesh_file.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
@@ -51,11 +52,23 @@ TEST_CASE("a box of glTF is the same mesh, however its numbers lie", "[gltf]") {
         CHECK(info.triangles == 12);
         CHECK(info.boundary_edges == 0);
         CHECK(info.inconsistent_edges == 0);
-        CHECK(info.normals == "file");
+        CHECK(used_source(mesh, NormalSource::Auto) == NormalSource::File);
         for (std::size_t f = 0; f < mesh.face_count(); ++f)
             for (std::uint32_t c = mesh.first_corner[f]; c < mesh.first_corner[f + 1]; ++c)
                 check_near(mesh.normals[mesh.given_normal_of(c)], facet_normal(mesh, f));
     }
+}
+
+TEST_CASE("glTF without a camera is framed as a mesh file is", "[gltf][frame_camera]") {
+    const TemporaryDirectory folder;
+    // A quarter turn about x lays the triangle of the file flat: its (0, 1, 0) goes to (0, 0, 1).
+    const std::string lying = gltf_triangle::changed(
+        R"({"mesh": 0})", R"({"mesh": 0, "rotation": [0.70710678, 0, 0, 0.70710678]})");
+    const SceneDocument gltf = opened(folder.file("floor.gltf", lying));
+    const SceneDocument obj = opened(folder.file("floor.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n"));
+    check_near(gltf.scene.camera.eye, obj.scene.camera.eye);
+    check_near(gltf.scene.camera.target, obj.scene.camera.target);
+    CHECK(gltf.scene.camera.eye.y > 0.3f);  // from above: from the height of a floor it would not be seen
 }
 
 TEST_CASE("nodes, camera, lights and materials of glTF are where the specification puts them", "[gltf]") {
@@ -135,7 +148,9 @@ TEST_CASE("a scene of glTF is changed, saved and opened again as others are", "[
     CHECK(scene_text(again.scene).find(R"({"file": "box.gltf", "part": 1, "subdivide": 1})") !=
           std::string::npos);
 
-    const Result<Mesh> none = read_mesh(path, 7);
+    const Result<GltfFile> file = GltfFile::read(path);
+    REQUIRE(problem_of(file) == nullptr);
+    const Result<Mesh> none = std::get<GltfFile>(file).mesh(7);
     REQUIRE(problem_of(none) != nullptr);
     CHECK(problem_of(none)->text() == "/part: the file has no part 7; expected 0 to 2");
 }
@@ -232,17 +247,6 @@ std::string with_accessors(std::size_t count, std::size_t vertices, std::size_t 
 
 }  // namespace
 
-TEST_CASE("what several accessors of glTF say alike is read once", "[gltf][memory]") {
-    const auto file = GltfFile::parse(with_accessors(3, 300, 0), "t.gltf");
-    REQUIRE(problem_of(file) == nullptr);
-    const std::uint64_t before = memory_left();
-    (void)std::get<GltfFile>(file).mesh(0);
-    const std::uint64_t once = memory_left();
-    CHECK(before - once >= 300 * sizeof(std::uint32_t));  // kept: the place of each vertex
-    (void)std::get<GltfFile>(file).mesh(2);
-    CHECK(memory_left() == once);
-}
-
 TEST_CASE("accessors of glTF that name the same bytes over and over are refused", "[gltf]") {
     CHECK(problem_of(GltfFile::parse(with_accessors(50, 4000, 1), "t.gltf")) == nullptr);
     CHECK(problem_of(GltfFile::parse(with_accessors(3000, 4000, 0), "t.gltf")) == nullptr);
@@ -252,19 +256,6 @@ TEST_CASE("accessors of glTF that name the same bytes over and over are refused"
     CAPTURE(line);
     CHECK(line.starts_with("t.gltf: its primitives name "));
     CHECK(line.ends_with("; expected at most 64 times as many"));
-}
-
-TEST_CASE("the JSON of a glTF file is counted while the file is held", "[gltf][memory]") {
-    std::string values = "\"extras\": [0";
-    for (int i = 0; i < 20'000; ++i) values += ",[]";
-    const std::uint64_t before = memory_left();
-    {
-        const auto file =
-            GltfFile::parse(gltf_triangle::changed("\"nodes\"", values + "], \"nodes\""), "t.gltf");
-        REQUIRE(problem_of(file) == nullptr);
-        CHECK(before - memory_left() >= 20'000 * 50);  // an empty list takes 16 bytes, and 24 of its own
-    }
-    CHECK(memory_left() == before);
 }
 
 TEST_CASE("a node, a mesh or a light of glTF has no longer name than a scene's may be", "[gltf]") {
@@ -310,4 +301,18 @@ TEST_CASE("lights in candela become as bright as a display, all by one factor", 
     CHECK(document.warnings[0].starts_with("lights are 577 times brighter"));
     CHECK(document.scene.lights[2].intensity == Approx(30).epsilon(1e-4));
     CHECK(document.scene.lights[1].intensity == Approx(1 / 576.68).epsilon(1e-3));
+}
+
+TEST_CASE("glTF that its nodes move far from the origin gets one warning", "[gltf]") {
+    const TemporaryDirectory folder;
+    const auto warnings = [&](const std::string& place) {
+        return opened(folder.file("t.gltf",
+                                  gltf_triangle::changed(R"({"mesh": 0})",
+                                                         R"({"mesh": 0, "translation": )" + place + "}")))
+            .warnings;
+    };
+    CHECK(warnings("[0, 100, 0]").empty());
+    REQUIRE(warnings("[500000, 5400000, 0]").size() == 1);
+    CHECK(warnings("[500000, 5400000, 0]")[0].starts_with(
+        "the shape is 1 across at coordinates of up to 5400001"));
 }

@@ -8,16 +8,13 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <thread>
 
-#include "models/io/temporary.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 
@@ -30,7 +27,6 @@ namespace {
 struct Watch {
     std::optional<mode_t> mode_while_writing;  // of the regular file that was written to last
     std::function<void()> directory_synced;
-    std::function<int()> changes_places;  // an errno that keeps two files from changing places
 };
 Watch* watch = nullptr;
 
@@ -41,16 +37,6 @@ struct stat status_of(int descriptor) {
 }
 
 }  // namespace
-
-extern "C" int renameat2(int from_directory, const char* from, int to_directory, const char* to,
-                         unsigned flags) noexcept {
-    if (watch != nullptr && watch->changes_places)
-        if (const int error = watch->changes_places(); error != 0) {
-            errno = error;
-            return -1;
-        }
-    return static_cast<int>(::syscall(SYS_renameat2, from_directory, from, to_directory, to, flags));
-}
 
 extern "C" ssize_t write(int descriptor, const void* bytes, size_t count) {
     if (watch != nullptr && S_ISREG(status_of(descriptor).st_mode))
@@ -298,105 +284,6 @@ TEST_CASE("the directory is put on the disk when the new file is in its place", 
     watch = nullptr;
     CHECK(problem_of(written) == nullptr);
     CHECK(found == "new");
-}
-
-TEST_CASE("files that go together appear together or not at all", "[file]") {
-    const Place place;
-    {
-        FilesTogether files;
-        CHECK(problem_of(files.add(place / "a", "1")) == nullptr);
-        CHECK(problem_of(files.add(place / "no/b", "2")) != nullptr);
-    }
-    CHECK(place.count() == 0);
-    {
-        FilesTogether files;
-        CHECK(problem_of(files.add(place / "a", "1")) == nullptr);
-        CHECK(problem_of(files.add("/dev/full", "2")) == nullptr);  // known only when it is written
-        CHECK(problem_text(files.put_in_place()) ==
-              "/dev/full: cannot write: no space left on the device; expected a place that can be written");
-    }
-    CHECK(place.count() == 0);
-    FilesTogether files;
-    CHECK(problem_of(files.add(place / "a", "1")) == nullptr);
-    CHECK(problem_of(files.add(place / "b", "2")) == nullptr);
-    CHECK_FALSE(fs::exists(place / "a"));
-    CHECK(problem_of(files.put_in_place()) == nullptr);
-    CHECK(read_back(place / "a") == "1");
-    CHECK(read_back(place / "b") == "2");
-    CHECK(place.count() == 2);
-}
-
-TEST_CASE("where one of several files cannot take its place, each old one is where it was", "[file]") {
-    const Place place;
-    for (const char* const name : {"a", "c"}) REQUIRE(problem_of(write_file(place / name, "old")) == nullptr);
-    FilesTogether files;
-    for (const char* const name : {"a", "b", "c"})
-        CHECK(problem_of(files.add(place / name, "new")) == nullptr);
-    int calls = 0;  // for those that are there
-    Watch second;
-    second.changes_places = [&calls] { return ++calls == 2 ? EPERM : 0; };
-    watch = &second;
-    const auto placed = files.put_in_place();
-    watch = nullptr;
-    CHECK(problem_text(placed) == place / "c" +
-                                      ": cannot write: operation not permitted; expected a place that can "
-                                      "be written");
-    CHECK(read_back(place / "a") == "old");
-    CHECK_FALSE(fs::exists(place / "b"));  // there was none
-    CHECK(read_back(place / "c") == "old");
-}
-
-TEST_CASE("where two files cannot be exchanged they are renamed one after the other", "[file]") {
-    const Place place;
-    REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);
-    FilesTogether files;
-    for (const char* const name : {"a", "b"}) CHECK(problem_of(files.add(place / name, "new")) == nullptr);
-    Watch none;
-    none.changes_places = [] { return EINVAL; };
-    watch = &none;
-    CHECK(problem_of(files.put_in_place()) == nullptr);
-    watch = nullptr;
-    CHECK(read_back(place / "a") == "new");
-    CHECK(read_back(place / "b") == "new");
-    CHECK(place.count() == 2);
-}
-
-TEST_CASE("a signal between two of several files lets all of them take their places first",
-          "[file][temporary]") {
-    for (const bool to_another : {false, true})
-        for (const int at : {1, 2, 3}) {
-            INFO("before file " << at << (to_another ? ", to another thread" : ""));
-            const Place place;
-            for (const char* const name : {"a", "b", "c"})
-                REQUIRE(problem_of(write_file(place / name, "old")) == nullptr);
-            const pid_t child = ::fork();
-            if (child == 0) {
-                remove_temporaries_on_signals();
-                FilesTogether files;
-                for (const char* const name : {"a", "b", "c"}) (void)files.add(place / name, "new");
-                int calls = 0;
-                std::atomic<bool> now{false};
-                std::thread other([&now] {
-                    while (!now) ::usleep(1000);
-                    ::raise(SIGTERM);
-                });
-                Watch signalled;
-                signalled.changes_places = [&] {
-                    if (++calls == at && to_another) now = true;
-                    if (calls == at && !to_another) ::kill(::getpid(), SIGTERM);
-                    ::usleep(50'000);
-                    return 0;
-                };
-                watch = &signalled;
-                (void)files.put_in_place();
-                ::pause();
-            }
-            int status = 0;
-            REQUIRE(::waitpid(child, &status, 0) == child);
-            CHECK((WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM));
-            for (const char* const name : {"a", "b", "c"}) CHECK(read_back(place / name) == "new");
-            CHECK(place.count() == 3);
-        }
 }
 
 TEST_CASE("what could not be written is known beforehand, in the same words", "[file]") {

@@ -1,5 +1,5 @@
 // UTF-8 against RFC 3629's own definition: a character's bytes hold its number, in as few as it takes.
-#include "models/io/utf8.h"
+#include "models/utf8.h"
 
 #include <string>
 #include <string_view>

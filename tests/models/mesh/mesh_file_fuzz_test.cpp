@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "models/mesh/formats/mesh_file.h"
 #include "models/mesh/normals.h"
-#include "models/mesh_formats/mesh_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/mesh_file_bytes.h"
 
@@ -85,7 +85,7 @@ void check_sound(const Mesh& mesh) {
     for (const std::uint32_t p : mesh.corner_position) REQUIRE(p < mesh.positions.size());
     for (const std::uint32_t n : mesh.corner_normal) REQUIRE((n < mesh.normals.size() || n == no_index));
     for (const glm::vec3& p : mesh.positions)
-        for (int i = 0; i < 3; ++i) REQUIRE(std::abs(p[i]) <= 1e30f);
+        for (int i = 0; i < 3; ++i) REQUIRE(std::abs(p[i]) <= 1e7f);
     CHECK((mesh.corner_normal.empty() || mesh.corner_normal.size() == mesh.corner_position.size()));
     CHECK((mesh.colors.empty() || mesh.colors.size() == mesh.positions.size()));
     CHECK(mesh_info(mesh).faces == mesh.face_count());
@@ -138,6 +138,4 @@ TEST_CASE("a damaged mesh file is a mesh or a problem, never a crash", "[mesh_fi
                   "endloop\nendfacet\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 1 0\n"
                   "vertex 0 1 0\nendloop\nendfacet\nendsolid\n");
     check_damaged("m.stl", test::binary_stl());
-    check_damaged("m.om", test::om());
-    check_damaged("m.om", test::old_om());
 }

@@ -9,9 +9,7 @@
 #include "models/mesh/mesh.h"
 #include "models/mesh/normals.h"
 #include "tests/support/catch.h"
-#include "tests/support/memory_helpers.h"
 #include "tests/support/mesh_helpers.h"
-#include "tests/support/sanitized.h"
 
 using namespace glint;
 using test::make_mesh;
@@ -123,7 +121,7 @@ TEST_CASE("info counts faces by their corners, and what is degenerate", "[mesh]"
     CHECK(info.polygons == 1);
     CHECK(info.degenerate_faces == 1);
     CHECK(info.duplicate_faces == 1);
-    CHECK(info.normals == "vertex");
+    CHECK(used_source(mesh, NormalSource::Auto) == NormalSource::Vertex);
     CHECK(info.bounds == Bounds{{0, 0, 0}, {1, 2, 0}});
 }
 
@@ -153,32 +151,4 @@ TEST_CASE("facets join across manifold edges within the crease, in chains", "[to
     mesh = make_mesh({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 1}, {2, 0, 0}, {2, 0, 1}, {1, 1, 0}, {1, 1, 1}},
                      {{0, 1, 3, 2}, {2, 3, 5, 4}, {2, 3, 7, 6}});
     CHECK(count(179) == 12);
-}
-
-TEST_CASE("finding the edges takes no more memory than was reckoned, however the polygons meet", "[memory]") {
-    constexpr std::uint32_t count = 100'000;
-    const auto mesh_of = [](std::uint32_t vertices, const auto& corner) {
-        Mesh mesh;
-        mesh.positions.resize(vertices);
-        mesh.first_corner = {0};
-        for (std::uint32_t f = 0; f < count; ++f) {
-            for (std::uint32_t i = 0; i < 3; ++i) mesh.corner_position.push_back(corner(f, i));
-            mesh.first_corner.push_back(3 * f + 3);
-        }
-        return mesh;
-    };
-    const auto fits = [](const Mesh& mesh, std::uint64_t room) {
-        return test::in_process_with_room(room, [&] { return !make_topology(mesh).edges.empty(); });
-    };
-    const auto book = [](std::uint32_t f, std::uint32_t i) { return i < 2 ? i : f + 2; };
-    const auto apart = [](std::uint32_t f, std::uint32_t i) { return 3 * f + i; };
-    const auto fan = [](std::uint32_t f, std::uint32_t i) { return i == 0 ? 0 : f + i; };
-    const auto one = [](std::uint32_t, std::uint32_t i) { return i; };
-    const auto strip = [](std::uint32_t f, std::uint32_t i) { return f + (f % 2 == 0 ? i : 2 - i); };
-    for (const Mesh& mesh : {mesh_of(count + 2, book), mesh_of(3 * count, apart), mesh_of(count + 2, fan),
-                             mesh_of(3, one), mesh_of(count + 2, strip), mesh_of(10 * count, strip)}) {
-        const std::uint64_t reckoned = topology_memory(mesh);
-        if (!test::sanitized) CHECK(fits(mesh, reckoned + (1 << 20)));  // with what the heap takes beside
-        CHECK(reckoned < 90 * mesh.corner_position.size() + 20 * mesh.positions.size() + 20 * count);
-    }
 }

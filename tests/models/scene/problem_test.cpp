@@ -1,7 +1,6 @@
 #include "models/problem.h"
 
-#include "models/io/utf8.h"
-#include "models/warning_list.h"
+#include "models/utf8.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

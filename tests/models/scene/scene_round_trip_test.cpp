@@ -1,8 +1,8 @@
 // What is written reads back equal; what is damaged is a problem of one line.
 #include <cmath>
 
-#include "models/io/utf8.h"
 #include "models/scene_file/scene_file.h"
+#include "models/utf8.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
@@ -40,7 +40,7 @@ std::string wounded(std::string text, std::mt19937& random) {
 std::string any_value(std::mt19937& random) {
     constexpr const char* values[] = {
         "0",      "1",        "-1",           "1e999", "1e-60",        "null",    "true",
-        "\"\"",   "\"spot\"", "[]",           "{}",    "[0, 0, 0]",    "180",     "1e30",
+        "\"\"",   "\"spot\"", "[]",           "{}",    "[0, 0, 0]",    "180",     "1e7",
         "[[[]]]", "-0",       "[1, 2, 3, 0]", "64",    "\"a\\u0000\"", "16777217"};
     return values[random() % std::size(values)];
 }
@@ -76,7 +76,7 @@ TEST_CASE("a float is written with as few digits as read back equal", "[scene_ro
         scene.camera.target.x = number;
         CHECK(scene_text(scene).find("\"target\": [" + text + ",") != std::string::npos);
     }
-    for (const float number : {7.0385307e-26f, 1e30f, 1e-45f, -0.0f, 3.4028235e-38f}) {
+    for (const float number : {7.0385307e-26f, 1e7f, 1e-45f, -0.0f, 3.4028235e-38f}) {
         Scene scene;
         scene.camera.target.x = number;
         const auto back = std::get<Scene>(parse_scene(scene_text(scene), "s")).camera.target.x;

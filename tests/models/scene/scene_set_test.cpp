@@ -64,9 +64,9 @@ TEST_CASE("an assignment by --set takes JSON values, and a word as a string", "[
     CHECK(problem_with(smallest, {"/lights/0/name="}) ==
           "--set: /lights/0/name: \"\" is neither JSON nor a word: there is no text" + expected);
     CHECK(problem_with(smallest, {"/lights/0/intensity=1e999"}) ==
-          "--set: /lights/0/intensity: 1e999 is out of range; expected a number within -1e30 and 1e30");
+          "--set: /lights/0/intensity: 1e999 is out of range; expected a number within -1e7 and 1e7");
     CHECK(problem_with(smallest, {"/lights/0/position=[0, -1e400, 0]"}) ==
-          "--set: /lights/0/position/1: -1e400 is out of range; expected a number within -1e30 and 1e30");
+          "--set: /lights/0/position/1: -1e400 is out of range; expected a number within -1e7 and 1e7");
     CHECK(problem_with(smallest, {"/lights/0/name=two words"}).find("neither JSON nor a word") !=
           std::string::npos);
     CHECK(problem_with(smallest, {"/camera/eye=[1,2"}).find("the text ends too early") != std::string::npos);
@@ -74,7 +74,7 @@ TEST_CASE("an assignment by --set takes JSON values, and a word as a string", "[
           "--set: /display/exposure: \"NaN\" is a string; expected a number");
     CHECK(problem_with(smallest, {"/display/exposure=1e999"}).find("1e999 is out of range") !=
           std::string::npos);
-    CHECK(problem_with(smallest, {"/npr={\"alpha\":1,\"alpha\":2}"}).find("stands twice") !=
+    CHECK(problem_with(smallest, {"/npr={\"alpha\":1,\"alpha\":2}"}).find("duplicate key") !=
           std::string::npos);
     CHECK(problem_with(smallest, {"/display/exposure=null"}) ==
           "--set: /display/exposure: null is not a value; expected a number");
@@ -121,7 +121,7 @@ TEST_CASE("the whole is checked once, after the last assignment", "[scene_set]")
 
 TEST_CASE("what is wrong is blamed on --set only when --set made it so", "[scene_set]") {
     CHECK(problem_with(smallest, {"/display/exposure=-1"}) ==
-          "--set: /display/exposure: -1 is out of range; expected more than 0, up to 1e30");
+          "--set: /display/exposure: -1 is out of range; expected more than 0, up to 1e7");
     CHECK(problem_with(smallest, {"/display/exposre=1"}) ==
           "--set: /display/exposre: unknown key \"exposre\"; expected \"exposure\"");
     CHECK(problem_with(smallest, {"/camera/eye=[0,0,0]"}) ==
@@ -159,19 +159,6 @@ TEST_CASE("each variant of a scene is what --set makes of its text, whichever we
         REQUIRE(object.mesh != nullptr);
         CHECK((object.mesh == torus.mesh) == (object.source == torus.source));
     }
-}
-
-TEST_CASE("where there is no memory for a scene's text there are no variants, and that is said",
-          "[scene_set][memory]") {
-    SceneDocument document;
-    document.path = "s.json";
-    document.scene.lights.resize(1000);
-    set_memory_limit(1 << 20);
-    const SceneVariants variants(document);
-    const Result<Scene> made = variants.with({{"/lights", "[]"}});
-    set_memory_limit(0);
-    REQUIRE(problem_of(made) != nullptr);
-    CHECK(problem_of(made)->text().starts_with("s.json: this needs "));
 }
 
 TEST_CASE("a pointer that leads nowhere is a problem", "[scene_set]") {

@@ -1,11 +1,10 @@
 // An object's transforms written in every order: the same matrix, or nothing where a scene file cannot say
 // it.
-#include "models/scene/transform_order.h"
-
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
+#include "models/scene/transform.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

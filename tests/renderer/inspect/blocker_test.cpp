@@ -1,6 +1,6 @@
 // What stands between a point and a light, against places worked by hand and against shadows that a sphere
 // casts.
-#include "renderer/inspect/debug_views/blocker.h"
+#include "renderer/debug_views/blocker.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "renderer/inspect/debug_views/compare.h"
+#include "renderer/image/compare.h"
 
 #include "tests/support/catch.h"
 

@@ -1,5 +1,5 @@
 // Quantities behind the picture: each number shown is the one that an explanation gives for that pixel.
-#include "renderer/inspect/debug_views/debug_view.h"
+#include "renderer/debug_views/debug_view.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,6 +1,6 @@
 // What is written is true: the written factors of a line, multiplied, are the written result within its last
 // digit, whatever the light, the model and the pixel.
-#include "renderer/inspect/explain/equation_text.h"
+#include "renderer/explain/equation_text.h"
 
 #include <fmt/core.h>
 
@@ -13,8 +13,8 @@
 
 #include "models/fields/choices.h"
 #include "models/scene/mistakes.h"
-#include "renderer/inspect/explain/explain_format.h"
-#include "renderer/inspect/explain/printed_number.h"
+#include "renderer/explain/explain_format.h"
+#include "renderer/explain/printed_number.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
@@ -389,6 +389,44 @@ TEST_CASE("what a point is lit in, once for what, and how it is encoded is said 
     CHECK(says("for the whole polygon"));
     scene.shading.flat_point = FlatPoint::Provoking;
     CHECK(says("for the whole triangle"));
+    scene.shading.flat_point = FlatPoint::Centroid;
+    scene.shading.rules = Rules::OpenGL2;
+    CHECK(says("for the whole triangle"));
+    scene.shading.rules = Rules::Lecture;
     scene.shading.reflection = Reflection::None;
     CHECK_FALSE(says("here it is lit"));
+}
+
+TEST_CASE("small numbers keep two significant digits, and zero has no sign", "[explain]") {
+    CHECK(fixed_text(-0.004, 2) == "0.00");
+    CHECK(fixed_text(-0.006, 2) == "-0.01");
+    CHECK(decimal_text(-0.0, 3) == "0.000");
+    CHECK(significant_text(-0.0, 3) == "0.000");
+    CHECK(significant_text(0.00012, 3) == "0.00012");
+    CHECK(significant_text(-0.000999, 3) == "-0.001");
+    CHECK(significant_text(0.055, 2) == "0.055");
+    CHECK(significant_text(0.5, 2) == "0.50");
+    CHECK(significant_text(12.345, 2) == "12.35");
+    CHECK(significant_text(3.2e-6, 4) == "3.2e-06");
+}
+
+TEST_CASE("a light's factor f has the same digits in every line", "[explain]") {
+    Scene scene = test::busy_scene();
+    scene.lights.resize(1);
+    scene.lights[0] = Light{};
+    for (const float intensity : {0.725f, 0.055f, 0.4f, 1.0f}) {
+        scene.lights[0].intensity = intensity;
+        Renderer renderer(1);
+        (void)renderer.render(scene, {64, 48});
+        const Explanation e = renderer.explain(32, 24);
+        REQUIRE(e.hit);
+        const LightOfEquation in{scene, e, e.at.lights[0]};
+        const NumberText three = [](double x) { return significant_text(x, 3); };
+        for (const EquationLine& line : light_lines(in)) {
+            if (line.factors.front().quantity != Quantity::Share) continue;
+            const std::string text = written_product(line, 0, three);
+            CAPTURE(text);
+            CHECK(text.starts_with(fmt::format("f {} ", intensity)));
+        }
+    }
 }

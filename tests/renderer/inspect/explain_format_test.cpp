@@ -1,5 +1,5 @@
 // The explanation's spaces and its LaTeX form; JSON and text are tested with the command line.
-#include "renderer/inspect/explain/explain_format.h"
+#include "renderer/explain/explain_format.h"
 
 #include <fmt/core.h>
 

@@ -3,11 +3,11 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 
 #include "models/fields/choices.h"
+#include "models/json/json.h"
 #include "models/scene_file/scene_file.h"
-#include "renderer/inspect/explain/explain_format.h"
+#include "renderer/explain/explain_format.h"
 #include "renderer/renderer.h"
 #include "tests/support/asset_scenes.h"
 #include "tests/support/catch.h"
@@ -16,7 +16,6 @@ using namespace glint;
 
 namespace {
 
-using Json = nlohmann::json;
 using Rgb = std::array<float, 3>;
 
 Rgb rgb_of(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }

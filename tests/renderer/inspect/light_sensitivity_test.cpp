@@ -2,7 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "renderer/inspect/reflectance/term_sensitivity.h"
+#include "renderer/reflectance/term_sensitivity.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

@@ -1,12 +1,12 @@
 // Lobes of every reflection model against closed forms and published tables: energy, albedo, reciprocity,
 // direction.
-#include "renderer/inspect/reflectance/lobes.h"
+#include "renderer/reflectance/lobes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "models/scene/degree.h"
+#include "models/numbers.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

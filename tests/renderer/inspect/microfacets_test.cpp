@@ -1,10 +1,10 @@
 // Rough surfaces as many mirrors: what is counted against what the densities say.
-#include "renderer/inspect/reflectance/microfacets.h"
+#include "renderer/reflectance/microfacets.h"
 
 #include <cmath>
 #include <numeric>
 
-#include "renderer/inspect/reflectance/lobes.h"
+#include "renderer/reflectance/lobes.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

@@ -1,7 +1,7 @@
 // How r is made of n and l, with hand-worked numbers.
 #include <glm/geometric.hpp>
 
-#include "renderer/inspect/reflectance/highlight.h"
+#include "renderer/reflectance/highlight.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

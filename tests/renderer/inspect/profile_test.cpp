@@ -1,11 +1,11 @@
 // Mach bands: the jump of the first derivative of intensity at an edge, against its closed form.
-#include "renderer/inspect/debug_views/profile.h"
+#include "renderer/debug_views/profile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "models/scene/degree.h"
+#include "models/numbers.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 
@@ -69,6 +69,47 @@ TEST_CASE("profile: Gouraud shading's slope jumps at an edge by the closed form"
         (*samples[edge - 1].second_difference + *samples[edge].second_difference) * pixels_per_unit;
     CHECK(jump == Approx(-0.104455).margin(1e-4));
     CHECK(std::abs(*samples[edge - 20].second_difference) * pixels_per_unit < 1e-4);
+}
+
+TEST_CASE("a slope jump between two pixels is measured in full at both", "[profile]") {
+    const auto line_with_jump = [](double at) {  // slopes 0.002 and 0.0077
+        std::vector<ProfileSample> samples(40);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const double x = static_cast<double>(i) - at;
+            samples[i].intensity = 0.3 + 0.002 * x + (x > 0 ? 0.0057 * x : 0);
+            if (i > 0) samples[i].first_difference = samples[i].intensity - samples[i - 1].intensity;
+        }
+        return samples;
+    };
+    for (const double t : {0.0, 0.05, 0.16, 0.5, 0.84, 0.95}) {
+        const auto samples = line_with_jump(20 + t);
+        CAPTURE(t);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const auto jump = slope_jump_at(samples, i);
+            if (i < 19 || i > 21) CHECK_FALSE(jump);
+            if (i != 20 && (i != 21 || t == 0)) continue;
+            REQUIRE(jump);
+            CHECK(jump->before == Approx(0.002));
+            CHECK(jump->after == Approx(0.0077));
+        }
+    }
+}
+
+TEST_CASE("Gouraud shading's slope jump has its closed form at both pixels of the edge", "[profile]") {
+    const auto samples = across(strip(ShadingMode::Gouraud));
+    for (const std::size_t i : {edge - 1, edge}) {
+        const auto jump = slope_jump_at(samples, i);
+        REQUIRE(jump);
+        CHECK((jump->after - jump->before) * pixels_per_unit == Approx(-0.104455).margin(1e-4));
+    }
+    CHECK_FALSE(slope_jump_at(samples, edge - 20));
+}
+
+TEST_CASE("smooth curves and steps of the intensity have no slope jump", "[profile]") {
+    for (const auto mode : {ShadingMode::Phong, ShadingMode::Flat}) {
+        const auto samples = across(strip(mode));
+        for (std::size_t i = 0; i < samples.size(); ++i) CHECK_FALSE(slope_jump_at(samples, i));
+    }
 }
 
 TEST_CASE("profile: Phong shading's slope does not jump on a symmetric strip", "[profile]") {

@@ -1,12 +1,13 @@
 // Derivatives of a pixel against those of the equation, and the buffers behind a picture against its
 // explanations.
-#include "renderer/inspect/debug_views/sensitivity.h"
+#include "renderer/debug_views/sensitivity.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "models/fields/scene_numbers.h"
-#include "renderer/inspect/debug_views/buffers.h"
+#include "renderer/debug_views/buffers.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
@@ -223,28 +224,6 @@ TEST_CASE("sensitivity: of the second object the numbers keep their pointers", "
     CHECK(lists(s.no_effect, "/objects/0"));
 }
 
-TEST_CASE("sensitivity: a falloff is held as another object's material has it", "[sensitivity]") {
-    SceneDocument document = balls();
-    Scene& scene = document.scene;
-    scene.shading.reflection = Reflection::Lambert;
-    Light& lamp = scene.lights[0];
-    lamp.kind = LightKind::Point;
-    lamp.position = {0, 0, 4, 1};  // at the eye: n·l = 1 in the middle
-    lamp.falloff = {0, 0, 1e-37f};
-    for (const int bright : {0, 1}) {
-        scene.objects[0].material.ambient = scene.objects[1].material.ambient = glm::vec3(0);
-        scene.objects[static_cast<std::size_t>(bright)].material.ambient.x = 1000;
-        // Falloff times the largest colour and the largest material is held at 1e31.
-        const double held = 1e31 / (1000 * double(lamp.intensity * lamp.diffuse.x));
-        const Sensitivities s = of_pixel(document, 32, 24);
-        CHECK(change_of(s, "/objects/0/material/diffuse/0").x ==
-              Approx(held * double(lamp.intensity * lamp.diffuse.x)).epsilon(0.01));
-        CHECK(std::count_if(s.no_effect.begin(), s.no_effect.end(), [](const std::string& pointer) {
-                  return pointer.starts_with("/objects/1");
-              }) == 1);  // as a whole
-    }
-}
-
 TEST_CASE("sensitivity: another object's stroke over the pixel counts, as far as it covers it",
           "[sensitivity]") {
     SceneDocument document = balls();
@@ -312,6 +291,7 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
             return found->picture;
         };
         CHECK(buffer("sum").linear == picture.linear);
+        float shortest = 1;
         for (int y = 0; y < sensitive_size.height; ++y)
             for (int x = 0; x < sensitive_size.width; ++x) {
                 const auto seen = renderer.seen_at(x, y);
@@ -327,7 +307,15 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
                     sum += buffer(term).linear_at(x, y);
                 for (int c = 0; c < 3; ++c)
                     REQUIRE(sum[c] == Approx(picture.linear_at(x, y)[c]).margin(2e-6));
+                for (const char* direction : {"view", "l_1"}) {  // that of a bulb
+                    const float length = glm::length(buffer(direction).linear_at(x, y));
+                    if (mode == ShadingMode::Gouraud)
+                        shortest = std::min(shortest, length);
+                    else
+                        REQUIRE(length == Approx(1));
+                }
             }
+        CHECK((shortest < 0.9999f) == (mode == ShadingMode::Gouraud));
     }
 }
 

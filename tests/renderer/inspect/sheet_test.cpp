@@ -1,5 +1,5 @@
 // Grids of pictures: how values are split, where pictures stand, and that there are words beside them.
-#include "renderer/inspect/debug_views/sheet.h"
+#include "renderer/image/sheet.h"
 
 #include <algorithm>
 #include <cstdlib>

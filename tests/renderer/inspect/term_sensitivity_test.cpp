@@ -1,5 +1,5 @@
 // Which term needs normal, light and viewer, as the lecture's review has it.
-#include "renderer/inspect/reflectance/term_sensitivity.h"
+#include "renderer/reflectance/term_sensitivity.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

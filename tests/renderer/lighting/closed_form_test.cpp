@@ -71,7 +71,7 @@ dvec3 added_by_area(const Light& light, const Material& m, const Place& at, dvec
     return sum;
 }
 
-/// docs/interface.md, "How a colour is computed", for one light.
+/// docs/scene_file.md, "The lighting equation", for one light.
 dvec3 expected(const Scene& scene, const Rays& rays, const Place& at) {
     const Material& m = scene.objects[0].material;
     const Light& light = scene.lights[0];

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <set>
 
-#include "models/scene/degree.h"
+#include "models/numbers.h"
 #include "renderer/lighting/illuminate.h"
 #include "tests/support/lecture_scene.h"
 

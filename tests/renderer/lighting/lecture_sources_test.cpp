@@ -1,7 +1,7 @@
 // The lecture's light sources, each in its scene, against closed forms and hand-worked numbers.
 #include <numbers>
 
-#include "models/scene/degree.h"
+#include "models/numbers.h"
 #include "tests/support/lecture_scene.h"
 #include "tests/support/scenes.h"
 

@@ -1,5 +1,5 @@
 // GLINT_ISA forces an instruction set: the bytes of a picture may not depend on it.
-#include "renderer/kernels/instruction_set.h"
+#include "renderer/simd/isa/instruction_set.h"
 
 #include <cstdlib>
 

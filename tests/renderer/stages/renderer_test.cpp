@@ -143,6 +143,39 @@ TEST_CASE("a picture drawn after changes is the picture drawn from scratch", "[s
     }
 }
 
+TEST_CASE("a picture of another shape with as many pixels shows nothing of the one before", "[stages]") {
+    // Small objects, so that most tiles are background, which is not drawn again where it was kept.
+    Scene left = busy_scene(), right = left, mirrored = left, empty = left;
+    left.camera.projection = Perspective{90, 0.1f, 100};
+    right.camera.projection = left.camera.projection;
+    right.camera.target = {-6, 3, 0};
+    mirrored.camera.eye.x = -4;
+    empty.objects.clear();
+    const std::vector<Scene> scenes{left, right, mirrored, empty};
+    struct Shape {
+        PictureSize size;
+        int samples;
+    };
+    for (const int pixels : {3840, 16384}) {
+        std::vector<Shape> shapes;
+        for (int width = 8; width <= pixels / 8; ++width)
+            for (const int samples : {1, 2})  // as many samples in all
+                if (pixels % (width * samples) == 0)
+                    shapes.push_back({{width, pixels / samples / width}, samples});
+        Renderer kept(2);
+        std::size_t which = 0;
+        for (const Shape& before : shapes)
+            for (const Shape& after : shapes) {
+                CAPTURE(before.size.width, before.size.height, before.samples, after.size.width,
+                        after.size.height, after.samples);
+                const Scene& first = scenes[which++ % scenes.size()];
+                (void)kept.render(first, before.size, false, before.samples);
+                draw_as_fresh(kept, first, after.size, false, after.samples);
+                draw_as_fresh(kept, scenes[which % scenes.size()], after.size, false, after.samples);
+            }
+    }
+}
+
 TEST_CASE("the picture has the same bytes for every number of threads", "[threads]") {
     for (const ShadingMode mode : modes) {
         Scene scene = busy_scene();

@@ -3,10 +3,10 @@
 #include <thread>
 
 #include "models/memory_limit.h"
-#include "models/mesh/mesh_memory.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
 #include "ui/document/document_actions.h"
 #include "ui/document/loading.h"
@@ -30,7 +30,7 @@ Scene with_meshes_of(const std::vector<MeshSource>& sources) {
     for (const MeshSource& source : sources) {
         Object object;
         object.source = source;
-        object.mesh = share_mesh(make_primitive(Primitive::Sphere, 5));
+        object.mesh = std::make_shared<const Mesh>(make_primitive(Primitive::Sphere, 5));
         scene.objects.push_back(object);
     }
     return scene;
@@ -171,12 +171,12 @@ TEST_CASE("a scene that comes back, as the next one cannot be drawn, waits for n
     const HeldLoad load(bench, SceneDocument{});
     SceneDocument next = first_scene();
     next.path = "next.json";
-    next.scene.objects[0].mesh = share_mesh(make_primitive(Primitive::Sphere, 400));
+    next.scene.objects[0].mesh = std::make_shared<const Mesh>(make_primitive(Primitive::Sphere, 400));
     bench.state.loading.scene_then = bench.scene();
     bench.state.loading.document =
         std::make_unique<LoadJob>("next.json", [next](LoadProgress&) { return next; });
     while (!bench.state.loading.document->done()) std::this_thread::yield();
-    set_memory_limit(memory_limit() - memory_left() + (1 << 20));
+    set_memory_limit(test::cost_of(before, bench.state.rendered->size));
     (void)bench.frame();
     set_memory_limit(0);
     CHECK(bench.state.editor.document.path.empty());

@@ -1,5 +1,5 @@
 // The examples: their order, their captions, and how they are opened.
-#include "ui/lecture/examples.h"
+#include "ui/features/lecture/examples.h"
 
 #include <filesystem>
 #include <fstream>

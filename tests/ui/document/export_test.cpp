@@ -9,10 +9,12 @@
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "ui/commands/command.h"
-#include "ui/export/clipboard.h"
+#include "ui/document/document_actions.h"
+#include "ui/features/export/clipboard.h"
 #include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;
@@ -162,11 +164,109 @@ TEST_CASE("a picture saved or exported elsewhere reopens with its meshes", "[ui]
     bench.state.files.name = "saved.png";
     bench.frames(2);
     bench.key(Key::Enter);
+    while (bench.state.exporting.job) bench.frame();
     for (const std::string& picture : {exported, saved}) {
         const SceneDocument again = opened(picture);
         CHECK(again.scene.objects.at(0).mesh->face_count() == 1);
         CHECK(std::get<MeshFile>(again.scene.objects[0].source).path == "../deep/t.obj");
     }
+}
+
+namespace {
+
+/// A window in which F12 saves into a folder of its own.
+struct PictureWindow : HeadlessWindow {
+    PictureWindow() { frames(3); }
+    /// Saves the picture; returns what was reported.
+    Notification save(const std::string& name) {
+        state.notifications.list.clear();
+        (void)key(Key::F12);
+        REQUIRE(state.files.open);
+        warning = state.files.warning;
+        state.files.folder = folder.path("");
+        state.files.name = name;
+        frames(2);
+        (void)key(Key::Enter);
+        while (state.exporting.job) (void)frame();
+        REQUIRE(state.notifications.list.size() == 1);
+        return state.notifications.list.front();
+    }
+    Picture saved(const std::string& name) { return std::get<Picture>(read_png(folder.path(name))); }
+    /// "Saved a.png in FOLDER (640 × 360, 1 sample a pixel)"
+    std::string told(const std::string& name) {
+        const Picture picture = saved(name);
+        return "Saved " + name + " in " + folder.path("").substr(0, folder.path("").size() - 1) + " (" +
+               std::to_string(picture.size.width) + " × " + std::to_string(picture.size.height) +
+               ", 1 sample a pixel)";
+    }
+
+    TemporaryDirectory folder;
+    std::string warning;  // in the dialog
+};
+
+}  // namespace
+
+TEST_CASE("F12 saves the picture at full size while the window shows a smaller one", "[ui][window][export]") {
+    PictureWindow bench;
+    const PictureSize small = bench.state.rendered->size;
+    {
+        const test::MemoryLimit limit(test::cost_of(bench.scene(), small));
+        ImGui::GetIO().DisplaySize.x += 200;
+        bench.frames(3);
+    }
+    const PictureSize full = bench.state.full_size;
+    REQUIRE(bench.state.rendered->size == small);
+    REQUIRE(full.width > small.width);
+    bench.state.notifications.list.clear();
+    const Notification note = bench.save("a.png");
+    CHECK(note.text == bench.told("a.png"));
+    CHECK((bench.saved("a.png").rgba == drawn_here(bench.scene(), full, 1)));
+}
+
+TEST_CASE("a comparison or a debug view is reported as missing in the saved picture",
+          "[ui][window][export]") {
+    struct Case {
+        Key key;
+        const char* name;
+    };
+    for (const auto& [key, name] :
+         {Case{Key::C, "Comparison"}, {Key::I, "View: Normals"}, {Key::O, "Over-range stripes"}}) {
+        CAPTURE(name);
+        PictureWindow bench;
+        (void)bench.key(key);
+        bench.frames(2);
+        const Notification note = bench.save("a.png");
+        CHECK(bench.warning == std::string("Not in the file: ") + name);
+        CHECK(note.text == bench.told("a.png") + ". Not in the file: " + name);
+        CHECK(note.tone == Tone::Warning);
+        CHECK((bench.saved("a.png").rgba == drawn_here(bench.scene(), bench.state.full_size, 1)));
+    }
+}
+
+TEST_CASE("a kept cell of Light × term is named when it is saved, and in the file", "[ui][window][export]") {
+    PictureWindow bench;
+    bench.scene().about = "Two lights";
+    bench.state.inspector.tab = InspectorTab::Grid;
+    bench.state.views.grid.solo = GridCell{1, 1};
+    bench.frames(4);
+    const Notification note = bench.save("cell.png");
+    CHECK(bench.warning == "With: Only Bulb: diffuse");
+    CHECK(note.text == bench.told("cell.png") + ": Only Bulb: diffuse");
+    CHECK((bench.saved("cell.png").rgba ==
+           drawn_here(with_cells(bench.scene(), {{1, 1}}), bench.state.full_size, 1)));
+    CHECK(opened(bench.folder.path("cell.png")).scene.about == "Only Bulb: diffuse. Two lights");
+}
+
+TEST_CASE("terms that are off and mistakes are named when their scene is saved", "[ui][window][save]") {
+    PictureWindow bench;
+    bench.scene().shading.terms.specular = false;
+    bench.scene().shading.mistakes.reflect_sign = true;
+    bench.frames(2);
+    const Notification note = bench.save("a.png");
+    CHECK(note.text == bench.told("a.png") + ": Off: specular, Mistake: Reflect sign");
+    (void)save_as(bench.state, bench.folder.path("a.json"));
+    CHECK(bench.state.notifications.list.back().text ==
+          "Saved a.json (Off: specular, Mistake: Reflect sign)");
 }
 
 TEST_CASE("the dialog of Export is answered by keys, and a size that is typed is not",

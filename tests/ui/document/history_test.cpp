@@ -1,6 +1,6 @@
 // Undo, redo, and what the steps are called.
 #include "models/memory_limit.h"
-#include "models/mesh/mesh_memory.h"
+#include "models/scene/scene_cost.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"

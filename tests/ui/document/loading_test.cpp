@@ -217,7 +217,7 @@ TEST_CASE("of a file of another kind it is said what a window takes, lessons and
     bench.wait_for_loads();
     REQUIRE(bench.state.notifications.list.size() == 1);
     const std::string& text = bench.state.notifications.list[0].text;
-    for (const char* const kind : {".json", ".om", ".md", ".pfm", ".exr"})
+    for (const char* const kind : {".json", ".stl", ".md", ".pfm", ".exr"})
         CHECK(text.find(kind) != std::string::npos);
 }
 
@@ -372,7 +372,7 @@ TEST_CASE("what is kept while a mesh is built has the mesh that is seen, and ope
         REQUIRE(awaits_mesh(bench.state));
         bench.state.editor.saved = before;
         REQUIRE(keep_unsaved_work(bench.state));
-        const auto copy = open_autosave(bench.state.persistence.autosave->path());
+        const auto copy = open_autosave(bench.state.persistence.autosave->path);
         REQUIRE(problem_of(copy) == nullptr);
         CHECK(same_description(std::get<SceneDocument>(copy).scene, seen));
         CHECK(save(bench.state));
@@ -427,42 +427,6 @@ TEST_CASE("who saves a scene whose mesh is gone is told that it will not open", 
     CHECK(found[1].text == "The scene opens again when \"one.obj\" is there: it is a directory");
 }
 
-TEST_CASE("a mesh that does not fit into memory, read or drawn, is taken away again by its name",
-          "[ui][loading]") {
-    const TemporaryDirectory folder;
-    std::string grid;
-    constexpr int side = 200;
-    for (int i = 0; i < side * side; ++i) grid += fmt::format("v {} {} 0\n", i % side, i / side);
-    for (int i = 0; i + side < side * side; ++i)
-        if (i % side + 1 < side)
-            grid += fmt::format("f {} {} {} {}\n", i + 1, i + 2, i + side + 2, i + side + 1);
-    const std::string path = folder.file("grid.obj", grid);
-    const std::pair<MeshSource, std::string> named[] = {{MeshFile{path}, "grid.obj"},
-                                                        {PrimitiveMesh{Primitive::Sphere, 100}, "sphere"}};
-    int of_drawing = 0;
-    for (const auto& [source, name] : named) {
-        HeadlessWindow bench;
-        bench.frames(2);
-        const Scene before = bench.scene();
-        const std::uint64_t taken = memory_limit() - memory_left();
-        for (std::uint64_t room = 1 << 20; bench.scene() == before; room += 1 << 20) {
-            set_memory_limit(taken + room);
-            bench.state.notifications.list.clear();
-            begin_mesh(bench.state, source, -1);
-            bench.wait_for_loads();
-            bench.frames(2);
-            set_memory_limit(0);
-            REQUIRE_FALSE((bench.state.notifications.list.empty() && bench.scene() == before));
-            for (const Notification& told : bench.state.notifications.list) {
-                INFO(told.text);
-                CHECK(told.text.find(name) < told.text.find(' '));
-                of_drawing += told.text.starts_with("grid.obj: this needs");  // read it is by its short name
-            }
-        }
-    }
-    CHECK(of_drawing > 0);
-}
-
 TEST_CASE("a mesh that cannot be read leaves the object as it was, and says why", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("none.obj", "f 1 2 3\n");
@@ -510,22 +474,4 @@ TEST_CASE("a load tells the bytes it has read, and ends when it shall", "[loadin
     const auto read = read_file(path, 1000);
     REQUIRE(problem_of(read) != nullptr);
     CHECK(problem_of(read)->what == cancelled_words);
-}
-
-TEST_CASE("a window that closes ends its loads and exports, and no file comes of them afterwards",
-          "[ui][loading]") {
-    const TemporaryDirectory folder;
-    const std::string picture = folder.path("late.png");
-    HeadlessWindow bench;
-    bench.frames(2);
-    CHECK(end_jobs(bench.state, 0));  // nothing to wait for
-    begin_export(bench.state, {{640, 480}, 8}, picture);
-    begin_mesh(bench.state, PrimitiveMesh{Primitive::Sphere, 700}, 0);
-    (void)bench.frame();
-    REQUIRE(bench.state.loading.meshes);
-    CHECK(end_jobs(bench.state, 60));
-    CHECK(bench.state.exporting.job->done());
-    CHECK(bench.state.loading.meshes->done());
-    bench.frames(2);
-    CHECK_FALSE(std::filesystem::exists(picture));
 }

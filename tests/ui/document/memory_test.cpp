@@ -5,10 +5,8 @@
 #include <random>
 
 #include "models/io/file.h"
-#include "models/io/temporary.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
-#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "ui/document/document_actions.h"
@@ -40,30 +38,32 @@ ViewPreferences odd_views() {
 
 }  // namespace
 
-TEST_CASE("the list of recent files takes nothing but whole paths, each once", "[ui][memory]") {
-    CHECK(read_recent_files(
-              R"(["/a", 3, null, "/a", "b", "", {"x": 1}, "/c\nd", "/c\u007fd", "/e", ["/f"]])") ==
+TEST_CASE("the list of recent files takes only absolute paths, each once", "[ui][memory]") {
+    const auto recent = [](const std::string& list) {
+        return read_preferences("{\"recent\": " + list + "}").recent;
+    };
+    CHECK(recent(R"(["/a", 3, null, "/a", "b", "", {"x": 1}, "/c\nd", "/c\u007fd", "/e", ["/f"]])") ==
           std::vector<std::string>{"/a", "/e"});
-    CHECK(read_recent_files("").empty());
-    CHECK(read_recent_files(std::string("[\"/a\"]\0x", 8)).empty());
-    CHECK(read_recent_files(R"({"/a": 1})").empty());
-    CHECK(read_recent_files("[\"/" + std::string(5000, 'x') + "\"]").empty());
-    CHECK(read_recent_files(std::string(60'000, '[')).empty());
-    CHECK(read_recent_files("[\"/\xff\xfe\"]").empty());
+    CHECK(recent(R"({"/a": 1})").empty());
+    CHECK(recent("[\"/" + std::string(5000, 'x') + "\"]").empty());
+    CHECK(recent("[\"/\xff\xfe\"]").empty());
     std::vector<std::string> paths;
     for (int i = 0; i < 40; ++i) paths = with_recent_file(paths, "/f" + std::to_string(i));
     REQUIRE(paths.size() == max_recent_files);
     CHECK(paths.front() == "/f39");
     CHECK(with_recent_file(paths, "/x/../f35")[0] == "/f35");
     CHECK(with_recent_file(paths, "-") == paths);
-    CHECK(read_recent_files(recent_files_text(paths)) == paths);
-    paths = {"/n\xff.json", "/B\u00e4lle.json", "/\xC3"};  // names are bytes
-    CHECK(read_recent_files(recent_files_text(paths)) == paths);
+    for (const auto& list : std::vector<std::vector<std::string>>{
+             paths, {"/n\xff.json", "/B\u00e4lle.json", "/\xC3"}}) {  // names are bytes
+        Preferences settings;
+        settings.recent = list;
+        CHECK(read_preferences(preferences_text(settings)).recent == list);
+    }
 }
 
 TEST_CASE("settings are read back equal, and from nonsense what makes sense is taken", "[ui][memory]") {
-    Preferences settings{false,      {true, false, false, false, 300, 401.5f, false, 333}, 1111, 777, true,
-                         odd_views()};
+    Preferences settings{
+        false, {true, false, false, false, 300, 401.5f, false, 333}, 1111, 777, true, odd_views(), {"/a"}};
     CHECK(read_preferences(preferences_text(settings)) == settings);
     CHECK(read_preferences("") == Preferences());
     CHECK(read_preferences("[1]") == Preferences());
@@ -182,94 +182,21 @@ TEST_CASE("theme and columns are there again in the next window", "[ui][memory]"
     CHECK(bench.state.dark);
 }
 
-TEST_CASE("views that another window keeps stay, and what this one forgets goes", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    const std::string file = folder.path("state/window.json");
-    const auto camera_at = [](float x) {
-        Camera camera;
-        camera.eye.x = x;
-        return camera;
-    };
-    const Camera ours = camera_at(1), theirs = camera_at(2), newest = camera_at(3);
-    const auto kept = [&file] { return read_preferences(bytes_of(file)).views.kept; };
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    bench.frames(2);
-    const auto write_after = [&bench](const auto& change) {
-        change(bench.state);
-        bench.frames(2);
-        end_persistence(bench.state);
-    };
-    write_after([&](UiState& state) { keep_view(state.kept_views, ours); });
-    Preferences other = read_preferences(bytes_of(file));
-    other.views.kept.push_back(theirs);
-    REQUIRE(problem_of(write_file(file, preferences_text(other))) == nullptr);
-    write_after([](UiState& state) { state.layout.left = false; });
-    CHECK(kept() == std::vector<Camera>{ours, theirs});
-    CHECK_FALSE(read_preferences(bytes_of(file)).layout.left);
-    write_after([&](UiState& state) { keep_view(state.kept_views, newest); });
-    CHECK(kept() == std::vector<Camera>{ours, theirs, newest});
-    write_after([](UiState& state) { state.kept_views.erase(state.kept_views.begin()); });
-    CHECK(kept() == std::vector<Camera>{theirs, newest});
-    std::filesystem::remove(file);
-    write_after([](UiState& state) { state.layout.left = true; });
-    CHECK(kept() == std::vector<Camera>{newest});
-}
-
-TEST_CASE("settings wait while another window writes there", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    bench.frames(2);
-    bench.state.dark = false;
-    bench.frames(2);
-    {
-        const FolderLock other(folder.path("state"));
-        bench.state.persistence.preferences_changed = -1e9;
-        CHECK(bench.frame().sleep_s < 0.1);  // it asks again by itself
-        CHECK(bytes_of(folder.path("state/window.json")).empty());
-    }
-    bench.frames(1);
-    CHECK_FALSE(read_preferences(bytes_of(folder.path("state/window.json"))).dark);
-}
-
-TEST_CASE("a file that is opened stands first among the recent ones, in every window", "[ui][memory]") {
+TEST_CASE("a file that is opened is the first of the recent ones", "[ui][memory]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("one.json", scene_text(test::busy_scene()));
     HeadlessWindow bench;
     begin_persistence(bench.state, folder.path("state"));
     bench.frames(2);
-    CHECK(bench.state.persistence.recent.empty());
+    CHECK(bench.state.persistence.preferences.recent.empty());
     UiInput drop;
     drop.dropped = {path};
     (void)bench.frame(drop);
     bench.wait_for_loads();
-    CHECK(bench.state.persistence.recent == std::vector<std::string>{path});
-    CHECK(read_recent_files(bytes_of(folder.path("state/recent.json"))) == bench.state.persistence.recent);
-}
-
-TEST_CASE("a window waits for the list of recent files while another changes it, and no file is lost",
-          "[ui][memory]") {
-    const TemporaryDirectory folder;
-    const std::string path = folder.file("one.json", scene_text(test::busy_scene()));
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    bench.frames(2);
-    const std::string list = folder.path("state/recent.json");
-    {
-        const FolderLock other(folder.path("state"));
-        REQUIRE(other.held());
-        CHECK_FALSE(FolderLock(folder.path("state")).held());
-        UiInput drop;
-        drop.dropped = {path};
-        (void)bench.frame(drop);
-        bench.wait_for_loads();
-        CHECK(bench.frame().sleep_s < 0.1);  // it asks again by itself
-        CHECK(read_recent_files(bytes_of(list)).empty());
-        REQUIRE(problem_of(write_file(list, recent_files_text({"/by/the/other.json"}))) == nullptr);
-    }
-    bench.frames(1);
-    CHECK(read_recent_files(bytes_of(list)) == std::vector<std::string>{path, "/by/the/other.json"});
+    CHECK(bench.state.persistence.preferences.recent == std::vector<std::string>{path});
+    end_persistence(bench.state);
+    CHECK(read_preferences(bytes_of(folder.path("state/window.json"))).recent ==
+          std::vector<std::string>{path});
 }
 
 TEST_CASE("where there is no state folder the first edit is told that no copy of it is kept",
@@ -293,26 +220,38 @@ TEST_CASE("where there is no state folder the first edit is told that no copy of
     }
 }
 
-TEST_CASE("a view that is kept and cannot be remembered is told of, once", "[ui][memory]") {
+TEST_CASE("the last window to write its settings wins", "[ui][memory]") {
     const TemporaryDirectory folder;
-    const std::string in_the_way = folder.file("file", "a file"), vanishing = folder.path("state");
-    for (const bool vanishes : {false, true}) {
-        HeadlessWindow bench;
-        begin_persistence(bench.state, vanishes ? vanishing : in_the_way);
-        bench.frames(2);
-        if (vanishes) {
-            std::filesystem::remove_all(vanishing);
-            (void)folder.file("state", "a file in its place");
-        }
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path());
+    bench.frames(2);
+    Preferences other;
+    other.dark = false;
+    other.layout.right = false;
+    (void)folder.file("window.json", preferences_text(other));
+    bench.state.layout.left = false;
+    bench.frames(2);
+    end_persistence(bench.state);
+    const Preferences read = read_preferences(bytes_of(folder.path("window.json")));
+    CHECK(read.dark);
+    CHECK(read.layout.right);
+    CHECK_FALSE(read.layout.left);
+}
+
+TEST_CASE("settings that cannot be remembered are reported once", "[ui][memory]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    begin_persistence(bench.state, folder.path("state"));
+    bench.frames(2);
+    std::filesystem::remove_all(folder.path("state"));
+    (void)folder.file("state", "a file in its place");
+    bench.frames(200);
+    CHECK(bench.notes_with("cannot be remembered") == 0);
+    for (int i = 0; i < 2; ++i) {
+        bench.key(Key::U, false, true);  // keeps a view
         bench.frames(200);
-        CHECK(bench.notes_with("cannot be remembered") == 0);
-        bench.key(Key::U, false, true);
-        bench.frames(200);
-        CHECK(bench.notes_with("Kept views cannot be remembered: ") == 1);
+        CHECK(bench.notes_with("The settings of the window cannot be remembered: ") == 1);
         bench.scene().camera.eye.x += 1;
-        bench.key(Key::U, false, true);
-        bench.frames(200);
-        CHECK(bench.notes_with("cannot be remembered") == 1);
     }
 }
 

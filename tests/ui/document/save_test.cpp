@@ -167,7 +167,7 @@ TEST_CASE("work that is taken up after a crash does not overwrite what was writt
         HeadlessWindow next;
         begin_persistence(next.state, folder.path("state"));
         REQUIRE_FALSE(next.state.persistence.orphans.empty());
-        recover_autosave(next.state, next.state.persistence.orphans[0].lock.path());
+        recover_autosave(next.state, next.state.persistence.orphans[0].lock.path);
         next.wait_for_loads();
         edit(next, 0.75f);
         next.key(Key::S, true);
@@ -274,6 +274,9 @@ TEST_CASE("an example is not saved over: not through a link to it, and not by it
     };
     (void)save(bench.state);
     REQUIRE(bench.state.files.open);  // a name of one's own is asked for
+    const Notification& asked = bench.state.notifications.list.back();
+    CHECK(asked.text == "This is a built-in example. Choose where to save your copy.");
+    CHECK(asked.tone == Tone::Warning);  // nothing is saved yet
     answer_with(folder.path("shipped"), "example.json");
     bench.key(Key::Enter);  // it may be replaced
     bench.frames(1);
@@ -293,7 +296,7 @@ TEST_CASE("a copy's file of a hostile name leaves room for the panel's buttons",
     for (const std::string& name : {std::string(60, '\n'), std::string(200'000, 'x')}) {
         const TemporaryDirectory folder;
         (void)folder.file("1.autosave",
-                          json_text({{"path", "/" + name + ".json"}, {"scene", JsonValue{{"glint", 1}}}}));
+                          json_text({{"path", "/" + name + ".json"}, {"scene", Json{{"glint", 1}}}}));
         HeadlessWindow bench({1280, 800});
         begin_persistence(bench.state, folder.path());
         bench.frames(3);

@@ -1,8 +1,8 @@
 // The inspector says where a shadow would fall, which the picture does not have.
 #include "tests/places.h"
 #include "tests/support/headless_inspector.h"
-#include "ui/inspector/equation/equation_tab.h"
-#include "ui/inspector/inspector.h"
+#include "ui/features/inspector/equation/equation_tab.h"
+#include "ui/features/inspector/inspector.h"
 
 using namespace glint;
 using test::HeadlessWindow;

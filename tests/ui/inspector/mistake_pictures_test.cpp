@@ -1,6 +1,6 @@
 // The small pictures of the mistakes: what they show, when they are drawn, and when they are not.
 // Comparisons of bytes stand in two brackets, so that a failure does not print them all.
-#include "ui/inspector/mistake_pictures.h"
+#include "ui/features/inspector/mistake_pictures.h"
 
 #include <algorithm>
 #include <chrono>
@@ -183,12 +183,4 @@ TEST_CASE("nobody looks at the mistakes: none is drawn, and no mesh is kept for 
     CHECK(m.pictures.sheet.serial == serial);
     bench.state.inspector.tab = InspectorTab::Mistakes;
     CHECK(wait_for_pictures(bench));
-}
-
-TEST_CASE("a window that ends ends the small pictures", "[ui][window][why]") {
-    HeadlessWindow bench;
-    test::ask(bench, InspectorTab::Mistakes);
-    while (!bench.state.mistake_pictures.pictures.job) bench.frames(1);
-    CHECK(end_jobs(bench.state, 10));
-    CHECK(bench.state.mistake_pictures.pictures.job->done());
 }

@@ -2,13 +2,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "renderer/inspect/explain/explain_words.h"
+#include "renderer/explain/explain_words.h"
 #include "tests/support/catch.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/scene_edit.h"
+#include "ui/features/inspector/equation/words.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
-#include "ui/inspector/equation/words.h"
 #include "ui/picture/orbit.h"
 #include "ui/picture/screen.h"
 #include "ui/shell/layout.h"
@@ -116,10 +116,15 @@ TEST_CASE("terms lit at corners enter with their weights", "[ui]") {
     CHECK(term_sums(why).ambient.y == Approx(0.3f));
 }
 
-TEST_CASE("figures keep their width while they change", "[ui]") {
+TEST_CASE("figures have three decimals, more where these are zeros, and no negative zero", "[ui]") {
     CHECK(shown_number(0.71334f) == " 0.713");
     CHECK(shown_number(-0.125f) == "−0.125");
-    CHECK(shown_number(-0.0001f) == " 0.000");
+    CHECK(shown_number(0.4f) == " 0.400");
+    CHECK(shown_number(0.00012f) == " 0.00012");
+    CHECK(shown_number(-0.0025f) == "−0.0025");
+    CHECK(shown_number(0.000012f) == " 1.2e-05");
+    CHECK(shown_number(-4e-8f) == " 0.000");  // rounding
+    CHECK(shown_number(-0.0f) == " 0.000");
     CHECK(shown_number(12.345f) == " 12.35");
     CHECK(shown_number(1234.5f) == " 1234");
 }

@@ -4,15 +4,15 @@
 #include <filesystem>
 #include <glm/trigonometric.hpp>
 
-#include "renderer/inspect/reflectance/curves.h"
-#include "renderer/inspect/reflectance/highlight.h"
+#include "renderer/reflectance/curves.h"
+#include "renderer/reflectance/highlight.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/scenes.h"
-#include "ui/inspector/inspector.h"
-#include "ui/plots/plot.h"
-#include "ui/plots/plots_tab.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/plots/plot.h"
+#include "ui/features/plots/plots_tab.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -1,6 +1,11 @@
 // The tab "Program": numbers that are dragged where they stand, and a light's place dragged past gluLookAt.
+#include <fmt/core.h>
+
+#include "models/fields/choices.h"
+#include "programs/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "ui/features/inspector/program/program_state.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -31,6 +36,36 @@ TEST_CASE("a number of a call is dragged where it stands, one step to undo", "[u
     CHECK(bench.scene().lights[0].position.x != start.lights[0].position.x);
     bench.key(Key::Z, true);
     CHECK(bench.scene().lights[0].position == start.lights[0].position);
+}
+
+TEST_CASE("the command in the tooltip of Copy works for the scene, and Copy gives C",
+          "[ui][window][program]") {
+    HeadlessWindow bench({1280, 1400});
+    test::ask(bench, InspectorTab::Program);
+    bench.click(test::in_column(bench, "Copy all calls"));
+    const std::string copied = ImGui::GetClipboardText();
+    CHECK(copied.find("void draw(const GLuint* mesh, int width, int height) {\n") != std::string::npos);
+    CHECK(copied.find("rgb(") == std::string::npos);
+    const auto is_written = [](const Scene& scene) {
+        const std::string words = whole_program_words(scene);
+        for (int i = 0; i < 4; ++i) {
+            const auto language = static_cast<Language>(i);
+            const bool named = words.find(fmt::format("--language {} ", name_of(language))) != words.npos;
+            if (named) return problem_of(write_program({scene, {}, ""}, language)) == nullptr;
+        }
+        return false;
+    };
+    Scene scene = bench.scene();
+    for (const ShadingMode mode : {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong})
+        for (const Reflection reflection : {Reflection::BlinnPhong, Reflection::CookTorrance}) {
+            scene.shading.mode = mode;
+            scene.shading.reflection = reflection;
+            CAPTURE(mode, reflection);
+            CHECK(is_written(scene));
+        }
+    scene.npr.silhouettes = true;
+    CHECK_FALSE(is_written(scene));
+    CHECK(whole_program_words(scene) == "glint code cannot write this scene as a program");
 }
 
 TEST_CASE("a light's place dragged past gluLookAt keeps its numbers and changes their space",

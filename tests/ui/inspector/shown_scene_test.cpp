@@ -1,15 +1,18 @@
 // Where the picture shows another scene than the one that is edited (B, or a frozen one), what is asked of it
 // is answered of that scene, and no hand in the picture or the column edits the other.
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
-#include "ui/export/export_picture.h"
+#include "ui/features/export/export_picture.h"
+#include "ui/features/inspector/equation/number_handle.h"
+#include "ui/features/views/views.h"
 #include "ui/picture/draw_picture.h"
-#include "ui/views/views.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -85,11 +88,21 @@ TEST_CASE("while B is looked at, each click is explained of B, whose numbers can
     CHECK(bench.state.explanation->x == bench.state.asked.x);
     bench.check_column_edits_nothing();
     CHECK_FALSE(is_explained(bench.state));
+    CHECK(editable_scene(bench.state) == nullptr);
     bench.key(Key::B);
     bench.frames(2);
     CHECK(bench.state.explanation->at.lights.size() == 1);
     CHECK(is_explained(bench.state));
+    CHECK(editable_scene(bench.state) == &bench.scene());
     CHECK(bench.scene() == bench.edited);
+}
+
+TEST_CASE("the explained scene cannot be edited by accident", "[ui][compare]") {
+    STATIC_REQUIRE(std::is_same_v<decltype(asked_scene(std::declval<UiState&>())), const Scene&>);
+    Scene scene;
+    scene.lights.resize(1);
+    CHECK(number_handle({scene}, "/lights/0/intensity").number.place == nullptr);
+    CHECK(number_handle({scene, &scene}, "/lights/0/intensity").number.place == &scene.lights[0].intensity);
 }
 
 TEST_CASE("a pixel of a part that shows B is explained of B, and its numbers edit nothing",

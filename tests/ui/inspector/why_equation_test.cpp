@@ -5,12 +5,12 @@
 #include <set>
 
 #include "models/scene_file/scene_file.h"
-#include "renderer/inspect/explain/explain_format.h"
-#include "renderer/inspect/explain/explain_words.h"
+#include "renderer/explain/explain_format.h"
+#include "renderer/explain/explain_words.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
-#include "ui/inspector/equation/equation_tab.h"
-#include "ui/inspector/equation/words.h"
+#include "ui/features/inspector/equation/equation_tab.h"
+#include "ui/features/inspector/equation/words.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -52,6 +52,38 @@ TEST_CASE("a right click on a number that is only read copies it, or its whole l
     CHECK(std::stof(choose("Copy")) == Approx(n_dot_l).margin(0.0005));
     CHECK(choose("Copy line").starts_with("n·l 0."));
     CHECK(bench.scene() == start);
+}
+
+TEST_CASE("a cosine of a vector that is not unit names its length, beside the true angle",
+          "[ui][window][why]") {
+    HeadlessWindow bench({1280, 1400});
+    const auto length_shown = [&bench] {
+        for (const NamedControl& control : bench.controls())
+            if (control.name.starts_with("|n|")) return std::stof(control.name.substr(4));
+        return 0.0f;
+    };
+    bench.scene().objects[0].transform.scale = glm::vec3(0.5f);
+    test::ask(bench, InspectorTab::Equation, {0.49, 0.48});
+    REQUIRE(bench.state.explanation->hit);
+    CHECK(length_shown() == 0);
+    // The inverse transpose of a scale by 0.5 doubles a normal.
+    bench.scene().shading.mistakes.unnormalized_normals = true;
+    bench.frames(3);
+    CHECK(length_shown() == Approx(2).epsilon(0.01));
+    const ExplainedPoint& at = bench.state.explanation->at;
+    CHECK(at.lights[0].n_dot_l > 1);
+    const glm::vec3 to_sun = glm::normalize(glm::vec3(bench.scene().lights[0].position));
+    const double cosine = glm::dot(glm::normalize(at.normal.world), to_sun);
+    const Rect angle = bench.area_of("angle n·l", test::right_column(bench));
+    bench.move({angle.high.x - 10, angle.middle().y});
+    bench.button(true, 1);
+    bench.button(false, 1);
+    bench.frames(2);
+    bench.click(bench.control("Copy"));
+    const std::string copied = ImGui::GetClipboardText();
+    CHECK(std::stod(copied) == Approx(at.lights[0].n_dot_l).margin(0.0006));
+    CHECK(std::stod(copied.substr(copied.find(' '))) ==
+          Approx(std::acos(cosine) * 180 / 3.14159265358979).margin(0.06));
 }
 
 TEST_CASE("the sums of the terms can be copied", "[ui][window][why]") {

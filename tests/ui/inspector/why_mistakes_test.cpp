@@ -5,7 +5,7 @@
 #include "models/scene/mistakes.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
-#include "ui/inspector/tabs.h"
+#include "ui/features/inspector/tabs.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -75,13 +75,32 @@ TEST_CASE("a preview that ends asks for the frame that draws the edited scene ag
     CHECK(bench.frame().sleep_s > 0);
 }
 
-TEST_CASE("the status line's mark opens the mistakes", "[ui][window][why]") {
-    HeadlessWindow bench;
-    test::ask(bench, InspectorTab::Equation);
-    bench.scene().shading.mistakes.normals_flipped = true;
-    bench.frames(2);
-    bench.click(bench.control("/shading/mistakes"));
-    CHECK(bench.state.inspector.tab == InspectorTab::Mistakes);
+TEST_CASE("the status line opens the list of mistakes at the one that is on", "[ui][window][why]") {
+    for (const MistakeName& mistake : mistake_names()) {
+        const std::string row = "/shading/mistakes/" + std::string(mistake.name);
+        CAPTURE(row);
+        HeadlessWindow bench;
+        test::ask(bench, InspectorTab::Equation);
+        bench.scene().shading.mistakes.*mistake.flag = true;
+        bench.frames(2);
+        bench.click(bench.control("/shading/mistakes"));
+        CHECK(bench.state.inspector.tab == InspectorTab::Mistakes);
+        bench.frames(3);
+        const Rect shown = bench.area_of(row, test::right_column(bench));  // in sight
+        CHECK(shown.high.y <= test::right_column(bench).high.y);
+    }
+}
+
+TEST_CASE("mistakes are named, the first two of many", "[ui][why]") {
+    Mistakes mistakes;
+    CHECK(mistakes_text(mistakes).empty());
+    mistakes.reflect_sign = true;
+    CHECK(mistakes_text(mistakes) == "Mistake: Reflect sign");
+    mistakes.power_zero_is_nan = true;
+    CHECK(mistakes_text(mistakes) == "2 mistakes: Reflect sign, Power zero is nan");
+    mistakes.view_reversed = mistakes.missing_pi = true;
+    CHECK(mistakes_text(mistakes).starts_with("4 mistakes: "));
+    CHECK(mistakes_text(mistakes).ends_with(", …"));
 }
 
 TEST_CASE("every tab draws with a pixel picked, with the background picked and with none",

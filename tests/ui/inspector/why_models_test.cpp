@@ -3,8 +3,8 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "ui/features/inspector/tabs.h"
 #include "ui/fields/field_panel.h"
-#include "ui/inspector/tabs.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -2,15 +2,15 @@
 #include <chrono>
 #include <thread>
 
-#include "models/json/json_value.h"
+#include "models/json/json.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/memory_helpers.h"
 #include "ui/document/document_actions.h"
+#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/sensitivity.h"
 #include "ui/fields/panels.h"
-#include "ui/inspector/equation/words.h"
-#include "ui/inspector/sensitivity.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -27,13 +27,13 @@ bool wait_for_numbers(HeadlessWindow& bench) {
 }
 
 /// A number or switch of the scene, as its file has it; the pointer's tokens have no "~".
-JsonValue value_at(const Scene& scene, std::string_view pointer) {
-    const JsonValue file = JsonValue::parse(scene_text(scene)).value();
-    const JsonValue* found = &file;
+Json value_at(const Scene& scene, std::string_view pointer) {
+    const Json file = json_or_null(scene_text(scene));
+    const Json* found = &file;
     while (!pointer.empty()) {
         const std::string token(pointer.substr(1, pointer.find('/', 1) - 1));
         pointer.remove_prefix(token.size() + 1);
-        found = found->is_array() ? &found->elements().at(std::stoul(token)) : found->find(token);
+        found = found->is_array() ? &elements_of(*found).at(std::stoul(token)) : find_member(*found, token);
         REQUIRE(found != nullptr);
     }
     return *found;

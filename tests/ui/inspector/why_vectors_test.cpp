@@ -1,15 +1,17 @@
 // The vectors at the picked point: asked without a click, drawn where they belong, built up step by step.
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <string>
 
 #include "models/scene_file/scene_file.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
-#include "ui/inspector/inspector.h"
-#include "ui/inspector/vectors/arrows.h"
-#include "ui/inspector/vectors/vectors_tab.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/inspector/vectors/arrows.h"
+#include "ui/features/inspector/vectors/vectors_tab.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -95,6 +97,43 @@ TEST_CASE("the facet's edges and normal are those of the mesh, and agree", "[ui]
     CHECK(glm::dot(facet->newell, facet->corners.front()) > 0);
     Explanation background;
     CHECK_FALSE(picked_facet(background, bench.scene()));
+}
+
+TEST_CASE("a facet's outline is cut where it passes behind the eye", "[ui][window][why]") {
+    HeadlessWindow bench;
+    Scene& scene = bench.scene();
+    scene.camera.eye = {0, 0.5f, 0};
+    scene.camera.target = {0, 0, -2};
+    auto mesh = std::make_shared<Mesh>();  // one face below the eye, 4 wide, from z = -10 to z = 10
+    mesh->positions = {{-2, 0, 10}, {2, 0, 10}, {2, 0, -10}, {-2, 0, -10}};
+    mesh->first_corner = {0, 4};
+    mesh->corner_position = {0, 1, 2, 3};
+    finish_mesh(*mesh);
+    scene.objects.resize(1);
+    scene.objects[0] = Object{};
+    scene.objects[0].mesh = mesh;
+    test::ask(bench, InspectorTab::Vectors);
+    REQUIRE(bench.state.explanation->hit);
+    const PictureView view = picture_view(window_layout(bench.state).centre, bench.state);
+    const glm::dvec3 back_left{-2, 0, 10}, far_left{-2, 0, -10}, far_right{2, 0, -10};
+    REQUIRE_FALSE(project(view.map, back_left).in_front);
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushClipRectFullScreen();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    draw_facet(list, bench.state, view);
+    const auto nearest = [&list](ImVec2 to) {
+        float distance = HUGE_VALF;
+        for (const ImDrawVert& v : list.VtxBuffer)
+            distance = std::min(distance, std::hypot(v.pos.x - to.x, v.pos.y - to.y));
+        return distance;
+    };
+    CHECK(nearest(view.to_window({0, 0})) > 50);
+    CHECK(nearest(view.shown(far_left)) < 3);
+    CHECK(nearest(view.shown(far_right)) < 3);
+    // The left edge leaves the picture at the bottom before it is cut.
+    const ImVec2 on_edge = view.shown({-2, 0, -0.01});
+    CHECK(on_edge.y > view.end().y);
 }
 
 TEST_CASE("the steps of r and the length of n belong to the window, not to the scene", "[ui][window][why]") {

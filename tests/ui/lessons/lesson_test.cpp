@@ -1,5 +1,5 @@
 // A lesson in the window: how it is opened and left, what is kept, what a lecturer sees.
-#include "ui/lessons/lesson.h"
+#include "ui/features/lessons/lesson.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -12,8 +12,8 @@
 #include "tests/support/program.h"
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
-#include "ui/lessons/lesson_progress.h"
-#include "ui/lessons/prose.h"
+#include "ui/features/lessons/lesson_progress.h"
+#include "ui/features/lessons/prose.h"
 #include "ui/preferences/persistence.h"
 
 using namespace glint;
@@ -69,7 +69,7 @@ TEST_CASE("an answer stands beside the right one, and its number is marked in th
     CHECK_FALSE(bench.state.explanation);
     bench.answer("0.7");
     REQUIRE(bench.lesson().given()[0].locked);
-    CHECK(bench.lesson().given()[0].value == JsonValue(0.7));
+    CHECK(bench.lesson().given()[0].value == Json(0.7));
     CHECK_FALSE(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
     // The plate at 60 degrees: a half of the light. The number is the cosine, in the right column.
     REQUIRE(bench.state.explanation);
@@ -198,13 +198,13 @@ TEST_CASE("a choice is answered by its letter and Enter, and the palette opens w
     (void)bench.key(Key::Enter);  // nothing is chosen yet
     REQUIRE(asks_for(bench, PredictionKind::Choice));
     (void)bench.key(Key::B);
-    CHECK(lesson.chosen == JsonValue(1));
+    CHECK(lesson.chosen == Json(1));
     CHECK_FALSE(bench.state.views.compare.choice.shows_stored);
     (void)bench.key(Key::C);
-    CHECK(lesson.chosen == JsonValue(2));
+    CHECK(lesson.chosen == Json(2));
     const std::size_t open = *open_question(lesson);
     (void)bench.key(Key::Enter);
-    CHECK(lesson.given()[open].value == JsonValue(2));
+    CHECK(lesson.given()[open].value == Json(2));
     CHECK(lesson.given()[open].locked);
 }
 
@@ -229,15 +229,15 @@ TEST_CASE("a curve that is drawn from edge to edge is whole, and what is drawn c
     int from = 0, to = 0;
     REQUIRE(std::sscanf(why_no_answer(lesson).c_str(), "The curve has a gap from %d to %d on", &from, &to) ==
             2);
-    const double pixels = double(lesson.chosen.elements().size()) / 3;
+    const double pixels = double(elements_of(lesson.chosen).size()) / 3;
     CHECK(from == Approx(pixels).margin(4));
     CHECK(to == Approx(2 * pixels).margin(4));
     bench.click(bench.control("Wipe"));
     // Begun beside the plot, and far above it at the end.
     bench.drag({plot.low.x - 6, middle}, {plot.high.x - 6, plot.low.y - 200});
     CHECK(can_lock(lesson));
-    for (const JsonValue& value : lesson.chosen.elements()) CHECK(value.number() <= 1.08);
-    CHECK(lesson.chosen.elements().back().number() == Approx(1.08));
+    for (const Json& value : elements_of(lesson.chosen)) CHECK(value.get<double>() <= 1.08);
+    CHECK(elements_of(lesson.chosen).back().get<double>() == Approx(1.08));
 }
 
 namespace {
@@ -293,13 +293,13 @@ TEST_CASE("a lesson's fields of a light take what its panel takes, and have none
     for (const NamedControl& control : bench.controls()) CHECK(control.key != "/lights/0/position/3");
     bench.type_into_x("25");
     CHECK(bench.scene().lights[0].position == glm::vec4(25, 2, 3, 1));
-    bench.type_into_x("1e30");
+    bench.type_into_x("1e7");
     CHECK(bench.state.notifications.list.empty());
-    CHECK(bench.scene().lights[0].position == glm::vec4(1e30f, 2, 3, 1));
-    bench.type_into_x("1e31");
-    CHECK(bench.scene().lights[0].position == glm::vec4(1e30f, 2, 3, 1));
+    CHECK(bench.scene().lights[0].position == glm::vec4(1e7f, 2, 3, 1));
+    bench.type_into_x("1e8");
+    CHECK(bench.scene().lights[0].position == glm::vec4(1e7f, 2, 3, 1));
     CHECK(bench.state.notifications.list.size() == 1);
-    CHECK(says(bench, "1e+31 is out of range"));
+    CHECK(says(bench, "1e+08 is out of range"));
 }
 
 TEST_CASE("the answer can be looked at without a prediction, which is noted", "[ui][window][lesson]") {
@@ -377,11 +377,12 @@ TEST_CASE("the next page's scene belongs to no file, and one's own is asked abou
 
 TEST_CASE("what was typed and not locked in does not answer the next page's question",
           "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    (void)folder.file("ball.json", ball);
+    const std::string asks = "```predict number\nquestion: How much?\nanswer: 0.5\ntolerance: 0.1\n```\n\n";
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
-    test::drop(bench, test::shipped_lesson("06-mirror-vector"));
-    bench.key(Key::PageDown);
-    bench.frames(2);
+    test::drop(bench, folder.file("two.md", own_lesson(asks + "## Two\n\n" + asks)));
     bench.click(bench.control("Your answer"));
     test::type(bench, "7");
     CHECK(bench.state.lesson.typed == "7");
@@ -484,14 +485,14 @@ TEST_CASE("progress is kept with every answer, and a lesson goes on where it was
     bench.state.lesson.folder.clear();
     test::drop(bench, test::shipped_lesson("05-lambert"));
     CHECK(bench.state.lesson.progress.station == 1);
-    CHECK(bench.state.lesson.given()[0].value == JsonValue(0.4));
+    CHECK(bench.state.lesson.given()[0].value == Json(0.4));
     CHECK(bench.scene() == bench.state.lesson.station().revealed);
     open_lessons(bench.state);
     bench.frames(2);
     REQUIRE(bench.state.lessons.beside.size() >= 17);
-    REQUIRE(bench.state.lessons.beside[4].record);
-    CHECK(bench.state.lessons.beside[4].record->score.locked == 1);
-    CHECK(bench.state.lessons.beside[4].record->at == 1);
+    REQUIRE(bench.state.lessons.beside[6].record);
+    CHECK(bench.state.lessons.beside[6].record->score.locked == 1);
+    CHECK(bench.state.lessons.beside[6].record->at == 1);
 }
 
 TEST_CASE("a lesson is opened by the arrow keys and Enter, of a list that goes round",
@@ -542,32 +543,6 @@ TEST_CASE("a picture that is dropped while a lesson asks does not cover what is 
     CHECK_FALSE(bench.state.mine.shown);
     CHECK_FALSE(bench.state.mine.reading);
     CHECK(says(bench, "The lesson asks first"));
-}
-
-TEST_CASE("what another window has answered of the same lesson stays", "[ui][window][lesson]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench({1280, 1000});
-    begin_persistence(bench.state, folder.path());
-    bench.frames(2);
-    test::drop(bench, test::shipped_lesson("05-lambert"));
-    const Course& course = *bench.state.lesson.course;
-    bench.key(Key::PageDown);
-    bench.frames(2);
-    CourseProgress theirs = fresh_progress(course);
-    theirs.given[1][0] = {JsonValue(0.4), true, false};
-    const JsonValue records{{record_key("", course.lesson.path), progress_json(course, theirs)}};
-    REQUIRE(problem_of(write_file(folder.path("lessons.json"), json_text(records))) == nullptr);
-    bench.key(Key::PageDown);  // answers nothing
-    bench.frames(2);
-    CHECK(recall_progress(bench.state, course).given[1][0] == theirs.given[1][0]);
-    CHECK(recall_progress(bench.state, course).station == 2);
-    CourseProgress& ours = bench.state.lesson.progress;
-    ours.given[1][0] = {JsonValue(0.7), true, false};
-    bench.frames(2);
-    CHECK(recall_progress(bench.state, course).given[1][0] == ours.given[1][0]);
-    ours = fresh_progress(course);  // begins again
-    bench.frames(2);
-    CHECK(recall_progress(bench.state, course) == fresh_progress(course));
 }
 
 TEST_CASE("a lecturer's questions cannot be answered by mistake, and PgDn shows the answer first",
@@ -638,7 +613,7 @@ TEST_CASE("a lesson of one's own is among the recent files, and goes on from the
     bench.frames(2);
     test::drop(bench, mine);
     REQUIRE(bench.state.lesson.course);
-    REQUIRE(bench.state.persistence.recent == std::vector<std::string>{mine});
+    REQUIRE(bench.state.persistence.preferences.recent == std::vector<std::string>{mine});
     bench.click(bench.control("Leave"));
     bench.frames(2);
     CHECK_FALSE(bench.state.lesson.course);
@@ -732,7 +707,7 @@ TEST_CASE("letters beside a dot and with an index have the equation's colours, w
         return text;
     };
     CHECK(symbols("max(n·l,") == "n l ");
-    CHECK(symbols("(v·r)ⁿ") == "v r ");
+    CHECK(symbols("(v·r)ˢ") == "v r ");
     CHECK(symbols("k_d") == "k_d ");
     CHECK(symbols("n") == "");
     CHECK(symbols("small") == "");

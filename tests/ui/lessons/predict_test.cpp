@@ -1,7 +1,7 @@
 // *Predict*: the picture stands still until somebody has said what a pixel's colour will be.
 #include "tests/support/headless_inspector.h"
 #include "tests/support/lesson_window.h"
-#include "ui/lessons/predict_mode.h"
+#include "ui/features/lessons/predict_mode.h"
 #include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;
@@ -38,7 +38,7 @@ TEST_CASE("a picked pixel stands still while the scene changes, and shows then w
     CHECK(test::window_named("Models") == nullptr);
     const Rect picker = bench.area_of("Colour to predict");
     bench.click(picker.low + ImVec2(30, 30));
-    REQUIRE(bench.state.predict.mine != JsonValue());
+    REQUIRE(bench.state.predict.mine != Json());
     bench.click(bench.control("Lock the colour in"));
     bench.frames(4);
     CHECK(bench.state.predict.stage == PredictStage::Revealed);
@@ -73,7 +73,7 @@ TEST_CASE("a colour is predicted without a mouse, once a pixel is picked", "[ui]
     (void)bench.key(Key::Enter);
     bench.frames(4);
     CHECK(bench.state.predict.stage == PredictStage::Revealed);
-    CHECK(std::round(255 * bench.state.predict.mine.elements()[0].number()) == 7);
+    CHECK(std::round(255 * elements_of(bench.state.predict.mine)[0].get<double>()) == 7);
     REQUIRE(bench.state.predict.answer);
     (void)bench.key(Key::Enter);
     CHECK(bench.state.predict.stage == PredictStage::Change);
@@ -92,7 +92,7 @@ TEST_CASE("a prediction that begins again asks for a pixel where the one before 
     bench.frames(2);
     CHECK(bench.state.predict.stage == (gone ? PredictStage::Pick : PredictStage::Change));
     CHECK(bench.state.lecture.frozen.has_value() == !gone);
-    CHECK(bench.state.predict.mine == JsonValue());
+    CHECK(bench.state.predict.mine == Json());
 }
 
 TEST_CASE("what a pixel was before is the edited scene's colour, not that of a part that showed there",

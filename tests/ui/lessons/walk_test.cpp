@@ -90,7 +90,7 @@ TEST_CASE("every lesson is walked through by hand: held, predicted, revealed, do
     for (const auto& entry :
          std::filesystem::directory_iterator(std::filesystem::path(project_folder) / "assets/lessons"))
         if (entry.path().extension() == ".md") files.push_back(entry.path().string());
-    REQUIRE(files.size() >= 17);
+    REQUIRE(files.size() >= 24);
     std::sort(files.begin(), files.end());
     HeadlessWindow bench({1280, 1500});
     bench.frames(2);
@@ -118,6 +118,6 @@ TEST_CASE("every lesson is walked through by hand: held, predicted, revealed, do
         done += score.tasks;
         CHECK_FALSE(bench.state.editor.unsaved());
     }
-    CHECK(answered >= 60);
-    CHECK(done == 18);
+    CHECK(answered >= 100);
+    CHECK(done == 25);
 }

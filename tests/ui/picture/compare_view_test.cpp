@@ -5,7 +5,7 @@
 #include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
-#include "ui/lessons/lesson.h"
+#include "ui/features/lessons/lesson.h"
 
 using namespace glint;
 using test::HeadlessWindow;

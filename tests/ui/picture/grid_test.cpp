@@ -5,7 +5,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/scenes.h"
-#include "ui/views/views.h"
+#include "ui/features/views/views.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -158,10 +158,10 @@ TEST_CASE("what lies in a corner of the picture lies in the corner that is seen 
     bench.key(Key::F8);
     bench.frames(2);
     const Rect room = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).centre;
-    const Rect before = bench.area_of("Other scene");
+    const Rect before = bench.area_of("On the picture");
     bench.key(Key::M);
     bench.frames(2);
-    const Rect now = bench.area_of("Other scene");
+    const Rect now = bench.area_of("On the picture");
     CHECK(bench.state.views.magnifier.zoom > 4);
     CHECK(length_of(now.low - room.low) <= length_of(before.low - room.low));
     CHECK(room.holds(now.low));

@@ -1,5 +1,5 @@
 // What the window does for a lecture.
-#include "ui/lecture/lecture.h"
+#include "ui/features/lecture/lecture.h"
 
 #include <algorithm>
 #include <utility>

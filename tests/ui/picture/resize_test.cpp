@@ -1,8 +1,8 @@
 // Pixels that were asked about in a picture of another size.
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "ui/features/views/views.h"
 #include "ui/picture/screen.h"
-#include "ui/views/views.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -64,19 +64,4 @@ TEST_CASE("while another scene is shown, what was explained of a larger picture 
     CHECK(window.state.explanation);
     make_small(window);
     CHECK_FALSE(window.state.explanation);
-}
-
-TEST_CASE("the legend of a quantity reads the smaller picture that there is memory for",
-          "[ui][window][debug_view]") {
-    HeadlessWindow window;
-    ask_at(window, corner);
-    const PictureSize whole = window.state.rendered->size;
-    window.state.pace.memory_divided = whole;
-    window.state.pace.memory_divisor = 2;
-    window.state.pace.memory_rests_until = ImGui::GetTime() + 1000;
-    for (int i = 0; i < debug_view_count; ++i) {
-        window.key(Key::I);
-        window.frames(2);
-    }
-    CHECK(window.state.rendered->size.width == whole.width / 2);
 }

@@ -1,12 +1,12 @@
 // The scan-line scope: what it plots is what `glint profile` prints, of the picture on the screen.
-#include "ui/views/scope.h"
+#include "ui/features/views/scope.h"
 
 #include <cmath>
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/document/document_actions.h"
-#include "ui/plots/plot.h"
+#include "ui/features/plots/plot.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -1,7 +1,7 @@
 // Looking at a quantity in place of the picture.
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
-#include "ui/views/views.h"
+#include "ui/features/views/views.h"
 
 using namespace glint;
 using test::HeadlessWindow;

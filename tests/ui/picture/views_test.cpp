@@ -5,7 +5,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
-#include "ui/inspector/outside_view.h"
+#include "ui/features/inspector/outside_view.h"
 #include "ui/picture/orbit.h"
 
 using namespace glint;

@@ -5,7 +5,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
-#include "ui/commands/fuzzy.h"
+#include "ui/commands/match.h"
 #include "ui/commands/menus.h"
 
 using namespace glint;
@@ -35,6 +35,23 @@ TEST_CASE("no two commands share a key", "[ui][commands]") {
             CHECK(press.key != Key::Other);
             CHECK(shown.insert(text_of(press)).second);
         }
+}
+
+TEST_CASE("each key of a frame is reported, and a refused key is a warning", "[ui][window][commands]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto& notes = bench.state.notifications.list;
+    UiInput input;
+    input.presses = {{Key::S}, {Key::D}, {Key::B}};  // no scene is stored as B
+    (void)bench.frame(input);
+    REQUIRE(notes.size() == 3);
+    CHECK((notes[0].text == "Specular: off (S)" && notes[0].tone == Tone::Done));
+    CHECK((notes[1].text == "Diffuse: off (D)" && notes[1].tone == Tone::Done));
+    CHECK(notes[2].text.starts_with("No scene is stored as B"));
+    CHECK(notes[2].tone == Tone::Warning);
+    (void)bench.key(Key::S);
+    REQUIRE(notes.size() == 1);  // it takes the place of the earlier ones
+    CHECK(notes[0].text == "Specular: on (S)");
 }
 
 TEST_CASE("a key is shown as it is pressed", "[ui][commands]") {
@@ -146,26 +163,21 @@ TEST_CASE("every command is found by the palette or opens it, once", "[ui][comma
     }
 }
 
-TEST_CASE("words match by their letters in order, beginnings of words first", "[ui][palette]") {
-    CHECK(fuzzy_match("", "Save as").has_value());
-    CHECK_FALSE(fuzzy_match("sz", "Save as").has_value());
-    CHECK_FALSE(fuzzy_match("as", "").has_value());
-    CHECK(fuzzy_match("PHONG", "Phong shading").has_value());
-    CHECK(fuzzy_match("shading ph", "Phong shading").has_value());
-    CHECK(fuzzy_match("light x term", "Why: Light × term").has_value());
-    CHECK_FALSE(fuzzy_match("light x term", "Why: Light and term").has_value());
-    CHECK(fuzzy_match("sa", "Save as…")->bytes == std::vector<int>{0, 1});
-    CHECK(fuzzy_match("ca", "Creases: all")->bytes == std::vector<int>{0, 9});
-    CHECK(fuzzy_match("gs", "Gouraud shading").has_value());
-    CHECK_FALSE(fuzzy_match("gs", "Highlights lost").has_value());  // in both words, at no beginning
-    CHECK_FALSE(fuzzy_match("scale", "Scene: phong and blinn exponents").has_value());
-    CHECK_FALSE(fuzzy_match("recover", "Mistake: light direction reversed").has_value());
-    CHECK(fuzzy_match("rever", "Mistake: light direction reversed").has_value());
-    CHECK(fuzzy_match("versed", "Mistake: light direction reversed").has_value());  // side by side
-    CHECK(fuzzy_match("dirrev", "Mistake: light direction reversed").has_value());
-    CHECK(fuzzy_match("shdng", "Gouraud shading").has_value());
-    CHECK(fuzzy_match("sha", "Flat shading")->score > fuzzy_match("sha", "shininess as fraction")->score);
-    CHECK(fuzzy_match("save", "Save")->score > fuzzy_match("save", "Save as…")->score);
+TEST_CASE("a search ranks starts of names, then of words, then parts, then letters", "[ui][palette]") {
+    CHECK(match_rank("save AS", "Save as") == 0);
+    CHECK(match_rank("lit-in_srgb", "lit in sRGB") == 0);
+    CHECK(match_rank("", "Save as") == 1);
+    CHECK(match_rank("PHONG", "Phong shading") == 1);
+    CHECK(match_rank("sha", "Flat shading") == 2);
+    CHECK(match_rank("shading ph", "Phong shading") == 2);  // each word by itself
+    CHECK(match_rank("versed", "Mistake: light direction reversed") == 3);
+    CHECK(match_rank("gs", "Gouraud shading") == 4);
+    CHECK(match_rank("shdng", "Gouraud shading") == 4);
+    CHECK(match_rank("dirrev", "Mistake: light direction reversed") == 4);
+    CHECK_FALSE(match_rank("sz", "Save as"));
+    CHECK_FALSE(match_rank("as", ""));
+    CHECK_FALSE(match_rank("hdng", "Phong shading"));  // in order, but from within a word
+    CHECK_FALSE(match_rank("shading flat", "Phong shading"));
 }
 
 TEST_CASE("Ctrl+K, a few letters and Enter do what the best match says", "[ui][palette]") {

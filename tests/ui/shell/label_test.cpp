@@ -3,7 +3,7 @@
 #include <random>
 
 #include "tests/support/catch.h"
-#include "ui/inspector/label_room.h"
+#include "ui/features/inspector/label_room.h"
 
 using namespace glint;
 

@@ -4,7 +4,7 @@
 #include "models/scene_file/scene_file.h"
 #include "tests/support/asset_scenes.h"
 #include "tests/support/headless_inspector.h"
-#include "ui/export/export_picture.h"
+#include "ui/features/export/export_picture.h"
 #include "ui/picture/draw_picture.h"
 
 using namespace glint;
@@ -219,10 +219,7 @@ TEST_CASE("a frozen picture keeps its handles where they were while the scene is
 TEST_CASE("the copy of unsaved work is not offered while the window is shown to others", "[ui]") {
     // tests/ui/document/memory_test.cpp holds that it is offered otherwise.
     HeadlessWindow bench;
-    auto lock =
-        AutosaveLock::take((std::filesystem::temp_directory_path() / "glint-offer.autosave").string());
-    REQUIRE(lock);
-    bench.state.persistence.orphans.push_back({std::move(*lock), "x.json", "14:05"});
+    bench.state.persistence.orphans.push_back({{"a.autosave", nullptr}, "x.json", "14:05"});
     const auto offers = [&bench] {
         bench.frames(2);
         return std::any_of(bench.controls().begin(), bench.controls().end(),

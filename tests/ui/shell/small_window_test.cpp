@@ -7,12 +7,12 @@
 #include <limits>
 #include <string>
 
-#include "models/io/utf8.h"
+#include "models/utf8.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/sanitized.h"
-#include "ui/inspector/tabs.h"
+#include "ui/features/inspector/tabs.h"
 #include "ui/widgets/display_scale.h"
 
 using namespace glint;

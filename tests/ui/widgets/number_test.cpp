@@ -135,6 +135,23 @@ TEST_CASE("a number too long for its field is shown with a power of ten", "[ui][
     CHECK(shown_text(1e30f, kind) == "1e+30");
 }
 
+TEST_CASE("a field shows two significant digits at least, and no negative zero", "[ui][numbers]") {
+    Real kind;  // "%.3f"
+    CHECK(shown_text(0.00012f, kind) == "0.00012");
+    CHECK(shown_text(0.4f, kind) == "0.400");
+    CHECK(shown_text(-0.0f, kind) == "0.000");
+    CHECK(shown_text(1.25e-9f, kind) == "1.2e-09");
+    kind.format = "%.2f";
+    CHECK(shown_text(0.05f, kind) == "0.05");
+    CHECK(shown_text(0.055f, kind) == "0.055");
+    CHECK(shown_text(-0.001f, kind) == "-0.001");
+    kind.format = "%.1f°";
+    CHECK(shown_text(0.04f, kind) == "0.04°");
+    CHECK(shown_text(30, kind) == "30.0°");
+    kind.format = "all";
+    CHECK(shown_text(0.001f, kind) == "all");
+}
+
 TEST_CASE("in a narrow field a number has fewer digits, and its power of ten stays", "[ui][numbers]") {
     const HeadlessWindow bench;
     ImGui::NewFrame();
@@ -353,24 +370,36 @@ TEST_CASE("a field that was emptied keeps its number and says so", "[ui][window]
     bench.tap(backspace_key);  // all of it is selected
     bench.tap(enter_key);
     CHECK(bench.intensity() == 0.5f);
-    CHECK(bench.last_note() == "The field was empty: it keeps 0.5");
+    CHECK(bench.last_note() == "The field is empty. The field keeps 0.5");
 }
 
-TEST_CASE("a long calculation is calculated to its end, and one that fills the field is not a number",
-          "[ui][window][numbers]") {
+TEST_CASE("a refused number is a warning, a copied one is not", "[ui][window][numbers]") {
     Bench bench;
-    const auto typed = [&](int terms) {
+    const auto last_tone = [&] { return bench.state.notifications.list.back().tone; };
+    for (const char* refused : {"abc", "-3", "1/0"}) {
+        CAPTURE(refused);
         bench.click(bench.field());
-        std::string sum = "0.5";
-        for (int i = 0; i < terms; ++i) sum += "+1";
-        bench.type(sum.c_str());
+        bench.frames(1);
+        bench.type(refused);
         bench.tap(enter_key);
-        return bench.intensity();
-    };
-    CHECK(typed(200) == 200.5f);
-    CHECK(bench.state.notifications.list.empty());
-    CHECK(typed(2000) == 200.5f);
-    CHECK(bench.last_note().find("+1+…” is not a number: it fills the field") != std::string::npos);
+        CHECK(last_tone() == Tone::Warning);
+    }
+    bench.right_click(bench.field());
+    bench.click(bench.control("Copy"));
+    bench.frames(2);
+    CHECK(bench.last_note().ends_with("is on the clipboard"));
+    CHECK(last_tone() == Tone::Done);
+}
+
+TEST_CASE("two messages of one frame are both shown", "[ui][window][numbers]") {
+    Bench bench;
+    say_refused("no");
+    say("yes");
+    bench.frames(1);
+    const auto& notes = bench.state.notifications.list;
+    REQUIRE(notes.size() == 2);
+    CHECK((notes[0].text == "no" && notes[0].tone == Tone::Warning));
+    CHECK((notes[1].text == "yes" && notes[1].tone == Tone::Done));
 }
 
 TEST_CASE("what is typed out of range is the nearest in it, and that is said", "[ui][window][numbers]") {
@@ -450,41 +479,6 @@ TEST_CASE("with Shift a drag is ten times finer, with Ctrl it goes by round step
     CHECK(std::abs(stepped / 0.05f - std::round(stepped / 0.05f)) < 1e-3f);
     CHECK(drag_step({.step = 0.5f}, 0) == 5);  // degrees
     CHECK(drag_step({.step = 0.01f}, 0) == Approx(0.1));
-}
-
-TEST_CASE("at the window's edge a drag goes on from the other side", "[ui][window][numbers]") {
-    Bench bench;
-    const ImVec2 at = bench.control("/lights/0/diffuse/0");
-    float& red = bench.scene().lights[0].diffuse.x;
-    red = 0.5f;
-    bench.move(at);
-    bench.button(true);
-    bench.move({at.x - 30, at.y});
-    bench.move({0, at.y});
-    CHECK(ImGui::GetIO().WantSetMousePos);
-    const ImVec2 put = ImGui::GetIO().MousePos;
-    CHECK(put.x > 1200);
-    const float there = red;
-    bench.move(put);
-    CHECK(red == there);  // the jump itself is not a drag
-    bench.move({put.x - 5, at.y});
-    CHECK(red == Approx(std::max(there - 0.02f, 0.0f)).margin(0.0051));
-    bench.button(false);
-}
-
-TEST_CASE("where the cursor cannot be put elsewhere a drag ends at the edge", "[ui][window][numbers]") {
-    Bench bench;
-    const ImVec2 at = bench.control("/lights/0/specular/0");
-    float& red = bench.scene().lights[0].specular.x;
-    red = 2;
-    bench.move(at);
-    bench.button(true);
-    bench.move({at.x - 30, at.y});
-    bench.move({0, at.y});
-    const float there = red;
-    for (int i = 0; i < 3; ++i) bench.move({0, at.y});
-    CHECK(red == there);
-    bench.button(false);
 }
 
 TEST_CASE("the right button changes no number: it opens a menu that says what it would do",

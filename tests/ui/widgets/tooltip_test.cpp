@@ -1,6 +1,7 @@
 // When and where a control says what it is.
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <string>
 
 #include "tests/support/catch.h"
@@ -16,6 +17,13 @@ const ImGuiWindow* shown_tooltip() {
         if (window->Active && !window->Hidden && (window->Flags & ImGuiWindowFlags_Tooltip) != 0)
             return window;
     return nullptr;
+}
+
+/// The largest alpha of all that the window draws, 0 to 255.
+ImU32 opacity_of(const ImGuiWindow& window) {
+    ImU32 most = 0;
+    for (const ImDrawVert& v : window.DrawList->VtxBuffer) most = std::max(most, v.col >> IM_COL32_A_SHIFT);
+    return most;
 }
 
 /// Long enough for any tooltip, at 60 frames a second.
@@ -134,4 +142,30 @@ TEST_CASE("a menu says why an item is grey", "[ui][window][tooltip]") {
     REQUIRE(tip != nullptr);
     // Its words are not kept; that there is a line below the title is.
     CHECK(tip->Size.y > 2 * ImGui::GetTextLineHeight());
+}
+
+TEST_CASE("tooltips and menus of disabled or dimmed controls are opaque", "[ui][window][tooltip]") {
+    HeadlessWindow bench;
+    bench.scene().shading.reflection = Reflection::BlinnPhong;  // which has no roughness
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.frames(2);
+    const auto tooltip_at = [&](ImVec2 at) {
+        bench.move({5, 795});
+        bench.frames(2);
+        bench.move(at);
+        wait(bench);
+        REQUIRE(shown_tooltip() != nullptr);
+        return opacity_of(*shown_tooltip());
+    };
+    run_command(bench.state, CommandId::Pen);
+    bench.frames(2);
+    CHECK(tooltip_at(bench.control("Wipe")) == 255);  // disabled: nothing is drawn yet
+    const ImVec2 roughness = bench.control("/objects/0/material/roughness");
+    CHECK(tooltip_at(roughness) == 255);
+    bench.button(true, 1);
+    bench.button(false, 1);
+    bench.frames(2);
+    const ImGuiWindow* menu = ImGui::GetCurrentContext()->OpenPopupStack.back().Window;
+    REQUIRE(menu != nullptr);
+    CHECK(opacity_of(*menu) == 255);
 }

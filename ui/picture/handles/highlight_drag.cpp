@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "renderer/inspect/reflectance/highlight.h"
+#include "renderer/reflectance/highlight.h"
 #include "ui/picture/handles/drag_math.h"
 #include "ui/picture/handles/light_place.h"
 

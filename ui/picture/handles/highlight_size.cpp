@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "models/scene/reflection.h"
-#include "renderer/inspect/reflectance/highlight.h"
+#include "renderer/reflectance/highlight.h"
 #include "ui/picture/handles/highlight_drag.h"
 
 namespace glint {
@@ -40,18 +40,6 @@ double seen_brightness(const SurfaceView& view, const Light& light, const SeenPo
     const glm::vec3 colour = material.specular * light.specular * light.intensity;
     return highlight_at(view.scene, view.map.size, light, points)[0] / 3 *
            double(std::max({colour.x, colour.y, colour.z}));
-}
-
-/// Change of the share from pixel to pixel; 0 where it cannot be told.
-double steepness(const SurfaceView& view, const Light& light, const SurfacePatch& patch,
-                 const Material& material) {
-    const auto share = [&](std::size_t i) { return highlight_share(view, light, patch.points[i], material); };
-    // Among the nine pixels, 1 is above the middle, 3 and 5 are left and right of it, 7 is below.
-    const auto slope = [&](std::size_t before, std::size_t after) {
-        const double span = (patch.used[before] ? 1 : 0) + (patch.used[after] ? 1 : 0);
-        return span > 0 ? (share(after) - share(before)) / span : 0.0;
-    };
-    return std::hypot(slope(3, 5), slope(1, 7));
 }
 
 }  // namespace
@@ -101,7 +89,8 @@ std::optional<int> highlight_rim_under(const SurfaceView& view, glm::dvec2 pixel
         if (!light.enabled || !(seen_brightness(view, light, patch->middle()) > enough_light)) continue;
         const double share = highlight_share(view, light, patch->middle(), material);
         if (share < 0.1 || share > 0.8) continue;
-        const double steep = steepness(view, light, *patch, material);
+        const double steep = patch->steepness(
+            [&](const SeenPoint& seen) { return highlight_share(view, light, seen, material); });
         if (!(steep > 1e-6)) continue;
         // A bell 2^-(d/R)² has the slope ln 2 / R at its rim.
         const double radius = std::log(2.0) / steep, away = std::abs(share - rim_share) / steep;

@@ -5,7 +5,7 @@
 #include <glm/vec4.hpp>
 #include <numbers>
 
-#include "renderer/inspect/reflectance/highlight.h"
+#include "renderer/reflectance/highlight.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/picture/surface_patch.h"
 
@@ -103,16 +103,11 @@ Light dragged(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px,
 bool terminator_under(const SurfaceView& view, const Light& light, glm::dvec2 pixel, double reach) {
     const auto patch = surface_patch(view.renderer, view.map.size, pixel, 1);
     if (!patch) return false;
-    const auto cosine = [&](std::size_t i) {
-        return cosine_at(view.scene, view.map.size, light, patch->points[i]);
+    const auto cosine = [&](const SeenPoint& point) {
+        return cosine_at(view.scene, view.map.size, light, point);
     };
-    // The four of the nine pixels that lie beside the middle: 1 above, 3 and 5 left and right, 7 below.
-    const auto slope = [&](std::size_t before, std::size_t after) {
-        const double span = (patch->used[before] ? 1 : 0) + (patch->used[after] ? 1 : 0);
-        return span > 0 ? (cosine(after) - cosine(before)) / span : 0.0;
-    };
-    const double steepness = std::hypot(slope(3, 5), slope(1, 7));
-    return steepness > 1e-6 && std::abs(cosine(4)) <= reach * steepness;
+    const double steepness = patch->steepness(cosine);
+    return steepness > 1e-6 && std::abs(cosine(patch->middle())) <= reach * steepness;
 }
 
 std::optional<Light> dragged_terminator(const TerminatorDrag& drag, const SurfaceView& view,

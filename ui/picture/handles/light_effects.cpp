@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "models/scene/degree.h"
+#include "models/numbers.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/light_place.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "models/scene/light.h"
-#include "renderer/inspect/explain/explanation.h"
+#include "renderer/explain/explanation.h"
 #include "ui/picture/surface_patch.h"
 
 namespace glint {

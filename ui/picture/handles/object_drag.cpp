@@ -7,7 +7,7 @@
 #include <glm/vec4.hpp>
 #include <numbers>
 
-#include "models/scene/degree.h"
+#include "models/numbers.h"
 
 namespace glint {
 namespace {

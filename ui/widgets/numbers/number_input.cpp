@@ -6,14 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <utility>
 
 #include "models/json/json_pointer.h"
-#include "models/json/json_reader.h"
+#include "models/problem.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/expression.h"
-#include "ui/widgets/numbers/pasted_line.h"
+#include "ui/widgets/text/text_field.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -29,7 +30,6 @@ struct Scrub {
     double at = 0;     // the value, not rounded to what is shown
     float last_x = 0;  // of the cursor
     float pressed_x = 0;
-    float jumped = 0;    // by what the cursor was put to the other edge of the window, last
     bool moved = false;  // far enough to be a drag
 };
 struct Typing {
@@ -53,7 +53,8 @@ struct Awaited {
     int frame = -1;
 };
 Awaited awaited;
-std::string said, refused_text;
+std::vector<Said> said;
+std::string refused_text;
 
 bool is_held(ImGuiID id) { return hand.id == id && hand.frame + 1 >= ImGui::GetFrameCount(); }
 
@@ -70,44 +71,37 @@ void begin_typing(ImGuiID id, float value) {
     GImGui->NavActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
-/// A full field is not a number: what was typed after its last character would be lost unseen.
-Calculated calculated_typing(const Typing& typing) {
-    const std::string_view text = typing.text.data();
-    if (text.size() + 1 == longest_text) return {0, "it fills the field, which takes no more characters"};
-    return calculated(text, double(typing.before));
-}
-
 bool take_typed(float& value, const Range& range) {
     Typing& typing = hand.typing;
     const std::string text = typing.text.data();
     typing.problem.clear();
     typing.refused.clear();
     if (text == typing.began_with) return assign(value, double(typing.before), range);
-    const Calculated found = calculated_typing(typing);
+    const Calculated found = calculated(text, double(typing.before));
     typing.problem = found.problem;
     return found.problem.empty() && assign(value, found.value, range);
 }
 
-/// What is not a number at the end, or not one for this scene, leaves the value as it was before.
+/// Why a typed text does not become the number; empty when it does.
+std::string why_refused(const Typing& typing, const std::string& text, const Calculated& found) {
+    if (text.empty()) return "The field is empty";
+    if (!found.problem.empty())
+        return fmt::format("“{}” is not a number: {}", shortened(text), found.problem);
+    if (!typing.refused.empty())
+        return fmt::format("{} is not possible: {}", shortened(text), typing.refused);
+    return {};
+}
+
+/// A refused text restores the value from before.
 bool end_typing(float& value, const Range& range) {
     const Typing typing = hand.typing;
     hand = {};
     const std::string text = typing.text.data();
     if (text == typing.began_with) return assign(value, double(typing.before), range);
-    const Calculated found = calculated_typing(typing);
-    if (text.empty()) {
-        say(fmt::format("The field was empty: it keeps {}", exact_text(typing.before)));
-        return assign(value, double(typing.before), range);
-    }
-    if (!found.problem.empty()) {
-        refused_text = text;
-        say(fmt::format("“{}” is not a number: {}. The field keeps {}", shortened(text), found.problem,
-                        exact_text(typing.before)));
-        return assign(value, double(typing.before), range);
-    }
-    if (!typing.refused.empty()) {
-        say(fmt::format("{} is not possible: {}. The field keeps {}", shortened(text), typing.refused,
-                        exact_text(typing.before)));
+    const Calculated found = calculated(text, double(typing.before));
+    if (const std::string why = why_refused(typing, text, found); !why.empty()) {
+        if (!found.problem.empty()) refused_text = text;
+        say_refused(fmt::format("{}. The field keeps {}", why, exact_text(typing.before)));
         return assign(value, double(typing.before), range);
     }
     if (!range.contains(found.value) && value != static_cast<float>(found.value))
@@ -145,28 +139,7 @@ bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value,
 
 void begin_scrub(ImGuiID id, float value) {
     const float x = ImGui::GetIO().MousePos.x;
-    hand = {id, ImGui::GetFrameCount(), false, {value, double(value), x, x, 0, false}, {}};
-}
-
-/// Pixels that the hand moved since the last frame, to the right.
-float hand_moved(Scrub& scrub) {
-    const ImGuiIO& io = ImGui::GetIO();
-    float moved = io.MousePos.x - scrub.last_x;
-    // The window could not put the cursor there, or a release came from where it was before.
-    if (scrub.jumped != 0 && std::abs(moved) > io.DisplaySize.x / 2) moved += scrub.jumped;
-    scrub.last_x = io.MousePos.x;
-    return moved;
-}
-
-/// At an edge of the window the cursor goes on from the other.
-void wrap_cursor(Scrub& scrub) {
-    ImGuiIO& io = ImGui::GetIO();
-    const float last = io.DisplaySize.x - 1, x = io.MousePos.x;
-    if (x > 0 && x < last) return;
-    const float to = x <= 0 ? last - 1 : 1;
-    scrub.jumped = to - x;
-    scrub.last_x = io.MousePos.x = to;
-    io.WantSetMousePos = true;
+    hand = {id, ImGui::GetFrameCount(), false, {value, double(value), x, x, false}, {}};
 }
 
 double scrubbed(double at, float pixels, const NumberInput& input) {
@@ -177,10 +150,11 @@ double scrubbed(double at, float pixels, const NumberInput& input) {
     return at + double(pixels) * double(kind.step) * size;
 }
 
-/// The number that is shown: a drag gives round ones.
-double as_shown(double value, const Real& kind) {
-    const float rounded = std::strtof(shown_text(static_cast<float>(value), kind).c_str(), nullptr);
-    return value == 0 || *kind.format != '%' ? value : double(rounded);
+/// Rounds to the decimals of the field: a drag gives round numbers.
+double rounded(double value, const Real& kind) {
+    char text[64];
+    std::snprintf(text, sizeof text, kind.format, value);
+    return value == 0 || *kind.format != '%' ? value : double(std::strtof(text, nullptr));
 }
 
 bool drag(float& value, const NumberInput& input) {
@@ -189,11 +163,11 @@ bool drag(float& value, const NumberInput& input) {
     if (!scrub.moved && std::abs(io.MousePos.x - scrub.pressed_x) <= px(press_becomes_drag)) return false;
     scrub.moved = true;
     const Range& range = input.kind.range;
-    const float pixels = hand_moved(scrub) * (io.KeyShift ? 0.1f : 1.0f);
-    wrap_cursor(scrub);
+    const float moved = io.MousePos.x - std::exchange(scrub.last_x, io.MousePos.x);
+    const float pixels = moved * (io.KeyShift ? 0.1f : 1.0f);
     if (pixels == 0) return false;
     scrub.at = std::clamp(scrubbed(scrub.at, pixels, input), double(lowest(range)), double(highest(range)));
-    double wanted = as_shown(scrub.at, input.kind);
+    double wanted = rounded(scrub.at, input.kind);
     if (io.KeyCtrl) {
         const double step = drag_step(input.kind, scrub.at);
         wanted = std::round(scrub.at / step) * step;
@@ -304,13 +278,13 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
 }
 
 void say_out_of_range(double wanted, const Range& range, float taken) {
-    say(fmt::format("{:.6g} is out of range ({}): the field takes {}", wanted, range.words,
-                    exact_text(taken)));
+    say_refused(fmt::format("{:.6g} is out of range ({}): the field takes {}", wanted, range.words,
+                            exact_text(taken)));
 }
 
 void refuse_edit(const std::string& why) {
     if (hand.id == 0)
-        say("Not possible: " + why);
+        say_refused("Not possible: " + why);
     else if (hand.types)
         hand.typing.refused = why;
 }
@@ -327,8 +301,10 @@ void let_go_of_fields() {
 
 bool number_in_hand() { return hand.id != 0 && GImGui->ActiveId == hand.id; }
 
-void say(const std::string& line) { said = line; }
-std::string take_said() { return std::exchange(said, {}); }
+void say(const std::string& line) { said.push_back({line}); }
+void say_refused(const std::string& line) { said.push_back({line, true}); }
+void unsay() { said.pop_back(); }
+std::vector<Said> take_said() { return std::exchange(said, {}); }
 std::string take_refused_text() { return std::exchange(refused_text, {}); }
 
 }  // namespace glint

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <vector>
 
 #include "models/fields/field_kinds.h"
 #include "ui/widgets/theme.h"
@@ -31,8 +32,8 @@ bool assign(float& value, double wanted, const Range& range);
 /// Returns the step of a drag with Ctrl: 1, 2 or 5 times a power of ten, about as much as ten pixels.
 [[nodiscard]] double drag_step(const Real& kind, double value);
 
-/// Formats `value` for display, with a power of ten where it would not fit into a field; or as copied and
-/// typed: the shortest text that reads back as the same float.
+/// Formats `value` for display: at least two significant digits, no -0, and a power of ten where it would not
+/// fit into a field; or as copied and typed: the shortest text that reads back as the same float.
 [[nodiscard]] std::string shown_text(float value, const Real& kind);
 [[nodiscard]] std::string exact_text(float value);
 /// shown_text(), or with as many digits as fit into `width` in the current font: what is cut off at its end
@@ -50,11 +51,10 @@ struct NumberInput {
 
 /// Draws the number and lets it be edited; true when it was. It never leaves its range.
 ///
-/// Dragging changes the number: with Shift in ten times finer steps, with Ctrl in those of drag_step(). At an
-/// edge of the window the cursor goes on from the opposite edge, if the window can put it there. A press
-/// without a drag, or Tab from the field before, starts typing. The text is read by calculated() and takes
-/// effect at once. Escape restores the value from before, and so does a text that is not a number, which is
-/// reported (take_said()). The right button opens a menu.
+/// Dragging changes the number: with Shift in ten times finer steps, with Ctrl in those of drag_step(). A
+/// press without a drag, or Tab from the field before, starts typing. The text is read by calculated() and
+/// takes effect at once. Escape restores the value from before, and so does a text that is not a number,
+/// which is reported (take_said()). The right button opens a menu.
 [[nodiscard]] bool number_input(const char* id, float& value, const NumberInput& input);
 
 /// Notes that the scene does not allow what was edited in this frame, and why. The caller has restored the
@@ -75,11 +75,19 @@ void let_go_of_fields();
 /// Whether a number is being typed or dragged: Escape is then about that number alone.
 [[nodiscard]] bool number_in_hand();
 
-/// One line that a control has to say since the last call, for a notification; empty when there is none.
-[[nodiscard]] std::string take_said();
+/// A line from a control, for a notification.
+struct Said {
+    std::string line;
+    bool refuses = false;  // what the user asked for was not done, or not entirely
+};
+void say(const std::string& line);
+void say_refused(const std::string& line);
+/// Withdraws the last line.
+void unsay();
+/// Returns the lines since the last call, oldest first.
+[[nodiscard]] std::vector<Said> take_said();
 /// Returns, once, the last text that was not a number: whoever draws the field may understand it better.
 [[nodiscard]] std::string take_refused_text();
-void say(const std::string& line);
 
 /// The menu of a number, while it is open: Copy, Paste, Reset, Copy pointer. True when it set the value.
 [[nodiscard]] bool number_menu(float& value, const NumberInput& input);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
+#include "renderer/explain/printed_number.h"
 #include "ui/widgets/numbers/number_input.h"
 
 namespace glint {
@@ -51,11 +53,14 @@ double drag_step(const Real& kind, double value) {
 
 std::string shown_text(float value, const Real& kind) {
     if (value == 0 && *kind.zero != 0) return kind.zero;
-    constexpr int longest = 10;  // letters: a field is not wider, and its end must not be cut off
-    char text[64];
-    if (std::snprintf(text, sizeof text, kind.format, double(value)) > longest)
-        std::snprintf(text, sizeof text, "%.6g", double(value));
-    return text;
+    constexpr std::size_t longest = 10;  // letters: a field is not wider, and its end must not be cut off
+    char plain[64];
+    std::snprintf(plain, sizeof plain, kind.format, double(value));
+    const std::string_view format = kind.format;
+    const bool has_decimals = format.starts_with("%.") && format.substr(3).starts_with('f');
+    const std::string text =
+        has_decimals ? significant_text(double(value), format[2] - '0').append(format.substr(4)) : plain;
+    return text.size() > longest ? fmt::format("{:.6g}", value) : text;
 }
 
 std::string fitting_text(float value, const Real& kind, float width) {

@@ -31,7 +31,7 @@ bool paste(float& value, const Range& range) {
     if (text == nullptr) return false;
     const Calculated found = calculated(text, double(value));
     if (!found.problem.empty()) {
-        say("The clipboard holds no number: " + on_one_line(found.problem));
+        say_refused("The clipboard holds no number: " + on_one_line(found.problem));
         return false;
     }
     const bool edited = assign(value, found.value, range);

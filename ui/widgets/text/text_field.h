@@ -1,26 +1,24 @@
 #pragma once
-// Fields of one line for text of any bytes.
+// Fields of one line.
 
-#include <cstddef>
 #include <string>
-#include <string_view>
 
 namespace glint {
 
-inline constexpr std::size_t any_length = 0;
-inline constexpr std::size_t longest_search = 100;  // bytes
+/// A text field that shows `hint` while it is empty. Returns true when the text was changed, or with
+/// EnterReturnsTrue (flags are ImGuiInputTextFlags) when Enter ended the typing. While text is edited,
+/// Dear ImGui stores it in 16 bits per character: an edit turns an emoji, or a byte that is not UTF-8, into
+/// U+FFFD. A visit without an edit does not.
+[[nodiscard]] bool text_field(const char* label, const char* hint, std::string& text, int flags = 0);
 
-/// A text field that shows `hint` while it is empty. While text is edited, Dear ImGui stores it in 16 bits
-/// per character. What does not fit (an emoji, a zero, a byte that is not UTF-8, as a file name may have) is
-/// replaced by one character of the private use area and shown as "?"; in `text` and on the clipboard it is
-/// itself again. Returns true when the text was changed, or with EnterReturnsTrue (flags are
-/// ImGuiInputTextFlags) when Enter ended the typing. `longest`: how many bytes the field holds; of a paste it
-/// takes as many characters as fit.
-[[nodiscard]] bool text_field(const char* label, const char* hint, std::string& text, int flags = 0,
-                              std::size_t longest = any_length);
-
-/// The text as the field holds it, and back.
-[[nodiscard]] std::string held_in_field(std::string_view text);
-[[nodiscard]] std::string taken_from_field(std::string_view held);
+/// While this lives a line break within pasted text becomes a blank, and one at its end is dropped. Dear
+/// ImGui would drop all: a pasted column of numbers would become one number.
+class PasteInOneLine {
+  public:
+    PasteInOneLine();
+    ~PasteInOneLine();
+    PasteInOneLine(const PasteInOneLine&) = delete;
+    PasteInOneLine& operator=(const PasteInOneLine&) = delete;
+};
 
 }  // namespace glint

@@ -1,0 +1,106 @@
+#pragma once
+// Finds what is wrong in a picture that another program drew of a scene: draws the scene without mistakes and
+// with each mistake of models/scene/mistakes.h, and names the explanation that gives the same picture. It
+// does not guess: a picture that none of them gives is reported as not in the catalogue.
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/search/display_change.h"
+#include "diagnose/search/hypotheses.h"
+#include "diagnose/search/score.h"
+#include "models/scene_file/scene_file.h"
+
+namespace glint {
+
+/// NotReadable: of a file among several that holds no picture; diagnose() does not return it.
+enum class Verdict { NoMistake, Mistake, NotInCatalogue, NotComparable, NotReadable };
+
+/// What was discounted before mistakes were searched for.
+struct DisplayFinding {
+    DisplayChange change;
+    std::optional<Rgb> background;  // where it is another than the scene's, as the picture shows it
+    bool smooth_edges = false;      // silhouettes are anti-aliased
+    glm::vec2 shift{0};     // pixels to the right and down by which it is displaced; 0 where it is not
+    bool smoothed = false;  // within surfaces, too, and no shift is the reason
+    // Only for a smoothed or shifted picture: how many surface pixels differ from the drawing itself, but not
+    // from the range between the pixel's neighbours, and by how many levels at most.
+    std::uint64_t softened = 0;
+    int softened_most = 0;
+};
+
+struct Candidate {
+    MistakeSet mistakes;
+    std::vector<MistakeSet> also;  // whose pictures show surfaces the same within one level in this scene
+    DisplayChange change;          // under which it explains the picture
+    double residual = 0;           // RMS in levels of 0 to 255, over what can be compared
+    double explained = 0;          // share of the wrong pixels that it explains, 0 to 1
+    // The pixel of the scene's picture that distinguishes this candidate best from the right picture, and its
+    // colours, channels in the scene's order: in the wrong picture, and in the right and the mistaken picture
+    // as this display would show them.
+    glm::ivec2 pixel{0};
+    Rgb mine{}, reference{}, as_mistaken{};
+};
+
+/// Where an unexplained difference lives.
+struct DifferenceRegion {
+    int object = 0;                // in Scene::objects
+    std::uint64_t pixels = 0;      // comparable ones that are wrong
+    double share = 0;              // of its comparable pixels that are wrong, 0 to 1
+    glm::ivec2 low{0}, high{0};    // the box around them, both inside
+    std::array<double, 3> mean{};  // picture - right, levels
+};
+/// The sum of a term over all lights, in the place of one light's index.
+inline constexpr int all_lights = -2;
+/// A term of the equation to which the difference is proportional.
+struct DifferenceTerm {
+    std::string term;      // emission, global_ambient, ambient, diffuse, specular; all: of a light
+    int light = -1;        // in Scene::lights; -1 for the terms without one, or all_lights
+    double factor = 1;     // what the term seems to be multiplied by
+    double explained = 0;  // share of the difference's energy that this explains, 0 to 1
+};
+
+/// The change of the scene under which the candidates look most different.
+struct Experiment {
+    std::vector<Assignment> set;
+    glm::ivec2 pixel{0};
+    std::vector<MistakeSet> mistakes;
+    std::vector<Rgb> shows;  // at the pixel, by each of them
+};
+
+struct Diagnosis {
+    PictureSize size;
+    bool of_pairs = false;  // two mistakes at once were looked for, too
+    Verdict verdict = Verdict::NotComparable;
+    std::string why;  // of NotComparable and NotReadable
+    DisplayFinding display;
+    std::vector<Candidate> candidates;  // best first
+    // What differs, by PixelKind, from the right picture, or from the first candidate where that is the
+    // verdict:
+    PixelCounts pixels{};
+    std::vector<DifferenceRegion> regions;
+    std::vector<DifferenceTerm> terms;
+    // Of Mistake: the term without which the picture would be the same. The program may not add it.
+    std::optional<DifferenceTerm> left_out;
+    std::optional<Experiment> experiment;
+};
+
+struct DiagnosisOptions {
+    bool pairs = false;
+    int threads = 0;             // 0: all cores; the answer is the same for every number
+    DiagnosisProgress progress;  // of the search, which takes most of the time
+};
+
+/// Diagnoses `wrong`, whose bytes must be filled in (see as_shown()). Mistakes that the scene itself makes
+/// are left out.
+[[nodiscard]] Diagnosis diagnose(const SceneDocument& document, const Picture& wrong,
+                                 const DiagnosisOptions& options);
+
+/// Fills in the picture's bytes from its linear numbers, which already include exposure, as the scene's
+/// display would; NaN is black. A picture that has bytes stays as it is.
+[[nodiscard]] Picture as_shown(Picture picture, const Display& display);
+
+}  // namespace glint

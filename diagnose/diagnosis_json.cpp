@@ -1,0 +1,124 @@
+#include "diagnose/diagnosis_format.h"
+#include "diagnose/diagnosis_table.h"
+#include "models/json/json.h"
+
+namespace glint {
+namespace {
+
+Json rgb_json(Rgb c) { return {int{c[0]}, int{c[1]}, int{c[2]}}; }
+
+Json names_json(const std::vector<MistakeSet>& sets) {
+    Json names = Json::array();
+    for (const MistakeSet& set : sets) names.push_back(name_of(set));
+    return names;
+}
+
+Json display_json(const DisplayFinding& display) {
+    const DisplayChange& c = display.change;
+    Json json = Json::object();
+    if (c.upside_down) json["upside_down"] = true;
+    if (c.mirrored) json["mirrored"] = true;
+    if (c.red_blue) json["red_blue_exchanged"] = true;
+    if (c.encodings() != 0) json["srgb"] = c.encodings() > 0 ? "encoded" : "decoded";
+    if (c.is_by_power()) json["power"] = encoding_power;
+    if (c.gain != 1) json["gain"] = c.gain;
+    if (c.noise > 0) json["noise"] = c.noise;
+    if (display.background) json["background"] = rgb_json(*display.background);
+    if (display.shift != glm::vec2(0)) json["shift"] = Json{display.shift.x, display.shift.y};
+    if (display.smooth_edges) json["smooth_edges"] = true;
+    if (display.smoothed) json["smoothed"] = true;
+    if (display.softened > 0)
+        json["softened"] = {{"pixels", display.softened}, {"levels", display.softened_most}};
+    return json;
+}
+
+Json candidate_json(const Candidate& c) {
+    Json json;
+    json["name"] = name_of(c.mistakes);
+    json["also"] = names_json(c.also);
+    json["residual"] = c.residual;
+    json["explained"] = c.explained;
+    json["gain"] = c.change.gain;
+    json["pixel"] = json_of(c.pixel);
+    json["mine"] = rgb_json(c.mine);
+    json["reference"] = rgb_json(c.reference);
+    json["as_mistaken"] = rgb_json(c.as_mistaken);
+    return json;
+}
+
+Json answer_json(const Experiment& e) {
+    Json json;
+    Json& set = json["set"] = Json::array();
+    for (const Assignment& a : e.set) set.push_back(a.pointer + "=" + a.json);
+    json["pixel"] = json_of(e.pixel);
+    Json& shows = json["shows"] = Json::array();
+    for (std::size_t i = 0; i < e.shows.size(); ++i)
+        shows.push_back({{"name", name_of(e.mistakes[i])}, {"color", rgb_json(e.shows[i])}});
+    return json;
+}
+
+Json term_json(const DifferenceTerm& t, const Scene& scene) {
+    Json json{{"term", t.term}, {"factor", t.factor}, {"explained", t.explained}};
+    if (t.light >= 0) json["light"] = scene.lights[static_cast<std::size_t>(t.light)].name;
+    return json;
+}
+
+Json difference_json(const Diagnosis& d, const Scene& scene) {
+    Json json;
+    json["wrong"] = count_of(d.pixels, PixelKind::Surface).share();
+    Json& regions = json["regions"] = Json::array();
+    for (const DifferenceRegion& r : d.regions)
+        regions.push_back({{"object", scene.objects[static_cast<std::size_t>(r.object)].name},
+                           {"pixels", r.pixels},
+                           {"share", r.share},
+                           {"from", json_of(r.low)},
+                           {"to", json_of(r.high)},
+                           {"mean", r.mean}});
+    Json& terms = json["terms"] = Json::array();
+    for (const DifferenceTerm& t : d.terms) terms.push_back(term_json(t, scene));
+    return json;
+}
+
+Json pixels_json(const PixelCounts& counts) {
+    Json json;
+    for (const auto& [name, kind] : {std::pair{"surface", PixelKind::Surface},
+                                     {"edge", PixelKind::Edge},
+                                     {"background", PixelKind::Background}}) {
+        const PixelCount& count = count_of(counts, kind);
+        json[name] = {{"pixels", count.pixels}, {"unlike", count.unlike}};
+    }
+    return json;
+}
+
+Json answer_json(const DiagnosedPicture& p, const Scene& scene) {
+    const Diagnosis& d = p.diagnosis;
+    Json json;
+    json["picture"] = p.name;
+    json["verdict"] = verdict_text(d.verdict);
+    if (!d.why.empty()) json["why"] = d.why;
+    if (d.verdict == Verdict::NotReadable) return json;
+    json["width"] = d.size.width;
+    json["height"] = d.size.height;
+    json["display"] = display_json(d.display);
+    json["pixels"] = pixels_json(d.pixels);
+    Json& candidates = json["candidates"] = Json::array();
+    for (const Candidate& c : d.candidates) candidates.push_back(candidate_json(c));
+    if (d.verdict == Verdict::NotInCatalogue) json["difference"] = difference_json(d, scene);
+    if (d.left_out) json["left_out"] = term_json(*d.left_out, scene);
+    json["experiment"] = d.experiment ? answer_json(*d.experiment) : Json();
+    return json;
+}
+
+}  // namespace
+
+std::string experiment_json(const std::optional<Experiment>& experiment) {
+    return json_text(experiment ? answer_json(*experiment) : Json());
+}
+
+std::string diagnoses_json(const std::vector<DiagnosedPicture>& pictures, const Scene& scene) {
+    std::string lines;
+    for (const DiagnosedPicture& p : pictures) lines += json_line(answer_json(p, scene)) + "\n";
+    return lines;
+}
+
+}  // namespace glint

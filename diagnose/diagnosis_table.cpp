@@ -1,0 +1,122 @@
+#include "diagnose/diagnosis_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "diagnose/diagnosis_format.h"
+#include "diagnose/search/resample.h"
+#include "models/io/markup.h"
+#include "renderer/image/html_image.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+namespace {
+
+constexpr int thumbnail_side = 160;
+
+PictureSize thumbnail_size(PictureSize size) {
+    const int longest = std::max({size.width, size.height, thumbnail_side});
+    return {std::max(1, size.width * thumbnail_side / longest),
+            std::max(1, size.height * thumbnail_side / longest)};
+}
+
+constexpr std::array columns{"picture",  "verdict", "mistake",    "also", "explained",
+                             "residual", "display", "experiment", "why"};
+using Row = std::array<std::string, columns.size()>;
+
+Row row_of(const DiagnosedPicture& p) {
+    const Diagnosis& d = p.diagnosis;
+    Row row;
+    row[0] = on_one_line(p.name);
+    row[1] = verdict_text(d.verdict);
+    if (!d.candidates.empty() && d.verdict == Verdict::Mistake) {
+        const Candidate& c = d.candidates.front();
+        std::vector<std::string> also;
+        for (const MistakeSet& set : c.also) also.push_back(name_of(set));
+        row[2] = name_of(c.mistakes);
+        row[3] = fmt::format("{}", fmt::join(also, ", "));
+        row[4] = fmt::format("{:.3f}", c.explained);
+        row[5] = fmt::format("{:.2f}", c.residual);
+    }
+    row[6] = display_text(d.display);
+    if (d.experiment)
+        for (const Assignment& a : d.experiment->set)
+            row[7] = fmt::format("{}{}--set {}={}", row[7], row[7].empty() ? "" : " ", a.pointer, a.json);
+    row[8] = d.why;
+    return row;
+}
+
+std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == text.npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + "\"";
+}
+
+constexpr std::string_view style =
+    "body{font:16px/1.4 system-ui,sans-serif;margin:2em}table{border-collapse:collapse}"
+    "th,td{text-align:left;vertical-align:top;padding:.5em .8em;border-bottom:1px solid #8884}"
+    "code{font-size:.9em}img{display:block}:root{color-scheme:light dark}";
+
+std::string html_row(const DiagnosedPicture& p) {
+    const Row row = row_of(p);
+    std::string words = fmt::format("<b>{}</b>", html_escaped(row[1]));
+    if (!row[2].empty()) words += fmt::format("<br><code>{}</code>", html_escaped(row[2]));
+    if (!row[3].empty()) words += fmt::format("<br>looks the same: <code>{}</code>", html_escaped(row[3]));
+    if (!row[8].empty()) words += fmt::format("<br>{}", html_escaped(row[8]));
+    const std::string share =
+        row[4].empty() ? "" : fmt::format("{} %", explained_percent(p.diagnosis.candidates[0]));
+    const auto image = [](const Picture& picture, const char* alt) {
+        return picture.rgba.empty() ? std::string() : html_image(picture, alt);
+    };
+    return fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td><code>{}</code></td></"
+        "tr>\n",
+        html_escaped(row[0]), image(p.thumbnail, "as it was brought"),
+        image(p.as_explained, "as Glint draws it"), words, share, html_escaped(row[6]), html_escaped(row[7]));
+}
+
+}  // namespace
+
+DiagnosedPicture diagnosed_picture(const std::string& name, Diagnosis diagnosis, const Scene& scene,
+                                   const Picture& wrong, int threads) {
+    const PictureSize size = thumbnail_size(wrong.size);
+    const bool mistaken = diagnosis.verdict == Verdict::Mistake;
+    const MistakeSet mistakes = mistaken ? diagnosis.candidates.front().mistakes : MistakeSet{};
+    Renderer renderer(threads);
+    return {name, std::move(diagnosis), resampled(wrong, size),
+            renderer.render(under_mistakes(scene, mistakes), size)};
+}
+
+std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures) {
+    std::string text = fmt::format("{}\n", fmt::join(columns, ","));
+    for (const DiagnosedPicture& p : pictures) {
+        Row row = row_of(p);
+        // The same file; but what begins with one of these is a formula in a spreadsheet.
+        if (!p.name.empty() && std::string_view("=+-@").find(p.name[0]) != std::string_view::npos)
+            row[0].insert(0, "./");
+        for (std::string& field : row) field = csv_field(field);
+        text += fmt::format("{}\n", fmt::join(row, ","));
+    }
+    return text;
+}
+
+std::string diagnoses_html(const std::vector<DiagnosedPicture>& pictures, const std::string& title) {
+    std::string html = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta "
+        "charset=\"utf-8\"><title>{0}</title><style>{1}</style></head>"
+        "<body>\n<h1>Pictures of {0}</h1>\n<table>\n<tr><th>Picture</th><th>Yours</th><th>Glint's</th>"
+        "<th>Verdict</th><th>Explained</th><th>Taken away first</th><th>To be sure, draw with</th></tr>\n",
+        html_escaped(title), style);
+    for (const DiagnosedPicture& p : pictures) html += html_row(p);
+    return html + "</table>\n</body></html>\n";
+}
+
+}  // namespace glint

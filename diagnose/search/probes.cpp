@@ -1,0 +1,281 @@
+#include "diagnose/search/probes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <numeric>
+
+namespace glint {
+
+RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel) {
+    const int left = std::max(pixel.x - 1, 0), right = std::min(pixel.x + 1, picture.size.width - 1);
+    RgbBounds bounds;
+    for (int y = std::max(pixel.y - 1, 0); y <= std::min(pixel.y + 1, picture.size.height - 1); ++y) {
+        const std::uint8_t* at = &picture.rgba[4 * picture.pixel(left, y)];
+        for (int x = left; x <= right; ++x, at += 4)
+            for (std::size_t c = 0; c < 3; ++c) {
+                bounds.low[c] = std::min(bounds.low[c], at[c]);
+                bounds.high[c] = std::max(bounds.high[c], at[c]);
+            }
+    }
+    return bounds;
+}
+
+namespace {
+
+/// For each byte of a row of pixels, the least, or the largest, of its own and those of both neighbours.
+template <class Choose>
+std::vector<std::uint8_t> among_neighbours(const std::vector<std::uint8_t>& row, const Choose& choose) {
+    constexpr std::size_t pixel = 4;
+    std::vector<std::uint8_t> chosen = row;
+    for (std::size_t i = pixel; i < row.size(); ++i) chosen[i] = choose(row[i], row[i - pixel]);
+    for (std::size_t i = pixel; i < row.size(); ++i) chosen[i - pixel] = choose(chosen[i - pixel], row[i]);
+    return chosen;
+}
+
+}  // namespace
+
+RowBounds::RowBounds(const Picture& picture, int y) {
+    const auto row = [&picture](int of) {
+        return &picture.rgba[4 * picture.pixel(0, std::clamp(of, 0, picture.size.height - 1))];
+    };
+    const std::uint8_t *const above = row(y - 1), *const here = row(y), *const below = row(y + 1);
+    const std::size_t bytes = 4 * static_cast<std::size_t>(picture.size.width);
+    std::vector<std::uint8_t> low(bytes), high(bytes);
+    for (std::size_t i = 0; i < bytes; ++i) {
+        low[i] = std::min(std::min(above[i], here[i]), below[i]);
+        high[i] = std::max(std::max(above[i], here[i]), below[i]);
+    }
+    low_ = among_neighbours(low, [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
+    high_ = among_neighbours(high, [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+}
+
+DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture, const IsBare& is_bare) {
+    DrawnProbes drawn;
+    for (const Probe& p : probes) {
+        const auto [low, high] = bounds_around(picture, {p.x, p.y});
+        const Rgb at = rgb_at(picture, picture.pixel(p.x, p.y));
+        drawn.at.insert(drawn.at.end(), at.begin(), at.end());
+        drawn.low.insert(drawn.low.end(), low.begin(), low.end());
+        drawn.high.insert(drawn.high.end(), high.begin(), high.end());
+        if (is_bare) drawn.bare.push_back(is_bare(p.x, p.y) ? 1 : 0);
+    }
+    if (std::count(drawn.bare.begin(), drawn.bare.end(), 1) == 0) drawn.bare.clear();
+    return drawn;
+}
+
+namespace {
+
+std::uint8_t median_of(const std::array<std::int64_t, 256>& counts, std::int64_t all) {
+    std::size_t median = 0;
+    for (std::int64_t below = counts[0]; 2 * below <= all && median < 255; below += counts[++median]) {
+    }
+    return static_cast<std::uint8_t>(median);
+}
+
+}  // namespace
+
+std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
+                                 const DisplayChange& change, double share) {
+    const PictureSize size = wrong.size;
+    const auto for_each = [&](const auto& take) {
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                if (kinds[size.index(x, y)] == PixelKind::Background)
+                    take(rgb_at(wrong, changed_index(change, size, x, y)));
+    };
+    std::array<std::array<std::int64_t, 256>, 3> counts{};
+    std::int64_t all = 0, agree = 0;
+    for_each([&](const Rgb& one) {
+        for (std::size_t c = 0; c < 3; ++c) ++counts[c][one[c]];
+        ++all;
+    });
+    // If more than half of the pixels have one colour, each channel's median is that colour. Noise does not
+    // move the median.
+    const Rgb colour{median_of(counts[0], all), median_of(counts[1], all), median_of(counts[2], all)};
+    for_each([&](const Rgb& one) {
+        bool near = true;
+        for (std::size_t c = 0; c < 3; ++c)
+            near = near && static_cast<float>(std::abs(int{one[c]} - int{colour[c]})) <= change.scatter();
+        agree += near ? 1 : 0;
+    });
+    if (static_cast<double>(agree) <= share * static_cast<double>(all)) return std::nullopt;
+    return colour;
+}
+
+Ground ground_of(const Picture& wrong, const std::vector<PixelKind>& kinds, const DisplayChange& change) {
+    constexpr double nearly_all = 0.97;
+    constexpr float no_byte = 1000;
+    Ground ground;
+    ground.is_known = std::find(kinds.begin(), kinds.end(), PixelKind::Background) != kinds.end();
+    ground.levels.fill(no_byte);
+    if (const auto colour = background_of(wrong, kinds, change, nearly_all))
+        std::copy(colour->begin(), colour->end(), ground.levels.begin());
+    return ground;
+}
+
+WrongProbes::WrongProbes(const std::vector<Probe>& probes, const Picture& wrong,
+                         const std::vector<PixelKind>& kinds, float noise)
+    : noise_(noise) {
+    for (DisplayChange change : ways_of_turning()) {
+        change.noise = noise;
+        const Ground ground = ground_of(wrong, kinds, change);
+        for (const bool exchanged : {false, true}) {
+            change.red_blue = exchanged;
+            for (const Probe& p : probes) {
+                const Rgb stored = rgb_at(wrong, changed_index(change, wrong.size, p.x, p.y));
+                for (std::size_t c = 0; c < 3; ++c)
+                    at_[way(change)].push_back(stored[changed_channel(change, c)]);
+            }
+            Ground& turned = ground_[way(change)] = ground;
+            if (exchanged) std::swap(turned.levels[0], turned.levels[2]);
+        }
+    }
+}
+
+namespace {
+
+/// So many channels at a time are looked up, and then computed side by side.
+constexpr std::size_t block_probes = 16, block = 3 * block_probes;
+
+struct Block {
+    std::array<float, block> low{}, high{};  // what the channels may show
+    std::array<float, block> mine{};         // what they do show
+};
+
+/// Sum of excess_of() over a block.
+float excess_in(const Block& at) {
+    constexpr int lanes = 4;
+    Lanes<lanes> sum;
+    for (std::size_t i = 0; i < block; i += lanes) {
+        const auto channels = [i](const auto& values) { return load<Lanes<lanes>>(values.data() + i); };
+        sum = sum + excess_of(levels_outside(channels(at.low), channels(at.high), channels(at.mine)));
+    }
+    return sum.v[0] + sum.v[1] + sum.v[2] + sum.v[3];
+}
+
+/// Lets the probes that show no surface show the ground.
+void show_ground(Block& at, const std::uint8_t* bare, std::size_t probes, const Ground& ground,
+                 float scatter) {
+    for (std::size_t i = 0; i < 3 * probes; ++i) {
+        if (bare[i / 3] == 0) continue;
+        at.low[i] = ground.levels[i % 3] - scatter;
+        at.high[i] = ground.levels[i % 3] + scatter;
+    }
+}
+
+}  // namespace
+
+double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong, const DisplayChange& change,
+                 const ByteBounds& bounds, double enough) {
+    const ProbeLevels& mine = wrong.at(change);
+    const Ground& ground = wrong.ground(change);
+    const ProbeLevels& lows = change.soft ? drawn.low : drawn.at;
+    const ProbeLevels& highs = change.soft ? drawn.high : drawn.at;
+    const bool shows_ground = ground.is_known && !drawn.bare.empty();
+    Block at;
+    double sum = 0;
+    for (std::size_t first = 0; first < mine.size() && sum <= enough; first += block) {
+        const std::size_t count = std::min(block, mine.size() - first);
+        if (count < block) at = {};  // what there is no probe for counts nothing
+        for (std::size_t i = 0; i < count; ++i) {
+            at.low[i] = bounds.low[lows[first + i]];
+            at.high[i] = bounds.high[highs[first + i]];
+            at.mine[i] = static_cast<float>(mine[first + i]);
+        }
+        if (shows_ground) show_ground(at, &drawn.bare[first / 3], count / 3, ground, change.scatter());
+        sum += double(excess_in(at));
+    }
+    return sum;
+}
+
+namespace {
+
+/// What a channel was before and after the gain, both far enough from black and from being clamped.
+struct Pair {
+    float drawn = 0, mine = 0, ratio = 0;
+};
+
+Code inverse(Code code) {
+    return code == Code::Encoded ? Code::Decoded : code == Code::Decoded ? Code::Encoded : Code::Same;
+}
+
+using CodeTable = std::array<float, 256>;
+CodeTable filled_table(Code code) {
+    CodeTable table{};
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = coded(code, static_cast<float>(i) / 255);
+    return table;
+}
+const CodeTable& code_table(Code code) {
+    static const std::array<CodeTable, 3> tables = {filled_table(Code::Same), filled_table(Code::Encoded),
+                                                    filled_table(Code::Decoded)};
+    return tables[static_cast<std::size_t>(code)];
+}
+
+std::vector<Pair> gain_pairs(const DrawnProbes& drawn, const WrongProbes& wrong,
+                             const DisplayChange& change) {
+    constexpr std::uint8_t least = 4, most = 250;
+    constexpr std::size_t enough = 200;
+    const CodeTable& before = code_table(change.before);
+    const CodeTable& after = code_table(inverse(change.after));
+    const ProbeLevels& mine = wrong.at(change);
+    const std::size_t probes = mine.size() / 3, step = std::max<std::size_t>(1, probes / enough);
+    std::vector<Pair> pairs;
+    pairs.reserve(3 * (enough + enough));
+    for (std::size_t i = 0; i < probes; i += step) {
+        if (!drawn.bare.empty() && drawn.bare[i] != 0) continue;
+        for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
+            const std::uint8_t from = drawn.at[k], to = mine[k];
+            if (from < least || to < least || from > most || to > most) continue;
+            pairs.push_back({before[from], after[to], after[to] / before[from]});
+        }
+    }
+    return pairs;
+}
+
+/// Ratios lie in bins of a 16th of an octave, from 2^-8 to 2^8; what is beyond lies in the first or last.
+constexpr int bins_an_octave = 16, bins = 16 * bins_an_octave;
+std::size_t bin_of(float ratio) {
+    constexpr int mantissa = 23, smallest = 127 - 8;  // bits of a float; the exponent of 2^-8
+    return static_cast<std::size_t>(std::clamp(
+        bits_of(ratio) / ((1 << mantissa) / bins_an_octave) - smallest * bins_an_octave, 0, bins - 1));
+}
+
+/// Returns the median of the ratios, weighted by the drawn brightness, because rounding changes the ratio of
+/// a bright pair less. Finds the bin that contains the median and sorts only that bin.
+float median_ratio(const std::vector<Pair>& pairs) {
+    std::array<float, bins> light{};
+    for (const Pair& p : pairs) light[bin_of(p.ratio)] += p.drawn;
+    const float half = std::accumulate(light.begin(), light.end(), 0.0f) / 2;
+    std::size_t bin = 0;
+    float below = 0;
+    while (bin + 1 < bins && below + light[bin] < half) below += light[bin++];
+    std::vector<Pair> in_bin;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(in_bin),
+                 [bin](const Pair& p) { return bin_of(p.ratio) == bin; });
+    std::sort(in_bin.begin(), in_bin.end(), [](const Pair& a, const Pair& b) { return a.ratio < b.ratio; });
+    std::size_t i = 0;
+    while (i + 1 < in_bin.size() && below + in_bin[i].drawn < half) below += in_bin[i++].drawn;
+    return in_bin[i].ratio;
+}
+
+}  // namespace
+
+std::optional<float> fitted_gain(const DrawnProbes& drawn, const WrongProbes& wrong,
+                                 const DisplayChange& change) {
+    constexpr std::size_t enough = 12;
+    constexpr float near = 0.02f, rounding = 1.5f / 255;
+    const std::vector<Pair> pairs = gain_pairs(drawn, wrong, change);
+    if (pairs.size() < enough) return std::nullopt;
+    const float median = median_ratio(pairs);
+    float product = 0, square = 0;  // least squares among those that agree with the median
+    for (const Pair& p : pairs) {
+        if (std::abs(p.mine - median * p.drawn) > near * p.mine + rounding) continue;
+        product += p.mine * p.drawn;
+        square += p.drawn * p.drawn;
+    }
+    return square > 0 ? product / square : median;
+}
+
+}  // namespace glint

@@ -1,0 +1,123 @@
+#pragma once
+// What pictures show at a few chosen pixels: enough to try very many explanations of a wrong picture on.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "diagnose/search/comparable.h"
+#include "diagnose/search/display_change.h"
+#include "renderer/picture.h"
+#include "renderer/simd/lanes.h"
+
+namespace glint {
+
+using Rgb = std::array<std::uint8_t, 3>;
+[[nodiscard]] inline Rgb rgb_at(const Picture& picture, std::size_t pixel) {
+    return {picture.rgba[4 * pixel], picture.rgba[4 * pixel + 1], picture.rgba[4 * pixel + 2]};
+}
+
+/// Levels between two colours in the channel in which they are farthest apart.
+[[nodiscard]] inline int most_apart(Rgb a, Rgb b) {
+    int most = 0;
+    for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
+    return most;
+}
+
+/// Each channel's least and largest level among a pixel of a picture and those around it.
+struct RgbBounds {
+    Rgb low{255, 255, 255}, high{};
+};
+[[nodiscard]] RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel);
+
+/// bounds_around() of all pixels of a row, in less time than one by one.
+class RowBounds {
+  public:
+    RowBounds(const Picture& picture, int y);
+    [[nodiscard]] RgbBounds at(int x) const {
+        const std::size_t i = 4 * static_cast<std::size_t>(x);
+        return {{low_[i], low_[i + 1], low_[i + 2]}, {high_[i], high_[i + 1], high_[i + 2]}};
+    }
+
+  private:
+    std::vector<std::uint8_t> low_, high_;  // four channels of each pixel
+};
+
+struct Probe {
+    int x = 0, y = 0;
+};
+
+/// Three channels of each probe in turn.
+using ProbeLevels = std::vector<std::uint8_t>;
+
+/// A drawn picture at the probes.
+struct DrawnProbes {
+    ProbeLevels at, low, high;       // low, high: each channel's least and largest among the nine around
+    std::vector<std::uint8_t> bare;  // of each probe, 1: no surface shows there; empty where all show one
+    bool operator==(const DrawnProbes&) const = default;
+};
+/// Whether a pixel of a drawn picture shows no surface; empty where all probes show one.
+using IsBare = std::function<bool(int x, int y)>;
+[[nodiscard]] DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture,
+                                   const IsBare& is_bare);
+
+/// Returns the colour that more than `share` of the scene's background pixels have in the wrong picture,
+/// within the noise of `change`; nothing if there is no such colour. Precondition: `share` is at least 0.5.
+/// Of `change`, only the noise and how the picture is turned over are used.
+[[nodiscard]] std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
+                                               const DisplayChange& change, double share = 0.5);
+
+/// What the wrong picture must show where a mistake takes the surface away.
+struct Ground {
+    bool is_known = false;          // false: the scene shows no background; what is drawn there is compared
+    std::array<float, 3> levels{};  // of the wrong picture's channels. If its background is not one colour,
+                                    // it is not this scene's: then they are levels that no byte has
+};
+[[nodiscard]] Ground ground_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
+                               const DisplayChange& change);
+
+/// The picture under diagnosis at the probes, for each way of turning it over and exchanging its channels.
+class WrongProbes {
+  public:
+    /// `noise`: of DisplayChange.
+    WrongProbes(const std::vector<Probe>& probes, const Picture& wrong, const std::vector<PixelKind>& kinds,
+                float noise);
+    [[nodiscard]] float noise() const { return noise_; }
+    /// In the order of the scene's channels, as is ground().
+    [[nodiscard]] const ProbeLevels& at(const DisplayChange& change) const { return at_[way(change)]; }
+    [[nodiscard]] const Ground& ground(const DisplayChange& change) const { return ground_[way(change)]; }
+
+  private:
+    static std::size_t way(const DisplayChange& change) {
+        return 2 * way_turned(change) + (change.red_blue ? 1U : 0U);
+    }
+
+    std::array<ProbeLevels, 8> at_;
+    std::array<Ground, 8> ground_;
+    float noise_;
+};
+
+/// A difference up to this is a matter of rounding: it counts nothing.
+inline constexpr float free_levels = 1;
+/// What a difference of so many levels counts: its square beyond what is free, at most 16.
+template <Number F> [[nodiscard]] F excess_of(F levels) {
+    const F beyond = max0(levels - F(free_levels));
+    return min(beyond * beyond, F(16));
+}
+
+/// Sum of excess_of() over all channels of all probes; only as far as it is above `enough`. `bounds` are
+/// those of `change`.
+[[nodiscard]] double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong,
+                               const DisplayChange& change, const ByteBounds& bounds, double enough);
+
+/// The gain under which `change` explains most channels; nothing where there is too little to tell it from.
+[[nodiscard]] std::optional<float> fitted_gain(const DrawnProbes& drawn, const WrongProbes& wrong,
+                                               const DisplayChange& change);
+
+}  // namespace glint

@@ -1,0 +1,96 @@
+#pragma once
+// Judges one explanation of a wrong picture on every pixel that can be compared.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "diagnose/search/comparable.h"
+#include "diagnose/search/display_change.h"
+#include "diagnose/search/probes.h"
+
+namespace glint {
+
+/// A picture that was drawn, and where it shows no surface.
+struct Drawing {
+    Picture picture;
+    BareMask bare;  // empty: as the right one
+};
+
+/// The picture under diagnosis, the right one, and what may be compared. All have one size.
+struct Exhibit {
+    const Picture& wrong;
+    const Picture& right;
+    const std::vector<PixelKind>& kinds;
+    // The wrong picture's grounds, indexed by way_turned():
+    std::array<std::optional<Rgb>, 4> grounds;  // background_of()
+    std::array<Ground, 4> bare_grounds;         // ground_of()
+    DisplayChange least_change;                 // nothing happened but noise
+
+    /// `noise`: of DisplayChange.
+    Exhibit(const Picture& wrong_picture, const Picture& right_picture,
+            const std::vector<PixelKind>& of_pixels, float noise = 0);
+};
+
+struct Score {
+    std::uint64_t compared = 0;     // pixels
+    std::uint64_t unlike = 0;       // that differ by more than visible_levels in some channel
+    std::uint64_t solid = 0;        // of those that are unlike, those whose four neighbours are so too
+    std::uint64_t wrong = 0;        // that differ so from the right picture
+    std::uint64_t explained = 0;    // of these, those that the explanation shows
+    double excess = 0;              // sum of excess_of()
+    double squares = 0;             // sum of the squares of the differences in levels, channel by channel
+    double off = 0, off_right = 0;  // sums over the wrong pixels of how far a drawing itself is off, in
+                                    // levels: the explanation's, the right one's
+    float told_best = -std::numeric_limits<float>::infinity();  // levels by which `pixel` speaks for it
+    glm::ivec2 pixel{0};  // of the scene's picture: where the explanation is told best from the right one
+
+    [[nodiscard]] double residual() const;  // RMS in levels
+    [[nodiscard]] double share_explained() const;
+    /// Whether the explanation's drawing is nearer to the wrong pixels than the right picture is. The range
+    /// that noise and softness allow around a drawing does not count.
+    [[nodiscard]] bool comes_nearer() const;
+    /// Whether the explanation shows the whole picture, but for what rounding and edges leave.
+    [[nodiscard]] bool fits() const;
+    /// Whether so few pixels are unlike that it can.
+    [[nodiscard]] bool may_fit() const;
+};
+
+/// Another program may differ by so many levels.
+inline constexpr float visible_levels = 2;
+
+/// `step`: only every so many rows are looked at. `solid` is filled in when all are and few pixels are
+/// unlike.
+[[nodiscard]] Score score(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change,
+                          int step = 1);
+
+/// How many pixels there are of a kind, and how many of them differ by more than visible_levels.
+struct PixelCount {
+    std::uint64_t pixels = 0, unlike = 0;
+    float most = 0;  // levels by which one differs at most
+
+    [[nodiscard]] double share() const {
+        return pixels == 0 ? 0 : static_cast<double>(unlike) / static_cast<double>(pixels);
+    }
+};
+using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
+[[nodiscard]] inline const PixelCount& count_of(const PixelCounts& counts, PixelKind kind) {
+    return counts[static_cast<std::size_t>(kind)];
+}
+/// Counts, for each PixelKind, the pixels that differ from a drawing. The background is compared with the
+/// colour that more than half of it has in the wrong picture, where there is one.
+[[nodiscard]] PixelCounts count_unlike(const Exhibit& exhibit, const Drawing& drawing,
+                                       const DisplayChange& change);
+
+/// What the changed picture would show of a byte of the scene's, in whole levels.
+[[nodiscard]] Rgb shown(const ByteRanges& ranges, Rgb drawn);
+/// Does the same, given the wrong picture's colour there, `mine`: a byte that was clamped is shown as that of
+/// `mine`, if it may have been that.
+[[nodiscard]] Rgb shown_beside(const ByteRanges& ranges, Rgb drawn, Rgb mine);
+/// The wrong picture's colour at a pixel of the scene's picture, channels in the scene's order.
+[[nodiscard]] Rgb mine_at(const Picture& wrong, const DisplayChange& change, int x, int y);
+
+}  // namespace glint

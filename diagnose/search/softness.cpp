@@ -1,0 +1,299 @@
+#include "diagnose/search/softness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+
+namespace glint {
+namespace {
+
+constexpr std::array<glm::ivec2, 9> offsets{
+    {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+constexpr std::size_t unknowns = offsets.size() + 1;
+
+/// Every so many rows tell enough.
+int row_step(PictureSize size) { return std::max(1, size.height / 200); }
+
+/// Fits by least squares how far the wrong picture's levels are off the drawing's. The unknowns are the share
+/// of each of nine pixels in the mixture, times how far its level is from the drawing's here, and a gain,
+/// times the drawing's level here.
+class MixtureFit {
+  public:
+    void add(const std::array<double, unknowns>& of, double off) {
+        for (std::size_t i = 0; i < unknowns; ++i) {
+            for (std::size_t j = 0; j <= i; ++j) normal_[i][j] += of[i] * of[j];
+            right_[i] += of[i] * off;
+        }
+        squares_ += off * off;
+        ++count_;
+    }
+
+    /// The share of the squares that no mixture explains, without what noise of this deviation adds.
+    [[nodiscard]] double share_left(double noise) const {
+        const double of_noise = static_cast<double>(count_) * noise * noise;
+        const double all = squares_ - of_noise;
+        return all <= 0 ? 0 : (squares_ - explained() - of_noise) / all;
+    }
+
+  private:
+    /// By Cholesky's factors, whose solution of L y = right gives right · x = y · y. A direction in which
+    /// nothing varies explains nothing.
+    [[nodiscard]] double explained() const {
+        std::array<std::array<double, unknowns>, unknowns> l{};
+        std::array<double, unknowns> y{};
+        double sum = 0;
+        for (std::size_t i = 0; i < unknowns; ++i) {
+            double pivot = normal_[i][i], rest = right_[i];
+            for (std::size_t j = 0; j < i; ++j) {
+                if (l[j][j] == 0) continue;
+                double product = normal_[i][j];
+                for (std::size_t k = 0; k < j; ++k) product -= l[i][k] * l[j][k];
+                l[i][j] = product / l[j][j];
+                pivot -= l[i][j] * l[i][j];
+                rest -= l[i][j] * y[j];
+            }
+            constexpr double hardly_any = 1e-9;
+            if (pivot <= hardly_any * normal_[i][i]) continue;
+            l[i][i] = std::sqrt(pivot);
+            y[i] = rest / l[i][i];
+            sum += y[i] * y[i];
+        }
+        return sum;
+    }
+
+    std::array<std::array<double, unknowns>, unknowns> normal_{};
+    std::array<double, unknowns> right_{};
+    double squares_ = 0;
+    std::size_t count_ = 0;
+};
+
+/// A drawing in the wrong picture's levels, read at its pixels or between them; beyond its border as at the
+/// border.
+class Levels {
+  public:
+    Levels(const Picture& drawn, const ByteRanges& ranges) : drawn_(drawn), ranges_(ranges) {}
+
+    [[nodiscard]] double at(glm::dvec2 point, std::size_t channel) const {
+        const glm::dvec2 corner(std::floor(point.x), std::floor(point.y)), t = point - corner;
+        const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
+        return (1 - t.y) * ((1 - t.x) * at(x, y, channel) + t.x * at(x + 1, y, channel)) +
+               t.y * ((1 - t.x) * at(x, y + 1, channel) + t.x * at(x + 1, y + 1, channel));
+    }
+
+    [[nodiscard]] double at(int x, int y, std::size_t channel) const {
+        const PictureSize size = drawn_.size;
+        const std::size_t pixel =
+            size.index(std::clamp(x, 0, size.width - 1), std::clamp(y, 0, size.height - 1));
+        return double(ranges_[drawn_.rgba[4 * pixel + channel]].middle);
+    }
+
+  private:
+    const Picture& drawn_;
+    const ByteRanges& ranges_;
+};
+
+/// What least squares of picture(x) = drawn(x - shift) over all surfaces adds to a shift.
+glm::dvec2 shift_step(const Exhibit& e, const Levels& levels, const DisplayChange& change, glm::dvec2 shift,
+                      int rows) {
+    double xx = 0, xy = 0, yy = 0, xd = 0, yd = 0;
+    const PictureSize size = e.right.size;
+    const glm::dvec2 right(1, 0), down(0, 1);
+    for (int y = 1; y + 1 < size.height; y += rows)
+        for (int x = 1; x + 1 < size.width; ++x) {
+            if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
+            const Rgb mine = mine_at(e.wrong, change, x, y);
+            const glm::dvec2 from = glm::dvec2(x, y) - shift;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double gx = (levels.at(from + right, c) - levels.at(from - right, c)) / 2;
+                const double gy = (levels.at(from + down, c) - levels.at(from - down, c)) / 2;
+                const double d = levels.at(from, c) - double(mine[c]);
+                xx += gx * gx, xy += gx * gy, yy += gy * gy;
+                xd += gx * d, yd += gy * d;
+            }
+        }
+    const double determinant = xx * yy - xy * xy;
+    if (determinant <= 1e-6 * xx * yy) return glm::dvec2(0);
+    return glm::dvec2(yy * xd - xy * yd, xx * yd - xy * xd) / determinant;
+}
+
+/// Visits every level of a surface: its pixel, its channel, and how far it is off the drawing.
+template <class Visit>
+void for_each_level(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
+                    const ByteRanges& ranges, const Visit& visit) {
+    const PictureSize size = e.right.size;
+    for (int y = 1; y + 1 < size.height; y += row_step(size))
+        for (int x = 1; x + 1 < size.width; ++x) {
+            if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
+            const Rgb mine = mine_at(e.wrong, change, x, y), ours = rgb_at(drawn.picture, size.index(x, y));
+            for (std::size_t c = 0; c < 3; ++c)
+                visit(glm::ivec2(x, y), c, double(mine[c]) - double(ranges[ours[c]].middle));
+        }
+}
+
+/// Returns the share of the difference that a mixture may leave unexplained. In a resampled picture the
+/// mixture changes from place to place, so a single one explains only a part; but such a picture differs in
+/// few places. The more levels differ, the more has to be explained.
+double may_be_left(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    constexpr double nearly_all = 0.7, most = 0.79, least = 0.3;
+    constexpr double few = 0.01, many = 0.06, a_share = 3.8;
+    const double clearly = double(visible_levels) + double(change.scatter());
+    double sum = 0, all = 0, differ = 0, count = 0;
+    for_each_level(e, drawn, change, byte_ranges(change), [&](glm::ivec2, std::size_t, double off) {
+        ++count;
+        if (std::abs(off) <= clearly) return;
+        ++differ;
+        sum += off;
+        all += std::abs(off);
+    });
+    const bool one_sided = std::abs(sum) > nearly_all * all;
+    if (one_sided || differ > many * count) return least;
+    return most - a_share * std::max(differ / count - few, 0.0);
+}
+
+/// Returns the share of the difference that no mixture of nine pixels explains; they lie around the place
+/// from which a pixel is shifted. `with_gain`: that no mixture with a gain explains.
+double share_unmixed(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, glm::ivec2 shift,
+                     bool with_gain) {
+    const ByteRanges ranges = byte_ranges(change);
+    const Levels levels(drawn.picture, ranges);
+    MixtureFit fit;
+    for_each_level(e, drawn, change, ranges, [&](glm::ivec2 at, std::size_t c, double off) {
+        const double here = levels.at(at.x, at.y, c);
+        std::array<double, unknowns> of{};
+        for (std::size_t i = 0; i < offsets.size(); ++i) {
+            const glm::ivec2 near = at - shift + offsets[i];
+            of[i] = levels.at(near.x, near.y, c) - here;
+        }
+        if (with_gain) of.back() = here;
+        fit.add(of, off);
+    });
+    return fit.share_left(double(change.noise));
+}
+
+/// The share of the squares of what differs that a shift leaves.
+double share_unshifted(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
+                       glm::dvec2 shift) {
+    const ByteRanges ranges = byte_ranges(change);
+    const Levels levels(drawn.picture, ranges);
+    double all = 0, left = 0;
+    for_each_level(e, drawn, change, ranges, [&](glm::ivec2 at, std::size_t c, double off) {
+        const double mine = levels.at(at.x, at.y, c) + off;
+        const double rest = mine - levels.at(glm::dvec2(at) - shift, c);
+        all += off * off;
+        left += rest * rest;
+    });
+    return all > 0 ? left / all : 0;
+}
+
+/// From one side of a silhouette to the other.
+struct Steps {
+    int all = 0, hard = 0;  // hard: nothing lies in between, and both sides are even beside it
+    [[nodiscard]] double share_hard() const { return all > 0 ? double(hard) / all : 0; }
+};
+
+/// Four pixels in a row or in a column, a step in whose middle is looked for. `flat`: the levels by which the
+/// outer two may differ from their neighbours.
+void add_step(Steps& steps, const std::array<Rgb, 4>& row, int flat) {
+    constexpr int high = 48;  // levels
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto rise = [&](std::size_t from) {
+            return std::abs(int(row[from + 1][c]) - int(row[from][c]));
+        };
+        const bool is_step =
+            std::abs(int(row[3][c]) - int(row[0][c])) >= high && rise(1) >= rise(0) && rise(1) >= rise(2);
+        if (!is_step) continue;
+        ++steps.all;
+        if (rise(0) <= flat && rise(2) <= flat) ++steps.hard;
+        return;
+    }
+}
+
+/// The steps at silhouettes of a picture whose colours color_at(pixel) returns.
+template <class ColorAt> Steps steps_of(const Exhibit& e, const ColorAt& color_at, int flat) {
+    Steps steps;
+    const PictureSize size = e.right.size;
+    const auto is_edge = [&](glm::ivec2 at) { return e.kinds[size.index(at.x, at.y)] == PixelKind::Edge; };
+    for (const glm::ivec2 along : {glm::ivec2(1, 0), glm::ivec2(0, 1)})
+        for (int y = along.y; y + 2 * along.y < size.height; ++y)
+            for (int x = along.x; x + 2 * along.x < size.width; ++x) {
+                const glm::ivec2 at(x, y);
+                if (!is_edge(at) || !is_edge(at + along)) continue;
+                add_step(steps,
+                         {color_at(at - along), color_at(at), color_at(at + along), color_at(at + 2 * along)},
+                         flat);
+            }
+    return steps;
+}
+
+/// Whether the wrong picture has as hard steps at its silhouettes as the drawing has.
+bool has_hard_edges(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    constexpr int least = 20;
+    constexpr double as_hard = 0.6;
+    const int flat = 4 + static_cast<int>(2 * change.noise);
+    const PictureSize size = e.right.size;
+    const Steps ours = steps_of(
+        e, [&](glm::ivec2 at) { return rgb_at(drawn.picture, size.index(at.x, at.y)); }, flat);
+    if (ours.hard < least) return false;
+    const Steps theirs = steps_of(
+        e, [&](glm::ivec2 at) { return mine_at(e.wrong, change, at.x, at.y); }, flat);
+    return theirs.share_hard() >= as_hard * ours.share_hard();
+}
+
+}  // namespace
+
+glm::vec2 fitted_shift(const Exhibit& e, const Picture& drawn, const DisplayChange& change, int rows) {
+    const ByteRanges ranges = byte_ranges(change);
+    const Levels levels(drawn, ranges);
+    constexpr int steps = 4;        // each from where the one before has led: a picture is not a plane
+    constexpr double farthest = 4;  // pixels
+    glm::dvec2 shift(0);
+    for (int i = 0; i < steps; ++i) {
+        shift += shift_step(e, levels, change, shift, rows);
+        if (glm::length(shift) > farthest) return glm::vec2(0);
+    }
+    return shift;
+}
+
+/// The shift that fits, told from as many rows as tell enough.
+static glm::vec2 coarse_shift(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    return fitted_shift(e, drawn.picture, change, row_step(e.right.size));
+}
+
+/// `shift` returns the one that fits; it is asked only where the edges are hard.
+template <class Shift>
+static bool is_hard(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, const Shift& shift) {
+    constexpr double most_left_by_shift = 0.6;
+    return has_hard_edges(e, drawn, change) &&
+           share_unshifted(e, drawn, change, glm::dvec2(shift())) > most_left_by_shift;
+}
+
+bool is_hard(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    return is_hard(e, drawn, change, [&] { return coarse_shift(e, drawn, change); });
+}
+
+bool may_be_softened(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    constexpr double most_left_beside_gain = 0.1;
+    constexpr float hardly = 1.1f;
+    std::optional<glm::vec2> fitted;  // takes long, and is often not needed
+    const auto shift = [&] { return fitted ? *fitted : fitted.emplace(coarse_shift(e, drawn, change)); };
+    if (is_hard(e, drawn, change, shift)) return false;
+    const auto is_mixed = [&](const DisplayChange& told, double enough, bool with_gain) {
+        if (share_unmixed(e, drawn, told, glm::ivec2(0), with_gain) <= enough) return true;
+        const glm::ivec2 whole(glm::round(shift()));
+        return whole != glm::ivec2(0) && share_unmixed(e, drawn, told, whole, with_gain) <= enough;
+    };
+    if (!is_mixed(change, may_be_left(e, drawn, change), false)) return false;
+    // A gain near 1 may be what makes a highlight of another width look even: it is fitted beside the
+    // mixture.
+    if (change.gain == 1 || change.gain >= hardly || change.gain * hardly <= 1) return true;
+    DisplayChange without = change;
+    without.gain = 1;
+    return is_mixed(without, most_left_beside_gain, true);
+}
+
+}  // namespace glint

@@ -1,0 +1,26 @@
+#pragma once
+// Tells a softened picture from one with wrong lighting. A wrong colour alone does not tell: it may lie
+// between the colours of its neighbours by chance.
+
+#include "diagnose/search/score.h"
+
+namespace glint {
+
+/// By how much the wrong picture's surfaces are shifted to the right and down from the drawing's, in pixels;
+/// zero where that cannot be told, or is more than four. Every `rows`-th row is looked at.
+[[nodiscard]] glm::vec2 fitted_shift(const Exhibit& exhibit, const Picture& drawn,
+                                     const DisplayChange& change, int rows = 1);
+
+/// Whether the wrong picture was neither blurred nor resampled: it steps from one side of a silhouette to the
+/// other as hard as the drawing does, and no shift explains most of what differs on surfaces. False where the
+/// drawing has too few such steps to tell.
+[[nodiscard]] bool is_hard(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
+
+/// Whether the surfaces of the wrong picture may be those of the drawing, blurred and perhaps shifted. One
+/// filter kernel of 3 x 3 pixels, the same everywhere, must explain a part of the difference. A blur spreads
+/// brightness but adds none: if the wrong picture is nearly everywhere darker, or nearly everywhere brighter,
+/// the kernel must explain most of the difference. Returns false if is_hard(). Precondition: `change` is
+/// soft.
+[[nodiscard]] bool may_be_softened(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
+
+}  // namespace glint

@@ -1,0 +1,52 @@
+#pragma once
+// Small expressions over the JSON that Glint's commands answer: what a lesson claims, asks for and waits for.
+// docs/lessons.md describes them. Anyone may have written the text.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/json/json.h"
+#include "models/problem.h"
+
+namespace glint {
+
+/// What the names of an expression stand for.
+using NamedValues = std::map<std::string, Json, std::less<>>;
+
+struct ExpressionNode;
+
+/// Numbers, lists of them, text, true and false; + - * / ^, comparisons, and, or, not; `a.lights[0].n_dot_l`;
+/// functions. Angles are in degrees. A number and a list are combined element by element.
+class Expression {
+  public:
+    Expression() = default;  // the text "", which has no value
+
+    /// Parses at most 1000 bytes, with at most 32 brackets and signs inside each other.
+    [[nodiscard]] static Result<Expression> parse(std::string_view text);
+
+    /// A problem where a name is not among `names`, a member is missing, or an operation does not fit what it
+    /// is given, or where there is not enough memory for the lists that it makes. A division by zero and the
+    /// like give NaN, for which every comparison is false.
+    [[nodiscard]] Result<Json> value(const NamedValues& names) const;
+    /// The value of a condition; a problem where it is neither true nor false.
+    [[nodiscard]] Result<bool> holds(const NamedValues& names) const;
+    /// The value of an expression that has to be a number, or a list of numbers.
+    [[nodiscard]] Result<double> number(const NamedValues& names) const;
+    [[nodiscard]] Result<std::vector<double>> numbers(const NamedValues& names) const;
+
+    /// The first part of the condition that is false, with its values: "0.45 = 0.5 within 0.001". For people.
+    [[nodiscard]] std::string with_values(const NamedValues& names) const;
+
+    [[nodiscard]] const std::string& text() const { return text_; }
+    /// The names that it reads, each once.
+    [[nodiscard]] std::vector<std::string> names() const;
+
+  private:
+    std::string text_;
+    std::shared_ptr<const ExpressionNode> root_;
+};
+
+}  // namespace glint

@@ -1,0 +1,18 @@
+#pragma once
+// A lesson on paper: text, pictures, questions with room for the answer, and for the lecturer the key.
+
+#include <string>
+
+#include "lessons/run_lesson.h"
+
+namespace glint {
+
+/// A self-contained HTML page, with a picture of each step whose scene differs from the one before. Without
+/// `key`, what a reveal shows and tells, and the claims, are left out. A problem where the lesson's scene
+/// cannot be opened or an answer cannot be computed.
+[[nodiscard]] Result<std::string> handout_html(LessonRunner& runner, const Lesson& lesson, bool key);
+
+/// The lesson's pictures on paper: its own size, or a multiple of it of at least 640 pixels' width.
+[[nodiscard]] PictureSize handout_size(const Lesson& lesson);
+
+}  // namespace glint

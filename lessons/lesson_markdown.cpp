@@ -1,0 +1,258 @@
+// Markdown -> headings, text and blocks, by md4c, which calls back for each thing it meets.
+#include <md4c.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+
+#include "lessons/lesson_source.h"
+#include "models/problem.h"
+
+namespace glint {
+namespace {
+
+constexpr int max_nesting = 16;
+// Each stretch of a link's text holds the address, and a reference gives one to as many links as there are.
+constexpr std::size_t max_address = 2048, max_addresses = std::size_t{4} << 20;
+
+/// Decodes the HTML entities that people write in lessons; others stay as they are.
+std::string entity_text(std::string_view entity) {
+    constexpr std::array<std::array<std::string_view, 2>, 5> known{
+        {{"&amp;", "&"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&nbsp;", "\u00a0"}}};
+    for (const auto& [name, text] : known)
+        if (name == entity) return std::string(text);
+    return std::string(entity);
+}
+
+bool same_style(const ProseSpan& a, const ProseSpan& b) {
+    return a.strong == b.strong && a.emphasis == b.emphasis && a.code == b.code && a.link == b.link;
+}
+
+std::string_view text_of(const MD_ATTRIBUTE& attribute) {
+    return attribute.text ? std::string_view(attribute.text, attribute.size) : std::string_view();
+}
+
+class Collector {
+  public:
+    explicit Collector(std::string_view text) : text_(text) {}
+
+    void enter(MD_BLOCKTYPE type, const void* detail) {
+        if (++depth_ > max_nesting)
+            fail_at(line_, "lists and quotes are nested too deep", "at most 16 levels");
+        switch (type) {
+        case MD_BLOCK_UL:
+            next_number_.push_back(-1);
+            break;
+        case MD_BLOCK_OL:
+            next_number_.push_back(static_cast<int>(
+                std::min(static_cast<const MD_BLOCK_OL_DETAIL*>(detail)->start, 1'000'000U)));
+            break;
+        case MD_BLOCK_LI: {
+            int& number = next_number_.back();
+            begin({ProseKind::Item, static_cast<int>(next_number_.size()), number, {}});
+            if (number >= 0) ++number;
+            break;
+        }
+        case MD_BLOCK_P:
+            if (!(open_ && open_->kind == ProseKind::Item && open_->spans.empty()))
+                begin({quotes_ > 0 ? ProseKind::Quote : ProseKind::Paragraph, 0, -1, {}});
+            break;
+        case MD_BLOCK_QUOTE:
+            ++quotes_;
+            break;
+        case MD_BLOCK_H:
+            begin({ProseKind::Heading,
+                   static_cast<int>(static_cast<const MD_BLOCK_H_DETAIL*>(detail)->level),
+                   -1,
+                   {}});
+            break;
+        case MD_BLOCK_CODE:
+            begin({ProseKind::Code, 0, -1, {}});
+            code_info_ = words_of(text_of(static_cast<const MD_BLOCK_CODE_DETAIL*>(detail)->info));
+            note(static_cast<const MD_BLOCK_CODE_DETAIL*>(detail)->info.text);
+            code_line_ = line_;
+            break;
+        default:
+            break;
+        }
+    }
+
+    void leave(MD_BLOCKTYPE type) {
+        --depth_;
+        switch (type) {
+        case MD_BLOCK_UL:
+        case MD_BLOCK_OL:
+            next_number_.pop_back();
+            break;
+        case MD_BLOCK_QUOTE:
+            --quotes_;
+            break;
+        case MD_BLOCK_CODE:
+            if (!code_info_.empty() && code_info_[0] != "text") {
+                end_block();
+                break;
+            }
+            [[fallthrough]];
+        default:
+            end();
+        }
+    }
+
+    void span(MD_SPANTYPE type, const void* detail, bool begins) {
+        switch (type) {
+        case MD_SPAN_STRONG:
+            style_.strong = begins;
+            break;
+        case MD_SPAN_EM:
+            style_.emphasis = begins;
+            break;
+        case MD_SPAN_CODE:
+            style_.code = begins;
+            break;
+        case MD_SPAN_A:
+            style_.link.clear();
+            if (begins)
+                style_.link =
+                    text_of(static_cast<const MD_SPAN_A_DETAIL*>(detail)->href).substr(0, max_address + 1);
+            break;
+        default:  // a picture is its words
+            break;
+        }
+    }
+
+    void text(MD_TEXTTYPE type, std::string_view piece) {
+        note(piece.data());
+        if (!open_) return;
+        if (style_.link.size() > max_address)
+            fail_at(line_, "the address of a link is too long", "at most 2048 bytes");
+        switch (type) {
+        case MD_TEXT_NULLCHAR:
+            return add("\ufffd");
+        case MD_TEXT_BR:
+            return add("\n");
+        case MD_TEXT_SOFTBR:
+            return add(" ");
+        case MD_TEXT_ENTITY:
+            return add(entity_text(piece));
+        default:
+            return add(piece);
+        }
+    }
+
+    std::vector<SourcePart> take() && { return std::move(parts_); }
+
+  private:
+    /// Remembers in which line a piece of the file stands; md4c's own words stand in none.
+    void note(const char* piece) {
+        const char* const begin = text_.data();
+        if (piece < begin || piece > begin + text_.size()) return;
+        const auto place = static_cast<std::size_t>(piece - begin);
+        if (place < counted_) return;
+        line_ += static_cast<int>(std::count(begin + counted_, piece, '\n'));
+        counted_ = place;
+        if (open_ && open_->spans.empty()) open_line_ = line_;
+    }
+    void begin(ProseBlock block) {
+        end();
+        if (++blocks_ > 4 * max_lesson_parts) fail_at(line_, "the lesson is too long", "at most 4000 blocks");
+        open_ = std::move(block);
+        style_ = {};
+    }
+    void add(std::string_view piece) {
+        std::vector<ProseSpan>& spans = open_->spans;
+        if (spans.empty() || !same_style(spans.back(), style_)) {
+            addresses_ += style_.link.size();
+            if (addresses_ > max_addresses)
+                fail_at(line_, "the addresses of the links are too long", "at most 4 MiB in all");
+            spans.push_back(style_);
+        }
+        spans.back().text += piece;
+    }
+    std::string open_text() const {
+        std::string whole;
+        for (const ProseSpan& s : open_->spans) whole += s.text;
+        return whole;
+    }
+    void end() {
+        if (!open_) return;
+        if (open_->kind == ProseKind::Heading && open_->level < 3)
+            parts_.emplace_back(SourceHeading{open_->level, open_line_, open_text()});
+        else if (!open_->spans.empty())
+            parts_.emplace_back(std::move(*open_));
+        open_.reset();
+    }
+    void end_block() {
+        SourceBlock block{code_info_[0], code_info_.size() > 1 ? code_info_[1] : "", {}, code_line_};
+        const std::vector<std::string>& known = lesson_block_words();
+        if (std::find(known.begin(), known.end(), block.word) == known.end())
+            fail_at(code_line_, "there is no block " + in_quotes(block.word),
+                    in_quotes(nearest(block.word, known)) + ", or \"text\" for what is only to be read");
+        if (code_info_.size() > 2)
+            fail_at(code_line_, in_quotes(code_info_[2]) + " does not belong there", "one word at most");
+        std::vector<std::string> lines(1);
+        for (const char c : open_text()) {
+            if (c == '\n')
+                lines.emplace_back();
+            else
+                lines.back() += c;
+        }
+        block.lines = block_lines(lines, code_line_ + 1);
+        parts_.emplace_back(std::move(block));
+        open_.reset();
+    }
+
+    std::string_view text_;
+    std::size_t counted_ = 0, blocks_ = 0, addresses_ = 0;
+    int line_ = 1, open_line_ = 1, code_line_ = 1, depth_ = 0, quotes_ = 0;
+    std::vector<int> next_number_;
+    std::vector<std::string> code_info_;
+    std::optional<ProseBlock> open_;
+    ProseSpan style_;
+    std::vector<SourcePart> parts_;
+};
+
+/// Calls from C: what is thrown waits until the parser has ended.
+struct Calls {
+    Collector collector;
+    std::exception_ptr thrown;
+
+    template <class F> static int guarded(void* self, F f) {
+        auto& calls = *static_cast<Calls*>(self);
+        try {
+            f(calls.collector);
+            return 0;
+        } catch (...) {
+            calls.thrown = std::current_exception();
+            return -1;  // md4c goes on after anything above 0
+        }
+    }
+};
+
+}  // namespace
+
+std::vector<SourcePart> lesson_source(std::string_view text) {
+    Calls calls{Collector(text), {}};
+    MD_PARSER parser{};
+    parser.flags = MD_FLAG_NOHTML | MD_FLAG_NOINDENTEDCODEBLOCKS;
+    parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* self) {
+        return Calls::guarded(self, [&](Collector& c) { c.enter(type, detail); });
+    };
+    parser.leave_block = [](MD_BLOCKTYPE type, void*, void* self) {
+        return Calls::guarded(self, [&](Collector& c) { c.leave(type); });
+    };
+    parser.enter_span = [](MD_SPANTYPE type, void* detail, void* self) {
+        return Calls::guarded(self, [&](Collector& c) { c.span(type, detail, true); });
+    };
+    parser.leave_span = [](MD_SPANTYPE type, void* detail, void* self) {
+        return Calls::guarded(self, [&](Collector& c) { c.span(type, detail, false); });
+    };
+    parser.text = [](MD_TEXTTYPE type, const MD_CHAR* piece, MD_SIZE size, void* self) {
+        return Calls::guarded(self, [&](Collector& c) { c.text(type, {piece, size}); });
+    };
+    const int ended = md_parse(text.data(), static_cast<MD_SIZE>(text.size()), &parser, &calls);
+    if (calls.thrown) std::rethrow_exception(calls.thrown);
+    if (ended != 0) throw std::bad_alloc();  // what else md4c can fail at is thrown above
+    return std::move(calls.collector).take();
+}
+
+}  // namespace glint

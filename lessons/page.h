@@ -1,0 +1,18 @@
+#pragma once
+// Pages that lessons are printed on: HTML that needs nothing else, for a screen and for paper.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/lesson.h"
+
+namespace glint {
+
+/// A whole page. `body` is HTML, `title` is text.
+[[nodiscard]] std::string page_html(std::string_view title, std::string_view body);
+
+/// Text of a lesson as HTML.
+[[nodiscard]] std::string prose_html(const std::vector<ProseBlock>& blocks);
+
+}  // namespace glint

@@ -1,0 +1,33 @@
+#pragma once
+// What a PNG picture carries besides its pixels: Glint writes the scene of a picture into it
+// (docs/formats.md). libpng reads it.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "models/problem.h"
+
+namespace glint {
+
+struct PngInfo {
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::pair<std::string, std::string>> texts;  // keyword and text of each iTXt chunk
+
+    /// The first text with that keyword; null if there is none.
+    [[nodiscard]] const std::string* text(std::string_view keyword) const;
+};
+
+/// Reads the chunks before the pixels, and those after them unless a text with that keyword is among the
+/// first. Problems, with `file`: no PNG, damaged or cut off, no text with the keyword, a text of more than
+/// `max_bytes`.
+[[nodiscard]] Result<PngInfo> png_info(std::string_view bytes, std::string_view keyword,
+                                       std::size_t max_bytes, const std::string& file);
+
+/// Reads the file at `path`, as png_info() does.
+[[nodiscard]] Result<PngInfo> read_png_info(const std::string& path, std::string_view keyword,
+                                            std::size_t max_bytes);
+
+}  // namespace glint

@@ -1,0 +1,331 @@
+// Strict reading: where the library stops, and what is wrong there in our words.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <set>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "models/json/json.h"
+#include "models/json/json_pointer.h"
+#include "models/progress.h"
+#include "models/range.h"
+#include "models/utf8.h"
+
+namespace glint {
+namespace {
+
+constexpr std::string_view white_space = " \t\r\n";
+
+/// What a parser understood last.
+enum class JsonEvent { Nothing, Key, Value, OpenedObject, OpenedArray };
+enum class JsonContainer { None, Object, Array };
+
+/// Where a parser stopped.
+struct JsonStop {
+    std::string_view text;
+    std::size_t understood = 0;  // end of what it understood last
+    std::size_t reached = 0;     // end of what it looked at
+    JsonEvent last = JsonEvent::Nothing;
+    JsonContainer container = JsonContainer::None;  // around the place
+};
+
+struct Fault {
+    std::size_t place;  // of the first character that does not fit
+    std::string_view expected;
+    bool string_fits;  // a string is allowed here
+};
+
+/// The first character at or after `place` that is not white space.
+std::size_t skip_space(std::string_view text, std::size_t place) {
+    return std::min(text.find_first_not_of(white_space, place), text.size());
+}
+
+/// A key needs a colon after it, a value in a container a comma. The fault is what the text has instead, or
+/// what follows it.
+Fault fault_of(const JsonStop& stop) {
+    const std::size_t next = skip_space(stop.text, stop.understood);
+    const char c = next < stop.text.size() ? stop.text[next] : '\0';
+    const bool in_object = stop.container == JsonContainer::Object;
+    switch (stop.last) {
+    case JsonEvent::Nothing:
+        return {next, "an object, such as {\"glint\": 1}", true};
+    case JsonEvent::OpenedObject:
+        return {next, "a key in quotes or \"}\"", true};
+    case JsonEvent::OpenedArray:
+        return {next, "a value or \"]\"", true};
+    case JsonEvent::Key:
+        if (c != ':') return {next, "\":\" after the key", false};
+        return {skip_space(stop.text, next + 1), "a value", true};
+    case JsonEvent::Value:
+        if (stop.container == JsonContainer::None) return {next, "the end of the text", false};
+        if (c != ',') return {next, in_object ? "\",\" or \"}\"" : "\",\" or \"]\"", false};
+        return {skip_space(stop.text, next + 1), in_object ? "a key in quotes" : "a value", true};
+    }
+    return {};  // not reached
+}
+
+/// The whole word or number that starts here, or the one character.
+std::string_view word_at(std::string_view text) {
+    const auto in_word = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '+' ||
+               c == '-';
+    };
+    const auto length = std::find_if_not(text.begin(), text.end(), in_word) - text.begin();
+    return length > 0 ? text.substr(0, static_cast<std::size_t>(length)) : text.substr(0, utf8_length(text));
+}
+
+/// Whether the string that starts here has its closing quote.
+bool is_closed(std::string_view text) {
+    for (std::size_t i = 1; i < text.size(); i += text[i] == '\\' ? 2 : 1)
+        if (text[i] == '"') return true;
+    return false;
+}
+
+/// `rest`: the text from the string on.
+Problem broken_string(const JsonStop& stop, std::string_view rest) {
+    if (stop.reached >= stop.text.size() && !is_closed(rest))
+        return {"", "", "a string that does not end", "\" after it"};
+    if (static_cast<unsigned char>(stop.text[stop.reached - 1]) < 0x20)
+        return {"", "", "a control character in a string",
+                "it written as \\n, \\t or \\u and four hex digits"};
+    return {"", "", "an escape that JSON does not know",
+            "\\\", \\\\, \\/, \\b, \\f, \\n, \\r, \\t, or \\u and four hex digits, surrogates in pairs"};
+}
+
+/// Line, what is wrong and what was expected; without the file.
+Problem syntax_problem(const JsonStop& stop) {
+    const Fault fault = fault_of(stop);
+    const std::string_view rest = stop.text.substr(fault.place);
+    const std::string expected(fault.expected);
+    const auto problem = [&]() -> Problem {
+        if (rest.empty() && stop.last == JsonEvent::Nothing) return {"", "", "there is no text", expected};
+        if (rest.empty()) return {"", "", "the text ends too early", expected};
+        if (rest.starts_with('/'))
+            return {"", "", "a comment or a stray slash", "JSON, which has no comments"};
+        if (!rest.starts_with('"')) return {"", "", "unexpected " + in_quotes(word_at(rest)), expected};
+        if (fault.string_fits) return broken_string(stop, rest);
+        return {"", "", "unexpected " + in_quotes(rest.substr(1, rest.find('"', 1) - 1)), expected};
+    }();
+    const std::size_t last = stop.text.find_last_not_of(white_space);  // for a text that ends too early
+    const int line = line_of(stop.text, last == std::string_view::npos ? 0 : std::min(fault.place, last));
+    return {"", "", problem.what, problem.expected, line};
+}
+
+/// An iterator that reports how far it has read: the library tells its listener what it met, but not where.
+struct CountingIterator {
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    const char* at = nullptr;
+    const char** reached = nullptr;
+
+    reference operator*() const { return *at; }
+    CountingIterator& operator++() {
+        *reached = ++at;
+        return *this;
+    }
+    bool operator==(const CountingIterator& o) const { return at == o.at; }
+};
+
+/// Builds the document from the parser's events and refuses what a document must not have. The names of the
+/// events are the library's.
+class Builder {
+  public:
+    Builder(std::string_view text, const std::string& file)
+        : text_(text), file_(file), reached_(text.data()), parsed_(text.size()) {}
+
+    Json take() && { return std::move(root_); }
+    [[nodiscard]] CountingIterator begin() { return {text_.data(), &reached_}; }
+    [[nodiscard]] CountingIterator end() { return {text_.data() + text_.size(), &reached_}; }
+
+    bool null() { return put(nullptr); }
+    bool boolean(bool b) { return put(b); }
+    bool number_integer(std::int64_t n) { return number(n); }
+    bool number_unsigned(std::uint64_t n) { return number(n); }
+    bool number_float(double n, const std::string&) { return number(n); }
+    bool string(std::string& s) { return put(std::move(s)); }
+    bool binary(Json::binary_t&) { return false; }  // not in JSON text
+
+    bool start_object(std::size_t) { return open(JsonContainer::Object); }
+    bool start_array(std::size_t) { return open(JsonContainer::Array); }
+    bool end_object() { return close(); }
+    bool end_array() { return close(); }
+    bool key(std::string& name) {
+        understood(JsonEvent::Value);
+        Open& object = open_.back();
+        if (!object.keys.insert(name).second)
+            fail({"", "", fmt::format("duplicate key {}", in_quotes(name)), "it once"});
+        if (object.keys.size() > max_json_keys)
+            fail({"", "", "too many keys", fmt::format("at most {} in an object", max_json_keys)});
+        key_ = std::move(name);
+        understood(JsonEvent::Key);
+        return true;
+    }
+
+    bool parse_error(std::size_t, const std::string& token, const Json::exception& error) {
+        constexpr int number_overflow = 406;  // its documented id
+        if (error.id == number_overflow)
+            fail({"", "", shortened(token) + " is out of range", std::string(any_number.words)});
+        const JsonContainer container = open_.empty() ? JsonContainer::None : open_.back().kind;
+        Problem problem = syntax_problem({text_, understood_, place(), last_, container});
+        problem.file = file_;
+        throw NotJson(std::move(problem));
+    }
+
+  private:
+    /// An object or an array that is not closed yet. It becomes a Json when it is complete: the library's
+    /// objects copy their members when they grow.
+    struct Open {
+        JsonContainer kind = JsonContainer::None;
+        std::string key;  // in the object around it; unused in an array
+        std::vector<Json> elements;
+        std::vector<std::pair<std::string, Json>> members;
+        std::set<std::string> keys;
+
+        Json take() {
+            if (kind == JsonContainer::Array) return Json(std::move(elements));
+            Json::object_t object;
+            object.reserve(members.size());
+            for (auto& [name, value] : members) object.emplace_back(std::move(name), std::move(value));
+            return Json(std::move(object));
+        }
+    };
+
+    [[nodiscard]] std::size_t place() const { return static_cast<std::size_t>(reached_ - text_.data()); }
+
+    void understood(JsonEvent event) {
+        last_ = event;
+        understood_ = place();
+    }
+
+    /// The value belongs to the key that was read last, to the end of the innermost array, or is the root.
+    bool put(Json v) {
+        if (++count_ > max_json_values)
+            fail({"", "", "too many values", fmt::format("at most {} in a scene", max_json_values)});
+        parsed_.at(place());
+        understood(JsonEvent::Value);
+        if (open_.empty())
+            root_ = std::move(v);
+        else if (open_.back().kind == JsonContainer::Array)
+            open_.back().elements.push_back(std::move(v));
+        else
+            open_.back().members.emplace_back(std::move(key_), std::move(v));
+        return true;
+    }
+    template <class Number> bool number(Number n) {
+        put(n);
+        // The parser knows the end of a number by the character after it, which it has read too, unless the
+        // text ended. Only after a 0, as in 01, can that character be a digit.
+        const bool digit = std::isdigit(static_cast<unsigned char>(reached_[-1])) != 0;
+        const bool after_zero = std::is_integral_v<Number> && n == 0 && place() > 1 && reached_[-2] == '0';
+        if (!digit || after_zero) --understood_;
+        return true;
+    }
+    bool open(JsonContainer kind) {
+        if (open_.size() == max_json_depth)
+            fail({"", "", "nested too deep", fmt::format("at most {} deep", max_json_depth)});
+        open_.push_back({kind, std::exchange(key_, {}), {}, {}, {}});
+        understood(kind == JsonContainer::Object ? JsonEvent::OpenedObject : JsonEvent::OpenedArray);
+        return true;
+    }
+    bool close() {
+        Open done = std::move(open_.back());
+        open_.pop_back();
+        key_ = std::move(done.key);
+        return put(done.take());
+    }
+
+    [[nodiscard]] std::string pointer() const {
+        std::string text;
+        for (std::size_t i = 0; i < open_.size(); ++i) {
+            const bool last = i + 1 == open_.size();
+            if (open_[i].kind == JsonContainer::Array)
+                text += fmt::format("/{}", open_[i].elements.size());
+            else if (!last || last_ == JsonEvent::Key)
+                text.append("/").append(escaped_token(last ? key_ : open_[i + 1].key));
+        }
+        return text;
+    }
+    [[noreturn]] void fail(Problem problem) const {
+        problem.file = file_;
+        problem.pointer = pointer();
+        problem.line = line_of(text_, place() == 0 ? 0 : place() - 1);
+        throw ProblemFound(std::move(problem));
+    }
+
+    std::string_view text_;
+    const std::string& file_;
+    const char* reached_;
+    ParsedBytes parsed_;
+    Json root_;
+    std::vector<Open> open_;  // around the place, outermost first
+    std::string key_;         // that was read last
+    JsonEvent last_ = JsonEvent::Nothing;
+    std::size_t understood_ = 0;  // where what was understood last ends
+    std::size_t count_ = 0;
+};
+
+}  // namespace
+
+Json parsed_json(std::string_view text, const std::string& file) {
+    const auto refuse = [&file](std::string what, std::string expected, int line = 0) {
+        throw ProblemFound({file, "", std::move(what), std::move(expected), line});
+    };
+    if (text.size() > max_json_bytes) refuse(fmt::format("{} bytes of text", text.size()), "at most 64 MiB");
+    if (const std::size_t bad = first_invalid_utf8(text); bad < text.size())
+        refuse(fmt::format("the byte 0x{:02x} is not UTF-8", static_cast<unsigned char>(text[bad])),
+               "UTF-8 text", line_of(text, bad));
+    text = without_byte_order_mark(text);
+    if (text.starts_with(byte_order_mark))  // the library would skip this one
+        refuse("a second byte-order mark", "at most one before the text", 1);
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)  // its end to the library
+        refuse("the byte 0x00", "text without it, which JSON never has", line_of(text, zero));
+    Builder builder(text, file);
+    Json::sax_parse(builder.begin(), builder.end(), &builder);  // an error is thrown
+    return std::move(builder).take();
+}
+
+Result<Json> read_json(std::string_view text, const std::string& file) {
+    return result_of(file, [&] { return parsed_json(text, file); });
+}
+
+Json json_or_null(std::string_view text) {
+    Result<Json> read = read_json(text, "");
+    auto* json = std::get_if<Json>(&read);
+    return json != nullptr ? std::move(*json) : Json();
+}
+
+const Json* find_member(const Json& json, std::string_view name) {
+    if (!json.is_object()) return nullptr;
+    const auto found = json.find(name);
+    return found == json.end() ? nullptr : &*found;
+}
+
+const Json::array_t& elements_of(const Json& json) {
+    static const Json::array_t none;
+    return json.is_array() ? json.get_ref<const Json::array_t&>() : none;
+}
+
+const Json::object_t& members_of(const Json& json) {
+    static const Json::object_t none;
+    return json.is_object() ? json.get_ref<const Json::object_t&>() : none;
+}
+
+std::string escaped_token(std::string_view token) {
+    std::string text;
+    for (const char c : token) {
+        if (c == '~') text += "~0";
+        if (c == '/') text += "~1";
+        if (c != '~' && c != '/') text += c;
+    }
+    return text;
+}
+
+}  // namespace glint

@@ -1,0 +1,157 @@
+#include "models/mesh/formats/mesh_file.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <functional>
+#include <glm/common.hpp>
+#include <new>
+#include <optional>
+
+#include "models/io/file.h"
+#include "models/mesh/formats/mesh_reader.h"
+#include "models/progress.h"
+#include "models/utf8.h"
+
+namespace glint {
+namespace {
+
+using Reader = Mesh (*)(std::string_view, const std::string&);
+struct Format {
+    std::string_view extension;
+    Reader read;
+};
+constexpr std::array<Format, 4> formats{
+    {{".obj", read_obj}, {".ply", read_ply}, {".off", read_off}, {".stl", read_stl}}};
+
+/// The format of a path's extension, in any case; null when there is none.
+const Format* format_of(const std::string& path) {
+    const std::size_t dot = path.find_last_of("./");
+    if (dot == std::string::npos || path[dot] == '/') return nullptr;
+    std::string extension = path.substr(dot);
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const auto* found = std::find_if(formats.begin(), formats.end(),
+                                     [&](const Format& f) { return f.extension == extension; });
+    return found == formats.end() ? nullptr : found;
+}
+
+/// The beginning of a file without a byte-order mark, where it is text.
+std::string_view without_mark(std::string_view extension, const FileBlock& first) {
+    const std::string_view text = without_byte_order_mark(first.bytes);
+    const bool is_binary =
+        extension == ".stl" && (!begins_as_text_stl(text) || binary_stl_size(first.bytes) == first.size);
+    return is_binary ? first.bytes : text;
+}
+
+/// A channel below 0 would take light away.
+void raise_colors_to_black(Mesh& mesh) {
+    std::size_t below = 0;
+    for (glm::vec3& color : mesh.colors) {
+        if (color.r >= 0 && color.g >= 0 && color.b >= 0) continue;
+        color = glm::max(color, glm::vec3(0));
+        ++below;
+    }
+    warn(mesh.warnings, below, "vertex has a colour with a channel below 0, which is taken as 0",
+         "vertices have colours with a channel below 0, which is taken as 0");
+}
+
+Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::string_view bytes,
+                         const std::string& path) {
+    const Format* format = format_of(path);
+    if (format == nullptr)
+        return Problem{path, "", "the extension is that of no mesh", ".obj, .ply, .off or .stl"};
+    if (bytes.empty()) return Problem{path, "", "the file is empty", "a mesh", 0};
+    return result_of(path, [&]() -> Result<Mesh> {
+        Mesh mesh = format->read(without_mark(format->extension, {bytes, 0, bytes.size()}), path);
+        if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
+        raise_colors_to_black(mesh);
+        finish_mesh(mesh);
+        if (auto warning = rounding_warning(mesh.bounds)) mesh.warnings.push_back(std::move(*warning));
+        const auto time = std::chrono::steady_clock::now() - start;
+        mesh.load_ms = std::chrono::duration<double, std::milli>(time).count();
+        return mesh;
+    });
+}
+
+/// True where the first block cannot begin a file of the format with that extension: the reader will fail
+/// within that block.
+bool begins_badly(std::string_view extension, const FileBlock& first) {
+    const std::string_view bytes = without_mark(extension, first);
+    if (extension == ".ply") return !bytes.starts_with("ply");
+    if (extension == ".stl" && bytes.size() >= binary_stl_header && !begins_as_text_stl(bytes))
+        return binary_stl_facets(bytes) == 0 || binary_stl_size(bytes) > first.size;
+    const std::size_t word = bytes.find_first_not_of(" \t\r\n\v\f");
+    return word != std::string_view::npos && bytes[word] == '\0';
+}
+
+/// Whether all of a file that begins so is text.
+bool is_text_mesh(std::string_view extension, const FileBlock& first) {
+    if (extension == ".ply") return first.bytes.find("format ascii") != std::string_view::npos;
+    if (extension != ".stl") return true;
+    return begins_as_text_stl(without_mark(extension, first)) && binary_stl_size(first.bytes) != first.size;
+}
+
+/// Whether the block holds nothing but zero bytes, as the holes of a file do, and more than a line of text
+/// might.
+bool is_hole(const FileBlock& block) {
+    constexpr std::size_t shortest = 4096;
+    return block.bytes.size() >= shortest && block.bytes.find_first_not_of('\0') == std::string_view::npos;
+}
+
+/// Looks at a mesh file while it comes in, so that what is not a mesh is not read to its end.
+class MeshCheck {
+  public:
+    explicit MeshCheck(const std::string& path) : path_(path) {}
+
+    std::optional<Problem> operator()(const FileBlock& block) {
+        const Format* format = format_of(path_);
+        if (format == nullptr) return {};  // said when it is parsed
+        if (block.at == 0) {
+            if (begins_badly(format->extension, block)) {
+                const Result<Mesh> tried = parse_mesh(block.bytes, path_);
+                if (const Problem* problem = problem_of(tried)) return *problem;
+            }
+            text_ = is_text_mesh(format->extension, block);
+        }
+        if (text_ && is_hole(block))
+            return Problem{path_, "", fmt::format("from byte {} on there are only zeros", block.at), "text",
+                           0};
+        return {};
+    }
+
+  private:
+    const std::string& path_;
+    bool text_ = false;
+};
+
+}  // namespace
+
+bool is_mesh_path(const std::string& path) { return format_of(path) != nullptr; }
+
+Result<Mesh> read_mesh(const std::string& path) {
+    const auto start = std::chrono::steady_clock::now();
+    MeshCheck check(path);
+    const Result<std::string> bytes = read_file(path, max_mesh_file_bytes, std::ref(check));
+    if (const Problem* problem = problem_of(bytes)) return *problem;
+    return parse_since(start, std::get<std::string>(bytes), path);
+}
+
+Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path) {
+    return parse_since(std::chrono::steady_clock::now(), bytes, path);
+}
+
+std::string numbers_of(std::size_t count, const char* things) {
+    return count == 0 ? things : fmt::format("0 to {}", count - 1);
+}
+
+void close_face(Mesh& mesh, const std::string& file, int line) {
+    if (mesh.corner_position.size() > max_corners)
+        throw ProblemFound(
+            {file, "", "the mesh has too many corners", fmt::format("at most {}", max_corners), line});
+    mesh.first_corner.push_back(static_cast<std::uint32_t>(mesh.corner_position.size()));
+}
+
+}  // namespace glint

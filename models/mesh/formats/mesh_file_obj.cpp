@@ -1,0 +1,200 @@
+// Wavefront .obj. A reader of our own: OpenMesh's drops normals by corner and does not know the lines.
+// Source: Wavefront, "Advanced Visualizer" manual, appendix B1 (object files).
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+
+#include "models/mesh/formats/mesh_reader.h"
+
+namespace glint {
+namespace {
+
+/// A corner that names a vertex which the file has not had yet.
+struct AheadOfVertex {
+    std::int64_t index;
+    int line;
+};
+
+// Grouping, materials and display: they mean nothing to the shape.
+constexpr std::array<std::string_view, 14> silent{"g",        "o",          "s",         "usemtl", "mtllib",
+                                                  "usemap",   "maplib",     "lod",       "bevel",  "c_interp",
+                                                  "d_interp", "shadow_obj", "trace_obj", "ctech"};
+constexpr std::array<std::string_view, 17> free_form{"vp",    "cstype", "deg",  "bmat",  "step", "curv",
+                                                     "curv2", "surf",   "parm", "trim",  "hole", "scrv",
+                                                     "sp",    "end",    "con",  "stech", "mg"};
+
+template <std::size_t N> bool has(const std::array<std::string_view, N>& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+class ObjReader {
+  public:
+    ObjReader(std::string_view bytes, const std::string& file) : cursor_(bytes, file, true), file_(file) {
+        mesh_.first_corner.push_back(0);
+    }
+
+    Mesh read() {
+        while (cursor_.next_line()) statement(cursor_.word());
+        check_ahead();
+        finish_normals();
+        if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
+        warn(mesh_.warnings, slashes_, "corner ends in a slash, which is ignored",
+             "corners end in a slash, which is ignored");
+        warn(mesh_.warnings, weights_, "vertex has a weight, which is ignored",
+             "vertices have weights, which are ignored");
+        warn(mesh_.warnings, lines_, "line element is ignored", "line elements are ignored");
+        warn(mesh_.warnings, points_, "point element is ignored", "point elements are ignored");
+        warn(mesh_.warnings, free_form_, "free-form statement is ignored",
+             "free-form statements are ignored");
+        return std::move(mesh_);
+    }
+
+  private:
+    void statement(std::string_view keyword) {
+        if (keyword == "v") return vertex();
+        if (keyword == "f") return face();
+        if (keyword == "vn") return normal();
+        if (keyword == "vt" || has(silent, keyword)) return;
+        if (keyword == "l") {
+            ++lines_;
+        } else if (keyword == "p") {
+            ++points_;
+        } else if (has(free_form, keyword)) {
+            ++free_form_;
+        } else {
+            cursor_.fail(fmt::format("{} is not a statement of an OBJ file", quoted_word(keyword)),
+                         "v, vt, vn, f, l, p, g, o, s, usemtl or mtllib");
+        }
+    }
+
+    /// x y z, then nothing, a weight, or a colour.
+    void vertex() {
+        mesh_.positions.push_back(cursor_.three());
+        if (cursor_.end_of_line()) return;
+        glm::vec3 color(1);
+        color.r = cursor_.number("a number");
+        if (cursor_.end_of_line()) {
+            ++weights_;
+            return;
+        }
+        color.g = cursor_.number("a colour's green");
+        color.b = cursor_.number("a colour's blue");
+        cursor_.end_line("3, 4 or 6 numbers after \"v\"");
+        mesh_.colors.resize(mesh_.positions.size() - 1, glm::vec3(1));  // white, where there was none
+        mesh_.colors.push_back(color);
+    }
+
+    void normal() {
+        mesh_.normals.push_back(cursor_.three());
+        cursor_.end_line("3 numbers after \"vn\"");
+    }
+
+    void face() {
+        if (cursor_.end_of_line()) cursor_.fail("a face has no corners", "at least 3 after \"f\"");
+        while (!cursor_.end_of_line()) corner(cursor_.word());
+        close_face(mesh_, file_, cursor_.line());
+    }
+
+    /// "v", "v/vt", "v//vn" or "v/vt/vn"; some writers leave a slash at the end.
+    void corner(std::string_view word) {
+        const char* at = word.data();
+        const char* end = at + word.size();
+        std::int64_t vertex = 0, texture = 0, normal = 0;
+        bool good = integer(at, end, vertex);
+        bool has_normal = false;
+        if (good && at < end && *at == '/') {
+            ++at;
+            if (at == end) ++slashes_;
+            if (at < end && *at != '/') good = integer(at, end, texture);
+            if (good && at < end && *at == '/') {
+                ++at;
+                good = has_normal = integer(at, end, normal);
+            }
+        }
+        if (!good || at != end)
+            cursor_.fail(fmt::format("{} is not a corner of a face", quoted_word(word)),
+                         "v, v/vt, v//vn or v/vt/vn");
+        add_vertex(vertex);
+        if (has_normal) add_normal(normal);
+    }
+
+    static bool integer(const char*& at, const char* end, std::int64_t& value) {
+        const auto [last, error] = std::from_chars(at, end, value);
+        if (error == std::errc::result_out_of_range) value = *at == '-' ? -beyond : beyond;
+        at = last;
+        return error != std::errc::invalid_argument;
+    }
+
+    void add_vertex(std::int64_t index) {
+        const auto count = static_cast<std::int64_t>(mesh_.positions.size());
+        const std::int64_t from_zero = index < 0 ? count + index : index - 1;
+        if (from_zero < 0 || index > std::int64_t{no_index}) fail_vertex({index, cursor_.line()});
+        if (from_zero >= count && (ahead_.empty() || index > ahead_.back().index))
+            ahead_.push_back({index, cursor_.line()});
+        mesh_.corner_position.push_back(static_cast<std::uint32_t>(from_zero));
+    }
+
+    /// Adds a corner's normal. One that the file never defines leaves its corner without a normal; as it may
+    /// still be defined later, that is decided at the end.
+    void add_normal(std::int64_t index) {
+        const auto count = static_cast<std::int64_t>(mesh_.normals.size());
+        const std::int64_t from_zero = index < 0 ? count + index : index - 1;
+        const bool possible = from_zero >= 0 && from_zero < std::int64_t{no_index};
+        ++named_normals_;
+        mesh_.corner_normal.resize(mesh_.corner_position.size() - 1, no_index);
+        mesh_.corner_normal.push_back(possible ? static_cast<std::uint32_t>(from_zero) : no_index);
+    }
+
+    [[noreturn]] void fail_vertex(const AheadOfVertex& corner) const {
+        const std::size_t count = mesh_.positions.size();
+        std::string expected = count == 0 ? "vertices before it" : fmt::format("1 to {}", count);
+        if (corner.index < 0 && count > 0) expected = fmt::format("-1 to -{}, or {}", count, expected);
+        const std::string which = std::abs(corner.index) == beyond
+                                      ? "a vertex index beyond 64 bits"
+                                      : fmt::format("vertex index {}", corner.index);
+        cursor_.fail_at(corner.line, which + " is out of range", expected);
+    }
+
+    void check_ahead() const {
+        for (const AheadOfVertex& corner : ahead_)
+            if (corner.index > static_cast<std::int64_t>(mesh_.positions.size())) fail_vertex(corner);
+    }
+
+    void finish_normals() {
+        if (mesh_.normals.empty() || mesh_.corner_normal.empty()) {
+            mesh_.normals.clear();
+            mesh_.corner_normal.clear();
+            warn(mesh_.warnings, named_normals_,
+                 "corner names a normal, and the file has none; its vertex normal is used",
+                 "corners name normals, and the file has none; their vertex normals are used");
+            return;
+        }
+        mesh_.given_normals = GivenNormals::File;  // corner_normals() counts the corners that have none
+        mesh_.corner_normal.resize(mesh_.corner_position.size(), no_index);
+        for (std::uint32_t& index : mesh_.corner_normal)
+            if (index >= mesh_.normals.size()) index = no_index;
+        const bool by_position =
+            mesh_.normals.size() == mesh_.positions.size() && mesh_.corner_normal == mesh_.corner_position;
+        if (by_position) mesh_.corner_normal = {};
+    }
+
+    // Stands for what 64 bits do not hold.
+    static constexpr std::int64_t beyond = std::numeric_limits<std::int64_t>::max();
+
+    TextCursor cursor_;
+    const std::string& file_;
+    Mesh mesh_;
+    // Corners that name a vertex not read yet, each with a larger index than the one before. The first corner
+    // whose vertex the file never gives is always among them.
+    std::vector<AheadOfVertex> ahead_;
+    std::size_t named_normals_ = 0, slashes_ = 0, weights_ = 0, lines_ = 0, points_ = 0, free_form_ = 0;
+};
+
+}  // namespace
+
+Mesh read_obj(std::string_view bytes, const std::string& file) { return ObjReader(bytes, file).read(); }
+
+}  // namespace glint

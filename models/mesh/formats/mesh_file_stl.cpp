@@ -1,0 +1,185 @@
+// Stereolithography .stl, ASCII and binary. The format knows no indices: corners at exactly one place share a
+// position, so that a vertex has neighbours. The facet normals are the file's normals; where all are 0, as
+// some writers leave them, the file has none. Source: 3D Systems, "StereoLithography Interface
+// Specification", 1989.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "models/mesh/formats/mesh_reader.h"
+#include "models/mesh/formats/places.h"
+
+namespace glint {
+namespace {
+
+/// Collects facets from either kind of file.
+class Facets {
+  public:
+    explicit Facets(const std::string& file) : file_(file) { mesh_.first_corner.push_back(0); }
+
+    void corner(const glm::vec3& place) {
+        mesh_.corner_position.push_back(places_.index_of(place, mesh_.positions));
+    }
+    void close(const glm::vec3& normal, int line) {
+        close_face(mesh_, file_, line);
+        any_normal_ = any_normal_ || normal != glm::vec3(0);
+        const auto index = static_cast<std::uint32_t>(mesh_.normals.size());
+        mesh_.normals.push_back(normal);
+        mesh_.corner_normal.resize(mesh_.corner_position.size(), index);
+    }
+    Mesh finish() {
+        if (any_normal_) {
+            mesh_.given_normals = GivenNormals::File;
+        } else {
+            mesh_.normals = {};
+            mesh_.corner_normal = {};
+        }
+        return std::move(mesh_);
+    }
+    Warnings& warnings() { return mesh_.warnings; }
+
+  private:
+    const std::string& file_;
+    Mesh mesh_;
+    Places places_;
+    bool any_normal_ = false;
+};
+
+Mesh read_binary(std::string_view bytes, const std::string& file) {
+    const std::size_t count = binary_stl_facets(bytes);
+    Facets facets(file);
+    ParsedBytes parsed(bytes.size());
+    std::size_t bad_normals = 0;
+    for (std::size_t f = 0; f < count; ++f) {
+        parsed.at(f * binary_stl_facet);
+        const char* at = bytes.data() + binary_stl_header + f * binary_stl_facet;
+        std::array<glm::vec3, 4> v;  // normal, three corners
+        bool good_normal = true;
+        for (int i = 0; i < 12; ++i, at += 4) {
+            const float x = little_endian_float(at);
+            if (i >= 3 && !(std::abs(x) <= static_cast<float>(max_number)))
+                throw ProblemFound(
+                    {file, "", fmt::format("facet {}: a coordinate is {}", f, x), "-1e7 to 1e7", 0});
+            v[static_cast<std::size_t>(i / 3)][i % 3] = x;
+            good_normal = good_normal && std::abs(x) <= static_cast<float>(max_number);
+        }
+        if (!good_normal) v[0] = glm::vec3(0), ++bad_normals;
+        for (const std::size_t i : {1u, 2u, 3u}) facets.corner(v[i]);
+        facets.close(v[0], 0);
+    }
+    if (bytes.size() > binary_stl_header + count * binary_stl_facet)
+        facets.warnings().emplace_back("data after the last facet is ignored");
+    warn(facets.warnings(), bad_normals, "facet has a normal that is out of range, which is ignored",
+         "facets have normals that are out of range, which are ignored");
+    return facets.finish();
+}
+
+class AsciiStl {
+  public:
+    AsciiStl(std::string_view bytes, const std::string& file) : cursor_(bytes, file, false), facets_(file) {}
+
+    Mesh read() {
+        while (cursor_.next_line()) {
+            if (is("solid", cursor_.word()))
+                read_solid();
+            else
+                cursor_.fail("this is not an STL file", "\"solid\", or a binary file of 84 + 50 n bytes");
+        }
+        return facets_.finish();
+    }
+
+  private:
+    static bool is(std::string_view keyword, std::string_view word) {
+        return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                          [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+    }
+
+    /// Moves to the next word, on whatever line it stands: within a solid a line's end is a blank like
+    /// others.
+    bool is_at_word() { return !cursor_.end_of_line() || cursor_.next_line(); }
+
+    void expect(std::string_view keyword) {
+        const std::string_view word = is_at_word() ? cursor_.word() : std::string_view();
+        if (!is(keyword, word)) fail(word, fmt::format("\"{}\"", keyword));
+    }
+
+    [[noreturn]] void fail(std::string_view word, std::string expected) const {
+        cursor_.fail(
+            word.empty() ? "the file ends early" : fmt::format("{} is out of place", quoted_word(word)),
+            std::move(expected));
+    }
+
+    /// Up to "endsolid"; what follows both words is a name.
+    void read_solid() {
+        bool is_more = cursor_.next_line();
+        for (; is_more; is_more = is_at_word()) {
+            const std::string_view word = cursor_.word();
+            if (is("endsolid", word)) return;
+            if (!is("facet", word)) fail(word, "\"facet\" or \"endsolid\"");
+            read_facet();
+        }
+        fail({}, "\"facet\" or \"endsolid\"");
+    }
+
+    void read_facet() {
+        expect("normal");
+        const glm::vec3 normal = three();
+        expect("outer");
+        expect("loop");
+        for (int i = 0; i < 3; ++i) {
+            expect("vertex");
+            facets_.corner(three());
+        }
+        expect("endloop");
+        expect("endfacet");
+        facets_.close(normal, cursor_.line());
+    }
+
+    /// Reads three numbers. A fourth one is refused here: read as the next keyword, it would be refused with
+    /// the wrong words.
+    glm::vec3 three() {
+        const glm::vec3 v = cursor_.three();
+        constexpr std::string_view of_numbers = "+-.0123456789";
+        if (!cursor_.end_of_line() && of_numbers.find(cursor_.rest().front()) != std::string_view::npos)
+            cursor_.end_line("3 numbers");
+        return v;
+    }
+
+    TextCursor cursor_;
+    Facets facets_;
+};
+
+}  // namespace
+
+bool begins_as_text_stl(std::string_view bytes) {
+    const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+    const std::string_view word = bytes.substr(first, 5);
+    return (word == "solid" || word == "SOLID" || word == "Solid") &&
+           bytes.substr(0, binary_stl_header).find('\0') == bytes.npos;
+}
+
+std::size_t binary_stl_facets(std::string_view bytes) { return little_endian(&bytes[80], 4); }
+
+std::size_t binary_stl_size(std::string_view bytes) {
+    if (bytes.size() < binary_stl_header) return 0;
+    return binary_stl_header + binary_stl_facets(bytes) * binary_stl_facet;
+}
+
+Mesh read_stl(std::string_view bytes, const std::string& file) {
+    // The size decides: some binary files have spaces where others have zeros.
+    const std::size_t promised = binary_stl_size(bytes);
+    if (bytes.size() == promised) return read_binary(bytes, file);
+    if (begins_as_text_stl(bytes)) return AsciiStl(bytes, file).read();
+    if (promised > 0 && bytes.size() > promised) return read_binary(bytes, file);
+    throw ProblemFound({file, "", "this is not an STL file, or one that ends early",
+                        promised > 0
+                            ? fmt::format("{} bytes for its {} facets", promised, binary_stl_facets(bytes))
+                            : std::string("\"solid\", or a binary file of 84 + 50 n bytes"),
+                        0});
+}
+
+}  // namespace glint

@@ -1,0 +1,63 @@
+#pragma once
+// The header of a .ply file: which elements follow, and of what. Inside models/ only.
+// Source: G. Turk, "The PLY Polygon File Format", 1994.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "models/mesh/formats/text_cursor.h"
+
+namespace glint {
+
+enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+enum class PlyFormat { Ascii, LittleEndian, BigEndian };
+
+/// What a property means to us.
+enum class PlyRole { Other, X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, Indices };
+inline constexpr std::size_t ply_role_count = 11;
+
+/// Elements and properties in a header, together. Real files have a few dozen.
+inline constexpr std::size_t max_ply_names = 65536;
+
+struct PlyProperty {
+    std::string name;
+    PlyType type = PlyType::Float32;
+    bool is_list = false;
+    PlyType count_type = PlyType::Uint8;  // lists only
+    PlyRole role = PlyRole::Other;
+};
+
+struct PlyElement {
+    std::string name;
+    std::size_t count = 0;
+    std::vector<PlyProperty> properties;
+    int line = 0;
+
+    void add(PlyProperty property);
+    /// The first property of that role; null when there is none. Precondition: the role is not Other.
+    [[nodiscard]] const PlyProperty* with(PlyRole role) const;
+    /// True when all three of the roles that begin with `first` are there, as single values.
+    [[nodiscard]] bool has_three(PlyRole first) const;
+    /// True when some of the three are there, and others are not.
+    [[nodiscard]] bool has_part_of_three(PlyRole first) const;
+
+  private:
+    [[nodiscard]] int count_of_three(PlyRole first) const;
+
+    std::array<std::size_t, ply_role_count> number_of_{};  // of the property of a role, from 1; 0: none
+};
+
+struct PlyHeader {
+    PlyFormat format = PlyFormat::Ascii;
+    std::vector<PlyElement> elements;
+    std::string line_end;  // of the first line: LF, CR LF or LF CR
+};
+
+/// Reads up to and including the word "end_header", in n log n of its names. Throws ProblemFound;
+/// LoadCancelled when this thread's load shall end.
+[[nodiscard]] PlyHeader read_ply_header(TextCursor& cursor);
+
+}  // namespace glint

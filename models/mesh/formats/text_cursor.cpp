@@ -1,0 +1,80 @@
+#include "models/mesh/formats/text_cursor.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace glint {
+
+void TextCursor::fail_at(int line, std::string what, std::string expected) const {
+    throw ProblemFound({file_, "", std::move(what), std::move(expected), line});
+}
+
+void TextCursor::fail_missing(std::string_view name, const char* expected) const {
+    fail(fmt::format("{} is missing", name), expected);
+}
+
+void TextCursor::fail_integer() {
+    const std::string_view text = word();
+    const bool digits = text.find_first_not_of("-0123456789") == std::string_view::npos;
+    fail(fmt::format("{} is {}", quoted_word(text), digits ? "out of range" : "not a whole number"),
+         "a whole number");
+}
+
+void TextCursor::fail_too_many(const char* expected) {
+    fail(fmt::format("{} is one too many", quoted_word(word())), expected);
+}
+
+/// Skips the rest of this line and the lines that a backslash joins to it.
+void TextCursor::skip_rest() {
+    while (at_ < end_) {
+        const void* found = std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_));
+        if (found == nullptr) {
+            at_ = end_;
+            return;
+        }
+        const char* newline = static_cast<const char*>(found);
+        const char* last = newline;  // one past the last character that is not a carriage return
+        while (last > at_ && last[-1] == '\r') --last;
+        const bool joined = continued_ && last > at_ && last[-1] == '\\';
+        at_ = newline + 1;
+        ++line_;
+        if (!joined) return;
+    }
+}
+
+/// At a backslash, moves to the newline that it removes; returns false when something else follows.
+bool TextCursor::skip_continuation() {
+    const char* next = at_ + 1;
+    while (next < end_ && *next == '\r') ++next;
+    if (next < end_ && *next != '\n') return false;
+    if (next < end_) ++line_;
+    at_ = next < end_ ? next : end_ - 1;
+    return true;
+}
+
+/// Called where from_chars() alone did not do: says what is wrong, or takes what is too small for a float as
+/// 0.
+float TextCursor::unusual_number() {
+    const std::string_view text = word();
+    const bool plus = text.starts_with('+') && !text.starts_with("+-");
+    const std::string_view digits = text.substr(plus ? 1 : 0);
+    double value = 0;
+    const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool whole = last == digits.data() + digits.size() && error != std::errc::invalid_argument;
+    if (!whole || std::isnan(value)) fail(fmt::format("{} is not a number", quoted_word(text)), "a number");
+    if (error == std::errc() && std::abs(value) <= max_number) return static_cast<float>(value);
+    const std::size_t exponent = std::min(digits.find_first_of("eE"), digits.size());
+    const bool tiny = digits.size() < 64 && digits.substr(exponent, 2).find('-') != std::string_view::npos;
+    if (error == std::errc::result_out_of_range && tiny) return 0;
+    fail(fmt::format("{} is out of range", quoted_word(text)), "-1e7 to 1e7");
+}
+
+std::string quoted_word(std::string_view word) {
+    constexpr std::size_t longest = 24;  // bytes: of any number that is written without waste
+    if (word.size() <= longest && on_one_line(word) == word) return fmt::format("\"{}\"", word);
+    return fmt::format("a word of {} byte{}", word.size(), word.size() == 1 ? "" : "s");
+}
+
+}  // namespace glint

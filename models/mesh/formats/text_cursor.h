@@ -1,0 +1,137 @@
+#pragma once
+// Walks through the text of a mesh file, line by line and word by word, and says where something is wrong.
+// No locale, no allocation; what a line may hold is up to its reader. Inside models/ only.
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "models/problem.h"
+#include "models/progress.h"
+#include "models/range.h"
+
+namespace glint {
+
+/// Tells the load's progress as it goes: every member that moves it may throw LoadCancelled.
+class TextCursor {
+  public:
+    /// `file` is for messages. With `continued` a backslash before the end of a line joins it with the next.
+    /// '#' begins a comment that ends with its line.
+    TextCursor(std::string_view text, std::string file, bool continued)
+        : at_(text.data()),
+          begin_(at_),
+          end_(at_ + text.size()),
+          parsed_(text.size()),
+          file_(std::move(file)),
+          continued_(continued) {}
+
+    /// Moves to the next line that has a word; false when there is none.
+    bool next_line() {
+        if (started_) skip_rest();
+        started_ = true;
+        while (end_of_line()) {
+            if (at_ == end_) return false;
+            skip_rest();
+        }
+        return true;
+    }
+
+    /// True when no further word is on this line.
+    bool end_of_line() {
+        parsed_.at(static_cast<std::size_t>(at_ - begin_));
+        skip_blanks();
+        return at_ == end_ || *at_ == '\n' || *at_ == '#';
+    }
+
+    /// The next word of this line; empty at its end.
+    std::string_view word() {
+        if (end_of_line()) return {};
+        const char* first = at_;
+        while (at_ < end_ && !is_space(*at_)) ++at_;
+        return {first, static_cast<std::size_t>(at_ - first)};
+    }
+
+    /// The next word as a finite number within +-1e7. `name` says what is missing where there is none.
+    float number(std::string_view name) {
+        if (end_of_line()) fail_missing(name, "a number");
+        const char* first = at_ + (*at_ == '+' && !(end_ - at_ > 1 && at_[1] == '-') ? 1 : 0);
+        float value = 0;
+        const auto [last, error] = std::from_chars(first, end_, value);
+        if (error == std::errc() && (last == end_ || is_space(*last)) &&
+            std::abs(value) <= static_cast<float>(max_number)) {
+            at_ = last;
+            return value;
+        }
+        return unusual_number();
+    }
+
+    /// The next word as a whole number.
+    std::int64_t integer(std::string_view name) {
+        if (end_of_line()) fail_missing(name, "a whole number");
+        std::int64_t value = 0;
+        const auto [last, error] = std::from_chars(at_, end_, value);
+        if (error != std::errc() || !(last == end_ || is_space(*last))) fail_integer();
+        at_ = last;
+        return value;
+    }
+
+    /// Reads the next three words as numbers. `names`: what messages call them.
+    glm::vec3 three(const std::array<std::string_view, 3>& names = {"x", "y", "z"}) {
+        const float a = number(names[0]), b = number(names[1]), c = number(names[2]);
+        return {a, b, c};
+    }
+
+    /// Fails unless the line ends here.
+    void end_line(const char* expected) {
+        if (!end_of_line()) fail_too_many(expected);
+    }
+
+    [[nodiscard]] int line() const { return line_; }
+
+    /// Returns what is left of the text, from here on.
+    [[nodiscard]] std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
+
+    [[noreturn]] void fail(std::string what, std::string expected) const {
+        fail_at(line_, std::move(what), std::move(expected));
+    }
+    [[noreturn]] void fail_at(int line, std::string what, std::string expected) const;
+
+  private:
+    static bool is_space(char c) { return c == ' ' || (c <= '\r' && c >= '\t'); }
+
+    void skip_blanks() {
+        for (; at_ < end_; ++at_) {
+            if (*at_ == '\\' && continued_) {
+                if (!skip_continuation()) return;
+            } else if (*at_ == '\n' || !is_space(*at_)) {
+                return;
+            }
+        }
+    }
+    void skip_rest();
+    bool skip_continuation();
+    float unusual_number();
+    [[noreturn]] void fail_missing(std::string_view name, const char* expected) const;
+    [[noreturn]] void fail_integer();
+    [[noreturn]] void fail_too_many(const char* expected);
+
+    const char* at_;
+    const char* begin_;
+    const char* end_;
+    ParsedBytes parsed_;
+    std::string file_;
+    int line_ = 1;
+    bool continued_;
+    bool started_ = false;
+};
+
+/// A word of a file for a message: in quotes when it is a short printable one, else its length. A scene may
+/// name any file that its reader can read, and what else stands there does not belong in a message.
+[[nodiscard]] std::string quoted_word(std::string_view word);
+
+}  // namespace glint

@@ -1,0 +1,116 @@
+#pragma once
+// The meshes that need no file (docs/scene_file.md, table of primitives). All are centred at the origin by
+// their bounds, y up, counter-clockwise outward, with analytic normals, poles included.
+
+#include <cstdint>
+
+#include "models/mesh/mesh.h"
+#include "models/range.h"
+
+namespace glint {
+
+enum class Primitive {
+    Sphere,
+    BumpySphere,
+    Icosphere,
+    Cube,
+    Plane,
+    TessellatedQuad,
+    Torus,
+    Cylinder,
+    Cone,
+    Teapot,
+    Knot,
+    SkewQuad,
+    TJunction
+};
+
+struct PrimitiveBuilder;  // models/mesh/primitives/primitive_builder.h
+
+// The makers, of a detail d >= 1: primitives_*.cpp, teapot.cpp.
+[[nodiscard]] PrimitiveBuilder make_sphere(int d);
+[[nodiscard]] PrimitiveBuilder make_bumpy_sphere(int d);
+[[nodiscard]] PrimitiveBuilder make_icosphere(int d);
+[[nodiscard]] PrimitiveBuilder make_cube(int d);
+[[nodiscard]] PrimitiveBuilder make_plane(int d);
+[[nodiscard]] PrimitiveBuilder make_torus(int d);
+[[nodiscard]] PrimitiveBuilder make_cylinder(int d);
+[[nodiscard]] PrimitiveBuilder make_cone(int d);
+[[nodiscard]] PrimitiveBuilder make_teapot(int d);
+[[nodiscard]] PrimitiveBuilder make_knot(int d);
+[[nodiscard]] PrimitiveBuilder make_skew_quad(int);
+[[nodiscard]] PrimitiveBuilder make_t_junction(int d);
+
+/// One row a primitive: its words, how finely it can be cut, and who makes it. `detail`'s maximum keeps a
+/// mesh within about 8 million triangles (icosphere: 1.3 million); `detail_meaning` says what d counts.
+struct PrimitiveInfo {
+    Choice choice;  // its meaning is the shape
+    int default_detail = 1, max_detail = 1;
+    const char* detail_meaning = "";
+    PrimitiveBuilder (*make)(int d);
+};
+
+// NOLINTNEXTLINE(readability-function-size): a table, one case a row.
+constexpr PrimitiveInfo info_of(Primitive primitive) {
+    switch (primitive) {
+    case Primitive::Sphere:
+        return {{"sphere", "Sphere", "radius 1"}, 48, 2800, "d slices, ⌈d/2⌉ stacks", make_sphere};
+    case Primitive::BumpySphere:
+        return {{"bumpy-sphere", "Bumpy sphere", "radius 1, bumps of ±0.05"},
+                48,
+                2800,
+                "d slices, ⌈d/2⌉ stacks",
+                make_bumpy_sphere};
+    case Primitive::Icosphere:  // 20 * 4^d triangles: 9 would be 5 million, 10 over the limit
+        return {
+            {"icosphere", "Icosphere", "radius 1"}, 3, 8, "d subdivisions of an icosahedron", make_icosphere};
+    case Primitive::Cube:
+        return {{"cube", "Cube", "edge 2"}, 1, 800, "d × d quads a side", make_cube};
+    case Primitive::Plane:
+        return {{"plane", "Plane", "2 × 2 in x and z, facing up"}, 1, 2000, "d × d quads", make_plane};
+    case Primitive::TessellatedQuad:
+        return {{"tessellated-quad", "Tessellated quad", "2 × 2 in x and z, facing up"},
+                8,
+                2000,
+                "d × d quads",
+                make_plane};
+    case Primitive::Torus:
+        return {{"torus", "Torus", "radii 1 and 0.4 around y"}, 48, 2800, "d × ⌈d/2⌉ quads", make_torus};
+    case Primitive::Cylinder:
+        return {
+            {"cylinder", "Cylinder", "radius 1, height 2, closed"}, 48, 1'000'000, "d slices", make_cylinder};
+    case Primitive::Cone:
+        return {{"cone", "Cone", "radius 1, height 2, closed"}, 48, 1'000'000, "d slices", make_cone};
+    case Primitive::Teapot:
+        return {{"teapot", "Teapot", "the Utah teapot, lid up"}, 12, 350, "d × d cells a patch", make_teapot};
+    case Primitive::Knot:
+        return {{"knot", "Knot", "(2, 3) torus knot, tube of 0.25, within 1.5"},
+                256,
+                5600,
+                "d × ⌈d/8⌉ quads",
+                make_knot};
+    case Primitive::SkewQuad:
+        return {{"skew-quad", "Skew quad", "a quadrilateral with vertex colours"},
+                1,
+                1,
+                "only 1",
+                make_skew_quad};
+    case Primitive::TJunction:
+        return {{"t-junction", "T-junction", "two faces and one with a corner on their edge"},
+                1,
+                2,
+                "1: the corner belongs to one side, 2: to both",
+                make_t_junction};
+    }
+    return {};
+}
+
+/// A new mesh; `load_ms` is the time it took. Closed ones share their vertices along every seam and have one
+/// vertex at a pole. A detail too small for a solid gives the smallest one: 3 slices and 2 stacks (sphere), 3
+/// x 3 (torus), 3 slices (cylinder, cone), 12 x 3 (knot), 2 x 2 a patch (teapot). Spheres and cubes have
+/// quads with triangles at the poles; caps are one polygon; the teapot, which is open, is cut into triangles.
+/// Precondition: 1 <= detail <= info_of(primitive).max_detail.
+/// Throws LoadCancelled (models/progress.h) when this thread's load shall end.
+[[nodiscard]] Mesh make_primitive(Primitive primitive, int detail);
+
+}  // namespace glint

@@ -1,0 +1,20 @@
+#include "models/numbers.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace glint {
+
+// The reader goes by way of a double, which for a few floats (7.0385307e-26 is one) rounds the shortest
+// decimals of the float to its neighbour: those get more digits.
+std::string number_text(float x) {
+    if (x == 0 && std::signbit(x)) return "-0.0";  // "-0" is a whole number, which has no sign
+    std::string text = fmt::format("{}", x);
+    double read = 0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    return static_cast<float>(read) == x ? text : fmt::format("{}", static_cast<double>(x));
+}
+
+}  // namespace glint

@@ -1,0 +1,43 @@
+#pragma once
+// Which values a number or a word of a scene may have: the reader refuses others, the window offers no
+// others, the documentation and the JSON Schema print them.
+
+#include <optional>
+#include <string_view>
+
+namespace glint {
+
+/// No number of a scene or a mesh is further from 0 (docs/limits.md). Then no product in the lighting
+/// equation (max_factor in renderer/lighting/light_job.h) and no squared distance overflows a float.
+inline constexpr double max_number = 1e7;
+
+/// The numbers from `low` to `high`, ends included unless they are open, and the number `also` if it is set.
+struct Range {
+    double low, high;
+    std::string_view words;  // for "expected ..."
+    bool low_open = false, high_open = false;
+    std::optional<double> also = std::nullopt;
+
+    /// Compares in the precision of x: a number that has to be above 0 must be so as a float too.
+    template <class Real> [[nodiscard]] constexpr bool contains(Real x) const {
+        const auto from = static_cast<Real>(low), to = static_cast<Real>(high);
+        const bool above = low_open ? x > from : x >= from;
+        const bool below = high_open ? x < to : x <= to;
+        return (above && below) || (also && x == static_cast<Real>(*also));
+    }
+};
+
+inline constexpr Range any_number{-max_number, max_number, "a number within -1e7 and 1e7"};
+inline constexpr Range at_least_zero{0, max_number, "0 to 1e7"};
+inline constexpr Range above_zero{0, max_number, "more than 0, up to 1e7", true};
+inline constexpr Range zero_to_one{0, 1, "0 to 1"};
+inline constexpr Range half_turn_deg{0, 180, "0 to 180"};
+
+/// One member of a closed set, with the text that people see.
+struct Choice {
+    std::string_view word;     // in the scene file; ends with '\0', as all literals
+    const char* label = "";    // in the window
+    const char* meaning = "";  // for tooltips, the documentation and the JSON Schema
+};
+
+}  // namespace glint

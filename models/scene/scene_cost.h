@@ -1,0 +1,34 @@
+#pragma once
+// One estimate of the memory that a scene and its picture take, compared with the limit before anything is
+// drawn.
+
+#include <cstdint>
+#include <optional>
+
+#include "models/problem.h"
+#include "models/scene/scene.h"
+
+namespace glint {
+
+/// Samples that a picture may have: its pixels times the samples of each.
+inline constexpr std::uint64_t max_picture_samples = std::uint64_t{1} << 30;
+
+/// Bytes of a mesh's lists.
+[[nodiscard]] std::uint64_t mesh_bytes(const Mesh& mesh);
+
+/// Estimated bytes. Objects whose mesh is not loaded count as empty.
+struct SceneCost {
+    std::uint64_t meshes = 0;   // each once
+    std::uint64_t objects = 0;  // transformed vertices, normals, triangles in tiles
+    std::uint64_t picture = 0;
+};
+[[nodiscard]] SceneCost scene_cost(const Scene& scene, PictureSize size, int samples);
+/// The problem with a cost above memory_limit().
+[[nodiscard]] std::optional<Problem> too_much_memory(const SceneCost& cost);
+
+/// The problem with a scene that exceeds a limit: too many triangles, too many samples, or more memory than
+/// memory_limit(). Without `size`, of the scene alone.
+[[nodiscard]] std::optional<Problem> too_large(const Scene& scene, PictureSize size = {0, 0},
+                                               int samples = 1);
+
+}  // namespace glint

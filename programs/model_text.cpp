@@ -1,0 +1,159 @@
+#include "programs/model_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+#include "models/scene/mistakes.h"
+
+namespace glint {
+namespace {
+
+/// What a mistake makes of a formula.
+struct Change {
+    bool Mistakes::*flag;
+    std::string_view right, wrong;
+};
+constexpr std::array<Change, 7> changes{{
+    {&Mistakes::unnormalized_half, "unit(l + v)", "0.5 * (l + v)"},
+    {&Mistakes::absolute_cosine, "max(n_l, 0.0)", "abs(n_l)"},  // where both are on it is never negative
+    {&Mistakes::no_clamp_of_cosine, "max(n_l, 0.0)", "n_l"},
+    {&Mistakes::no_clamp_of_cosine, " power(", " unclamped_power("},
+    {&Mistakes::absolute_cosine, "above_zero(n_l)", "above_zero(abs(n_l))"},
+    {&Mistakes::reflect_of_difference, "2.0 * n_l * n - l", "2.0 * n_l * (n - l)"},
+    {&Mistakes::reflect_sign, "2.0 * n_l * n - l", "l - 2.0 * n_l * n"},
+}};
+
+std::string_view name_of_flag(bool Mistakes::*flag) {
+    const auto names = mistake_names();
+    const auto* row = std::find_if(names.data(), names.data() + names.size(),
+                                   [flag](const MistakeName& m) { return m.flag == flag; });
+    return row->name;
+}
+
+struct Statement {
+    bool is_vector = false;
+    std::string name, expression;
+    std::vector<std::string_view> mistakes;  // made in it
+};
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Calls visit(word, begin) for the names in an expression; numbers are not among them.
+template <class Visit> void for_words(const std::string& text, const Visit& visit) {
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i + 1;
+        if (is_word(text[i]))
+            while (end < text.size() && (is_word(text[end]) || text[end] == '.')) ++end;
+        if (is_word(text[i]) && std::isdigit(static_cast<unsigned char>(text[i])) == 0)
+            visit(text.substr(i, end - i));
+        i = end;
+    }
+}
+
+std::vector<Statement> statements_of(const char* program) {
+    std::vector<Statement> all;
+    std::string rest = program;
+    while (!rest.empty()) {
+        std::string line = rest.substr(0, rest.find('\n'));
+        rest.erase(0, line.size() + 1);
+        Statement s;
+        if (line.starts_with("vec3 ")) {
+            s.is_vector = true;
+            line.erase(0, 5);
+        }
+        s.name = line.substr(0, line.find(' '));
+        s.expression = line.substr(line.find("= ") + 1);  // with its leading blank
+        all.push_back(s);
+    }
+    return all;
+}
+
+void make_mistakes(Statement& s, const Shading& shading) {
+    const bool rough = info_of(shading.reflection).rough_diffuse;
+    for (const Change& change : changes) {
+        const std::size_t at = s.expression.find(change.right);
+        if (!(shading.mistakes.*change.flag) || at == s.expression.npos) continue;
+        // What roughness makes of the cosine is never negative, and stays.
+        if (change.flag == &Mistakes::no_clamp_of_cosine && rough) continue;
+        s.expression.replace(at, change.right.size(), change.wrong);
+        s.mistakes.push_back(name_of_flag(change.flag));
+    }
+    if (shading.power_table == 0) return;
+    if (const std::size_t at = s.expression.find(" power("); at != s.expression.npos)
+        s.expression.replace(at, 7, " table_power(");
+}
+
+/// The statements on which a wanted result depends.
+std::vector<Statement> wanted(const std::vector<Statement>& all, Flags names) {
+    std::vector<Statement> kept;
+    for (auto s = all.rbegin(); s != all.rend(); ++s) {
+        if (!names.contains(s->name)) continue;
+        for_words(s->expression, [&names](const std::string& word) { names.insert(word); });
+        kept.insert(kept.begin(), *s);
+    }
+    return kept;
+}
+
+/// The words of the notation that a language spells otherwise.
+std::string spelled(const std::string& word, Language language) {
+    if (word == "shininess" || word == "roughness" || word == "f0") return "m." + word;
+    if (language != Language::Cpp) return word;
+    if (word == "n" || word == "v") return "at." + word;
+    for (const char* function : {"max", "sqrt", "pow", "abs"})
+        if (word == function) return "std::" + word;
+    return word;
+}
+
+std::string expression_in(const std::string& text, Language language) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i + 1;
+        if (is_word(text[i]))
+            while (end < text.size() && (is_word(text[end]) || text[end] == '.')) ++end;
+        out += spelled(text.substr(i, end - i), language);
+        i = end;
+    }
+    return out;
+}
+
+std::string line_of(const Statement& s, Language language) {
+    std::string right = s.name + " =" + expression_in(s.expression, language);
+    if (language == Language::Python) return right;
+    const bool is_result = s.name == "diffuse" || s.name == "S";
+    const char* constant = language == Language::Cpp && !is_result ? "const " : "";
+    const char* number = language == Language::Cpp ? "double" : "float";
+    return fmt::format("{}{} {};", constant, s.is_vector ? "vec3" : number, right);
+}
+
+}  // namespace
+
+ModelText model_text(const Shading& shading, bool diffuse_wanted, Language language,
+                     const std::string& indent) {
+    const bool half =
+        shading.mistakes.half_angle_with_phong_shininess && shading.reflection == Reflection::Phong;
+    const Reflection model = half ? Reflection::BlinnPhong : shading.reflection;
+    std::vector<Statement> statements = statements_of(info_of(model).program);
+    for (Statement& s : statements) make_mistakes(s, shading);
+    Flags results;
+    if (diffuse_wanted) results.insert("diffuse");
+    if (shading.terms.specular) results.insert("S");
+    ModelText out;
+    const std::string comment = indent + (language == Language::Python ? "# " : "// ");
+    if (half && shading.terms.specular)
+        out.text += comment + mistake_comment("half_angle_with_phong_shininess") + "\n";
+    for (const Statement& s : wanted(statements, results)) {
+        for (const std::string_view mistake : s.mistakes)
+            out.text += comment + mistake_comment(mistake) + "\n";
+        out.text += indent + line_of(s, language) + "\n";
+        out.uses.insert("uses." + s.name);
+        for_words(s.expression, [&out](const std::string& word) { out.uses.insert("uses." + word); });
+    }
+    if (!out.text.empty()) out.text.pop_back();  // the last end of line is the template's
+    return out;
+}
+
+}  // namespace glint

@@ -1,0 +1,276 @@
+#include "programs/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "models/fields/choices.h"
+#include "models/gltf/gltf.h"
+#include "programs/model_text.h"
+#include "programs/scene_flags.h"
+#include "programs/scene_tables.h"
+#include "programs/texts.h"
+
+namespace glint {
+namespace {
+
+/// A language's files, the program first. `most_lines`: the most lines that the program may have; 0: no
+/// limit.
+struct LanguageTexts {
+    struct File {
+        std::string_view name, text;
+    };
+    std::vector<File> files;
+    std::string_view comment;  // what begins one
+    std::size_t most_lines = 0;
+};
+
+LanguageTexts texts_of(Language language) {
+    switch (language) {
+    case Language::Gl1:
+        return {{{"main.c", gl1_main_c}}, "//"};
+    case Language::Glsl:
+        return {{{"main.cpp", glsl_main_cpp},
+                 {"lighting.glsl", glsl_lighting_glsl},
+                 {"scene.vert", glsl_scene_vert},
+                 {"scene.frag", glsl_scene_frag}},
+                "//"};
+    case Language::Cpp:
+        return {{{"main.cpp", cpp_main_cpp}}, "//", 400};
+    case Language::Python:
+        return {{{"main.py", python_main_py}}, "#", 250};
+    }
+    return {};
+}
+
+/// A language can do what one of its texts mentions. Reflection models are written from their rows.
+bool can(Language language, const Need& need) {
+    for (const LanguageTexts::File& file : texts_of(language).files) {
+        if (mentioned_flags(file.text).contains(need.flag)) return true;
+        if (need.flag.starts_with("reflection.") && file.text.find("@model@") != file.text.npos) return true;
+    }
+    return false;
+}
+
+/// The first of what the scene needs that the language cannot do.
+std::optional<Need> lacking_in(Language language, const Scene& scene) {
+    const std::vector<Need> needs = needs_of(scene);
+    const auto lacking =
+        std::find_if(needs.begin(), needs.end(), [&](const Need& need) { return !can(language, need); });
+    return lacking == needs.end() ? std::nullopt : std::optional(*lacking);
+}
+
+/// All words of a text, which no name of the scene may be.
+Flags words_of(std::string_view text) {
+    Flags words{"Light",     "Material", "Object",   "alignas",  "and",       "asm",      "auto",
+                "bool",      "break",    "case",     "catch",    "char",      "class",    "const",
+                "constexpr", "continue", "def",      "default",  "del",       "delete",   "do",
+                "double",    "elif",     "else",     "enum",     "except",    "explicit", "extern",
+                "false",     "False",    "finally",  "float",    "for",       "friend",   "from",
+                "global",    "goto",     "if",       "import",   "in",        "inline",   "int",
+                "is",        "lambda",   "long",     "mutable",  "namespace", "new",      "None",
+                "nonlocal",  "not",      "operator", "or",       "pass",      "private",  "protected",
+                "public",    "raise",    "register", "return",   "short",     "signed",   "sizeof",
+                "static",    "struct",   "switch",   "template", "this",      "throw",    "true",
+                "True",      "try",      "typedef",  "typeid",   "typename",  "union",    "unsigned",
+                "using",     "virtual",  "void",     "volatile", "while",     "with",     "xor",
+                "yield",     "assert",   "async",    "await",    "linux",     "unix",     "j0",
+                "j1",        "jn",       "y0",       "y1",       "yn",        "gamma"};
+    std::string word;
+    for (const char c : text) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+            word += c;
+            continue;
+        }
+        if (!word.empty()) words.insert(word);
+        word.clear();
+    }
+    return words;
+}
+
+/// The mesh files of shown() objects: objects of one mesh and one kind of normals share a file.
+struct MeshFiles {
+    std::vector<ProgramMesh> files;
+    std::vector<std::string> of_object;
+};
+MeshFiles mesh_files(const Scene& scene) {
+    constexpr std::size_t longest_stem = 60;  // a file's name may have 255 bytes, and gets more letters
+    std::map<NormalsKey, std::string> known;
+    Identifiers names({});
+    MeshFiles out;
+    for (const Object& o : shown(scene)) {
+        std::string& file = known[normals_key(o)];
+        if (file.empty()) {
+            const std::string source = source_name(o.source);  // several objects of one glTF file
+            const std::string stem = std::filesystem::path(source).stem().string();
+            const std::string name = in_letters(is_gltf_path(source) ? o.name : stem, "mesh");
+            file = names.once(name.substr(0, longest_stem)) + ".mesh";
+            out.files.push_back({file, o});
+        }
+        out.of_object.push_back(file);
+    }
+    return out;
+}
+
+std::string wrapped(const std::vector<ProgramMesh>& files, const std::string& comment) {
+    std::string text;
+    std::size_t column = 60;
+    for (const ProgramMesh& file : files) {
+        if (column + file.name.size() > 100) {
+            if (!text.empty()) text.pop_back();
+            text += "\n" + comment + " ";
+            column = 4;
+        }
+        text += file.name + " ";
+        column += file.name.size() + 1;
+    }
+    if (!text.empty()) text.pop_back();
+    return text.empty() ? "(no mesh)" : text;
+}
+
+/// What the picture is cleared to: the background as the display shows it, which no shader sees.
+std::string clear_call(const Display& display, const Flags& flags) {
+    std::string text = "glClearColor(";
+    for (int c = 0; c < 3; ++c) {
+        double x =
+            std::min(1.0, static_cast<double>(display.exposure) * static_cast<double>(display.background[c]));
+        const auto srgb = [](double y) {
+            return y <= 0.0031308 ? 12.92 * y : 1.055 * std::pow(y, 1 / 2.4) - 0.055;
+        };
+        if (display.transfer == Transfer::Srgb) x = srgb(x);
+        if (flags.contains("wrong.encoded_twice")) x = srgb(x);
+        const std::string number = fmt::format("{:.7g}", x);
+        text += number + (number.find_first_of(".e") == number.npos ? ".0f, " : "f, ");
+    }
+    return text + "1);  // the background";
+}
+
+/// What follows from the scene and the size for all files of the program.
+Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
+    const Scene& s = of.scene;
+    const auto vector = [language](const glm::vec3& v) { return vector_in_program(v, language); };
+    return {{"title", for_comment(of.name) + (s.about.empty() ? "" : ": " + for_comment(s.about))},
+            {"width", fmt::format("{}", of.size.width)},
+            {"height", fmt::format("{}", of.size.height)},
+            {"background", vector(s.display.background)},
+            {"global_ambient", vector(s.global_ambient)},
+            {"exposure", number_in_program(s.display.exposure)},
+            {"power_table", fmt::format("{}", s.shading.power_table)},
+            {"model_name", choice_of(s.shading.reflection).label},
+            {"cool", language == Language::Glsl ? vector_in_program(s.npr.cool, Language::Python)
+                                                : vector(s.npr.cool)},
+            {"warm", language == Language::Glsl ? vector_in_program(s.npr.warm, Language::Python)
+                                                : vector(s.npr.warm)},
+            {"alpha", number_in_program(s.npr.alpha)},
+            {"beta", number_in_program(s.npr.beta)},
+            // What is 1 or never changes is not written.
+            {"clear_color", clear_call(s.display, flags)},
+            {"window_title", in_letters(of.name, "scene")},
+            {"const_n", flags.contains("wrong.no_normals_given") || flags.contains("wrong.some_faces_flipped")
+                            ? ""
+                            : "const "},
+            {"over_w", flags.contains("interpolation.screen") ? " * gl_FragCoord.w" : ""},
+            {"light_count", fmt::format("{}", shining(s).size())},
+            {"blending", flags.contains("mode.flat") ? "flat" : "smooth"},
+            {"turn", flags.contains("turned") ? "turn * " : ""},
+            {"side", flags.contains("turned_normals") ? "side * " : ""},
+            {"xy", flags.contains("needs.xy") ? ", x, y" : ""},
+            {"const_frame", flags.contains("wrong.light_moved_twice") ? "" : "const "},
+            {"const_v", flags.contains("wrong.view_reversed") ? "" : "const "}};
+}
+
+/// The program, of however many lines. Precondition: the language lacks nothing that the scene needs.
+Program program_of(const ProgramOf& of, Language language) {
+    const LanguageTexts texts = texts_of(language);
+    Flags flags = flags_of(of.scene);
+    const ModelText model = model_text(of.scene.shading, flags.contains("terms.diffuse"), language, "    ");
+    flags.insert(model.uses.begin(), model.uses.end());
+    // A highlight is tested for its side.
+    if (flags.contains("uses.S") && flags.contains("clamped_highlight") &&
+        !flags.contains("wrong.specular_behind_surface"))
+        flags.insert("uses.n_l");
+    if (language == Language::Glsl)
+        flags.insert("shader");  // which takes the samples of an area light itself
+    for (const char* of_light : {"uses.l", "uses.n_l", "uses.l_v", "uses.S", "light.spot", "light.area"})
+        if (flags.contains(of_light)) flags.insert("needs.l");
+    MeshFiles meshes = mesh_files(of.scene);
+    Values values = values_of(of, language, flags);
+    values["model"] = model.text;
+    values["mesh_files"] = wrapped(meshes.files, std::string(texts.comment));
+    std::string all;
+    for (const LanguageTexts::File& file : texts.files) all += file.text;
+    const SceneTables tables = scene_tables(of.scene, language, flags, meshes.of_object, words_of(all));
+    values["camera"] = tables.camera;
+    values["lights"] = tables.lights;
+    values["objects"] = tables.objects;
+
+    Program program{{}, std::move(meshes.files)};
+    for (const LanguageTexts::File& file : texts.files)
+        program.texts.push_back({std::string(file.name), filled(file.text, flags, values)});
+    return program;
+}
+
+/// How many lines the program has, where they are more than the language may have.
+std::optional<std::size_t> too_many_lines(const Program& program, Language language) {
+    const std::string& text = program.texts.front().text;
+    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    const std::size_t most = texts_of(language).most_lines;
+    return most > 0 && lines > most ? std::optional(lines) : std::nullopt;
+}
+
+/// "--language cpp or python": languages_for(); empty where there is none.
+std::string able_words(const ProgramOf& of) {
+    std::string able;
+    for (const Language language : languages_for(of))
+        able += (able.empty() ? "--language " : " or ") + std::string(name_of(language));
+    return able;
+}
+
+constexpr const char* smaller_scene = "fewer lights and objects";
+
+/// What to do where a language lacks what the scene needs.
+std::string ways_around(const ProgramOf& of, const Need& need) {
+    if (std::string able = able_words(of); !able.empty()) return able;
+    std::string in_part;  // a language that has this, but lacks something else
+    for (const Language other : enumerators<Language>) {
+        const std::optional<Need> lacking = lacking_in(other, of.scene);
+        if (!lacking) return fmt::format("{}, and --language {}", smaller_scene, name_of(other));
+        if (in_part.empty() && can(other, need))
+            in_part = fmt::format("a scene without it, or --language {} and one without {}", name_of(other),
+                                  lacking->pointer);
+    }
+    return in_part.empty() ? "a scene without it: no language can" : in_part;
+}
+
+}  // namespace
+
+std::vector<Language> languages_for(const ProgramOf& of) {
+    std::vector<Language> able;
+    for (const Language language : enumerators<Language>)
+        if (!lacking_in(language, of.scene) && !too_many_lines(program_of(of, language), language))
+            able.push_back(language);
+    return able;
+}
+
+Result<Program> write_program(const ProgramOf& of, Language language) {
+    if (const std::optional<Need> need = lacking_in(language, of.scene))
+        return Problem{"", need->pointer,
+                       fmt::format("{}, which {} cannot do", need->what, name_of(language)),
+                       ways_around(of, *need)};
+    Program program = program_of(of, language);
+    if (const auto lines = too_many_lines(program, language)) {
+        const std::string able = able_words(of);
+        return Problem{"", "", fmt::format("the program would have {} lines", *lines),
+                       fmt::format("at most {}: {}{}", texts_of(language).most_lines, smaller_scene,
+                                   able.empty() ? "" : ", or " + able)};
+    }
+    return program;
+}
+
+}  // namespace glint

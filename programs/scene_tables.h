@@ -1,0 +1,47 @@
+#pragma once
+// The scene's numbers as a program's text: camera, lights and objects under the names of the scene file, made
+// into identifiers of the language.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "programs/program.h"
+#include "programs/template.h"
+
+namespace glint {
+
+/// Names for a comment of any language: no control characters, no sign that continues a line or ends a
+/// comment.
+[[nodiscard]] std::string for_comment(const std::string& text);
+
+/// ASCII letters, digits and single underscores, beginning with a letter: "Left lamp" is Left_lamp.
+[[nodiscard]] std::string in_letters(const std::string& name, const std::string& otherwise);
+
+/// Identifiers for names of a scene, each used once and none of the words in `taken` (a program's own).
+class Identifiers {
+  public:
+    explicit Identifiers(Flags taken) : taken_(std::move(taken)) {}
+    /// in_letters(). What a library may have defined ends in `otherwise`: "log" is log_light.
+    [[nodiscard]] std::string of(const std::string& name, const std::string& otherwise);
+    /// `base`, or base_2 and so on where it was used.
+    [[nodiscard]] std::string once(const std::string& base);
+
+  private:
+    Flags taken_;
+    std::map<std::string, int> next_;  // of each base: the number to try next
+};
+
+/// A number as the scene file writes it, without ".0"; a vector as the language lists one.
+[[nodiscard]] std::string number_in_program(float x);
+[[nodiscard]] std::string vector_in_program(const glm::vec3& v, Language language);
+
+/// The lines that define camera, lights and objects, and lists of their names. `mesh_files`: of each object
+/// of shown(). `flags` say which columns there are. `words`: the program's own.
+struct SceneTables {
+    std::string camera, lights, objects;
+};
+[[nodiscard]] SceneTables scene_tables(const Scene& scene, Language language, const Flags& flags,
+                                       const std::vector<std::string>& mesh_files, Flags words);
+
+}  // namespace glint

@@ -1,0 +1,30 @@
+#pragma once
+// What the commands answer about scenes and pictures, as JSON: written here, so that the command line, the
+// claims of a lesson and the window say the same. docs/command_line.md names the fields.
+
+#include <vector>
+
+#include "models/json/json.h"
+#include "models/mesh/mesh.h"
+#include "models/scene/scene.h"
+#include "renderer/debug_views/profile.h"
+#include "renderer/image/compare.h"
+#include "renderer/renderer.h"
+
+namespace glint {
+
+/// `glint info` of a mesh with the normals of `source`, and of a scene whose meshes are loaded; `size` is for
+/// clip_from_view.
+[[nodiscard]] Json info_json(const Mesh& mesh, NormalSource source = NormalSource::Auto);
+[[nodiscard]] Json info_json(const Scene& scene, PictureSize size);
+
+/// `glint render --stats` of the last picture.
+[[nodiscard]] Json stats_json(const Renderer& renderer, PictureSize size);
+
+/// `glint compare`.
+[[nodiscard]] Json comparison_json(const Comparison& comparison);
+
+/// `glint profile`: a list for each column of profile_csv(), null where a sample does not have it.
+[[nodiscard]] Json profile_json(const std::vector<ProfileSample>& samples);
+
+}  // namespace glint

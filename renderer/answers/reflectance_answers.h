@@ -1,0 +1,21 @@
+#pragma once
+// What `glint lobe` and `glint microfacets` answer, as JSON (docs/command_line.md).
+
+#include <string>
+#include <vector>
+
+#include "models/json/json.h"
+#include "renderer/reflectance/lobes.h"
+#include "renderer/reflectance/microfacets.h"
+
+namespace glint {
+
+/// `glint lobe` of the object's material under the scene's reflection model and terms. `slice` is
+/// lobe_slice() of that reflector and angle.
+[[nodiscard]] Json lobe_json(const Reflector& reflector, const std::string& object, double light_deg,
+                             const std::vector<LobeSample>& slice);
+
+/// `glint microfacets`; `lobe_rays` rays count its lobe in space.
+[[nodiscard]] Json microfacets_json(const MicrofacetOptions& options, int lobe_rays = 100000);
+
+}  // namespace glint

@@ -1,0 +1,214 @@
+#include "renderer/debug_views/debug_view.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "renderer/explain/printed_number.h"
+
+namespace glint {
+namespace {
+
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+using Rgb = std::array<std::uint8_t, 3>;
+constexpr Rgb background{38, 38, 40};
+
+template <class PixelWork> void for_pixels(PictureSize size, const PixelWork& work) {
+    tbb::parallel_for(0, size.height, [&](int y) {
+        for (int x = 0; x < size.width; ++x) work(size.index(x, y), x, y);
+    });
+}
+
+/// The unit direction to the eye, camera coordinates.
+glm::vec3 towards_eye(const SeenPoint& seen, bool parallel) {
+    return parallel ? glm::vec3(0, 0, 1) : -glm::normalize(seen.position);
+}
+
+void put(Picture& picture, std::size_t pixel, Rgb color) {
+    std::copy(color.begin(), color.end(), picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * pixel));
+    picture.rgba[4 * pixel + 3] = 255;
+}
+
+}  // namespace
+
+DebugViewPainter::DebugViewPainter(int threads)
+    : renderer_(std::make_unique<Renderer>(threads)), facets_(std::make_unique<Renderer>(threads)) {}
+
+void DebugViewPainter::measure_normals(const Scene& scene, PictureSize size) {
+    const Picture& drawn = renderer_->render(normal_scene(scene, false), size, true);
+    normals_.resize(size.pixels());
+    facing_.resize(size.pixels());
+    const bool parallel = is_orthographic(scene.camera.projection);
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        const auto seen = renderer_->seen_at(x, y);
+        normals_[i] = seen ? drawn.linear_at(x, y) : glm::vec3(none);
+        facing_[i] = seen ? glm::dot(normals_[i], towards_eye(*seen, parallel)) : none;
+        if (!seen) return put(picture_, i, background);
+        const Rgb color = normal_color(normals_[i]);
+        put(picture_, i, facing_[i] < 0 ? turned_away_color(color, x, y) : color);
+    });
+}
+
+void DebugViewPainter::paint_sides(const Scene& scene, const Renderer& drawn_by, PictureSize size) {
+    sides_.assign(size.pixels(), Side::None);
+    const bool parallel = is_orthographic(scene.camera.projection);
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        const auto seen = drawn_by.seen_at(x, y);
+        if (!seen) return put(picture_, i, background);
+        sides_[i] = seen->front ? Side::Front : Side::Back;
+        put(picture_, i,
+            side_color(seen->front, double(glm::dot(seen->normal, towards_eye(*seen, parallel)))));
+    });
+}
+
+void DebugViewPainter::measure_angles(const Scene& scene, PictureSize size) {
+    const Picture& smooth = renderer_->render(normal_scene(scene, false), size, true);
+    const Picture& facet = facets_->render(normal_scene(scene, true), size, true);
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        if (renderer_->object_at(x, y) < 0) return;
+        const glm::dvec3 a = smooth.linear_at(x, y), b = facet.linear_at(x, y);
+        // Computed from the half angle, whose sine keeps its digits where the angle is small.
+        values_[i] = static_cast<float>(2 * std::atan2(glm::length(a - b), glm::length(a + b)) * 180 /
+                                        std::numbers::pi);
+    });
+}
+
+void DebugViewPainter::measure_n_dot_l(const Scene& scene, int light, PictureSize size) {
+    if (scene.lights.empty()) return;
+    light = std::clamp(light, 0, static_cast<int>(scene.lights.size()) - 1);
+    const Picture& drawn = renderer_->render(n_dot_l_scene(scene, light), size, true);
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        if (renderer_->object_at(x, y) >= 0) values_[i] = drawn.linear_at(x, y).x;
+    });
+}
+
+void DebugViewPainter::measure_depths(const Renderer& drawn_by, PictureSize size) {
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        const float depth = drawn_by.depth_at(x, y);
+        if (depth > 0) values_[i] = depth;
+    });
+}
+
+void DebugViewPainter::paint_faces(const Scene& scene, const Renderer& drawn_by, PictureSize size) {
+    names_.clear();
+    for (const Object& object : scene.objects) names_.push_back(object.name);
+    constexpr std::uint64_t no_face = std::numeric_limits<std::uint64_t>::max();
+    faces_.assign(size.pixels(), no_face);
+    for_pixels(size, [&](std::size_t i, int x, int y) {
+        const auto seen = drawn_by.seen_at(x, y);
+        if (seen) faces_[i] = (static_cast<std::uint64_t>(seen->object) << 32) | seen->face;
+        put(picture_, i,
+            seen ? face_color(seen->face + 7919u * static_cast<unsigned>(seen->object)) : background);
+    });
+}
+
+void DebugViewPainter::color_values() {
+    float low = std::numeric_limits<float>::infinity(), high = -low;
+    for (const float v : values_) {  // NaN compares false
+        if (v < low) low = v;
+        if (v > high) high = v;
+    }
+    const bool any = low <= high;
+    scale_.has_bar = true;
+    if (view_ == DebugView::NDotL) scale_ = {true, -1, 1, "n·l"};
+    if (view_ == DebugView::Depth)
+        scale_ = {true, any ? low : 0, any && high > low ? high : low + 1, "depth"};
+    if (view_ == DebugView::FacetAngle) scale_ = {true, 0, any ? std::max(high, 1.0f) : 1, "degrees"};
+    if (!any && view_ == DebugView::Depth) scale_ = {true, 0, 1, "depth"};
+    for_pixels(picture_.size, [&](std::size_t i, int, int) {
+        put(picture_, i, std::isnan(values_[i]) ? background : debug_view_color(view_, scale_, values_[i]));
+    });
+}
+
+const Picture& DebugViewPainter::paint(DebugViewChoice choice, const Scene& scene, const Renderer& drawn_by,
+                                       PictureSize size) {
+    view_ = choice.view;
+    scale_ = {};
+    terms_ = nullptr;
+    picture_.size = size;
+    picture_.rgba.resize(4 * size.pixels());
+    values_.assign(size.pixels(), none);
+    switch (choice.view) {
+    case DebugView::Normal:
+        measure_normals(scene, size);
+        return picture_;
+    case DebugView::Orientation:
+        paint_sides(scene, drawn_by, size);
+        return picture_;
+    case DebugView::Face:
+        paint_faces(scene, drawn_by, size);
+        return picture_;
+    case DebugView::NDotL:
+        measure_n_dot_l(scene, choice.light, size);
+        break;
+    case DebugView::Depth:
+        measure_depths(drawn_by, size);
+        break;
+    case DebugView::FacetAngle:
+        measure_angles(scene, size);
+        break;
+    case DebugView::Picture:
+        terms_ = &renderer_->render(scene, size, true);
+        return *terms_;
+    case DebugView::Silhouette:
+        terms_ = &renderer_->render(silhouette_scene(scene), size, true);
+        return *terms_;
+    case DebugView::Emission:
+    case DebugView::Ambient:
+    case DebugView::Diffuse:
+    case DebugView::Specular:
+        terms_ = &renderer_->render(term_scene(scene, choice.view), size, true);
+        return *terms_;
+    }
+    color_values();
+    return picture_;
+}
+
+float DebugViewPainter::value_at(int x, int y) const {
+    return values_.empty() ? none : values_[picture_.pixel(x, y)];
+}
+
+std::string DebugViewPainter::value_text(int x, int y) const {
+    const std::size_t i = picture_.pixel(x, y);
+    if (terms_ != nullptr) {
+        const glm::vec3 c = terms_->linear_at(x, y);
+        const auto text = [](float part) { return significant_text(double(part), 3); };
+        return fmt::format("{} {} {}", text(c.x), text(c.y), text(c.z));
+    }
+    if (view_ == DebugView::Normal) {
+        const glm::vec3 n = normals_[i];
+        if (std::isnan(n.x)) return "background";
+        const auto part = [](float v) { return std::abs(v) < 0.0005f ? 0 : v; };  // 0 has no sign
+        return fmt::format("{:+.3f} {:+.3f} {:+.3f}{}", part(n.x), part(n.y), part(n.z),
+                           facing_[i] < 0 ? " away" : "");
+    }
+    if (view_ == DebugView::Orientation)
+        return sides_[i] == Side::None ? "background" : sides_[i] == Side::Front ? "front" : "back";
+    if (view_ == DebugView::Face) {
+        const std::size_t object = faces_[i] >> 32;
+        if (object >= names_.size()) return "background";
+        return fmt::format("{}, face {}", names_[object], faces_[i] & 0xFFFFFFFFu);
+    }
+    if (std::isnan(values_[i])) return "background";
+    return view_ == DebugView::FacetAngle ? fmt::format("{:.2f}°", values_[i])
+                                          : significant_text(double(values_[i]), 3);
+}
+
+std::uint64_t stripe_over_range(Picture& picture, float exposure) {
+    std::uint64_t count = 0;
+    for (int y = 0; y < picture.size.height; ++y)
+        for (int x = 0; x < picture.size.width; ++x) {
+            const glm::vec3 c = picture.linear_at(x, y) * exposure;
+            if (!(std::max({c.x, c.y, c.z}) > 1)) continue;
+            ++count;
+            if ((x + y) % 8 < 3) put(picture, picture.pixel(x, y), {0, 0, 0});
+        }
+    return count;
+}
+
+}  // namespace glint

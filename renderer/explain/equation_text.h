@@ -1,0 +1,29 @@
+#pragma once
+// A line of the equation as one line of text, with as many digits as its result needs.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/explain/equation_line.h"
+
+namespace glint {
+
+/// How a line's result is written; the digits of the factors follow from it.
+using NumberText = std::string (*)(double);
+
+/// The decimals with which the numbers of a line are written (renderer/explain/printed_number.h).
+struct LineDecimals {
+    std::vector<int> value, exponent;  // one a factor
+};
+
+/// The decimals with which the factors give the result as `as` writes it: of one channel, or of all three.
+[[nodiscard]] LineDecimals written_decimals(const EquationLine& line, std::optional<int> channel,
+                                            NumberText as);
+
+/// "f 1.5 · L_d 1 · k_d (0.8 0.1 0.1) · n·l 0.871", "(n·h 0.953)^32 = 0.2144, dropped: n·l < 0". It is the
+/// text of one channel, or of all three: then factors whose channels differ stand in brackets.
+[[nodiscard]] std::string written_product(const EquationLine& line, std::optional<int> channel,
+                                          NumberText as);
+
+}  // namespace glint

@@ -1,0 +1,186 @@
+#include "renderer/explain/explain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+#include "models/fields/choices.h"
+#include "renderer/explain/explain_point.h"
+#include "renderer/geometry/clip.h"
+#include "renderer/geometry/interpolate.h"
+#include "renderer/lighting/display.h"
+#include "renderer/shade/light_sources.h"
+#include "renderer/shade/surface_material.h"
+#include "renderer/simd/glm_vec3.h"
+#include "renderer/strokes/strokes.h"
+
+namespace glint {
+namespace {
+
+using Vec = Vec3<float>;
+
+/// What an explanation reads of the stages: those of the picture, or stand-ins for some of them.
+struct ExplainedStages {
+    const Scene& scene;
+    const Geometry& geometry;
+    const Visibility& visibility;
+    SurfaceInputs surface;
+    const Strokes& strokes;
+    const Lighting& lighting;
+};
+
+/// The lit points that make the colour of a pixel of `face`, with their weights by surface.choice.
+std::vector<ExplainedCorner> lit_corners(const ExplainedStages& stages, const SurfaceInputs& surface,
+                                         const SampleFace& face, const LightJob& job, const Frames& frames) {
+    const BlendedPoints sample = blended_points(surface, stages.geometry, face);
+    const bool lit = stages.lighting.shading.reflection != Reflection::None;
+    std::vector<ExplainedCorner> corners(static_cast<std::size_t>(sample.count));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i].weight = sample.weight[i];
+        const PositionNormal place = lit_point(surface, stages.geometry, sample.point[i]);
+        corners[i].at = explain_point(stages.lighting, job, place, frames, lit);
+        if (!lit) corners[i].at.sum = vertex_color(surface, stages.geometry, sample.point[i]);
+    }
+    return corners;
+}
+
+glm::vec3 blended(const std::vector<ExplainedCorner>& corners) {
+    Vec sum;
+    for (const ExplainedCorner& corner : corners)
+        sum = add_weighted(sum, corner.weight, to_vec(corner.at.sum));
+    return to_glm(sum);
+}
+
+void explain_corners(Explanation& e, const ExplainedStages& stages, const SampleFace& face,
+                     const LightJob& job, const Frames& frames) {
+    SurfaceChoice choice = stages.surface.choice;
+    e.corners = lit_corners(stages, stages.surface, face, job, frames);
+    e.lit_per_corner = true;
+    e.interpolation = choice.interpolation;
+    if (choice.kind == SurfaceKind::Faces) {
+        if (!e.corners.empty()) e.sum = e.corners.back().at.sum;
+        return;
+    }
+    e.sum = blended(e.corners);
+    for (const Interpolation each : enumerators<Interpolation>) {
+        choice.interpolation = each;
+        const SurfaceInputs surface(choice, stages.surface.normals);
+        e.interpolations.push_back({each, blended(lit_corners(stages, surface, face, job, frames))});
+    }
+}
+
+void explain_stroke(Explanation& e, const ExplainedStages& stages, std::size_t pixel) {
+    e.stroke.coverage = stages.strokes.coverage_at(pixel);
+    e.stroke.color = stages.lighting.npr.stroke;
+    e.stroke.shaded = e.sum;
+    if (e.stroke.coverage > 0)
+        e.sum = to_glm(drawn_over(to_vec(e.sum), e.stroke.coverage, to_vec(e.stroke.color)));
+}
+
+/// The point on its way from the mesh to the screen.
+ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
+    const glm::dvec4 camera(glm::dvec3(face.p), 1);
+    const glm::dvec4 clip = g.clip_from_view * camera;
+    ExplainedSpaces s;
+    s.object = glm::vec3(glm::inverse(g.objects[face.object].view_from_object) * camera);
+    s.world = glm::vec3(world_from_view(g.camera) * camera);
+    s.camera = face.p;
+    s.clip = glm::vec4(clip);
+    s.ndc = glm::vec3(clip / clip.w);
+    s.pixel = glm::vec2(to_pixel(viewport_of(g.camera, g.size), clip));
+    return s;
+}
+
+/// From the shaded sum to what is seen.
+void explain_display(Explanation& e, const ExplainedStages& stages, std::size_t pixel) {
+    explain_stroke(e, stages, pixel);
+    const DisplayJob job = display_job(stages.lighting.display, stages.lighting.shading.mistakes);
+    for (int i = 0; i < 3; ++i) {
+        const bool wrong = job.any_mistake();
+        e.displayed[i] = wrong ? mistakenly_displayed(job, e.sum[i]) : displayed(job, e.sum[i]);
+        e.byte[static_cast<std::size_t>(i)] =
+            wrong ? wrapped_byte_of(e.displayed[i]) : byte_of(e.displayed[i]);
+    }
+}
+
+/// What lighting would keep of `scene`, without lighting anything.
+Lighting lighting_of(const Scene& scene, const KeptStages& kept, bool at_corners) {
+    Lighting l;
+    l.sources = light_sources(scene);
+    l.lights = scene.lights;
+    l.shading = scene.shading;
+    l.npr = scene.npr;
+    l.display = scene.display;
+    l.picture.size = kept.geometry.size;
+    for (const Object& object : scene.objects) {
+        l.materials.push_back(object.material);
+        l.jobs.push_back(light_job(scene, kept.geometry.size, object.material, l.sources, at_corners));
+    }
+    return l;
+}
+
+Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
+    const Geometry& g = stages.geometry;
+    const Shading& shading = stages.lighting.shading;
+    Explanation e;
+    e.x = x;
+    e.y = y;
+    e.mode = shading.mode;
+    e.reflection = shading.reflection;
+    const std::size_t pixel = stages.lighting.picture.pixel(x, y);
+    const std::uint32_t triangle = stages.visibility.triangle_at(pixel);
+    if (triangle == no_triangle) {
+        e.sum = stages.lighting.display.background;
+        explain_display(e, stages, pixel);
+        return e;
+    }
+    const SampleFace face = sample_face(stages.surface.choice, g, stages.visibility, x, y);
+    const Triangle& t = g.triangle(face.object, triangle);
+    const std::vector<Triangle>& all = g.objects[face.object].mesh->triangles;
+    const auto first_of_face = std::lower_bound(
+        all.begin(), all.end(), t.face, [](const Triangle& a, std::uint32_t f) { return a.face < f; });
+    e.hit = true;
+    e.object_index = static_cast<int>(face.object);
+    e.object = stages.scene.objects[face.object].name;
+    e.material = mistaken_material(shading.mistakes, stages.lighting.materials[face.object]);
+    e.face = t.face;
+    e.triangle = static_cast<std::uint32_t>(&t - &*first_of_face);
+    e.front_facing = !stages.visibility.back_at(pixel);
+    e.corner = g.position_indices(face.object, t);
+    e.weights = face.weights;
+    e.spaces = explain_spaces(g, face);
+    const LightJob& job = stages.lighting.jobs[face.object];
+    const Frames frames(stages.scene.camera);
+    const PositionNormal place = pixel_point(stages.surface, g, face);
+    const bool lit_here = stages.surface.choice.kind == SurfaceKind::Pixels;
+    e.at = explain_point(stages.lighting, job, place, frames, lit_here);
+    e.sum = e.at.sum;
+    if (!lit_here) explain_corners(e, stages, face, job, frames);
+    explain_display(e, stages, pixel);
+    return e;
+}
+
+}  // namespace
+
+Explanation explain_pixel(const KeptStages& kept, int x, int y) {
+    return explain_stages(
+        {kept.scene, kept.geometry, kept.visibility, kept.surface, kept.strokes, kept.lighting}, x, y);
+}
+
+Explanation explain_pixel_as(const KeptStages& kept, const Scene& other, int x, int y) {
+    const SurfaceChoice choice = surface_choice(other.shading);
+    const bool same =
+        choice.mistakes == kept.surface.choice.mistakes && same_normals(kept.surface.normals, other);
+    std::vector<ObjectNormals> normals;
+    if (!same) update_normals(normals, other, kept.geometry, choice.mistakes);
+    const Lighting lighting = lighting_of(other, kept, choice.kind != SurfaceKind::Pixels);
+    return explain_stages({other,
+                           kept.geometry,
+                           kept.visibility,
+                           {choice, same ? kept.surface.normals : normals},
+                           kept.strokes,
+                           lighting},
+                          x, y);
+}
+
+}  // namespace glint

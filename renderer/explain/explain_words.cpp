@@ -1,0 +1,50 @@
+#include "renderer/explain/explain_words.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <glm/geometric.hpp>
+
+namespace glint {
+namespace {
+
+bool points_away(const ExplainedPoint& at) { return glm::dot(at.normal.camera, at.view.camera) < 0; }
+
+}  // namespace
+
+bool is_plain_front(const Explanation& explanation) {
+    return explanation.front_facing && !points_away(explanation.at);
+}
+
+std::string side_words(const Explanation& explanation) {
+    const bool away = points_away(explanation.at);
+    if (explanation.front_facing) return away ? "front side, n points away from the eye" : "front side";
+    return away ? "back side" : "back side, n turned to the eye";
+}
+
+std::string dark_reason(const ExplainedLight& explained, const Light& light) {
+    if (light.kind == LightKind::Area) {
+        const auto in_front = std::count_if(explained.samples.begin(), explained.samples.end(),
+                                            [](const ExplainedLight& sample) { return sample.n_dot_l > 0; });
+        const auto all = static_cast<std::ptrdiff_t>(explained.samples.size());
+        if (in_front == 0) return "behind the surface: n·l < 0 for all samples";
+        return in_front < all ? fmt::format("{} of {} samples are behind the surface", all - in_front, all)
+                              : "";
+    }
+    const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
+    const bool is_outside = cone && explained.spot_angle_deg > light.spot.cutoff_deg;
+    if (is_outside && explained.spot == 0)  // a mistake's cone may be wider
+        return fmt::format("outside the cone by {:.1f}°", explained.spot_angle_deg - light.spot.cutoff_deg);
+    const bool adds = explained.diffuse + explained.specular != glm::vec3(0);  // behind it by a mistake
+    if (explained.n_dot_l < 0 && !adds) return "behind the surface: n·l < 0";
+    if (explained.n_dot_l == 0 && !adds) return "grazes the surface: n·l = 0";
+    const float arrives = light.intensity * explained.falloff;  // a strong light reaches far
+    if (arrives < 0.01f && explained.falloff < 0.01f)
+        return fmt::format("hardly reaches: falloff {:.2g}", explained.falloff);
+    if (arrives * explained.spot < 0.01f && explained.spot < 0.01f)
+        return fmt::format("its cone lets through {:.2g}", explained.spot);
+    return {};
+}
+
+}  // namespace glint

@@ -1,0 +1,139 @@
+#pragma once
+// The letters of the lighting equation: each stands for one thing, in the window, in text and in LaTeX. All
+// three read these rows.
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace glint {
+
+/// What a letter stands for.
+enum class Quantity {
+    Result,
+    EmissionTerm,
+    AmbientTerm,
+    DiffuseTerm,
+    SpecularTerm,
+    MaterialEmission,
+    MaterialAmbient,
+    MaterialDiffuse,
+    MaterialSpecular,
+    GlobalAmbient,
+    LightAmbient,
+    LightDiffuse,
+    LightSpecular,
+    Share,
+    Intensity,
+    Falloff,
+    Spot,
+    Form,
+    Distance,
+    N,
+    L,
+    V,
+    R,
+    H,
+    P,
+    Shadow,
+    NL,
+    RV,
+    NH,
+    LV,
+    NV,
+    Power,
+    Highlight,
+    QuarterPi,
+    Facets,
+    Masking,
+    Fresnel,
+    Rough,
+    WarmShare,
+    Cool,
+    Warm,
+    Mistake
+};
+
+struct QuantityRow {
+    Quantity quantity;
+    const char* letter;   // "k"; of a cosine both vectors with the dot, "n·l"
+    const char* index;    // its subscript, or empty
+    const char* latex;    // in math mode
+    const char* meaning;  // a legend's words
+};
+
+inline constexpr std::array quantity_rows{
+    QuantityRow{Quantity::Result, "I", "", "I", "What reaches the eye: the pixel before exposure"},
+    QuantityRow{Quantity::EmissionTerm, "e", "", "I_e", "Emission term: what the surface shines by itself"},
+    QuantityRow{Quantity::AmbientTerm, "a", "", "I_a", "Ambient term: light from everywhere"},
+    QuantityRow{Quantity::DiffuseTerm, "d", "", "I_d", "Diffuse term: light reflected evenly"},
+    QuantityRow{Quantity::SpecularTerm, "s", "", "I_s", "Specular term: the highlight"},
+    QuantityRow{Quantity::MaterialEmission, "k", "e", "k_e", "What the material shines by itself"},
+    QuantityRow{Quantity::MaterialAmbient, "k", "a", "k_a",
+                "Share of ambient light that the material reflects"},
+    QuantityRow{Quantity::MaterialDiffuse, "k", "d", "k_d",
+                "Share of light that the material reflects evenly"},
+    QuantityRow{Quantity::MaterialSpecular, "k", "s", "k_s",
+                "Share of light that goes into the material's highlight"},
+    QuantityRow{Quantity::GlobalAmbient, "L", "g", "L_g",
+                "Global ambient light of the scene, which belongs to none of the lights"},
+    QuantityRow{Quantity::LightAmbient, "L", "a", "L_a", "The light's ambient colour"},
+    QuantityRow{Quantity::LightDiffuse, "L", "d", "L_d", "The light's diffuse colour"},
+    QuantityRow{Quantity::LightSpecular, "L", "s", "L_s", "The light's specular colour"},
+    QuantityRow{Quantity::Share, "f", "", "f",
+                "The light's factor of all its terms: intensity × falloff × spot"},
+    QuantityRow{Quantity::Intensity, "intensity", "", "\\text{intensity}", "Multiplies the light's colours"},
+    QuantityRow{Quantity::Falloff, "falloff", "", "\\text{falloff}",
+                "What the distance leaves of the light: 1 / (c₀ + c₁ dist + c₂ dist²)"},
+    QuantityRow{Quantity::Spot, "spot", "", "\\text{spot}",
+                "What the cone lets through: the cosine from its axis, raised to its exponent; 0 outside"},
+    QuantityRow{Quantity::Form, "form", "", "\\text{form}",
+                "Of an area light in place of falloff: A cos θ′ / (π dist²) of its samples, added"},
+    QuantityRow{Quantity::Distance, "dist", "", "\\text{dist}", "Distance to the light, scene units"},
+    QuantityRow{Quantity::N, "n", "", "\\mathbf{n}", "The normal, unit"},
+    QuantityRow{Quantity::L, "l", "", "\\mathbf{l}", "Towards the light, unit"},
+    QuantityRow{Quantity::V, "v", "", "\\mathbf{v}", "Towards the eye, unit"},
+    QuantityRow{Quantity::R, "r", "", "\\mathbf{r}", "l mirrored at n, unit"},
+    QuantityRow{Quantity::H, "h", "", "\\mathbf{h}", "Halfway between l and v, unit"},
+    QuantityRow{Quantity::P, "p", "", "\\mathbf{p}", "The point that is lit"},
+    QuantityRow{Quantity::Shadow, "q", "", "\\mathbf{q}", "The shadow of l on n: n (n·l)"},
+    QuantityRow{Quantity::NL, "n·l", "", "\\mathbf{n} \\cdot \\mathbf{l}",
+                "Cosine of the angle at which light arrives, 0 from 90° on"},
+    QuantityRow{Quantity::RV, "r·v", "", "\\mathbf{r} \\cdot \\mathbf{v}",
+                "Cosine of the angle between the mirrored light and the eye"},
+    QuantityRow{Quantity::NH, "n·h", "", "\\mathbf{n} \\cdot \\mathbf{h}",
+                "Cosine of the angle between the normal and halfway from light to eye"},
+    QuantityRow{Quantity::LV, "l·v", "", "\\mathbf{l} \\cdot \\mathbf{v}",
+                "Cosine of the angle between light and eye"},
+    QuantityRow{Quantity::NV, "n·v", "", "\\mathbf{n} \\cdot \\mathbf{v}",
+                "Cosine of the angle between normal and eye"},
+    QuantityRow{Quantity::Power, "ˢ", "", "s", "Shininess of the material, the raised number"},
+    QuantityRow{Quantity::Highlight, "S", "", "S",
+                "The highlight's factor; of an area light its samples' mean"},
+    QuantityRow{Quantity::QuarterPi, "π/4", "", "\\tfrac{\\pi}{4}", "0.785398163"},
+    QuantityRow{Quantity::Facets, "D", "", "D", "How densely microfacets face halfway between l and v"},
+    QuantityRow{Quantity::Masking, "G", "", "G", "Share of those facets that others do not hide"},
+    QuantityRow{Quantity::Fresnel, "F", "", "F", "Share of light that such a facet reflects (Fresnel)"},
+    QuantityRow{Quantity::Rough, "(A+B…)", "", "(A + B \\ldots)",
+                "What roughness makes of the cosine (Oren and Nayar): A + B max(cos Δφ, 0) sin α tan β"},
+    QuantityRow{Quantity::WarmShare, "k", "w", "k_w", "Share of the warm tone: (1 + n·l) / 2"},
+    QuantityRow{Quantity::Cool, "cool", "", "\\text{cool}", "Tone of what is turned away from the light"},
+    QuantityRow{Quantity::Warm, "warm", "", "\\text{warm}", "Tone of what is turned to the light"},
+    QuantityRow{Quantity::Mistake, "mistake", "", "\\text{mistake}",
+                "What the scene's mistakes make of the product of the others"},
+};
+
+[[nodiscard]] constexpr const QuantityRow& row_of(Quantity quantity) {
+    return quantity_rows[static_cast<std::size_t>(quantity)];
+}
+/// Whether it is the cosine between two vectors.
+[[nodiscard]] constexpr bool is_cosine(Quantity quantity) {
+    return quantity >= Quantity::NL && quantity <= Quantity::NV;
+}
+/// "k_d".
+[[nodiscard]] inline std::string text_of(Quantity quantity) {
+    const QuantityRow& row = row_of(quantity);
+    return *row.index == 0 ? row.letter : std::string(row.letter) + "_" + row.index;
+}
+
+}  // namespace glint

@@ -1,0 +1,137 @@
+#include "renderer/image/sheet.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace glint {
+namespace {
+
+constexpr std::uint8_t ink = 25, pale_ink = 110, paper = 255;
+
+/// The last token of a pointer, or the last two when it is only a number in a list: "shininess", "position
+/// 0".
+std::string name_of(const std::string& pointer) {
+    const std::size_t last = pointer.rfind('/');
+    const std::string token = pointer.substr(last + 1);
+    const bool number = !token.empty() && token.find_first_not_of("0123456789") == std::string::npos;
+    if (!number || last == 0) return token;
+    const std::size_t before = pointer.rfind('/', last - 1);
+    return pointer.substr(before + 1, last - before - 1) + " " + token;
+}
+
+/// All lengths of a sheet in pixels, from the size of its cells.
+struct Layout {
+    int value_size, name_size;          // of the letters
+    int margin, gap;                    // around the sheet; between cells
+    int heading_height, heading_width;  // of the columns' and of the rows' headings
+    PictureSize cell;
+
+    [[nodiscard]] int left(std::size_t column) const {
+        return margin + heading_width + static_cast<int>(column) * (cell.width + gap);
+    }
+    [[nodiscard]] int top(std::size_t row) const {
+        return margin + heading_height + static_cast<int>(row) * (cell.height + gap);
+    }
+    /// Baselines of the two lines of a heading whose lower line ends at y.
+    [[nodiscard]] int name_baseline(int value_baseline) const { return value_baseline - value_size * 5 / 4; }
+};
+
+int widest_heading(const SheetAxis& axis, const Layout& l, const Font& font) {
+    int widest = font.width(name_of(axis.pointer), l.name_size);
+    for (const std::string& value : axis.values) widest = std::max(widest, font.width(value, l.value_size));
+    return widest;
+}
+
+Layout layout_of(const SheetAxis& rows, PictureSize cell, const Font& font) {
+    Layout l{};
+    l.cell = cell;
+    l.value_size = std::clamp(std::min(cell.width, cell.height) / 10, 14, 40);
+    l.name_size = l.value_size * 3 / 4;
+    l.margin = l.value_size;
+    l.gap = std::max(4, l.value_size / 2);
+    l.heading_height = l.value_size * 11 / 4;
+    l.heading_width = std::min(widest_heading(rows, l, font), 14 * l.value_size) + l.value_size * 3 / 4;
+    return l;
+}
+
+void draw_column_heading(Picture& sheet, const Layout& l, const Font& font, const SheetAxis& axis,
+                         std::size_t column) {
+    const auto centred = [&](const std::string& text, int size, int baseline, std::uint8_t grey) {
+        const std::string shown = font.fitted(text, size, l.cell.width);
+        const int x = l.left(column) + (l.cell.width - font.width(shown, size)) / 2;
+        font.draw(sheet, shown, size, x, baseline, grey);
+    };
+    const int baseline = l.top(0) - l.value_size * 2 / 3;
+    centred(name_of(axis.pointer), l.name_size, l.name_baseline(baseline), pale_ink);
+    centred(axis.values[column], l.value_size, baseline, ink);
+}
+
+void draw_row_heading(Picture& sheet, const Layout& l, const Font& font, const SheetAxis& axis,
+                      std::size_t row) {
+    const int right = l.left(0) - l.value_size * 3 / 4;
+    const auto against_right = [&](const std::string& text, int size, int baseline, std::uint8_t grey) {
+        const std::string shown = font.fitted(text, size, right - l.margin);
+        font.draw(sheet, shown, size, right - font.width(shown, size), baseline, grey);
+    };
+    const int baseline = l.top(row) + l.cell.height / 2 + l.value_size;
+    against_right(name_of(axis.pointer), l.name_size, l.name_baseline(baseline), pale_ink);
+    against_right(axis.values[row], l.value_size, baseline, ink);
+}
+
+void put_cell(Picture& sheet, const Picture& cell, int left, int top) {
+    for (int y = 0; y < cell.size.height; ++y)
+        std::memcpy(&sheet.rgba[4 * sheet.pixel(left, top + y)], &cell.rgba[4 * cell.pixel(0, y)],
+                    4 * static_cast<std::size_t>(cell.size.width));
+}
+
+PictureSize size_of(const Layout& l, const SheetAxis& rows, const SheetAxis& columns) {
+    return {l.left(columns.values.size()) - l.gap + l.margin, l.top(rows.values.size()) - l.gap + l.margin};
+}
+
+}  // namespace
+
+Result<SheetAxis> parse_axis(const std::string& option, const std::string& text) {
+    const std::string expected = "POINTER=A,B,C, such as /objects/0/material/shininess=8,32,128";
+    const std::size_t equals = text.find('=');
+    if (text.empty() || text[0] != '/' || equals == std::string::npos)
+        return Problem{option, "", "\"" + text + "\" names no values of a pointer", expected, 0};
+    SheetAxis axis{text.substr(0, equals), {""}};
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = equals + 1; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == ',' && depth == 0 && !in_string) {
+            axis.values.emplace_back();
+            continue;
+        }
+        axis.values.back() += c;
+        if (in_string && c == '\\' && i + 1 < text.size()) axis.values.back() += text[++i];
+        if (c == '"') in_string = !in_string;
+        if (!in_string) depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+    }
+    for (const std::string& value : axis.values)
+        if (value.find_first_not_of(' ') == std::string::npos)
+            return Problem{option, axis.pointer, "a value is empty", expected, 0};
+    return axis;
+}
+
+PictureSize sheet_size(const SheetAxis& rows, const SheetAxis& columns, PictureSize cell, const Font& font) {
+    return size_of(layout_of(rows, cell, font), rows, columns);
+}
+
+Picture make_sheet(const SheetAxis& rows, const SheetAxis& columns, PictureSize cell, const Font& font,
+                   const std::function<const Picture&(std::size_t, std::size_t)>& draw) {
+    const Layout l = layout_of(rows, cell, font);
+    Picture sheet;
+    sheet.size = size_of(l, rows, columns);
+    sheet.rgba.assign(4 * sheet.size.pixels(), paper);
+    for (std::size_t c = 0; c < columns.values.size(); ++c) draw_column_heading(sheet, l, font, columns, c);
+    for (std::size_t r = 0; r < rows.values.size(); ++r) {
+        draw_row_heading(sheet, l, font, rows, r);
+        for (std::size_t c = 0; c < columns.values.size(); ++c)
+            put_cell(sheet, draw(r, c), l.left(c), l.top(r));
+    }
+    return sheet;
+}
+
+}  // namespace glint

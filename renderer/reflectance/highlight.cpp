@@ -1,0 +1,148 @@
+#include "renderer/reflectance/highlight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "models/scene/reflection.h"
+#include "renderer/lighting/shade_point.h"
+#include "renderer/reflectance/curves.h"
+#include "renderer/reflectance/lobes.h"
+#include "renderer/shade/light_sources.h"
+#include "renderer/simd/glm_vec3.h"
+
+namespace glint {
+namespace {
+
+using Vec = Vec3<float>;
+
+Material mirror_like(Material material) {
+    material.specular = glm::vec3(1);
+    return material;
+}
+Material mirror_like(const Scene& scene, int object) {
+    return mirror_like(scene.objects[static_cast<std::size_t>(object)].material);
+}
+
+/// The sum over all samples and channels.
+double highlight_of(const LightAlone& lit, const SeenPoint& point) {
+    const PointAt<float> at = lit.seen(point.position, point.normal);
+    double sum = 0;
+    for (const LightSource& source : lit.sources()) {
+        const Vec term = lit.terms(source, at).specular;
+        sum += static_cast<double>(term.x) + static_cast<double>(term.y) + static_cast<double>(term.z);
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
+                                 std::span<const SeenPoint> points) {
+    std::vector<double> highlights;
+    highlights.reserve(points.size());
+    std::optional<LightAlone> lit;  // on the object of the point before
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!lit || points[i].object != points[i - 1].object)
+            lit.emplace(scene, size, light, mirror_like(scene, points[i].object));
+        highlights.push_back(highlight_of(*lit, points[i]));
+    }
+    return highlights;
+}
+
+std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
+                                 std::span<const SeenPoint> points, const Material& material) {
+    const LightAlone lit(scene, size, light, mirror_like(material));
+    std::vector<double> highlights;
+    highlights.reserve(points.size());
+    for (const SeenPoint& point : points) highlights.push_back(highlight_of(lit, point));
+    return highlights;
+}
+
+double cosine_at(const Scene& scene, PictureSize size, const Light& light, const SeenPoint& point) {
+    const LightAlone lit(scene, size, light, mirror_like(scene, point.object));
+    return static_cast<double>(lit.middle(lit.seen(point.position, point.normal)).directions.n_dot_l);
+}
+
+glm::vec3 peak_direction(const Scene& scene, PictureSize size, const SeenPoint& point) {
+    const LightAlone any(scene, size, {}, mirror_like(scene, point.object));
+    const PointAt<float> at = any.seen(point.position, point.normal);
+    if (!(dot(at.n, at.v) > 0)) return glm::vec3(0);
+    const bool back = info_of(scene.shading.reflection).peak == HighlightPeak::Light;
+    return to_glm(back ? at.v : directions_for(at.v, at).r);
+}
+
+namespace {
+
+constexpr double most = 10'000;  // the largest shininess that a scene may have
+
+double misfit(Reflection reflection, double shininess, std::span<const glm::dvec2> points) {
+    double sum = 0;
+    for (const glm::dvec2 p : points) {
+        const double away = highlight_at(reflection, static_cast<float>(shininess), p.x) - p.y;
+        sum += away * away;
+    }
+    return sum;
+}
+
+}  // namespace
+
+double half_angle_deg(double n) { return n > 0 ? glm::degrees(std::acos(std::exp2(-1 / n))) : 90; }
+
+std::vector<glm::dvec2> highlight_shape(HighlightShape shape, double n, int steps) {
+    const double half = half_angle_deg(n);
+    std::vector<glm::dvec2> curve;
+    for (int i = 0; i <= steps; ++i) {
+        const double deg = 90.0 * i / steps, share = deg / half;
+        curve.emplace_back(deg, shape == HighlightShape::Gaussian ? std::exp2(-share * share)
+                                                                  : std::max(1 - share / 2, 0.0));
+    }
+    return curve;
+}
+
+std::optional<HighlightFit> fitted_highlight(Reflection reflection, std::span<const glm::dvec2> points) {
+    if (points.size() < 2) return {};
+    // The misfit of points drawn by hand may have several minima, so the whole range is searched first, in
+    // steps of a tenth of a decade; then the interval around the best is narrowed by thirds.
+    const auto step = [](int i) { return i < 0 ? 0 : std::min(std::pow(10, -1 + 0.1 * i), most); };
+    constexpr int last = 50;
+    int best = -1;
+    double least = misfit(reflection, 0, points);
+    for (int i = 0; i <= last; ++i) {
+        const double here = misfit(reflection, step(i), points);
+        if (here >= least) continue;
+        least = here;
+        best = i;
+    }
+    double low = step(best - 1), high = step(std::min(best + 1, last));
+    for (int i = 0; i < 60; ++i) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        if (misfit(reflection, a, points) < misfit(reflection, b, points))
+            high = b;
+        else
+            low = a;
+    }
+    const double shininess = (low + high) / 2;
+    return HighlightFit{
+        shininess, std::sqrt(misfit(reflection, shininess, points) / static_cast<double>(points.size()))};
+}
+
+double blinn_shininess_like(float shininess) {
+    std::vector<glm::dvec2> phong;
+    for (int deg = 0; deg <= 90; ++deg)
+        phong.emplace_back(deg, highlight_at(Reflection::Phong, shininess, deg));
+    return fitted_highlight(Reflection::BlinnPhong, phong)->shininess;
+}
+
+MirrorSteps mirror_steps(glm::vec3 n, glm::vec3 l) {
+    const PointAt<float> at{{}, to_vec(n), {}};
+    const Directions<float> d = directions_for(to_vec(l), at);
+    MirrorSteps steps;
+    steps.n_dot_l = d.n_dot_l;
+    steps.r = to_glm(d.r);
+    steps.twice_p = steps.r + l;  // back from r, so that the formula stands once
+    steps.p = 0.5f * steps.twice_p;
+    return steps;
+}
+
+}  // namespace glint

@@ -1,0 +1,225 @@
+// The lighting kernels, compiled once for each instruction set (renderer/CMakeLists.txt, add_kernels). No
+// standard library inside: a function with one name in two instruction sets would be merged by the linker.
+
+#include "renderer/geometry/interpolate.h"
+#include "renderer/lighting/display.h"
+#include "renderer/lighting/shade_point.h"
+#include "renderer/shade/group_bounds.h"
+#include "renderer/shade/shade_kernels.h"
+#include "renderer/simd/int_lanes.h"
+#include "renderer/simd/isa/kernel_set.h"
+#include "renderer/simd/transpose.h"
+#include "renderer/simd/wide.h"
+
+namespace glint::inline GLINT_ISA {
+
+constexpr int opaque = static_cast<int>(0xFF000000u);
+
+static void store_colors(ColorBlock& out, std::size_t k, Vec3<Wide> c) {
+    store(out.r + k, c.x);
+    store(out.g + k, c.y);
+    store(out.b + k, c.z);
+}
+
+/// `Wide` points of a batch, and their sums so far.
+struct Group {
+    PointAt<Wide> at;
+    Vec3<Wide> sum;
+};
+union Slot {  // a group that is not filled with zeros first
+    Group group;
+    Slot() {}
+};
+
+/// Prefetches group i's share of the next batch. Spread over the first light's pass: issuing all lines at
+/// once overflows the line-fill buffers.
+[[gnu::always_inline]] static inline void prefetch_next(const PointBlock* points,
+                                                        const ColorBlock* partial_sums, std::size_t i) {
+    constexpr std::size_t share = block_size / GLINT_LANES;
+    const auto part_of = [i](const auto* blocks) __attribute__((always_inline)) {
+        constexpr std::size_t bytes = sizeof(*blocks) / share;
+        prefetch(reinterpret_cast<const char*>(blocks) + batch_size * sizeof(*blocks) + i * bytes, bytes);
+    };
+    part_of(points);
+    if (partial_sums) part_of(partial_sums);
+}
+
+/// Lights a batch by one reflection model, a template argument so that the compiler leaves out what other
+/// models need; the source of the equation is the same for all. flatten: the equation is many small
+/// functions, and each call would pass its vectors through memory. The loop runs light by light over a batch
+/// of points: the light stays in registers, the processor predicts well whether it reaches the points, and
+/// independent points fill the latency of a power. One function on purpose: cut into three that are always
+/// inlined, it took 2.3 times as long.
+template <Reflection model, bool any_mistake>
+GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points,
+                                      const ColorBlock* partial_sums, ColorBlock* colors,
+                                      std::size_t blocks) {
+    const Equation equation = equation_of(job, model, any_mistake);
+    const MaterialAt<Wide> material = material_at<Wide>(job.material);
+    Slot slots[batch_size * block_size / GLINT_LANES];
+    const std::size_t count = blocks * block_size / GLINT_LANES;
+    for (std::size_t i = 0; i < count; ++i) {
+        const PointBlock& in = points[i * GLINT_LANES / block_size];
+        const std::size_t k = i * GLINT_LANES % block_size;
+        const Vec3<Wide> p{load<Wide>(in.x + k), load<Wide>(in.y + k), load<Wide>(in.z + k)};
+        const Vec3<Wide> n{load<Wide>(in.nx + k), load<Wide>(in.ny + k), load<Wide>(in.nz + k)};
+        Group group;
+        group.at = seen_from_eye(job, any_mistake, p, n);
+        if (partial_sums) {
+            const ColorBlock& from = partial_sums[i * GLINT_LANES / block_size];
+            group.sum = {load<Wide>(from.r + k), load<Wide>(from.g + k), load<Wide>(from.b + k)};
+        } else {
+            group.sum = begin_sum(job, group.at);
+        }
+        slots[i].group = group;
+    }
+    for (std::size_t l = 0; l < job.light_count; ++l) {
+        const auto add = [&](const LightAt<Wide>& light) {
+            const LightColors<Wide> reflected = colors_on(material, light);
+            // Software pipelining, depth 1: starts group i's square root and divisions, then finishes the
+            // group before. The processor alone looks ahead no farther than a group or two.
+            std::size_t behind = count;
+            LightVector<Wide> towards_behind;
+            Attenuation<Wide> attenuation_behind;
+            const auto finish = [&] {
+                Group& group = slots[behind].group;
+                add_light(group.sum, equation, light,
+                          illuminate<any_mistake>(equation, light, material, reflected, towards_behind,
+                                                  attenuation_behind, group.at));
+            };
+            for (std::size_t i = 0; i < count; ++i) {
+                if (l == 0) prefetch_next(points, partial_sums, i);
+                const LightVector<Wide> towards = light_vector(light, slots[i].group.at);
+                if (!may_add(equation, light, towards)) continue;
+                const Attenuation<Wide> begins = attenuation(light, towards);
+                if (behind < count) finish();
+                behind = i;
+                towards_behind = towards;
+                attenuation_behind = begins;
+            }
+            if (behind < count) finish();
+        };
+        // Three specialised copies of the loop: any light, a plain point light, a plain directional light.
+        LightAt<Wide> light = light_at<Wide>(job.lights[l]);
+        if (any_mistake || light.has_cone || light.is_patch || light.has_ambient) {
+            add(light);
+        } else if (job.lights[l].w > 0) {
+            light.w = Wide(1);
+            light.has_cone = light.is_patch = light.has_ambient = false;
+            add(light);
+        } else {
+            light.w = Wide(0);
+            light.has_cone = light.is_patch = light.has_ambient = light.has_falloff = false;
+            add(light);
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        ColorBlock& out = colors[i * GLINT_LANES / block_size];
+        const std::size_t k = i * GLINT_LANES % block_size;
+        store_colors(out, k, end_sum(job, slots[i].group.sum));
+    }
+}
+
+template <Reflection model, bool any_mistake>
+static void light_as(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
+                     ColorBlock* colors, std::size_t blocks) {
+    for (std::size_t i = 0; i < blocks; i += batch_size)
+        light_batch<model, any_mistake>(job, points + i, partial_sums ? partial_sums + i : nullptr,
+                                        colors + i, i + batch_size < blocks ? batch_size : blocks - i);
+}
+
+/// Finds the job's model among the models from number `model` on.
+template <bool any_mistake, int model = 0>
+static void light_with(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
+                       ColorBlock* colors, std::size_t blocks) {
+    if constexpr (model < reflection_count) {
+        constexpr auto candidate = static_cast<Reflection>(model);
+        if (job.model == candidate)
+            return light_as<candidate, any_mistake>(job, points, partial_sums, colors, blocks);
+        light_with<any_mistake, model + 1>(job, points, partial_sums, colors, blocks);
+    }
+}
+
+static void light(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
+                  ColorBlock* colors, std::size_t blocks) {
+    if (job.any_mistake) return light_with<true>(job, points, partial_sums, colors, blocks);
+    light_with<false>(job, points, partial_sums, colors, blocks);
+}
+
+GLINT_FLATTEN static std::uint16_t find_lit(const LightSource& source, const BoundsBlock& b) {
+    const LightAt<Wide> light = light_at<Wide>(source);
+    if (light.has_ambient) return 0xFFFF;
+    unsigned behind = 0;
+    for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
+        const GroupBounds<Wide> bounds{{load<Wide>(b.x + k), load<Wide>(b.y + k), load<Wide>(b.z + k)},
+                                       load<Wide>(b.radius + k),
+                                       {load<Wide>(b.nx + k), load<Wide>(b.ny + k), load<Wide>(b.nz + k)},
+                                       load<Wide>(b.spread + k)};
+        behind |= mask_bits(certainly_behind(light, bounds)) << k;
+    }
+    return static_cast<std::uint16_t>(~behind);
+}
+
+template <bool any_mistake>
+GLINT_FLATTEN static void encode_with(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba,
+                                      std::size_t blocks) {
+    for (std::size_t i = 0; i < blocks; ++i) {
+        for (std::size_t k = 0; k < block_size; k += GLINT_LANES) {
+            const auto byte = [&job](const float* linear) {
+                if constexpr (any_mistake)
+                    return wrapped_byte_of(mistakenly_displayed(job, load<Wide>(linear)));
+                else
+                    return byte_of(displayed(job, load<Wide>(linear)));
+            };
+            const auto r = byte(colors[i].r + k), g = byte(colors[i].g + k), b = byte(colors[i].b + k);
+            store_ints(rgba + i * block_size + k, r | g << 8 | b << 16 | opaque);
+        }
+    }
+}
+
+static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks) {
+    if (job.any_mistake()) return encode_with<true>(job, colors, rgba, blocks);
+    encode_with<false>(job, colors, rgba, blocks);
+}
+
+/// The colours of the lit points with these numbers.
+template <Number F> Vec3<F> colors_of(const ColorRecord* points, const std::uint32_t* number) {
+    const Columns<F> color = gather_transposed<F>(points, number, sizeof(ColorRecord));
+    return {color.a, color.b, color.c};
+}
+
+/// Gouraud shading: the colour of a pixel is the sum of its corners' colours, each times its weight. `each`
+/// corners (lit points) a pixel, whose numbers and weights lie 16 side by side.
+template <Number F>
+Vec3<F> blended_colors(const ColorRecord* points, const std::uint32_t* number, const float* weight,
+                       int each) {
+    Vec3<F> sum;
+    for (int k = 0; k < each; ++k, number += block_size, weight += block_size)
+        sum = add_weighted(sum, load<F>(weight), colors_of<F>(points, number));
+    return sum;
+}
+
+GLINT_FLATTEN static void blend_groups(const ColorRecord* points, const std::uint32_t* numbers,
+                                       const float* weights, int each, ColorBlock* colors,
+                                       std::size_t groups) {
+    for (std::size_t i = 0; i < groups; ++i) {
+        const std::size_t first = i * static_cast<std::size_t>(each) * block_size;
+        for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
+            store_colors(colors[i], k,
+                         blended_colors<Wide>(points, numbers + first + k, weights + first + k, each));
+    }
+}
+
+GLINT_FLATTEN static void pick_groups(const ColorRecord* points, const std::uint32_t* numbers,
+                                      ColorBlock* colors, std::size_t groups) {
+    for (std::size_t i = 0; i < groups; ++i)
+        for (std::size_t k = 0; k < block_size; k += GLINT_LANES)
+            store_colors(colors[i], k, colors_of<Wide>(points, numbers + i * block_size + k));
+}
+
+#define GLINT_TEXT_(name) #name
+#define GLINT_TEXT(name) GLINT_TEXT_(name)
+extern const ColorKernels colors;
+const ColorKernels colors{GLINT_TEXT(GLINT_ISA), {light, encode}, {find_lit, blend_groups, pick_groups}};
+
+}  // namespace glint::inline GLINT_ISA

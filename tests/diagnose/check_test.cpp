@@ -1,0 +1,260 @@
+// Wrong buffers are named by what they are instead.
+#include "diagnose/check/check.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "renderer/renderer.h"
+#include "tests/diagnose/wrong_pictures.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+/// A turned and squashed torus before a camera that stands aside.
+SceneDocument torus_scene() {
+    SceneDocument document;
+    Scene& scene = document.scene;
+    scene.camera.eye = {2, 1.5f, 3};
+    scene.lights = assorted_lights();
+    Object torus = object_of(primitive(Primitive::Torus, 48));
+    torus.transform = {{0.2f, 0.1f, 0}, {20, 30, 40}, {1, 0.6f, 0.8f}};
+    scene.objects = {torus};
+    return document;
+}
+
+/// What a wrong program has at a pixel in place of the right number.
+using Change = std::function<glm::dvec3(glm::dvec3 right, const Explanation& e)>;
+
+/// The buffers of a right program, and where they come from.
+class RightBuffers {
+  public:
+    explicit RightBuffers(SceneDocument document) : document_(std::move(document)) {
+        Renderer renderer(1);
+        (void)renderer.render(document_.scene, diagnosed_size, true);
+        buffers_ = pixel_buffers(renderer, document_.scene, diagnosed_size, buffer_names(document_.scene));
+        for (int y = 0; y < diagnosed_size.height; ++y)
+            for (int x = 0; x < diagnosed_size.width; ++x)
+                if (renderer.object_at(x, y) >= 0)
+                    surface_.emplace_back(diagnosed_size.index(x, y), renderer.explain(x, y));
+    }
+
+    /// What is said of one buffer whose numbers were changed so wherever a surface shows.
+    [[nodiscard]] std::string found_in(const std::string& name, const Change& change) const {
+        std::vector<PixelBuffer> buffers = buffers_;
+        for (PixelBuffer& b : buffers) {
+            if (b.name != name) continue;
+            for (const auto& [pixel, explanation] : surface_) {
+                float* const at = &b.picture.linear[3 * pixel];
+                const glm::vec3 changed(change(glm::vec3(at[0], at[1], at[2]), explanation));
+                for (int c = 0; c < 3; ++c) at[c] = changed[c];
+            }
+        }
+        const BufferCheck check = check_buffers(document_, buffers, 1);
+        if (!check.differs) return "nothing";
+        CHECK(check.differs->name == name);
+        return check.differs->found;
+    }
+
+  private:
+    SceneDocument document_;
+    std::vector<PixelBuffer> buffers_;
+    std::vector<std::pair<std::size_t, Explanation>> surface_;  // pixels
+};
+
+/// What is said in the torus's scene, when the change does not depend on the pixel.
+std::string found_in(const std::string& name, const std::function<glm::dvec3(glm::dvec3)>& change) {
+    static const RightBuffers torus(torus_scene());
+    return torus.found_in(name, [&](glm::dvec3 right, const Explanation&) { return change(right); });
+}
+
+bool says(const std::string& found, const std::string& words) {
+    INFO(found);
+    return found.find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("right buffers agree", "[diagnose][check]") {
+    CHECK(found_in("normal", [](glm::dvec3 n) { return n; }) == "nothing");
+    for (const double off : {0.005, -0.005})  // seen, and too little to be another reading
+        CHECK(found_in("position", [off](glm::dvec3 p) { return p + off; }) ==
+              "ours but for small differences");
+    CHECK(found_in("position", [](glm::dvec3 p) { return p + 0.2; }).empty());
+}
+
+TEST_CASE("vectors in another frame are named by the transform that is missing", "[diagnose][check]") {
+    const Scene scene = torus_scene().scene;
+    const glm::dmat4 world_from_camera = world_from_view(scene.camera);
+    const glm::dmat4 object_from_world = glm::inverse(world_from_object(scene.objects[0].transform));
+    const glm::dmat4 clip = clip_from_view(scene.camera.projection, diagnosed_size);
+    const glm::dmat3 camera_turn(world_from_camera);
+    CHECK(
+        says(found_in("normal", [&](glm::dvec3 n) { return camera_turn * n; }), "left in world coordinates"));
+    CHECK(says(found_in("normal", [](glm::dvec3 n) { return -n; }), "turned round"));
+    CHECK(says(found_in("normal", [](glm::dvec3 n) { return 2.5 * n; }), "ours, not of length 1"));
+    // A normal of the object is a row vector times the matrix of the points: n M, made unit.
+    const glm::dmat3 model(world_from_object(scene.objects[0].transform));
+    const auto of_object = [&](glm::dvec3 n) { return glm::normalize((camera_turn * n) * model); };
+    CHECK(says(found_in("normal", of_object), "left in object coordinates"));
+    CHECK(says(found_in("normal", [&](glm::dvec3 n) { return glm::normalize(glm::dmat3(clip) * n); }),
+               "clip coordinates"));
+    CHECK(says(found_in("normal",
+                        [&](glm::dvec3 n) {
+                            return glm::normalize(glm::transpose(camera_turn) * (model * of_object(n)));
+                        }),
+               "in place of its inverse transpose"));
+    const auto world = [&](glm::dvec3 p) { return glm::dvec3(world_from_camera * glm::dvec4(p, 1)); };
+    CHECK(says(found_in("position", world), "left in world coordinates"));
+    CHECK(
+        says(found_in("position",
+                      [&](glm::dvec3 p) { return glm::dvec3(object_from_world * glm::dvec4(world(p), 1)); }),
+             "left in object coordinates"));
+    CHECK(says(found_in("position", [&](glm::dvec3 p) { return glm::dvec3(clip * glm::dvec4(p, 1)); }),
+               "clip coordinates, not divided by w"));
+    CHECK(says(found_in("position", [&](glm::dvec3 p) { return glm::transpose(camera_turn) * world(p); }),
+               "translation is missing"));
+    CHECK(says(found_in("depth", [](glm::dvec3 d) { return -d; }), "turned round"));
+}
+
+TEST_CASE("a view that is the same everywhere and was turned round is so, not in clip coordinates",
+          "[diagnose][check]") {
+    SceneDocument document = torus_scene();
+    document.scene.shading.local_viewer = false;
+    CHECK(RightBuffers(document).found_in("view", [](glm::dvec3 v, const Explanation&) { return -v; }) ==
+          "ours, and turned round");
+}
+
+TEST_CASE("a term that is a multiple is named by its factor, and what nothing explains by nothing",
+          "[diagnose][check]") {
+    CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 4.0; }) == "ours times 0.25");
+    CHECK(found_in("normal", [](glm::dvec3 n) { return glm::dvec3(n.y * n.y, n.x, 0.3); }).empty());
+}
+
+TEST_CASE("small numbers of another term are not taken for a multiple of the right ones",
+          "[diagnose][check]") {
+    static const RightBuffers torus(torus_scene());
+    const auto of_normal = [](glm::dvec3, const Explanation& e) {
+        return 0.006 * glm::abs(glm::dvec3(e.at.normal.camera));
+    };
+    CHECK(torus.found_in("diffuse", of_normal).empty());
+    CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 500.0; }) == "ours times 0.002");
+}
+
+TEST_CASE("what differs in a small part of the picture is named by what that part has", "[diagnose][check]") {
+    // Of the torus's pixels a few in a hundred face away from the light: all others have the same either way.
+    SceneDocument document = torus_scene();
+    Light& light = document.scene.lights[0];
+    light.kind = LightKind::Directional;
+    light.space = LightSpace::Camera;
+    light.position = {0.4f, 0.2f, 1, 0};
+    double negative = 0, all = 0;
+    const std::string found =
+        RightBuffers(document).found_in("n_dot_l_0", [&](glm::dvec3 c, const Explanation&) {
+            all += 1;
+            negative += c.x < 0 ? 1 : 0;
+            return glm::max(c, 0.0);
+        });
+    CHECK(negative / all > 0.01);
+    CHECK(negative / all < 0.03);
+    CHECK(found == "ours, 0 where it is negative");
+}
+
+TEST_CASE("the eye and the light in one frame and the point in another are named",
+          "[diagnose][check][release]") {
+    const SceneDocument document = torus_scene();
+    const Scene& scene = document.scene;
+    const glm::dmat4 world_from_camera = world_from_view(scene.camera);
+    const glm::dmat4 object_from_camera =
+        glm::inverse(world_from_object(scene.objects[0].transform)) * world_from_camera;
+    const glm::dmat4 clip_from_camera = clip_from_view(scene.camera.projection, diagnosed_size);
+    const std::pair<std::string, glm::dmat4> frames[] = {{"object coordinates", object_from_camera},
+                                                         {"world coordinates", world_from_camera},
+                                                         {"camera coordinates", glm::dmat4(1)},
+                                                         {"clip coordinates", clip_from_camera}};
+    const auto in = [](const glm::dmat4& frame, glm::dvec3 point) {
+        return glm::dvec3(frame * glm::dvec4(point, 1));
+    };
+    // The lamp is at a place; where it is in camera coordinates is worked out from the scene.
+    REQUIRE(scene.lights[2].kind == LightKind::Spot);
+    REQUIRE(scene.lights[2].space == LightSpace::World);
+    const glm::dvec3 light = in(glm::inverse(world_from_camera), glm::vec3(scene.lights[2].position));
+    const RightBuffers right(document);
+    for (const auto& [head_name, head] : frames)
+        for (const auto& [point_name, point] : frames) {
+            if (head_name == point_name && head_name == "camera coordinates") continue;
+            const auto wrong = [&in, from = head, to = point](glm::dvec3 from_head) {
+                return [&in, from, to, from_head](glm::dvec3, const Explanation& e) {
+                    return glm::normalize(in(from, from_head) - in(to, e.at.point.camera));
+                };
+            };
+            const std::string view = right.found_in("view", wrong(glm::dvec3(0)));
+            const std::string to_light = right.found_in("l_2", wrong(light));
+            if (head_name == point_name) {
+                CHECK(says(view, head_name));
+                CHECK(says(to_light, head_name));
+            } else {
+                CHECK(
+                    says(view, fmt::format("from the point in {} to the eye in {}", point_name, head_name)));
+                CHECK(says(to_light,
+                           fmt::format("from the point in {} to the light in {}", point_name, head_name)));
+            }
+        }
+}
+
+TEST_CASE("a cosine of a normal and a light in different frames is named", "[diagnose][check][release]") {
+    const SceneDocument document = torus_scene();
+    const Scene& scene = document.scene;
+    const glm::dmat3 world_from_camera(world_from_view(scene.camera));
+    const glm::dmat3 object_from_world =
+        glm::inverse(glm::dmat3(world_from_object(scene.objects[0].transform)));
+    const glm::dmat3 clip(clip_from_view(scene.camera.projection, diagnosed_size));
+    // Normals are row vectors times the matrices of points.
+    const auto normals = [&](glm::dvec3 n) {
+        return std::vector<std::pair<std::string, glm::dvec3>>{
+            {"object", glm::normalize((world_from_camera * n) * glm::inverse(object_from_world))},
+            {"world", world_from_camera * n},
+            {"camera", n},
+            {"clip", glm::normalize(clip * n)}};
+    };
+    const auto directions = [&](glm::dvec3 l) {
+        return std::vector<std::pair<std::string, glm::dvec3>>{
+            {"object", glm::normalize(object_from_world * world_from_camera * l)},
+            {"world", world_from_camera * l},
+            {"camera", l},
+            {"clip", glm::normalize(clip * l)}};
+    };
+    const RightBuffers right(document);
+    for (std::size_t n = 0; n < 4; ++n)
+        for (std::size_t l = 0; l < 4; ++l) {
+            if ((n == 1 || n == 2) && n == l) continue;  // a rotation of both changes nothing
+            const std::string found = right.found_in("n_dot_l_0", [&](glm::dvec3, const Explanation& e) {
+                return glm::dvec3(glm::dot(normals(e.at.normal.camera)[n].second,
+                                           directions(e.at.lights[0].l.camera)[l].second));
+            });
+            CHECK(says(found, "of n in " + normals({0, 0, 1})[n].first + " coordinates and l in " +
+                                  directions({0, 0, 1})[l].first + " coordinates"));
+        }
+}
+
+TEST_CASE("what corners hand on is read at the corners", "[diagnose][check][release]") {
+    SceneDocument document = torus_scene();
+    document.scene.shading.mode = ShadingMode::Gouraud;
+    const glm::dmat3 world_from_camera(world_from_view(document.scene.camera));
+    const auto left_in_world = [&](glm::dvec3 l, const Explanation&) { return world_from_camera * l; };
+    const RightBuffers right(document);
+    CHECK(says(right.found_in("l_0", left_in_world), "left in world coordinates"));
+    const auto absolute = [](glm::dvec3, const Explanation& e) {
+        double sum = 0;
+        for (const ExplainedCorner& c : e.corners)
+            sum += double(c.weight) * double(std::abs(c.at.lights[2].n_dot_l));
+        return glm::dvec3(sum);
+    };
+    CHECK(says(right.found_in("n_dot_l_2", absolute), "without its sign"));
+}

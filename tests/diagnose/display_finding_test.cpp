@@ -1,0 +1,384 @@
+// What is not a mistake of lighting is found and named: turned over, exchanged, brightened, encoded, shifted.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "diagnose/diagnose.h"
+#include "diagnose/diagnosis_format.h"
+#include "diagnose/other_aspect.h"
+#include "diagnose/search/undone.h"
+#include "tests/diagnose/wrong_pictures.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+SceneDocument bright_scene() {
+    SceneDocument document = diagnosed_scene(2);
+    document.scene.display.background = {0.3f, 0.1f, 0.5f};
+    return document;
+}
+
+DisplayFinding finding_of(const SceneDocument& document, const Picture& picture) {
+    const Diagnosis d = diagnosed(document, picture);
+    CHECK(d.verdict == Verdict::NoMistake);
+    return d.display;
+}
+
+Picture exchanged(Picture picture) {
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) std::swap(picture.rgba[i], picture.rgba[i + 2]);
+    return picture;
+}
+
+/// The mean of each pixel and those above, at the left, and above that: half a pixel further down and right.
+Picture shifted(const Picture& picture) {
+    Picture moved = picture;
+    for (int y = 1; y < picture.size.height; ++y)
+        for (int x = 1; x < picture.size.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c) {
+                int sum = 2;
+                for (const auto& [u, v] : {std::pair{x, y}, {x - 1, y}, {x, y - 1}, {x - 1, y - 1}})
+                    sum += int{picture.rgba[4 * picture.pixel(u, v) + c]};
+                moved.rgba[4 * picture.pixel(x, y) + c] = static_cast<std::uint8_t>(sum / 4);
+            }
+    return moved;
+}
+
+/// Each pixel the mean of its 3 x 3.
+Picture blurred(const Picture& picture) {
+    Picture soft = picture;
+    for (int y = 1; y + 1 < picture.size.height; ++y)
+        for (int x = 1; x + 1 < picture.size.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c) {
+                int sum = 4;
+                for (int v = y - 1; v <= y + 1; ++v)
+                    for (int u = x - 1; u <= x + 1; ++u)
+                        sum += int{picture.rgba[4 * picture.pixel(u, v) + c]};
+                soft.rgba[4 * picture.pixel(x, y) + c] = static_cast<std::uint8_t>(sum / 9);
+            }
+    return soft;
+}
+
+/// Every pixel is that of its left neighbour.
+Picture one_to_the_right(const Picture& picture) {
+    Picture moved = picture;
+    for (int y = 0; y < picture.size.height; ++y)
+        for (int x = 1; x < picture.size.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                moved.rgba[4 * picture.pixel(x, y) + c] = picture.rgba[4 * picture.pixel(x - 1, y) + c];
+    return moved;
+}
+
+}  // namespace
+
+TEST_CASE("turning over and exchanging colours is found", "[diagnose]") {
+    const SceneDocument document = bright_scene();
+    const Picture right = picture_under(document.scene, {});
+    CHECK(finding_of(document, right).change == DisplayChange{});
+    DisplayChange expected;
+    expected.upside_down = true;
+    CHECK(finding_of(document, turned_over(right, true, false)).change == expected);
+    expected.mirrored = true;
+    CHECK(finding_of(document, turned_over(right, true, true)).change == expected);
+    expected = {};
+    expected.red_blue = true;
+    CHECK(finding_of(document, exchanged(right)).change == expected);
+}
+
+TEST_CASE("a gain and an encoding are found together", "[diagnose]") {
+    const SceneDocument document = bright_scene();
+    const Picture right = picture_under(document.scene, {});
+    CHECK(finding_of(document, through(right, [](double x) { return 0.7 * x; })).change.gain ==
+          Approx(0.7).epsilon(0.01));
+    // An encoding too many has a name in the catalogue; what is left is the gain.
+    const Diagnosis both =
+        diagnosed(document, through(right, [](double x) { return srgb_of_linear(0.6 * x); }));
+    REQUIRE(both.verdict == Verdict::Mistake);
+    CHECK(name_of(both.candidates[0].mistakes) == "encoded_twice");
+    const DisplayChange& left = both.display.change;
+    CAPTURE(left.encodings(), left.gain, static_cast<int>(left.before), static_cast<int>(left.after));
+    CHECK(left.encodings() == 0);
+    CHECK(std::pow(left.gain, left.after == Code::Same ? 2.4f : 1.0f) == Approx(0.6).epsilon(0.1));
+    Scene encoded = document.scene;
+    encoded.display.transfer = Transfer::Srgb;
+    SceneDocument srgb;
+    srgb.scene = encoded;
+    CHECK(finding_of(srgb, right).change.encodings() == -1);
+}
+
+namespace {
+
+/// A shipped scene's picture at that exposure.
+Picture exposed(const SceneDocument& document, float exposure, PictureSize size, int samples = 1) {
+    Scene scene = document.scene;
+    scene.display.exposure = exposure;
+    Renderer renderer(1);
+    return renderer.render(scene, size, false, samples);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a gain that explains the background, too, is believed before a mistake that needs another background",
+    "[diagnose]") {
+    const SceneDocument document = shipped("red-light-on-green.json");  // two lights: half is their average
+    const Diagnosis d = diagnosed(document, exposed(document, 0.5f, {160, 120}));
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.change.gain == Approx(0.5).epsilon(0.01));
+    CHECK_FALSE(d.display.background);
+}
+
+TEST_CASE("of a gain of light and one of levels, which both are within rounding, the nearer one is told",
+          "[diagnose]") {
+    SceneDocument document = shipped("default.json");
+    document.scene.display.transfer = Transfer::Srgb;
+    const Diagnosis d = diagnosed(document, exposed(document, 1.3f, {200, 150}));
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.change.gain == Approx(1.3).epsilon(0.01));  // as a gain of levels it would be 1.13
+}
+
+TEST_CASE("a background that the mistake itself changes is not another background", "[diagnose]") {
+    const SceneDocument document = shipped("bulb.json");
+    Scene scene = document.scene;
+    scene.shading.mistakes.encoded_twice = true;
+    const Diagnosis d = diagnosed(document, Renderer(1).render(scene, {160, 120}));
+    REQUIRE(d.verdict == Verdict::Mistake);
+    CHECK(name_of(d.candidates[0].mistakes) == "encoded_twice");
+    CHECK_FALSE(d.display.background);
+}
+
+TEST_CASE("hard edges stay hard in a darker picture, and smooth ones need no mistake", "[diagnose]") {
+    const SceneDocument ball = shipped("default.json");
+    CHECK_FALSE(finding_of(ball, exposed(ball, 0.6f, {100, 75})).smooth_edges);
+    // Where much is clamped, what is darker was any brightness before.
+    const SceneDocument spot = shipped("light-behind-ball.json");
+    const Diagnosis d = diagnosed(spot, exposed(spot, 0.8f, {200, 150}, 4));
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.smooth_edges);
+}
+
+TEST_CASE(
+    "the pixel that decides has what the mistake shows there, also where the picture was clamped before",
+    "[diagnose]") {
+    for (const auto& [name, mistake] : {std::pair("mirror-vector.json", &Mistakes::shininess_inverted),
+                                        std::pair("spot-cone.json", &Mistakes::aim_stays_at_origin)}) {
+        CAPTURE(name);
+        SceneDocument document = shipped(name);
+        SceneDocument wrong = document;
+        wrong.scene.shading.mistakes.*mistake = true;
+        const Diagnosis d = diagnosed(document, exposed(wrong, 0.6f, {200, 150}));
+        REQUIRE(d.verdict == Verdict::Mistake);
+        const Candidate& c = d.candidates[0];
+        CHECK(c.residual < 0.01);
+        int off = 0, off_right = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            off = std::max(off, std::abs(int{c.mine[i]} - int{c.as_mistaken[i]}));
+            off_right = std::max(off_right, std::abs(int{c.mine[i]} - int{c.reference[i]}));
+        }
+        CHECK(off <= 1);
+        CHECK(off_right > 20);
+    }
+}
+
+TEST_CASE("looking for two mistakes finds what explains the picture without them", "[diagnose]") {
+    const SceneDocument document = shipped("mach-bands.json");
+    DiagnosisOptions options;
+    options.pairs = true;
+    const Diagnosis d = diagnose(document, exposed(document, 0.85f, {200, 150}), options);
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.change.gain == Approx(0.85).epsilon(0.01));
+    const SceneDocument sun = shipped("sun.json");
+    SceneDocument flipped = sun;
+    flipped.scene.shading.mistakes.some_faces_flipped = true;
+    const Diagnosis one = diagnose(sun, exposed(flipped, 0.85f, {200, 150}), options);
+    REQUIRE(one.verdict == Verdict::Mistake);
+    CHECK(name_of(one.candidates[0].mistakes) == "some_faces_flipped");
+}
+
+TEST_CASE("another background, smooth edges and half a pixel's shift are found", "[diagnose]") {
+    const SceneDocument document = bright_scene();
+    const Picture right = picture_under(document.scene, {});
+    CHECK_FALSE(finding_of(document, right).background);
+    CHECK_FALSE(finding_of(document, right).smooth_edges);
+    Scene green = document.scene;
+    green.display.background = {0, 1, 0};
+    CHECK(finding_of(document, picture_under(green, {})).background == Rgb{0, 255, 0});
+    Renderer renderer(1);
+    CHECK(finding_of(document, renderer.render(document.scene, diagnosed_size, false, 8)).smooth_edges);
+    const DisplayFinding moved = finding_of(document, shifted(right));
+    CHECK(moved.shift.x == Approx(0.5).margin(0.15));
+    CHECK(moved.shift.y == Approx(0.5).margin(0.15));
+    CHECK_FALSE(moved.smoothed);
+}
+
+TEST_CASE("a picture that is moved by a whole pixel is shifted, and one that is blurred is smoothed",
+          "[diagnose]") {
+    const SceneDocument document = bright_scene();
+    const Picture right = picture_under(document.scene, {});
+    const Diagnosis moved = diagnosed(document, one_to_the_right(right));
+    CHECK(moved.display.shift.x == Approx(1).margin(0.3));
+    CHECK(moved.display.shift.y == 0);
+    CHECK_FALSE(moved.display.smoothed);
+    const DisplayFinding soft = finding_of(document, blurred(right));
+    CHECK(soft.smoothed);
+    CHECK(soft.shift == glm::vec2(0));
+}
+
+TEST_CASE("a shift is measured to its end, and not to where a plane would have led", "[diagnose][release]") {
+    const SceneDocument document = shipped("still-life.json");
+    Renderer renderer(1);
+    const Picture right = renderer.render(document.scene, {160, 90});
+    Picture picture = through(right, [](double x) { return 0.95 * x; });
+    for (int pixels = 1; pixels <= 3; ++pixels) {
+        picture = one_to_the_right(picture);
+        const Diagnosis d = diagnosed(document, picture);
+        INFO(pixels);
+        CHECK(d.display.shift.x == Approx(pixels).margin(0.1));
+        CHECK(std::abs(d.display.shift.y) < 0.1f);
+    }
+}
+
+TEST_CASE("strokes that reach over the background are neither another background nor another outline",
+          "[diagnose]") {
+    SceneDocument document = bright_scene();
+    document.scene.npr.silhouettes = true;
+    document.scene.npr.stroke_width_px = 12;
+    Renderer renderer(1);
+    const std::vector<PixelKind> kinds = [&] {
+        (void)renderer.render(document.scene, diagnosed_size);
+        return pixel_kinds(renderer, diagnosed_size);
+    }();
+    const Picture right = picture_under(document.scene, {});
+    const Rgb background = rgb_at(right, 0);
+    std::size_t bare = 0, covered = 0;  // of what shows no surface
+    for (int y = 0; y < diagnosed_size.height; ++y)
+        for (int x = 0; x < diagnosed_size.width; ++x) {
+            const std::size_t i = diagnosed_size.index(x, y);
+            if (renderer.object_at(x, y) < 0) (rgb_at(right, i) == background ? bare : covered) += 1;
+            if (kinds[i] == PixelKind::Background) CHECK(rgb_at(right, i) == background);
+        }
+    REQUIRE(covered > bare / 50);  // else they would not count as another outline
+    const Diagnosis same = diagnosed(document, right);
+    CHECK(same.verdict == Verdict::NoMistake);
+    CHECK(count_of(same.pixels, PixelKind::Background).unlike == 0);
+    CHECK_FALSE(same.display.background);
+
+    Scene unexplained = document.scene;  // a material of the scene is another, and a mistake is made
+    unexplained.objects[0].material.diffuse = {0.1f, 0.9f, 0.3f};
+    unexplained.objects[0].material.shininess = 3;
+    const Diagnosis other =
+        diagnosed(document, picture_under(unexplained, {place_of("normals_left_in_world")}));
+    INFO(other.why);
+    CHECK(other.verdict != Verdict::NotComparable);
+}
+
+TEST_CASE("how much of a picture only softness explains is counted, and said where it might hide a highlight",
+          "[diagnose]") {
+    const SceneDocument document = shipped("every-term.json");
+    Renderer renderer(1);
+    const PictureSize size{160, 90};
+    const Picture right = renderer.render(document.scene, size);
+    const std::vector<PixelKind> kinds = pixel_kinds(renderer, size);
+    const Picture picture = one_to_the_right(right);
+    std::uint64_t pixels = 0;
+    int most = 0;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (kinds[i] != PixelKind::Surface) continue;
+        int off = 0;
+        for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
+            off = std::max(off, std::abs(int{right.rgba[c]} - int{picture.rgba[c]}));
+        pixels += off > 2 ? 1 : 0;
+        most = std::max(most, off);
+    }
+    const Diagnosis d = diagnosed(document, picture);
+    CHECK(d.verdict == Verdict::NoMistake);
+    CHECK(d.display.softened == pixels);
+    CHECK(d.display.softened_most == most);
+    const std::string text = diagnosis_text(d, document.scene);
+    CHECK(text.find(fmt::format("within surfaces by up to {} levels in {} pixels", most, pixels)) !=
+          std::string::npos);
+    CHECK(text.find("A small highlight that is lit differently") != std::string::npos);
+    CHECK(diagnosis_text(diagnosed(document, right), document.scene).find("highlight") == std::string::npos);
+}
+
+TEST_CASE("a highlight of a few pixels that is weaker is not smoothed, and its term is told", "[diagnose]") {
+    const SceneDocument document = shipped("every-term.json");
+    Scene dimmed = document.scene;
+    dimmed.lights[0].specular = glm::vec3(0.3f);
+    Renderer renderer(1);
+    const Diagnosis d = diagnosed(document, renderer.render(dimmed, {160, 90}));
+    CHECK(d.verdict == Verdict::NotInCatalogue);
+    REQUIRE_FALSE(d.terms.empty());
+    CHECK(d.terms[0].term == "specular");
+    CHECK(d.terms[0].light == 0);
+    CHECK(d.terms[0].factor == Approx(0.3).margin(0.02));
+}
+
+TEST_CASE("a picture at another aspect is not comparable, and which aspect is said", "[diagnose]") {
+    SceneDocument document = bright_scene();
+    Renderer renderer(1);
+    const Picture wide = renderer.render(document.scene, {320, 180});
+    Picture squeezed{diagnosed_size, std::vector<std::uint8_t>(4 * diagnosed_size.pixels(), 255), {}};
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                squeezed.rgba[4 * squeezed.pixel(x, y) + c] = wide.rgba[4 * wide.pixel(2 * x, y * 3 / 2) + c];
+    const Diagnosis d = diagnosed(document, squeezed);
+    CHECK(d.verdict == Verdict::NotComparable);
+    INFO(d.why);
+    CHECK(d.why.find("16:9") != std::string::npos);
+    CHECK(d.candidates.empty());
+}
+
+TEST_CASE("a picture of any aspect is compared at a size that can be drawn", "[diagnose]") {
+    const SceneDocument document = bright_scene();
+    for (const PictureSize size : {PictureSize{4400, 16}, PictureSize{16, 4400}, PictureSize{2600, 8}}) {
+        Picture noise{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
+        std::uint32_t state = 1;
+        for (std::uint8_t& byte : noise.rgba)
+            byte = static_cast<std::uint8_t>((state = state * 1664525 + 1013904223) >> 24);
+        Renderer renderer(2);
+        CHECK_NOTHROW((void)other_aspect(renderer, document.scene, noise));
+    }
+}
+
+TEST_CASE("what happened at the display is undone", "[diagnose]") {
+    // By hand: a row of two pixels, mirrored, red and blue exchanged, twice as bright.
+    const Picture wrong{{2, 1}, {20, 40, 60, 255, 100, 120, 140, 255}, {}};
+    DisplayChange change;
+    change.mirrored = change.red_blue = true;
+    change.gain = 2;
+    CHECK(undone(wrong, change).rgba == std::vector<std::uint8_t>{70, 60, 50, 255, 30, 20, 10, 255});
+    CHECK(undone(wrong, {}).rgba == wrong.rgba);
+}
+
+TEST_CASE("a byte may have become what the display's steps make of it", "[diagnose]") {
+    DisplayChange encoded;
+    encoded.before = Code::Encoded;
+    // Linear 0.5 is 0.7354 encoded, level 187.5; its neighbours half a level away give 187.4 and 187.6.
+    CHECK(byte_ranges(encoded)[128].middle == Approx(188.0).margin(0.6));
+    CHECK(byte_ranges(encoded)[0].low <= 0);
+    CHECK(byte_ranges(DisplayChange{})[77].distance(80) == 3);
+    DisplayChange dimmed;
+    dimmed.gain = 0.5f;
+    CHECK(byte_ranges(dimmed)[100].distance(50) == 0);
+    CHECK(byte_ranges(dimmed)[100].distance(53) > 2);
+    CHECK(byte_ranges(dimmed)[255].distance(200) == 0);  // what was clamped may have been brighter
+}
+
+TEST_CASE("a term that is wrong and in no catalogue is found where it lives", "[diagnose]") {
+    SceneDocument document = bright_scene();
+    document.scene.lights = {assorted_lights()[0]};
+    document.scene.global_ambient = glm::vec3(0.05f);
+    Scene wrong = document.scene;
+    wrong.lights[0].diffuse *= 0.5f;
+    const Diagnosis d = diagnosed(document, picture_under(wrong, {}));
+    CHECK(d.verdict == Verdict::NotInCatalogue);
+    REQUIRE_FALSE(d.terms.empty());
+    CHECK(d.terms[0].term == "diffuse");
+    CHECK(d.terms[0].light == 0);
+    CHECK(d.terms[0].factor == Approx(0.5).margin(0.03));
+    CHECK(diagnosis_text(d, document.scene).find("the diffuse term of Sun") != std::string::npos);
+}

@@ -1,0 +1,370 @@
+// Pictures that no mistake made: of one colour, of another scene in flat colours, cut off or darkened in
+// part. A diagnosis does not guess.
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/diagnose.h"
+#include "diagnose/diagnosis_format.h"
+#include "diagnose/diagnosis_table.h"
+#include "diagnose/search/noise.h"
+#include "tests/diagnose/wrong_pictures.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+Picture right_of(const SceneDocument& document, PictureSize size) {
+    Renderer renderer(1);
+    return renderer.render(document.scene, size);
+}
+
+void fill(Picture& picture, std::uint8_t level) {
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        if (i % 4 != 3) picture.rgba[i] = level;
+}
+
+/// A disc of one colour before the colour of the scene's background.
+Picture disc(PictureSize size, std::uint8_t level) {
+    Picture picture{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const bool inside = (x - size.width / 2) * (x - size.width / 2) + (y - 30) * (y - 30) < 400;
+            const Rgb colour = inside ? Rgb{level, level, level} : Rgb{26, 26, 31};
+            for (std::size_t c = 0; c < 3; ++c) picture.rgba[4 * picture.pixel(x, y) + c] = colour[c];
+        }
+    return picture;
+}
+
+}  // namespace
+
+TEST_CASE("a picture of one colour is not comparable, unless the scene has one, too", "[diagnose]") {
+    for (const char* const name : {"sun", "bulb", "cosine-law", "mach-bands"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        Picture picture = right_of(document, {160, 120});
+        for (const int level : {0, 1, 128, 255}) {
+            fill(picture, static_cast<std::uint8_t>(level));
+            const Diagnosis d = diagnosed(document, picture);
+            INFO(name << ", " << level);
+            CHECK(d.verdict == Verdict::NotComparable);
+            CHECK(d.why.find("it has a single colour, (" + std::to_string(level) + ", ") == 0);
+        }
+        picture.rgba[4 * 5000] = 60;  // one pixel is another
+        CHECK(diagnosed(document, picture).why.find("single colour") == std::string::npos);
+    }
+    SceneDocument dark = shipped("sun.json");
+    dark.scene.lights.clear();
+    dark.scene.global_ambient = dark.scene.display.background = glm::vec3(0);
+    Picture picture = right_of(dark, {160, 120});
+    fill(picture, 0);
+    CHECK(diagnosed(dark, picture).verdict == Verdict::NoMistake);
+}
+
+TEST_CASE("a picture of two flat colours has no noise, and is not a mistake of another scene",
+          "[diagnose][release]") {
+    for (const char* const name : {"sun", "every-term", "still-life"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        const Picture right = right_of(document, {320, 180});
+        for (const int level : {40, 50, 70, 109, 200}) {
+            const Picture picture = disc({320, 180}, static_cast<std::uint8_t>(level));
+            INFO(name << ", " << level);
+            CHECK(noise_of(picture, right) == 0);
+            const Verdict verdict = diagnosed(document, picture).verdict;
+            CHECK((verdict == Verdict::NotComparable || verdict == Verdict::NotInCatalogue));
+        }
+    }
+}
+
+TEST_CASE("a small picture that is cut off or darkened in part is not a mistake in fine detail, softened",
+          "[diagnose][release]") {
+    for (const char* const name : {"classic-materials", "shininess-grid", "phong-and-blinn-exponents"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        const Picture right = right_of(document, {240, 180});
+        const auto check = [&](const char* what, const auto& change) {
+            Picture picture = right;
+            for (int y = 0; y < 180; ++y)
+                for (int x = 0; x < 240; ++x)
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        std::uint8_t& level = picture.rgba[4 * picture.pixel(x, y) + c];
+                        level = static_cast<std::uint8_t>(change(level, x, y));
+                    }
+            INFO(name << ", " << what);
+            CHECK(diagnosed(document, picture).verdict != Verdict::Mistake);
+        };
+        check("cut off at 200", [](int level, int, int) { return std::min(level, 200); });
+        check("cut off at 150", [](int level, int, int) { return std::min(level, 150); });
+        check("its right half darkened", [](int level, int x, int) { return x < 120 ? level : level / 2; });
+        check("in stripes", [](int level, int, int y) { return y / 8 % 2 == 0 ? level : level * 3 / 4; });
+    }
+}
+
+namespace {
+
+/// The channel of a picture between its pixels, bilinear; beyond its border as at the border.
+double between(const Picture& picture, double x, double y, std::size_t channel) {
+    const auto at = [&](int u, int v) {
+        u = std::clamp(u, 0, picture.size.width - 1);
+        v = std::clamp(v, 0, picture.size.height - 1);
+        return double(picture.rgba[4 * picture.pixel(u, v) + channel]);
+    };
+    const int u = static_cast<int>(std::floor(x)), v = static_cast<int>(std::floor(y));
+    const double s = x - u, t = y - v;
+    return (1 - t) * ((1 - s) * at(u, v) + s * at(u + 1, v)) +
+           t * ((1 - s) * at(u, v + 1) + s * at(u + 1, v + 1));
+}
+
+/// A picture whose every channel is what `level(x, y, channel)` says, rounded and clamped.
+template <class Level> Picture picture_of(PictureSize size, const Level& level) {
+    Picture picture{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                picture.rgba[4 * picture.pixel(x, y) + c] =
+                    static_cast<std::uint8_t>(std::clamp(std::lround(level(x, y, c)), 0L, 255L));
+    return picture;
+}
+
+}  // namespace
+
+TEST_CASE("a term that was multiplied is said to be so, and is not a mistake beside a gain and a shift",
+          "[diagnose]") {
+    constexpr PictureSize size{320, 180};
+    const auto check = [size](const SceneDocument& document, const SceneDocument& changed,
+                              const std::string& term, int light) {
+        const Diagnosis d = diagnosed(document, right_of(changed, size));
+        CHECK(d.verdict == Verdict::NotInCatalogue);
+        REQUIRE_FALSE(d.terms.empty());
+        CHECK(d.terms[0].term == term);
+        CHECK(d.terms[0].light == light);
+        CHECK(d.terms[0].factor == Approx(0.8).margin(0.02));
+    };
+    const SceneDocument floor = shipped("receding-floor.json"), ball = shipped("glossy-ball.json");
+    SceneDocument darker = floor;
+    darker.scene.global_ambient *= 0.8f;
+    check(floor, darker, "global_ambient", -1);
+    SceneDocument weaker = ball;
+    weaker.scene.lights[0].intensity *= 0.8f;
+    check(ball, weaker, "all", 0);
+}
+
+TEST_CASE("a mistake that brightens all and a gain that darkens it are not believed where most is as it was",
+          "[diagnose]") {
+    // Each light has an ambient share, which one mistake adds twice.
+    const Result<Scene> parsed = parse_scene(R"({"glint": 1,
+        "camera": {"eye": [2, 2.5, 5], "target": [0, 0.3, 0]}, "global_ambient": [0.15, 0.15, 0.15],
+        "lights": [
+            {"type": "directional", "position": [1, 2, 1.5], "diffuse": [0.5, 0.45, 0.4], "specular": [0.5, 0.5, 0.5]},
+            {"type": "point", "position": [-2, 2, 1.5], "diffuse": [0.6, 0.8, 1], "specular": [0.8, 0.9, 1],
+             "intensity": 1.2, "ambient": [0.05, 0.05, 0.05],
+             "falloff": {"constant": 1, "linear": 0.1, "quadratic": 0.15}},
+            {"type": "spot", "position": [1.5, 3.5, 1], "diffuse": [1, 0.6, 0.3], "specular": [1, 0.6, 0.3],
+             "spot": {"direction": [-0.3, -1, -0.2], "cutoff_deg": 25, "exponent": 4},
+             "falloff": {"constant": 1, "linear": 0, "quadratic": 0.05}}],
+        "objects": [
+            {"mesh": {"primitive": "sphere"}, "transform": {"translate": [-1.2, 0.3, 0], "scale": [1, 0.8, 1]},
+             "material": {"ambient": [0.6, 0.2, 0.2], "diffuse": [0.6, 0.2, 0.2], "specular": [0.6, 0.6, 0.6],
+                          "shininess": 40}},
+            {"mesh": {"primitive": "torus"},
+             "transform": {"translate": [1.2, 0.2, 0.3], "rotate_deg": [60, 20, 0], "scale": [0.8, 1.2, 0.8]},
+             "material": {"ambient": [0.2, 0.5, 0.2], "diffuse": [0.2, 0.5, 0.25], "specular": [0.3, 0.3, 0.3],
+                          "shininess": 12}},
+            {"mesh": {"primitive": "plane"}, "transform": {"translate": [0, -0.6, 0], "scale": [4, 1, 4]},
+             "material": {"ambient": [0.5, 0.5, 0.5], "diffuse": [0.5, 0.5, 0.5], "specular": [0.1, 0.1, 0.1],
+                          "shininess": 8}}]})",
+                                             "");
+    SceneDocument document;
+    document.scene = std::get<Scene>(parsed);
+    REQUIRE(problem_of(load_meshes(document.scene, "", "")) == nullptr);
+    SceneDocument changed = document;
+    for (Object& object : changed.scene.objects) object.material.specular *= 0.8f;
+    const Diagnosis d = diagnosed(document, right_of(changed, {320, 240}));
+    CHECK(d.verdict != Verdict::Mistake);
+    CHECK(d.display.change.gain == Approx(1).margin(0.01));
+}
+
+TEST_CASE("highlights of another width are not a right picture that was smoothed", "[diagnose][release]") {
+    for (const char* const name : {"still-life", "phong-and-blinn-exponents", "shininess-grid",
+                                   "wide-angle-balls", "classic-materials"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        SceneDocument narrower = document;
+        for (Object& object : narrower.scene.objects) object.material.shininess *= 1.3f;
+        INFO(name);
+        CHECK(diagnosed(document, right_of(narrower, {320, 240})).verdict == Verdict::NotInCatalogue);
+    }
+}
+
+TEST_CASE("a right picture that was smoothed or moved is one, and as much as that changes",
+          "[diagnose][release]") {
+    constexpr PictureSize size{320, 240};
+    for (const char* const name : {"still-life", "shininess-grid", "wide-angle-balls"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        const Picture right = right_of(document, size);
+        const auto near = [&right](int x, int y, std::size_t c) { return between(right, x, y, c); };
+        const Picture smoothed = picture_of(size, [&](int x, int y, std::size_t c) {
+            return near(x, y, c) / 2 +
+                   (near(x - 1, y, c) + near(x + 1, y, c) + near(x, y - 1, c) + near(x, y + 1, c)) / 8;
+        });
+        const Picture moved = picture_of(
+            size, [&](int x, int y, std::size_t c) { return between(right, x - 0.4, y + 0.3, c); });
+        INFO(name);
+        const Diagnosis of_smoothed = diagnosed(document, smoothed), of_moved = diagnosed(document, moved);
+        CHECK(of_smoothed.verdict == Verdict::NoMistake);
+        CHECK(of_smoothed.display.smoothed);
+        CHECK(of_moved.verdict == Verdict::NoMistake);
+        CHECK(glm::distance(of_moved.display.shift, glm::vec2(0.4f, -0.3f)) < 0.1f);
+    }
+}
+
+TEST_CASE("where a mistake takes all highlights away it is said that they may be left out",
+          "[diagnose][release]") {
+    {
+        const SceneDocument document = shipped("every-term.json");
+        SceneDocument dull = document;
+        dull.scene.shading.terms.specular = false;
+        const Diagnosis d = diagnosed(document, right_of(dull, {480, 270}));
+        REQUIRE(d.left_out);
+        CHECK(d.left_out->term == "specular");
+        CHECK(d.left_out->light == all_lights);
+        CHECK(diagnosis_text(d, document.scene).find("Or the specular term of all lights is left out") !=
+              std::string::npos);
+    }
+    const SceneDocument document = shipped("glossy-ball.json");
+    SceneDocument dull = document, dim = document;
+    dull.scene.objects[0].material.specular = glm::vec3(0);
+    const Diagnosis d = diagnosed(document, right_of(dull, {320, 240}));
+    REQUIRE(d.verdict == Verdict::Mistake);
+    REQUIRE(d.left_out);
+    CHECK(d.left_out->term == "specular");
+    CHECK(d.left_out->light == 0);
+    CHECK(diagnosis_text(d, document.scene)
+              .find("Or the specular term of Sun is left out: that shows the same.\n") != std::string::npos);
+    CHECK(diagnoses_json({{"a.png", d, {}, {}}}, document.scene).find("\"left_out\":{") != std::string::npos);
+    // Of a mistake that leaves a share of the highlight nothing is said.
+    dim.scene.shading.mistakes.missing_pi = true;
+    CHECK_FALSE(diagnosed(document, right_of(dim, {320, 240})).left_out);
+}
+
+TEST_CASE("flat and Gouraud shading are neither a smoothed Phong picture nor a mistake beside one",
+          "[diagnose][release]") {
+    const auto check = [](const std::string& name, ShadingMode mode, PictureSize size) {
+        const SceneDocument document = shipped(name + ".json");
+        SceneDocument other = document;
+        other.scene.shading.mode = mode;
+        INFO(name);
+        CHECK(diagnosed(document, right_of(other, size)).verdict == Verdict::NotInCatalogue);
+    };
+    check("worked-camera", ShadingMode::Gouraud, {640, 400});
+    check("worked-camera", ShadingMode::Gouraud, {320, 200});
+    check("rough-to-smooth", ShadingMode::Gouraud, {320, 200});
+    check("sun-and-headlight", ShadingMode::Gouraud, {640, 400});
+    check("every-term", ShadingMode::Flat, {320, 200});
+    check("bulb", ShadingMode::Flat, {320, 200});
+    check("light-behind-ball", ShadingMode::Flat, {480, 300});
+}
+
+TEST_CASE("a highlight of another width is not a soft one where the edges are hard", "[diagnose][release]") {
+    const SceneDocument document = shipped("spot-cone.json");
+    SceneDocument other = document;
+    other.scene.objects[0].material.shininess = 64;
+    CHECK(diagnosed(document, right_of(other, {640, 480})).verdict == Verdict::NotInCatalogue);
+    const Diagnosis small = diagnosed(document, right_of(other, {480, 300}));  // hardly a pixel is wrong
+    CHECK(small.verdict == Verdict::NoMistake);
+    CHECK(small.display.softened == 0);
+}
+
+TEST_CASE("what is drawn at other points of the pixels is shifted, though its edges are hard",
+          "[diagnose][release]") {
+    constexpr PictureSize size{320, 240};
+    for (const char* const name : {"still-life", "default", "every-term"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        const Picture fine = right_of(document, {2 * size.width, 2 * size.height});
+        Picture picture{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)  // at three quarters of each pixel
+                for (std::size_t c = 0; c < 3; ++c)
+                    picture.rgba[4 * picture.pixel(x, y) + c] =
+                        fine.rgba[4 * fine.pixel(2 * x + 1, 2 * y + 1) + c];
+        const Diagnosis d = diagnosed(document, picture);
+        INFO(name);
+        CHECK(d.verdict == Verdict::NoMistake);
+        CHECK(d.display.shift.x == Approx(-0.25).margin(0.03));
+        CHECK(d.display.shift.y == Approx(-0.25).margin(0.03));
+    }
+}
+
+TEST_CASE("a term that was multiplied is told, though a gain, softness and a mistake would explain it, too",
+          "[diagnose][release]") {
+    const auto check = [](const std::string& name, PictureSize size, const std::string& term, double factor,
+                          const auto& change) {
+        const SceneDocument document = shipped(name + ".json");
+        SceneDocument other = document;
+        change(other.scene);
+        const Diagnosis d = diagnosed(document, right_of(other, size));
+        INFO(name);
+        CHECK(d.verdict == Verdict::NotInCatalogue);
+        REQUIRE_FALSE(d.terms.empty());
+        CHECK(d.terms[0].term == term);
+        CHECK(d.terms[0].factor == Approx(factor).margin(0.02));
+    };
+    check("classic-materials", {320, 200}, "global_ambient", 1.5,
+          [](Scene& scene) { scene.global_ambient *= 1.5f; });
+    check("shininess-grid", {480, 300}, "all", 0.5, [](Scene& scene) { scene.lights[0].intensity *= 0.5f; });
+}
+
+TEST_CASE("a picture is not turned over where its surfaces would then lie on the scene's background",
+          "[diagnose][release]") {
+    const SceneDocument document = shipped("inverse-square.json");
+    SceneDocument other = document;
+    other.scene.shading.reflection = Reflection::OrenNayar;
+    const Diagnosis d = diagnosed(document, right_of(other, {480, 300}));
+    CHECK(d.verdict == Verdict::NotInCatalogue);
+    CHECK_FALSE(d.display.change.upside_down);
+}
+
+TEST_CASE("three colours are not told to be mirrored, darkened and mistaken", "[diagnose]") {
+    const SceneDocument document = shipped("three-angles.json");
+    SceneDocument duller = document;
+    duller.scene.objects[0].material.shininess = 2;
+    CHECK(diagnosed(document, right_of(duller, {320, 240})).verdict == Verdict::NotInCatalogue);
+}
+
+TEST_CASE("what a candidate supposes of the brightness stands beside it", "[diagnose]") {
+    Diagnosis d;
+    d.verdict = Verdict::NotInCatalogue;
+    Candidate& nearest = d.candidates.emplace_back();
+    nearest.mistakes = {0};
+    nearest.change.gain = 0.04f;
+    CHECK(own_brightness(d, nearest) == "with all brightness times 0.04");
+    CHECK(diagnosis_text(d, Scene{}).find(" with all brightness times 0.04, which explains") !=
+          std::string::npos);
+    d.display.change.gain = 0.04f;
+    CHECK(own_brightness(d, nearest).empty());
+    CHECK(diagnosis_text(d, Scene{}).find("brightness times 0.04, which") == std::string::npos);
+}
+
+TEST_CASE("a right picture that was enlarged or sharpened is not a mistake", "[diagnose][release]") {
+    for (const char* const name : {"given-normals", "classic-materials", "sun", "default", "bulb",
+                                   "glossy-ball", "mach-bands", "red-light-on-green"}) {
+        const SceneDocument document = shipped(name + std::string(".json"));
+        const Picture right = right_of(document, {320, 180});
+        const auto check = [&](const char* what, const Picture& picture) {
+            INFO(name << ", " << what);
+            CHECK(diagnosed(document, picture).verdict != Verdict::Mistake);
+        };
+        for (const int percent : {150, 200, 300})
+            check("enlarged",
+                  picture_of({320 * percent / 100, 180 * percent / 100}, [&](int x, int y, std::size_t c) {
+                      return between(right, (x + 0.5) * 100 / percent - 0.5, (y + 0.5) * 100 / percent - 0.5,
+                                     c);
+                  }));
+        for (const double amount : {0.8, 1.5})
+            check("sharpened", picture_of(right.size, [&](int x, int y, std::size_t c) {
+                      double around = 0;
+                      for (int v = -1; v <= 1; ++v)
+                          for (int u = -1; u <= 1; ++u) around += between(right, x + u, y + v, c) / 9;
+                      const double here = between(right, x, y, c);
+                      return here + amount * (here - around);
+                  }));
+    }
+}

@@ -1,0 +1,92 @@
+// What a task and an exercise are tried on.
+#include "lessons/check_lesson.h"
+
+#include <algorithm>
+#include <set>
+
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+
+namespace {
+
+constexpr const char* darken = "set: /lights/0/intensity=0.5\n";
+
+/// Returns the last thing that these steps check, of a ball under a light of intensity 1.
+Checked last_checked(const std::string& steps) {
+    const TemporaryDirectory directory;
+    (void)directory.file("ball.json", R"({"glint": 1, "global_ambient": [0, 0, 0],
+        "lights": [{"type": "directional", "position": [0, 0, 1]}], "objects": [{"name": "Ball",
+        "material": {"diffuse": [0.5, 0.5, 0.5], "specular": [0, 0, 0]}}]})");
+    const std::string path = directory.file(
+        "01-ball.md", "# A ball\n\n```lesson\ntopic: Light\nscene: ball.json\nsize: 32x32\n```\n\n" + steps);
+    LessonRunner runner(1);
+    const auto checked = check_lesson(runner, std::get<Lesson>(read_lesson(path)));
+    return std::get<std::vector<Checked>>(checked).back();
+}
+
+/// The light is to be dimmed to a half.
+const std::string task =
+    "```try\ndrag: it\ne = explain --pixel 16,16\ndone: e.sum[0] < 0.3\n"
+    "solution: /lights/0/intensity=0.5\n```\n\n";
+const std::string reveal = std::string("```reveal\n") + darken + "```\n\n";
+
+}  // namespace
+
+TEST_CASE(
+    "a task begins with what the reveal above it leaves, and a new step or question with the step's scene",
+    "[lesson]") {
+    const Checked alone = last_checked(task);
+    INFO(alone.why);
+    CHECK(alone.holds);
+    const Checked solved = last_checked(reveal + task);
+    CHECK_FALSE(solved.holds);
+    CHECK(solved.why.find("done before anything is dragged") != std::string::npos);
+    CHECK(last_checked(reveal + "## Two\n\n" + task).holds);
+    const std::string question = "```predict number\nquestion: ?\nanswer: 1\ntolerance: 1\n```\n\n";
+    CHECK(last_checked(reveal + question + task).holds);
+}
+
+TEST_CASE("a formula is held against the engine at every value, or where they are many at their ends",
+          "[lesson][exercise]") {
+    const auto checked = [](const std::string& vary, const std::string& closed) {
+        return last_checked("```exercise\n" + vary + "question: {a}\nanswer: a\ntolerance: 1e-4\nclosed: a" +
+                            closed + "\n```\n");
+    };
+    const std::string few = "vary: a = 1 to 2 step 0.01\n",
+                      many = "vary: a = 1 to 1000 step 1\nvary: b = 1 to 1000 step 1\n";
+    CHECK(checked(few, "").holds);
+    CHECK(
+        checked(few, " + max(a - 1.989, 0)").why.starts_with("1.99: the engine says 1.99, the formula 1.99"));
+    CHECK(checked(few, " + max(0.001 - abs(a - 1.57), 0)").why.starts_with("1.57: the engine says 1.57"));
+    CHECK(checked(many, "").holds);
+    CHECK(checked(many, " + max(a + b - 1999, 0)").why.starts_with("1000: the engine says 1000"));
+    CHECK(checked(many, " + max(3 - a - b, 0)").why.starts_with("1: the engine says 1"));
+}
+
+TEST_CASE("an exercise is tried with all values where they are few, with no more than asked where many",
+          "[lesson][exercise]") {
+    const Exercise exercise{{{"a", {1, 2, 3}}, {"b", {4, 5, 6}}}, {}, 1};
+    const auto all = values_to_try(exercise, 9);
+    CHECK(all.size() == 9);
+    CHECK(std::set(all.begin(), all.end()).size() == 9);
+    const auto some = values_to_try(exercise, 8);
+    CHECK(some.size() == 8);
+    const std::set tried(some.begin(), some.end());
+    for (const std::vector<double>& corner : std::vector<std::vector<double>>{{1, 4}, {1, 6}, {3, 4}, {3, 6}})
+        CHECK(tried.contains(corner));
+    Exercise long_one;
+    for (int i = 0; i < 40; ++i) long_one.variables.push_back({"x" + std::to_string(i), {0, 1}});
+    CHECK(values_to_try(long_one, 16).size() == 16);
+}
+
+TEST_CASE("an exercise whose answers cannot be told from others falls short", "[lesson][exercise]") {
+    for (const char* const tolerance : {"0", "-1", "0 / 0"}) {
+        const Checked checked =
+            last_checked(std::string("```exercise\nvary: a = 1, 2\nquestion: {a}\nanswer: a\ntolerance: ") +
+                         tolerance + "\n```\n");
+        INFO(checked.why);
+        CHECK_FALSE(checked.holds);
+    }
+}

@@ -1,0 +1,169 @@
+// The lessons that come with the program: they open, what they say holds, and each claim falls under the
+// mistakes that it names.
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+#include "lessons/check_lesson.h"
+#include "models/io/file.h"
+#include "models/scene/mistakes.h"
+#include "tests/places.h"
+#include "tests/support/catch.h"
+
+using namespace glint;
+
+namespace {
+
+const std::vector<Lesson>& own_lessons() {
+    static const std::vector<Lesson> lessons = [] {
+        std::vector<Lesson> read;
+        const auto files = lesson_files({project_file("assets/lessons")});
+        for (const std::string& file : std::get<std::vector<std::string>>(files)) {
+            const Result<Lesson> lesson = read_lesson(file);
+            if (const Problem* problem = problem_of(lesson)) FAIL(problem->text());
+            read.push_back(std::get<Lesson>(lesson));
+        }
+        return read;
+    }();
+    return lessons;
+}
+
+std::vector<Checked> checked(LessonRunner& runner, const Lesson& lesson, bool claims_only = false) {
+    const Result<std::vector<Checked>> result = check_lesson(runner, lesson, claims_only);
+    if (const Problem* problem = problem_of(result)) FAIL(problem->text());
+    return std::get<std::vector<Checked>>(result);
+}
+
+/// The claims of a lesson, in the order of check_lesson().
+std::vector<const Claim*> claims_of(const Lesson& lesson) {
+    std::vector<const Claim*> claims;
+    for (const LessonStep& step : lesson.steps)
+        for (const LessonPart& part : step.parts)
+            if (const auto* claim = std::get_if<Claim>(&part)) claims.push_back(claim);
+    return claims;
+}
+
+template <class Part> std::size_t count_of(const LessonStep& step) {
+    return static_cast<std::size_t>(std::count_if(
+        step.parts.begin(), step.parts.end(), [](const auto& p) { return std::holds_alternative<Part>(p); }));
+}
+
+}  // namespace
+
+TEST_CASE("every lesson opens, and all that it claims, predicts, sets and asks holds", "[lesson]") {
+    CHECK(own_lessons().size() >= 24);
+    LessonRunner runner(1);
+    for (const Lesson& lesson : own_lessons())
+        for (const Checked& item : checked(runner, lesson)) {
+            INFO(lesson.path << ":" << item.line << ": " << name_of(item.kind) << ": " << item.says << ": "
+                             << item.why);
+            CHECK(item.holds);
+        }
+}
+
+TEST_CASE("every lesson asks before it shows: no step reveals what it has not asked for", "[lesson]") {
+    for (const Lesson& lesson : own_lessons()) {
+        CAPTURE(lesson.path);
+        std::size_t claims = 0, tasks = 0, predictions = 0;
+        for (const LessonStep& step : lesson.steps) {
+            bool asked = false;
+            for (const LessonPart& part : step.parts) {
+                asked |= std::holds_alternative<Prediction>(part);
+                if (const auto* reveal = std::get_if<Reveal>(&part)) {
+                    CAPTURE(reveal->line);
+                    CHECK(asked);
+                }
+            }
+            claims += count_of<Claim>(step);
+            tasks += count_of<Task>(step);
+            predictions += count_of<Prediction>(step);
+        }
+        CHECK(claims >= 2);
+        CHECK(tasks >= 1);
+        CHECK(predictions >= 2);
+    }
+}
+
+TEST_CASE("every choice in a lesson has three or four options, each wrong one with a belief", "[lesson]") {
+    for (const Lesson& lesson : own_lessons())
+        for (const LessonStep& step : lesson.steps)
+            for (const LessonPart& part : step.parts) {
+                const auto* p = std::get_if<Prediction>(&part);
+                if (p == nullptr || p->kind != PredictionKind::Choice) continue;
+                INFO(lesson.path << ":" << p->line);
+                CHECK((p->options.size() == 3 || p->options.size() == 4));
+                const auto silent = std::count_if(p->options.begin(), p->options.end(),
+                                                  [](const LessonOption& o) { return o.thinks.empty(); });
+                CHECK(silent == 1);  // the correct one
+            }
+}
+
+TEST_CASE("every lesson has four exercises with a formula and 40 variants or more", "[lesson][exercise]") {
+    for (const Lesson& lesson : own_lessons()) {
+        CAPTURE(lesson.path);
+        std::size_t count = 0;
+        for (const LessonStep& step : lesson.steps)
+            for (const LessonPart& part : step.parts) {
+                const auto* exercise = std::get_if<Exercise>(&part);
+                if (exercise == nullptr) continue;
+                ++count;
+                CAPTURE(exercise->line);
+                std::size_t variants = 1;
+                for (const Exercise::Variable& variable : exercise->variables)
+                    variants *= variable.values.size();
+                CHECK(variants >= 40);
+                CHECK(std::any_of(exercise->lines.begin(), exercise->lines.end(),
+                                  [](const Exercise::Line& line) { return line.key == "closed"; }));
+            }
+        CHECK(count >= 4);
+    }
+}
+
+TEST_CASE("every claim of a lesson names mistakes under which it falls", "[lesson][mistakes]") {
+    for (const Lesson& lesson : own_lessons())
+        for (const Claim* claim : claims_of(lesson)) {
+            INFO(lesson.path << ":" << claim->line << ": " << claim->says);
+            CHECK(!claim->falls_under.empty());
+        }
+}
+
+namespace {
+
+/// Under which mistakes each claim falls, a block of text for each claim. All claims that name a mistake
+/// have to be among those that fall under it.
+std::string falls() {
+    std::map<const Claim*, std::string> fallen;
+    LessonRunner runner(1);
+    for (const Lesson& lesson : own_lessons()) {
+        const std::vector<const Claim*> claims = claims_of(lesson);
+        for (const MistakeName& mistake : mistake_names()) {
+            const std::string name(mistake.name);
+            runner.set_always({{"/shading/mistakes/" + name, "true"}});
+            const std::vector<Checked> results = checked(runner, lesson, true);
+            REQUIRE(results.size() == claims.size());
+            for (std::size_t i = 0; i < claims.size(); ++i) {
+                const std::vector<std::string>& named = claims[i]->falls_under;
+                const bool is_named = std::find(named.begin(), named.end(), name) != named.end();
+                INFO(lesson.path << ":" << claims[i]->line << ": holds under " << name);
+                CHECK_FALSE((is_named && results[i].holds));
+                if (!results[i].holds) fallen[claims[i]] += " " + name;
+            }
+        }
+    }
+    std::string text;
+    for (const Lesson& lesson : own_lessons())
+        for (const Claim* claim : claims_of(lesson))
+            text += lesson.name + ": " + claim->says + "\n   " + fallen[claim] + "\n";
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("each claim of a lesson falls under exactly the mistakes that are written down",
+          "[lesson][mistakes][long][release]") {
+    const std::string path = project_file("tests/lessons/claims_that_fall.txt");
+    const std::string found = falls();
+    if (std::getenv("GLINT_UPDATE") != nullptr) REQUIRE(problem_of(write_file(path, found)) == nullptr);
+    INFO("GLINT_UPDATE=1 writes " << path << " anew");
+    CHECK(std::get<std::string>(read_file(path, 1 << 20)) == found);
+}

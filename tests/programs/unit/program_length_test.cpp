@@ -1,0 +1,78 @@
+// How long a program may be, and what is said of one that would be longer.
+#include <ctime>
+#include <regex>
+
+#include "programs/program.h"
+#include "tests/support/catch.h"
+#include "tests/support/scenes.h"
+
+using namespace glint;
+
+namespace {
+
+/// A small scene, but for so many lights and balls: each is a line of every program, or more.
+Scene scene_of(std::size_t lights, std::size_t balls) {
+    Scene scene = test::busy_scene();
+    scene.shading.mode = ShadingMode::Phong;  // which OpenGL 1 cannot do
+    scene.lights.assign(lights, Light{});
+    scene.objects.assign(balls, scene.objects.front());
+    return scene;
+}
+
+std::string refused(const Scene& scene, Language language) {
+    const auto program = write_program({scene, {64, 48}, "scene"}, language);
+    return problem_of(program) == nullptr ? "" : problem_of(program)->expected;
+}
+
+}  // namespace
+
+TEST_CASE("of a program that is too long it is said in which language it is not", "[programs]") {
+    CHECK(refused(scene_of(1, 1), Language::Python).empty());
+    CHECK(refused(scene_of(60, 1), Language::Python) ==  // of which GLSL takes 32
+          "at most 250: fewer lights and objects, or --language cpp");
+    CHECK(refused(scene_of(1, 400), Language::Cpp) ==
+          "at most 400: fewer lights and objects, or --language glsl");
+    CHECK(refused(scene_of(60, 400), Language::Cpp) == "at most 400: fewer lights and objects");
+}
+
+TEST_CASE("many objects of one mesh take a program hardly longer than one", "[programs]") {
+    Scene scene = scene_of(1, 1);
+    scene.objects[0].mesh = test::primitive(Primitive::Sphere, 100);
+    scene.objects[0].normals = {NormalSource::Vertex, NormalWeighting::Angle, 30, false};
+    const auto seconds = [&scene] {
+        const std::clock_t start = std::clock();
+        REQUIRE(problem_of(write_program({scene, {64, 48}, "scene"}, Language::Glsl)) == nullptr);
+        return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    };
+    const double of_one = seconds();
+    scene.objects.assign(400, scene.objects[0]);
+    CHECK(seconds() < 100 * of_one);
+}
+
+TEST_CASE("what a scene is about tells Python no encoding", "[programs]") {
+    Scene scene = scene_of(1, 1);
+    scene.about = "Encoding: sRGB against none";
+    const auto program = write_program({scene, {64, 48}, "scene"}, Language::Python);
+    REQUIRE(problem_of(program) == nullptr);
+    const std::string& text = std::get<Program>(program).texts.front().text;
+    // PEP 263: the first of two lines that matches. What is told there has to be one that Python knows.
+    std::smatch told;
+    REQUIRE(std::regex_search(text, told, std::regex("coding[:=][ \t]*([-_.a-zA-Z0-9]+)")));
+    CHECK(told[1] == "utf-8");
+    CHECK(text.find("Encoding: sRGB against none") != std::string::npos);
+}
+
+TEST_CASE("a mesh file of a program has a name that a file may have", "[programs]") {
+    Scene scene = scene_of(1, 2);
+    for (Object& object : scene.objects) {
+        object.name = std::string(1000, 'n');
+        object.source = MeshFile{"scene.glb", 0};
+    }
+    scene.objects[1].normals.source = NormalSource::Facet;  // a file of its own
+    const auto program = write_program({scene, {64, 48}, "scene"}, Language::Python);
+    REQUIRE(problem_of(program) == nullptr);
+    const std::vector<ProgramMesh>& meshes = std::get<Program>(program).meshes;
+    REQUIRE(meshes.size() == 2);
+    CHECK(meshes[0].name != meshes[1].name);
+    for (const ProgramMesh& mesh : meshes) CHECK(mesh.name.size() < 80);
+}

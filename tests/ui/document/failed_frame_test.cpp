@@ -1,0 +1,86 @@
+// A frame that fails, most often by a limit: the scene that was drawn last is there again, with one message.
+#include "tests/support/catch.h"
+#include "tests/support/headless_window.h"
+#include "tests/support/memory_helpers.h"
+#include "tests/support/scenes.h"
+#include "ui/document/document_actions.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+SceneDocument large_document() {
+    SceneDocument document = first_scene();
+    document.path = "large.json";
+    document.scene.objects = {test::object_of(test::primitive(Primitive::Sphere, 400))};
+    return document;
+}
+
+}  // namespace
+
+TEST_CASE("a document that exceeds the memory limit leaves the one before, with one message",
+          "[ui][memory]") {
+    HeadlessWindow bench({640, 400});
+    bench.frames(2);
+    const Scene before = bench.scene();
+    const PictureSize size = bench.state.rendered->size;
+    const test::MemoryLimit limit(test::cost_of(before, size));
+    take_document(bench.state.editor, large_document());
+    (void)bench.frame();
+    CHECK(bench.state.editor.document.path.empty());
+    CHECK(bench.scene() == before);
+    bench.frames(3);
+    CHECK(bench.state.notifications.list.size() == 1);
+    CHECK(bench.notes_with("(--memory and GLINT_MEMORY change that)") == 1);
+    CHECK(bench.state.rendered->rgba == Renderer(1).render(before, size).rgba);
+}
+
+TEST_CASE("an edit that exceeds the memory limit is reverted", "[ui][memory]") {
+    HeadlessWindow bench({640, 400});
+    bench.frames(2);
+    const Scene before = bench.scene();
+    const test::MemoryLimit limit(test::cost_of(before, bench.state.rendered->size));
+    bench.scene().objects[0].mesh = test::primitive(Primitive::Sphere, 400);
+    bench.frames(3);
+    CHECK(bench.scene() == before);
+    CHECK(bench.notes_with("of memory") == 1);
+}
+
+TEST_CASE("a window that grows beyond the memory limit keeps the size of its picture", "[ui][memory]") {
+    HeadlessWindow bench({640, 400});
+    bench.frames(2);
+    const Scene before = bench.scene();
+    const PictureSize size = bench.state.rendered->size;
+    {
+        const test::MemoryLimit limit(test::cost_of(before, size));
+        ImGui::GetIO().DisplaySize = {1280, 800};
+        bench.frames(5);
+        CHECK(bench.state.rendered->size == size);
+        CHECK(bench.state.notifications.list.size() == 1);
+    }
+    take_document(bench.state.editor, first_scene());  // which may be a smaller one
+    bench.frames(2);
+    CHECK(bench.state.rendered->size.width > size.width);
+}
+
+TEST_CASE("a first scene that exceeds the memory limit ends the window", "[ui][memory]") {
+    HeadlessWindow bench;
+    const test::MemoryLimit limit(1 << 20);
+    CHECK_THROWS_AS(bench.frame(), LimitExceeded);
+}
+
+TEST_CASE("lack of memory in a frame is one message", "[ui][memory]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const Scene before = bench.scene();
+    for (int i = 0; i < 2; ++i) {
+        ImGui::NewFrame();
+        give_up_frame(bench.state, std::bad_alloc());
+        ImGui::Render();
+        bench.frames(1);
+    }
+    CHECK(bench.scene() == before);
+    CHECK(bench.state.notifications.list.size() == 1);
+    CHECK(bench.notes_with("there is not enough memory") == 1);
+}

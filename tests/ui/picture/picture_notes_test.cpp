@@ -1,0 +1,195 @@
+// The badge on the picture: everything that makes it differ from the scene is named there, and can be ended.
+#include "ui/picture/picture_notes.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
+#include "tests/support/lesson_window.h"
+#include "tests/support/program.h"
+#include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
+#include "ui/picture/draw_picture.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// Something that changes the picture, and what the badge calls it.
+struct Change {
+    std::string name;
+    std::function<void(HeadlessWindow&)> make;
+    bool in_scene = false;
+};
+
+std::vector<Change> changes() {
+    const auto keep_cell = [](HeadlessWindow& bench, bool alone) {
+        TermGridState& grid = bench.state.views.grid;
+        bench.state.inspector.tab = InspectorTab::Grid;
+        if (alone)
+            grid.solo = GridCell{1, 1};
+        else
+            grid.muted = {GridCell{1, 2}};
+    };
+    return {
+        {"Frozen picture", [](HeadlessWindow& bench) { (void)bench.key(Key::F8); }},
+        {"Animation",
+         [](HeadlessWindow& bench) {
+             bench.state.animate.animation.motion = Motion::Turntable;
+             bench.state.animate.playing = true;
+         }},
+        {"Only Bulb: diffuse", [keep_cell](HeadlessWindow& bench) { keep_cell(bench, true); }},
+        {"Without Bulb: specular", [keep_cell](HeadlessWindow& bench) { keep_cell(bench, false); }},
+        {"B, the stored scene",
+         [](HeadlessWindow& bench) {
+             (void)bench.key(Key::B, true);
+             (void)bench.key(Key::B);
+         }},
+        {"Off: diffuse, specular",
+         [](HeadlessWindow& bench) {
+             (void)bench.key(Key::D);
+             (void)bench.key(Key::S);
+         },
+         true},
+        {"Mistake: Reflect sign",
+         [](HeadlessWindow& bench) { bench.scene().shading.mistakes.reflect_sign = true; }, true},
+        {"Comparison", [](HeadlessWindow& bench) { (void)bench.key(Key::C); }},
+        {"View: Normals", [](HeadlessWindow& bench) { (void)bench.key(Key::I); }},
+        {"Over-range stripes", [](HeadlessWindow& bench) { (void)bench.key(Key::O); }},
+    };
+}
+
+std::vector<std::string> badge_of(const HeadlessWindow& bench) {
+    std::vector<std::string> names;
+    for (const NamedControl& control : bench.controls())
+        if (control.name == "On the picture") names.push_back(control.key);
+    return names;
+}
+
+/// The bytes of the edited scene's picture, from a renderer of its own.
+std::vector<std::uint8_t> drawn_alone(HeadlessWindow& bench) {
+    Renderer renderer(1);
+    return renderer.render(bench.scene(), bench.state.rendered->size).rgba;
+}
+
+void open(HeadlessWindow& bench, const std::string& path) {
+    bench.state.editor.saved = bench.scene();  // nothing to ask about
+    UiInput drop;
+    drop.dropped = {path};
+    (void)bench.frame(drop);
+    bench.wait_for_loads();
+    bench.frames(2);
+    REQUIRE(bench.state.editor.document.path == path);
+}
+
+}  // namespace
+
+TEST_CASE("the badge names each change of the picture, and its cross ends it", "[ui][window][badge]") {
+    for (const Change& change : changes()) {
+        CAPTURE(change.name);
+        HeadlessWindow bench;
+        bench.frames(3);
+        const Scene plain = bench.scene();
+        CHECK(badge_of(bench).empty());
+        change.make(bench);
+        bench.frames(4);
+        CHECK(badge_of(bench) == std::vector<std::string>{change.name});
+        bench.click(bench.control("End: " + change.name));
+        bench.frames(3);
+        CHECK(badge_of(bench).empty());
+        CHECK(same_description(bench.scene(), plain));
+        CHECK((bench.state.displayed->rgba == drawn_alone(bench)));
+        CHECK(bench.state.editor.history.can_undo() == change.in_scene);
+    }
+}
+
+TEST_CASE("opening another scene ends what the badge names", "[ui][window][badge]") {
+    const TemporaryDirectory folder;
+    Scene other = first_scene().scene;
+    other.lights[0].intensity = 0.3f;
+    const std::string path = folder.file("other.json", scene_text(other));
+    for (const Change& change : changes()) {
+        if (change.name == "Comparison") continue;  // its parts have labels
+        CAPTURE(change.name);
+        HeadlessWindow bench;
+        bench.frames(3);
+        change.make(bench);
+        bench.frames(4);
+        open(bench, path);
+        CHECK(badge_of(bench).empty());
+        CHECK(same_description(bench.scene(), other));
+        CHECK((bench.state.displayed->rgba == drawn_alone(bench)));
+    }
+}
+
+TEST_CASE("a comparison stays on when another scene opens, and on the badge",
+          "[ui][window][badge][compare]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    (void)bench.key(Key::C);
+    open(bench, folder.file("other.json", scene_text(first_scene().scene)));
+    CHECK(badge_of(bench) == std::vector<std::string>{"Comparison"});
+}
+
+TEST_CASE("a mistake in a frozen picture is named, and ends with the picture", "[ui][window][badge]") {
+    HeadlessWindow bench;
+    bench.scene().shading.mistakes.reflect_sign = true;
+    bench.frames(3);
+    (void)bench.key(Key::F8);
+    bench.scene().shading.mistakes = {};
+    bench.frames(2);
+    CHECK(badge_of(bench) == std::vector<std::string>{"Frozen picture", "Mistake: Reflect sign"});
+    for (const NamedControl& control : bench.controls()) CHECK(control.name != "End: Mistake: Reflect sign");
+    bench.click(bench.control("End: Frozen picture"));
+    bench.frames(2);
+    CHECK(badge_of(bench).empty());
+}
+
+TEST_CASE("the badge names a preview instead of B", "[ui][window][badge][why]") {
+    HeadlessWindow bench;
+    test::ask(bench, InspectorTab::Mistakes);
+    (void)bench.key(Key::B, true);
+    (void)bench.key(Key::B);
+    bench.frames(2);
+    const ImVec2 row = test::in_column(bench, "/shading/mistakes/viewer_at_origin_of_world");
+    bench.move(row);
+    bench.frames(2);
+    CHECK(badge_of(bench) == std::vector<std::string>{"Preview: Viewer at origin of world"});
+    test::rest(bench);
+    CHECK(badge_of(bench) == std::vector<std::string>{"B, the stored scene"});
+}
+
+TEST_CASE("a mistake is not named while a lesson's question waits", "[ui][window][badge][lesson]") {
+    const TemporaryDirectory folder;
+    (void)folder.file("s.json",
+                      R"({"glint": 1, "objects": [{}], "shading": {"mistakes": {"reflect_sign": true}}})");
+    HeadlessWindow bench;
+    test::drop(bench, folder.file("l.md",
+                                  "# Mine\n\n```lesson\ntopic: Own\nscene: s.json\nsize: 32x32\n```\n\n"
+                                  "## One\n\n```predict number\nquestion: How much?\nanswer: 0.5\n"
+                                  "tolerance: 0.1\n```\n"));
+    REQUIRE(is_held(bench.state));
+    const auto is_told = [&bench] {
+        for (const NamedControl& control : bench.controls())
+            if (control.name == "On the picture" || control.key == "/shading/mistakes") return true;
+        return false;
+    };
+    CHECK_FALSE(is_told());
+    reveal_unanswered(bench.state);
+    bench.frames(3);
+    CHECK(is_told());
+}
+
+TEST_CASE("a clean picture has no badge", "[ui][window][badge][lecture]") {
+    HeadlessWindow bench;
+    bench.scene().shading.terms.specular = false;
+    bench.frames(2);
+    REQUIRE(badge_of(bench).size() == 1);
+    (void)bench.key(Key::F10);
+    bench.frames(2);
+    CHECK(badge_of(bench).empty());
+}

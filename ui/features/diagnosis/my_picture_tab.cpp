@@ -1,0 +1,251 @@
+// The tab "My picture": what is wrong in the picture that was brought.
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "diagnose/diagnosis_format.h"
+#include "ui/commands/command.h"
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/inspector/mistake_row.h"
+#include "ui/features/inspector/tabs.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr float shown_share = 0.5f;  // of a small picture's pixels, in logical ones: sharp on fine displays
+
+std::string what_is_done(const MistakeSet& mistakes) {
+    std::string text;
+    for (const std::size_t i : mistakes)
+        text += fmt::format("{}{} {}", text.empty() ? "" : "\n", mistake_names()[i].what,
+                            mistake_names()[i].looks);
+    return text;
+}
+
+bool are_on(const Scene& scene, const MistakeSet& mistakes) {
+    return under_mistakes(scene, mistakes).shading.mistakes == scene.shading.mistakes;
+}
+
+/// Resting on the item drawn last shows the scene under the mistakes, a click on it switches them.
+void offer(UiState& state, const MistakeSet& mistakes, bool clicked) {
+    const bool pointed = is_pointed_at();
+    const std::string title = title_of(mistakes);
+    tooltip(title.c_str(), what_is_done(mistakes).c_str(), "Rest here to see it, click to switch it",
+            fmt::format("/shading/mistakes/{}", mistake_names()[mistakes.front()].name));
+    Scene& scene = state.editor.scene();
+    if (clicked) switch_mistakes(scene, mistakes);
+    if (pointed && !are_on(scene, mistakes)) show_instead(state, under_mistakes(scene, mistakes), title);
+}
+
+void heading(UiState& state) {
+    const MyPictureState& mine = state.mine;
+    const PictureSize size = mine.shown->size;
+    ImGui::AlignTextToFramePadding();
+    mono_text(fmt::format("{}×{}", size.width, size.height));
+    ImGui::SameLine(0, px(10));
+    const float end = ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::PushClipRect(at, {ImGui::GetWindowPos().x + end - px(4), at.y + ImGui::GetFrameHeight()}, true);
+    ImGui::TextUnformatted(whole_label(mine.name).c_str());
+    ImGui::PopClipRect();
+    ImGui::SameLine(end);
+    if (icon_button("##away", Icon::Close)) put_picture_away(state);
+    tooltip("Put my picture away", "The comparison is then what it was before");
+}
+
+/// How far the diagnosis has come, with the way to end it; or the offer to begin it again.
+void progress(MyPictureState& mine) {
+    if (mine.current) return;
+    const LoadProgress* now = mine.job ? &mine.job->progress() : nullptr;
+    if (!mine.settled) {
+        const float share = now != nullptr ? std::max(0.0f, progress_share(*now)) : 0;
+        ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme().accent);
+        ImGui::ProgressBar(share, {ImGui::GetContentRegionAvail().x, px(4)}, "");
+        ImGui::PopStyleColor();
+    }
+    if (ImGui::Button(mine.settled ? "Look for the mistake" : "Cancel")) {
+        if (mine.settled)
+            ask_again(mine);
+        else
+            cancel_diagnosis(mine);
+    }
+    tooltip(mine.settled ? "Look for the mistake" : "Cancel the search",
+            "The picture stays beside the scene while nothing is searched");
+    small_dim(mine.settled
+                  ? "The search for the mistake is stopped."
+                  : "The scene is drawn right and under every mistake, and held against the picture.");
+    if (mine.answer) small_dim("Below is what the previous search found.");
+}
+
+/// The answer in large letters, and what was taken away; in whole sentences where no mistake explains it.
+void verdict(const Diagnosis& d, const Scene& scene) {
+    std::string word(verdict_text(d.verdict));
+    word[0] = static_cast<char>(word[0] - 'a' + 'A');
+    if (d.verdict == Verdict::Mistake) word += ": " + title_of(d.candidates.front().mistakes);
+    ImGui::Dummy({0, px(2)});
+    ImGui::PushFont(fonts().title);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(word.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    if (d.verdict != Verdict::Mistake) {
+        std::string text = diagnosis_text(d, scene);
+        text.erase(0, text.find(": ") + 2);  // the verdict, which stands above
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+        text.pop_back();  // the end of its last line
+        return wrapped_dim(text);
+    }
+    if (const std::string display = display_text(d.display); !display.empty())
+        wrapped_dim("Set aside first, because it is not a lighting mistake: " + display + ".");
+    if (d.left_out) wrapped_dim(left_out_text(*d.left_out, scene));
+    ImGui::Dummy({0, px(2)});
+}
+
+/// Where no single mistake explains the picture, two at once may.
+void offer_pairs(MyPictureState& mine) {
+    if (!why_no_pairs(mine).empty()) return;
+    if (ImGui::Button("Look for two at once")) ask_for_pairs(mine);
+    tooltip("Look for two mistakes at once", "Every two of the catalogue are tried: a second or two");
+}
+
+/// Draws a candidate's small picture and its words, in rows as high as they need.
+void candidate_row(UiState& state, const Candidate& candidate, std::size_t index) {
+    MyPictureState& mine = state.mine;
+    const PictureSize cell = mine.sheet.cell;
+    const ImVec2 small = px(shown_share) * ImVec2(float(cell.width), float(cell.height));
+    const float pad = px(5), width = ImGui::GetContentRegionAvail().x, left = small.x + 3 * pad;
+    const std::string title = title_of(candidate.mistakes);
+    const std::string brightness = own_brightness(mine.answer->diagnosis, candidate);
+    const std::string words =
+        fmt::format("explains {} % of what is wrong, leaves {:.2f} levels{}{}", explained_percent(candidate),
+                    candidate.residual, brightness.empty() ? "" : ", ", brightness);
+    const float wrap = std::max(width - left - pad, px(40));
+    const ImVec2 title_size = ImGui::CalcTextSize(title.c_str(), nullptr, false, wrap);
+    const ImVec2 words_size = fonts().small->CalcTextSizeA(small_text_height(), 1e9f, wrap, words.c_str());
+    const float room = std::max(small.y, title_size.y + px(2) + words_size.y) + 2 * pad;
+    const bool clicked = hit_area("##candidate", {width, room});
+    if (clicked) mine.chosen = index;
+    const auto [low, end] = last_item();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool on = are_on(state.editor.scene(), candidate.mistakes), hovered = ImGui::IsItemHovered();
+    list.AddRectFilled(low, end, to_u32(hovered ? theme().field_hovered : theme().field), px(4));
+    list.AddRect(low, end, to_u32(on ? theme().accent : theme().line), px(4), 0, px(on ? 2 : 1));
+    const ImVec2 corner = low + pad * ImVec2(1, 1);
+    mine.sheet.draw(list, static_cast<int>(index), corner, corner + small);
+    const ImVec2 text{low.x + left, corner.y};
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), text, to_u32(theme().text), title.c_str(), nullptr,
+                 wrap);
+    list.AddText(fonts().small, small_text_height(), {text.x, text.y + title_size.y + px(2)},
+                 to_u32(theme().dim_text), words.c_str(), nullptr, wrap);
+    offer(state, candidate.mistakes, clicked);
+    for (const MistakeSet& like : candidate.also) {
+        const std::string label = "or: " + title_of(like);
+        const bool chosen = ImGui::Selectable(label.c_str(), are_on(state.editor.scene(), like));
+        offer(state, like, chosen);
+    }
+}
+
+void candidates(UiState& state) {
+    const Diagnosis& d = state.mine.answer->diagnosis;
+    if (d.candidates.empty()) return;
+    if (d.verdict != Verdict::Mistake) section_heading("Nearest");
+    for (std::size_t i = 0; i < d.candidates.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        candidate_row(state, d.candidates[i], i);
+        ImGui::PopID();
+    }
+    const Candidate& c = d.candidates[std::min(state.mine.chosen, d.candidates.size() - 1)];
+    section_heading(fmt::format("Clearest at pixel {}, {}", c.pixel.x, c.pixel.y).c_str());
+    colour_line("mine", c.mine);
+    colour_line("right", c.reference);
+    colour_line(title_of(c.mistakes).c_str(), c.as_mistaken);
+}
+
+/// The change of the scene that parts the candidates, and what each shows then.
+void experiment(UiState& state) {
+    const Experiment* shown = shown_experiment(state);
+    const Experiment* e = shown != nullptr ? shown : offered_experiment(state);
+    if (e == nullptr) return;
+    section_heading("To be sure");
+    for (const Assignment& a : e->set) {
+        const NamedNumber named = named_number(a.pointer, state.editor.scene());
+        wrapped_dim(fmt::format("{} {} = {}", named.owner, named.what, a.json));
+    }
+    if (shown == nullptr) {
+        if (ImGui::Button("Change the scene this way")) try_experiment(state, *e);
+        tooltip("Change the scene this way",
+                "Changes the scene in one step, which undo takes back, and picks the pixel that tells the "
+                "mistakes apart");
+    } else {
+        small_dim(fmt::format("The scene has this change ({} undoes it). Draw it with your program, too.",
+                              keys_of(CommandId::Undo)));
+    }
+    small_dim(fmt::format("Pixel {}, {} of a picture of {}×{} then has:", e->pixel.x, e->pixel.y,
+                          state.mine.shown->size.width, state.mine.shown->size.height));
+    for (std::size_t i = 0; i < e->shows.size(); ++i)
+        colour_line(title_of(e->mistakes[i]).c_str(), e->shows[i]);
+}
+
+void nothing_brought(UiState& state) {
+    inspector_empty_state(
+        "Drop a picture of this scene on the window that your own program drew (.png, .pfm, .exr): Glint "
+        "names the mistake in it.");
+    const std::string& path = state.mine.path;
+    if (path.empty()) return;
+    const std::string again =
+        whole_label(fmt::format("Compare {} again", std::filesystem::path(path).filename().string()));
+    if (ImGui::Button(again.c_str())) bring_picture(state, path);
+    tooltip(again.c_str(), "The picture that was compared last");
+}
+
+}  // namespace
+
+std::string title_of(const MistakeSet& mistakes) {
+    if (mistakes.empty()) return "right";
+    std::string title;
+    for (const std::size_t i : mistakes) title += (title.empty() ? "" : " + ") + title_of(mistake_names()[i]);
+    return title;
+}
+
+void colour_line(const char* what, Rgb colour) {
+    const float edge = ImGui::GetTextLineHeight();
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high = low + edge * ImVec2(1, 1);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, IM_COL32(colour[0], colour[1], colour[2], 255), px(3));
+    list.AddRect(low, high, to_u32(theme().line), px(3));
+    ImGui::Dummy({edge, edge});
+    ImGui::SameLine(0, px(6));
+    mono_text(fmt::format("{:3} {:3} {:3}", colour[0], colour[1], colour[2]));
+    ImGui::SameLine(0, px(8));
+    wrapped_dim(what);
+    list_control(what, "", last_item());
+}
+
+void my_picture_tab(UiState& state, const PictureView&) {
+    MyPictureState& mine = state.mine;
+    if (!mine.shown) {
+        if (mine.reading) return wrapped_dim("Reading " + mine.reading->name());
+        return nothing_brought(state);
+    }
+    heading(state);
+    if (!mine.shown) return;  // it was put away
+    progress(mine);
+    if (!mine.answer) return;
+    verdict(mine.answer->diagnosis, state.editor.scene());
+    offer_pairs(mine);
+    candidates(state);
+    experiment(state);
+}
+
+}  // namespace glint

@@ -1,0 +1,161 @@
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "models/fields/scene_numbers.h"
+#include "models/problem.h"
+#include "ui/commands/match.h"
+#include "ui/features/export/animation.h"
+#include "ui/fields/field_panel.h"
+#include "ui/shell/layout.h"
+#include "ui/ui.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/text/text_field.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr int max_frames = 2000;
+constexpr int numbers_listed = 7;
+
+/// The pointers of the numbers that have an effect and match what was typed, best first.
+std::vector<std::string> matching(const Scene& scene, const std::string& text) {
+    const std::vector<SceneNumber> numbers = numbers_of(scene);
+    std::vector<std::pair<int, std::size_t>> ranked;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (!numbers[i].applies) continue;
+        if (const auto rank = match_rank(text, number_words(scene, numbers[i])))
+            ranked.emplace_back(*rank, i);
+    }
+    std::sort(ranked.begin(), ranked.end());
+    std::vector<std::string> found;
+    for (const auto& [rank, i] : ranked) {
+        found.push_back(numbers[i].pointer);
+        if (found.size() == numbers_listed) break;
+    }
+    return found;
+}
+
+/// The other end of an interval to begin with: twice the number, or half of it where that is too much.
+double other_end(const SceneNumber& number) {
+    const double twice = number.value == 0 ? 1 : 2 * number.value;
+    const double far = number.kind.range.contains(twice) ? twice : number.value / 2;
+    return number.count ? number.count->nearest(far) : far;
+}
+
+/// As matching(): of thousands of objects it takes longer than a frame has.
+const std::vector<std::string>& found_numbers(AnimateState& animate, const Scene& scene) {
+    if (animate.searched != animate.search) animate.found.forget();
+    animate.searched = animate.search;
+    const auto find = [&] { return matching(scene, animate.search); };
+    if (animate.found.value() == nullptr) return animate.found.of(scene, find);
+    update_at_rest(animate.found, scene, find);
+    return *animate.found.value();
+}
+
+/// A row of the list; it is taken by a click, or when it is `entered`.
+void offer_number(AnimateState& animate, const Scene& scene, const SceneNumber& number, bool entered) {
+    Animation& animation = animate.animation;
+    const std::string words = number_words(scene, number);
+    const std::string label =
+        fmt::format("{}  =  {:.5g}##{}", whole_label(words), number.value, number.pointer);
+    const bool clicked = ImGui::Selectable(label.c_str(), number.pointer == animation.pointer);
+    tooltip(whole_label(words).c_str(), number.help, "", number.pointer);
+    if (!clicked && !entered) return;
+    animation.pointer = number.pointer;
+    animate.number = words;
+    animation.from = number.value;
+    animation.to = other_end(number);
+    animate.began = ImGui::GetTime();
+}
+
+void choose_number(AnimateState& animate, const Scene& scene) {
+    Animation& animation = animate.animation;
+    ImGui::SetNextItemWidth(label_cell("Number"));
+    if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
+    const bool entered = text_field("##search", "a part of its name: roughness …", animate.search,
+                                    ImGuiInputTextFlags_EnterReturnsTrue);
+    tooltip("Number", "What goes to and fro; Enter takes the first");
+    const std::vector<std::string>& found = found_numbers(animate, scene);
+    if (found.empty() && !animate.search.empty())
+        wrapped_dim(fmt::format("No number of the scene is called “{}”", shortened(animate.search)));
+    for (const std::string& pointer : found)
+        if (const auto number = number_at(scene, pointer))  // while the mouse drags, it may have gone
+            offer_number(animate, scene, *number, entered && &pointer == &found.front());
+    const std::optional<SceneNumber> number = number_at(scene, animation.pointer);
+    if (!number) return;
+    ImGui::Separator();
+    const Real ends{.range = number->kind.range, .format = "%.4g"};
+    float from = static_cast<float>(animation.from), to = static_cast<float>(animation.to);
+    const Help help{"One end of the interval", animation.pointer};
+    if (number_field("From", from, ends, 0, help)) animation.from = double(from);
+    if (number_field("To", to, ends, 0, help)) animation.to = double(to);
+}
+
+void write_buttons(UiState& state) {
+    AnimateState& animate = state.animate;
+    if (animate.job) {
+        const LoadProgress& progress = animate.job->progress();
+        const auto done = progress.done.load(), total = progress.total.load();
+        ImGui::ProgressBar(total == 0 ? 0 : float(done) / float(total), {-px(90), 0},
+                           fmt::format("frame {} of {}", done, total).c_str());
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel", {px(80), 0})) animate.job->cancel();
+        return;
+    }
+    const bool possible = animate.refused.empty();
+    ImGui::BeginDisabled(!possible);
+    const char* const play = animate.playing ? "Stop" : "Play";
+    if (ImGui::Button(play, {px(90), 0})) switch_playing(state);
+    tooltip(play, "The scene stays as it is: only the picture shows what moves", "", "Enter");
+    ImGui::SameLine();
+    if (ImGui::Button("Write frames…", {px(130), 0})) ask_for_frames(state);
+    tooltip("Write frames",
+            "As one file (NAME.gif, NAME.webp) or one file a frame (NAME-0001.png). "
+            "A GIF mixes 256 colours by dithering; WebP and PNG keep every colour",
+            "At the size and samples of Export picture");
+    ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void animate_panel(UiState& state) {
+    AnimateState& animate = state.animate;
+    if (!animate.open) return;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({window.x / 2, px(top_height + views_height + 44)}, ImGuiCond_Appearing,
+                            {0.5f, 0});
+    ImGui::SetNextWindowSize({std::min(px(400), window.x - px(20)), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
+    // While frames are written it stays: it says how far they have come.
+    if (ImGui::Begin("Animate", animate.job ? nullptr : &animate.open,
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_AlwaysAutoResize)) {
+        animate.has_keyboard = ImGui::IsWindowFocused();
+        const Animation before = animate.animation;
+        if (segment_field("Motion", animate.animation.motion, {"What moves", ""})) animate.takes_keys = true;
+        if (animate.animation.motion == Motion::PingPong) choose_number(animate, state.editor.scene());
+        if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
+        (void)integer_field("Frames", animate.animation.frames, Count{1, max_frames}, 48,
+                            {"Frames of one period; then it begins again", ""});
+        (void)integer_field("Speed", animate.frames_a_second, Count{1, 50}, 25, {"Frames a second", ""});
+        if (!(animate.animation == before)) animate.refused.clear();
+        if (!animate.refused.empty()) {
+            ImGui::PushTextWrapPos();
+            ImGui::TextUnformatted(animate.refused.c_str());
+            ImGui::PopTextWrapPos();
+        }
+        write_buttons(state);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    if (!animate.open) animate.playing = false;
+}
+
+}  // namespace glint

@@ -1,0 +1,174 @@
+#include "ui/features/export/animation.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat4x4.hpp>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "models/fields/scene_numbers.h"
+#include "models/json/json_pointer.h"
+#include "ui/document/document_actions.h"
+#include "ui/features/inspector/equation/words.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// After lights or objects went, were renamed or came with another scene, the pointer may lead to another.
+void forget_number_that_is_gone(UiState& state) {
+    AnimateState& animate = state.animate;
+    if (animate.animation.pointer.empty()) return;
+    const Scene& scene = state.editor.scene();
+    const std::optional<SceneNumber> number = number_at(scene, animate.animation.pointer);
+    const std::string words = number ? number_words(scene, *number) : "";
+    if (animate.number.empty()) animate.number = words;
+    if (number && words == animate.number) return;
+    forget_number(state);
+}
+
+/// Says so where a number is to move and none is chosen.
+bool refuses_no_number(AnimateState& animate) {
+    if (animate.animation.motion != Motion::PingPong || !animate.animation.pointer.empty()) return false;
+    animate.refused = "No number is chosen: click one of the list";
+    return true;
+}
+
+/// 0 .. frames - 1.
+int within_period(const Animation& animation, int frame) {
+    const int period = std::max(animation.frames, 1);
+    return ((frame % period) + period) % period;
+}
+
+Scene turned(Scene scene, double angle) {
+    Camera& camera = scene.camera;
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(camera.up)), target(camera.target);
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1), angle, axis);
+    camera.eye = glm::vec3(target + glm::dvec3(turn * glm::dvec4(glm::dvec3(camera.eye) - target, 0)));
+    return scene;
+}
+
+/// The scene with the number at that value; the meshes that this changes are not made yet.
+Result<Scene> with_number(Scene scene, const std::string& pointer, double value) {
+    const std::optional<SceneNumber> number = number_at(scene, pointer);
+    const bool is_count = number && number->count;
+    if (const auto problem = set_number(scene, pointer, is_count ? number->count->nearest(value) : value))
+        return *problem;
+    return scene;
+}
+
+/// Whether this frame, or the animation's end that is farther from here, needs a mesh that takes long to
+/// make.
+bool is_held_up(const SceneDocument& document, const Animation& animation, int frame) {
+    const auto of_object = item_in(animation.pointer, "/objects/");
+    if (animation.motion != Motion::PingPong || !of_object || !is_within(of_object->rest, "/mesh"))
+        return false;
+    const auto is_slow_at = [&](double value) {
+        const Result<Scene> moved = with_number(document.scene, animation.pointer, value);
+        const Scene* scene = std::get_if<Scene>(&moved);
+        return scene != nullptr &&
+               std::any_of(scene->objects.begin(), scene->objects.end(), awaits_slow_mesh);
+    };
+    return is_slow_at(animation.to) || is_slow_at(value_at(animation, frame));
+}
+
+}  // namespace
+
+std::string number_words(const Scene& scene, const SceneNumber& number) {
+    return fmt::format("{}: {}", owner_of(number.pointer, scene), number.words);
+}
+
+void begin_animation(UiState& state, Motion motion) {
+    state.animate.open = true;
+    state.animate.animation.motion = motion;
+    state.animate.takes_keys = true;
+    state.animate.refused.clear();
+}
+
+void switch_playing(UiState& state) {
+    state.animate.playing = !state.animate.playing;
+    state.animate.open |= state.animate.playing;
+    state.animate.began = ImGui::GetTime();
+}
+
+bool animate_by_key(UiState& state, KeyPress press) {
+    const AnimateState& animate = state.animate;
+    if (!(press == KeyPress{Key::Enter}) || !animate.open || !animate.has_keyboard) return false;
+    if (animate.job || !animate.refused.empty()) return false;
+    switch_playing(state);
+    return true;
+}
+
+void ask_for_frames(UiState& state) {
+    if (refuses_no_number(state.animate)) {
+        state.animate.open = true;  // it says why
+        return;
+    }
+    state.files.ask(FilePurpose::SaveFrames, offered_name(state, ".gif"));
+}
+
+void forget_number(UiState& state) {
+    AnimateState& animate = state.animate;
+    const std::string gone = animate.number.empty() ? animate.animation.pointer : animate.number;
+    animate.number.clear();
+    animate.animation.pointer.clear();
+    animate.refused.clear();
+    if (animate.animation.motion != Motion::PingPong) return;
+    animate.playing = false;
+    state.notifications.tell("Animate: there is no “" + gone + "” any more", Tone::Warning);
+}
+
+void poll_animation(UiState& state) {
+    AnimateState& animate = state.animate;
+    poll_job(animate.job, state.notifications);
+    forget_number_that_is_gone(state);
+    animate.frame.reset();
+    if (!animate.playing) return;
+    const double frame = (ImGui::GetTime() - animate.began) * animate.frames_a_second;
+    if (refuses_no_number(animate)) {
+        animate.playing = false;
+        return;
+    }
+    const SceneDocument document = document_as_made(state);
+    if (is_held_up(document, animate.animation, static_cast<int>(frame))) {
+        animate.playing = false;
+        return state.notifications.add(
+            Tone::Warning,
+            "Animate: such meshes take too long to be played; Write frames… makes them beside the window");
+    }
+    Result<Scene> scene = scene_at(document, animate.animation, static_cast<int>(frame));
+    if (const Problem* problem = problem_of(scene)) {
+        animate.refused = with_expected(problem->what, problem->expected);
+        animate.playing = false;
+        if (!animate.open) state.notifications.add(*problem);  // a lesson plays without the panel
+        return;
+    }
+    animate.frame = std::get<Scene>(std::move(scene));
+    redraw_within((std::floor(frame) + 1 - frame) / animate.frames_a_second);
+}
+
+double value_at(const Animation& animation, int frame) {
+    const double share = double(within_period(animation, frame)) / std::max(animation.frames, 1);
+    return animation.from + (animation.to - animation.from) * (1 - std::abs(1 - 2 * share));
+}
+
+Result<Scene> scene_at(const SceneDocument& document, const Animation& animation, int frame) {
+    const int at = within_period(animation, frame);
+    if (animation.motion == Motion::Turntable)
+        return at == 0 ? document.scene
+                       : turned(document.scene, 2 * std::numbers::pi * at / std::max(animation.frames, 1));
+    Result<Scene> moved = with_number(document.scene, animation.pointer, value_at(animation, frame));
+    if (auto* scene = std::get_if<Scene>(&moved)) {
+        const Result<Warnings> warned = load_meshes(*scene, document.path, document.mesh_dir);
+        if (const Problem* problem = problem_of(warned)) return *problem;
+    }
+    return moved;
+}
+
+}  // namespace glint

@@ -1,0 +1,149 @@
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
+#include "ui/features/export/export_picture.h"
+#include "ui/features/export/save_with_command.h"
+#include "ui/picture/picture_notes.h"
+#include "ui/shell/modal.h"
+#include "ui/ui.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/numbers/number_input.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+struct NamedSize {
+    const char* name;
+    PictureSize size;
+};
+constexpr std::array sizes{NamedSize{"HD", {1280, 720}}, NamedSize{"Full HD", {1920, 1080}},
+                           NamedSize{"4K", {3840, 2160}}, NamedSize{"Square", {1024, 1024}}};
+constexpr std::array<int, 4> samples{1, 2, 4, 8};
+
+/// All of `text`, but for spaces around it, as a side of a picture.
+std::optional<int> side_in(std::string_view text) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    int side = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
+    if (error != std::errc{} || end != text.data() + text.size()) return {};
+    return side >= 1 && side <= max_picture_side ? std::optional(side) : std::nullopt;
+}
+
+/// "800x600", "800 × 600".
+std::optional<PictureSize> size_in(std::string_view text) {
+    for (const std::string_view sign : {"x", "X", "×"}) {
+        const std::size_t at = text.find(sign);
+        if (at == std::string_view::npos) continue;
+        const auto width = side_in(text.substr(0, at)), height = side_in(text.substr(at + sign.size()));
+        if (width && height) return PictureSize{*width, *height};
+    }
+    return {};
+}
+
+void size_rows(UiState& state, ExportOptions& options) {
+    const float room = label_cell("Size"), gap = px(3);
+    std::vector<NamedSize> offered(sizes.begin(), sizes.end());
+    if (state.rendered != nullptr) offered.insert(offered.begin(), {"As shown", state.full_size});
+    const auto count = static_cast<float>(offered.size());
+    const float width = (room - (count - 1) * gap) / count;
+    for (const NamedSize& named : offered) {
+        if (named.name != offered.front().name) ImGui::SameLine(0, gap);
+        if (chosen_button(named.name, options.size == named.size, width)) options.size = named.size;
+        list_control(named.name, "", last_item());
+    }
+    const Help help{"Size of the picture, in pixels; 800x600 sets both", ""};
+    (void)take_refused_text();  // of another field
+    (void)integer_field("Width", options.size.width, Count{1, max_picture_side}, 1920, help);
+    (void)integer_field("Height", options.size.height, Count{1, max_picture_side}, 1080, help);
+    if (const std::optional<PictureSize> both = size_in(take_refused_text())) {
+        options.size = *both;
+        unsay();
+    }
+}
+
+/// Whether the key answers the dialog: while a number is typed, it is the field's.
+bool answers(const UiInput& input, Key key) {
+    const auto is_key = [key](const KeyPress& press) { return press == KeyPress{key}; };
+    return enter_answers(std::any_of(input.presses.begin(), input.presses.end(), is_key)) &&
+           !ImGui::GetIO().WantTextInput;
+}
+
+void sample_row(ExportOptions& options, const UiInput& input) {
+    std::vector<Choice> choices;
+    constexpr const char* names[] = {"1", "2", "4", "8"};
+    for (const char* name : names) choices.push_back({name, name, "Samples a pixel"});
+    const auto at = std::find(samples.begin(), samples.end(), options.samples) - samples.begin();
+    label_cell("Samples");
+    int chosen = segments("##samples", static_cast<int>(at), choices,
+                          {"More make the edges smooth; inside a face nothing changes", ""});
+    if (answers(input, Key::Left)) --chosen;
+    if (answers(input, Key::Right)) ++chosen;
+    options.samples = samples[static_cast<std::size_t>(std::clamp(chosen, 0, int(samples.size()) - 1))];
+}
+
+void export_buttons(UiState& state, const UiInput& input) {
+    ExportState& exporting = state.exporting;
+    const bool saves = state.rendered != nullptr && !exporting.job;
+    ImGui::BeginDisabled(!saves);
+    if (ImGui::Button("Save here and copy its command", {-1, 0}) || (saves && answers(input, Key::S))) {
+        exporting.open = false;
+        save_with_command(state, exporting.options);
+    }
+    ImGui::EndDisabled();
+    tooltip(
+        "Save here and copy its command",
+        "Into a new file of the working directory; the command line that writes it goes onto the clipboard");
+    if (ImGui::Button("Choose a name…", {px(150), 0}) || answers(input, Key::Enter)) {
+        exporting.open = false;
+        ask_for_picture(state, FilePurpose::ExportPicture);
+    }
+    ImGui::SameLine();
+    const CommandId copy = CommandId::CopyCommand;
+    const bool copies = can_run(state, command(copy));
+    ImGui::BeginDisabled(!copies);
+    if (ImGui::Button("Copy as command", {px(140), 0}) || (copies && answers(input, Key::C)))
+        copy_render_command(state, exporting.options, offered_name(state, ".png"));
+    ImGui::EndDisabled();
+    tooltip("Copy as command", "The command line that writes this picture", "", keys_of(copy));
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {px(90), 0})) exporting.open = false;
+    ImGui::Dummy({0, px(2)});
+    small_dim("Tab: width and height  ·  ← →: samples");
+    small_dim("S: save here  ·  Enter: choose a name  ·  C: copy as command  ·  Esc: cancel");
+}
+
+}  // namespace
+
+void export_dialog(UiState& state, const UiInput& input) {
+    ExportState& exporting = state.exporting;
+    static constexpr const char* id = "Export the picture##export";
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(px(470), window.x), 0});
+    if (!begin_modal(id, &exporting.open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
+    size_rows(state, exporting.options);
+    sample_row(exporting.options, input);
+    ImGui::Dummy({0, px(4)});
+    dim_text(".png carries its scene; .pfm and .exr hold linear float numbers");
+    if (const std::string warning = file_warning(notes_of_shown(state)); !warning.empty())
+        warning_text(warning);
+    ImGui::Dummy({0, px(4)});
+    export_buttons(state, input);
+    if (!exporting.open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace glint

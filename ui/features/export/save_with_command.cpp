@@ -1,0 +1,39 @@
+#include "ui/features/export/save_with_command.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "ui/document/document_actions.h"
+#include "ui/ui.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A name in the working directory that no file has: "scene.png", "scene-2.png".
+std::string free_name(const UiState& state) {
+    const fs::path offered = fs::path(offered_name(state, ".png")).filename();
+    std::error_code failed;
+    std::string name = offered.string();
+    for (int i = 2; fs::exists(name, failed); ++i)
+        name = fmt::format("{}-{}.png", offered.stem().string(), i);
+    return name;
+}
+
+}  // namespace
+
+void save_with_command(UiState& state, const ExportOptions& options) {
+    const std::string name = free_name(state);
+    copy_render_command(state, options, name);
+    begin_export(state, options, name);
+}
+
+void save_with_command(UiState& state) {
+    const std::optional<LastExport>& last = state.exporting.last;
+    const bool again = last && last->document == state.editor.document.path;
+    save_with_command(state, again ? last->options : ExportOptions{state.full_size, 1});
+}
+
+}  // namespace glint

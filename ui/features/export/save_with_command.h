@@ -1,0 +1,14 @@
+#pragma once
+// A picture and the command line that draws it, in one step.
+
+#include "ui/features/export/export_picture.h"
+
+namespace glint {
+
+/// Draws the picture into a new file of the working directory and puts the command for it onto the clipboard.
+void save_with_command(UiState& state, const ExportOptions& options);
+/// Does so with the options of the scene's last export, or for the picture as it is shown if there was none.
+/// Precondition: the picture is drawn.
+void save_with_command(UiState& state);
+
+}  // namespace glint

@@ -1,0 +1,122 @@
+// Frames of an animation as files.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "models/io/file.h"
+#include "renderer/image/animation_file.h"
+#include "renderer/image/image_file.h"
+#include "ui/document/file_dialog.h"
+#include "ui/features/export/animation.h"
+#include "ui/picture/picture_notes.h"
+#include "ui/ui.h"
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FrameJob {
+    SceneDocument document;
+    Animation animation;
+    std::string path;
+    std::optional<AnimationFormat> format;  // none: each frame is a PNG of its own
+    PictureSize size;
+    int samples = 1, frames_a_second = 25, threads = 0;
+};
+
+/// Calls `take` with each frame's scene and picture; stops at the first problem, or when it is cancelled.
+template <class Take>
+std::optional<Problem> for_each_frame(const FrameJob& job, LoadProgress& progress, Take take) {
+    Renderer renderer(job.threads);
+    for (int frame = 0; frame < job.animation.frames; ++frame) {
+        if (!report_progress(LoadStage::Reading, std::uint64_t(frame), std::uint64_t(job.animation.frames)) ||
+            progress.cancelled)
+            return Problem{job.path, "", "writing was cancelled", ""};
+        const PartOfProgress meshes;  // of a frame whose resolution is animated
+        const Result<Scene> scene = scene_at(job.document, job.animation, frame);
+        if (const Problem* problem = problem_of(scene)) return *problem;
+        const auto& shown = std::get<Scene>(scene);
+        const PictureSize size{job.size.width, job.size.height, true};
+        if (auto problem = take(frame, shown, renderer.render(shown, size, false, job.samples)))
+            return problem;
+    }
+    return {};
+}
+
+Result<std::string> write_pngs(const FrameJob& job, LoadProgress& progress) {
+    const auto take = [&job](int frame, const Scene& scene,
+                             const Picture& picture) -> std::optional<Problem> {
+        const std::string path = frame_path(job.path, frame);
+        const std::string carried = carried_scene_text(scene, job.document.mesh_dir, path);
+        const auto written = write_file_at_once(path, png_bytes(picture, carried));
+        if (const Problem* problem = problem_of(written)) return *problem;
+        return {};
+    };
+    if (const auto problem = for_each_frame(job, progress, take)) return *problem;
+    return fmt::format("Wrote {} frames: {} to {}", job.animation.frames,
+                       fs::path(frame_path(job.path, 0)).filename().string(),
+                       fs::path(frame_path(job.path, job.animation.frames - 1)).filename().string());
+}
+
+/// Writes all frames into one file.
+Result<std::string> write_animation(const FrameJob& job, LoadProgress& progress) {
+    const auto of_file = [&job](Problem problem) {
+        problem.file = job.path;
+        return problem;
+    };
+    const auto made = animation_writer(*job.format, job.size, job.frames_a_second);
+    if (const Problem* problem = problem_of(made)) return of_file(*problem);
+    const auto& writer = std::get<std::unique_ptr<AnimationWriter>>(made);
+    const auto take = [&](int, const Scene&, const Picture& picture) -> std::optional<Problem> {
+        auto problem = writer->add(picture);
+        if (problem) return of_file(*problem);
+        return {};
+    };
+    if (const auto problem = for_each_frame(job, progress, take)) return *problem;
+    const Result<std::string> bytes = writer->finish();
+    if (const Problem* problem = problem_of(bytes)) return of_file(*problem);
+    const auto written = write_file_at_once(job.path, std::get<std::string>(bytes));
+    if (const Problem* problem = problem_of(written)) return *problem;
+    return fmt::format("Wrote {} with {} frames", fs::path(job.path).filename().string(),
+                       job.animation.frames);
+}
+
+/// Why one of the files to be written cannot be, the first of them; nothing where all can.
+std::optional<Problem> why_not_all_writable(const FrameJob& job) {
+    if (job.format) return why_not_writable(job.path);
+    for (int frame = 0; frame < job.animation.frames; ++frame)
+        if (auto problem = why_not_writable(frame_path(job.path, frame))) return problem;
+    return {};
+}
+
+}  // namespace
+
+void begin_frames(UiState& state, const std::string& path, PictureSize size, int samples) {
+    AnimateState& animate = state.animate;
+    const FrameJob job{document_as_made(state),
+                       animate.animation,
+                       path,
+                       animation_format(path),
+                       size,
+                       samples,
+                       animate.frames_a_second,
+                       state.renderer->stats().threads};
+    // Drawing takes long, and replaces frames that were there: what can be told before it is told now.
+    if (const auto problem = why_not_all_writable(job)) return state.notifications.add(*problem);
+    animate.playing = false;
+    animate.frame.reset();
+    animate.open = true;  // it says how far they have come
+    animate.job = std::make_unique<Job<Notification>>(
+        fs::path(path).filename().string(),
+        [job, notes = notes_of_edited(state)](LoadProgress& progress) -> Result<Notification> {
+            const Result<std::string> written =
+                job.format ? write_animation(job, progress) : write_pngs(job, progress);
+            if (const Problem* problem = problem_of(written)) return *problem;
+            return file_message(std::get<std::string>(written), notes);
+        });
+}
+
+}  // namespace glint

@@ -1,0 +1,171 @@
+#include "ui/features/games/match.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/document/document_actions.h"
+#include "ui/features/lessons/lesson_parts.h"
+#include "ui/features/lessons/prose.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// Returns the scene from where the target is seen, wherever its own camera stands.
+Scene seen_as_target(const MatchState& match, Scene scene) {
+    scene.camera = match.task.target.camera;
+    return scene;
+}
+
+double distance_to_target(MatchState& match, const Scene& scene) {
+    const Picture& picture = match.renderer->render(seen_as_target(match, scene), match_size);
+    return apart_of(picture, match.target);
+}
+
+bool has_target_as_b(const MatchState& match, const CompareChoice& choice) {
+    return choice.stored && *choice.stored == match.task.target;
+}
+
+void show_beside(UiState& state, bool beside) {
+    CompareChoice& choice = state.views.compare.choice;
+    choice.on = beside;
+    if (!beside) return;
+    choice.stored = std::make_shared<const Scene>(state.match.task.target);
+    choice.shows_stored = choice.difference = false;
+    set_parts(choice, {{}, {Variant::Kind::Stored, 0}});
+}
+
+/// Falls to the left while the hand comes closer.
+void distance_bar(const MatchState& match) {
+    const float share = match.first > 0 ? std::min(float(match.now / match.first), 1.0f) : 0;
+    const ImVec2 low = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, px(8)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, low + size, to_u32(theme().line), px(4));
+    const ImVec4& colour = match.now <= match_tolerance ? theme().accent : theme().warning;
+    list.AddRectFilled(low, {low.x + std::max(share * size.x, px(8)), low.y + size.y}, to_u32(colour), px(4));
+    ImGui::Dummy(size);
+    ImGui::PushFont(fonts().heading);
+    coloured(colour, fmt::format("{:.1f}", match.now));
+    ImGui::PopFont();
+    ImGui::SameLine(0, px(8));
+    dim_text("of 255 levels apart");
+    list_control("How far apart", "", last_item());
+}
+
+void target_picture(const MatchState& match) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 size{width, width * float(match_size.height) / float(match_size.width)};
+    match.sheet.draw(*ImGui::GetWindowDrawList(), 0, low, low + size);
+    ImGui::Dummy(size);
+    list_control("The target", "", last_item());
+}
+
+void hint(MatchState& match, const Scene& scene) {
+    if (!match.shows_hint) {
+        if (ImGui::Button("A hint")) match.shows_hint = true;
+        return tooltip("A hint", "Which term is off most");
+    }
+    if (match.hint.empty())
+        match.hint = match_hint(*match.renderer, seen_as_target(match, scene), match.task.target);
+    prose_line(match.hint);
+}
+
+}  // namespace
+
+void begin_match(UiState& state, std::uint64_t seed) {
+    constexpr int columns = 1, pictures = 1;
+    MatchTask task = match_task(seed);
+    SceneDocument document;
+    document.scene = task.start;
+    cancel_loads(state);
+    take_scene(state, std::move(document));
+    MatchState& match = state.match;
+    match.compare_before = state.views.compare.choice;
+    put_all_away(state);
+    match.task = std::move(task);
+    match.seed = seed;
+    if (!match.renderer) match.renderer = std::make_unique<Renderer>(1);
+    match.target = match.renderer->render(match.task.target, match_size);
+    match.sheet.reset(match_size, columns, pictures);
+    match.sheet.put(0, match.target);
+    match.first = match.now = distance_to_target(match, match.task.start);
+    match.asked_of = match.task.start;
+    match.solved = match.shows_hint = false;
+    match.hint.clear();
+    match.on = true;
+    state.lesson.shows_scene = state.left_shows_inspector = false;
+    show_beside(state, false);
+}
+
+void end_match(UiState& state) {
+    MatchState& match = state.match;
+    if (!match.on) return;
+    match.on = false;
+    CompareChoice &choice = state.views.compare.choice, &before = match.compare_before;
+    if (has_target_as_b(match, choice)) {  // it goes with its game
+        choice.stored = before.stored;
+        choice.shows_stored = false;
+    } else {  // the user has stored it meanwhile
+        before.stored = choice.stored;
+    }
+    if (state.mine.shown)  // it came during the game and stays; the old comparison returns when it goes
+        state.mine.compare_before = before;
+    else
+        choice = before;
+}
+
+void poll_match(UiState& state) {
+    MatchState& match = state.match;
+    if (!match.on || match.asked_of == state.editor.scene() || awaits_mesh(state)) return;
+    match.asked_of = state.editor.scene();
+    match.now = distance_to_target(match, match.asked_of);
+    match.hint.clear();
+    match.solved = match.solved || match.now <= match_tolerance;
+    redraw_within(0);  // the column was drawn before
+}
+
+void forget_play(UiState& state) {
+    Editor& editor = state.editor;
+    if (!state.match.on || !editor.document.path.empty()) return;
+    editor.saved = editor.scene();
+    editor.saved_edited_camera = editor.history.edited_camera();
+}
+
+void match_column(UiState& state) {
+    MatchState& match = state.match;
+    ImGui::PushFont(fonts().heading);
+    ImGui::TextUnformatted("Match the target");
+    ImGui::PopFont();
+    small_dim(fmt::format("Number {}: the same for everybody", match.seed));
+    target_picture(match);
+    distance_bar(match);
+    ImGui::Dummy({0, px(4)});
+    if (match.now <= match_tolerance)
+        prose_line("✓ Matched.", theme().accent);
+    else
+        prose_line(
+            "Drag the light or its highlight, the highlight's rim for its size, Ctrl+Shift for how bright "
+            "it is, until the picture is this one.");
+    hint(match, match.asked_of);
+    ImGui::Dummy({0, px(4)});
+    const CompareChoice& choice = state.views.compare.choice;
+    const bool beside =
+        choice.on && has_target_as_b(match, choice) && choice.parts.back().kind == Variant::Kind::Stored;
+    if (chosen_button("Target beside it", beside)) show_beside(state, !beside);
+    tooltip("Target beside it", "Half of the picture is the target, behind a line to drag");
+    ImGui::SameLine(0, px(8));
+    if (ImGui::Button("Begin again")) state.editor.scene() = match.task.start;
+    tooltip("Begin again", "As it was at first; undo brings yours back");
+    const bool another = match.solved ? main_button("Another") : ImGui::Button("Another");
+    tooltip("Another", "The next number: some are harder");
+    if (another) begin_pending(state, Pending::What::Match, std::to_string(match.seed + 1));
+}
+
+}  // namespace glint

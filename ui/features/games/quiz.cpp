@@ -1,0 +1,263 @@
+#include "ui/features/games/quiz.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "models/io/file.h"
+#include "ui/features/lessons/lesson_parts.h"
+#include "ui/features/lessons/prose.h"
+#include "ui/shell/modal.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// A picture as the sheet of questions on paper has it, twice as large for fine displays.
+Result<QuizPage> page_of(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
+                         const LessonStep& step, const Prediction& question) {
+    QuizPage page;
+    page.title = step.title;
+    page.question = question.question;
+    for (const LessonOption& option : question.options) page.options.push_back(option.text);
+    for (const LessonPart& part : step.parts)
+        if (const auto* text = std::get_if<std::vector<ProseBlock>>(&part))
+            page.text.insert(page.text.end(), text->begin(), text->end());
+    const Result<SceneDocument> set = LessonRunner::with(document, step.set, lesson, step.line);
+    if (const Problem* problem = problem_of(set)) return *problem;
+    const Result<SceneDocument> shown =
+        LessonRunner::for_paper(std::get<SceneDocument>(set), step, lesson, false);
+    if (const Problem* problem = problem_of(shown)) return *problem;
+    const PictureSize size{2 * lesson.size.width, 2 * lesson.size.height};
+    Result<Picture> picture = runner.picture(std::get<SceneDocument>(shown), lesson, size, 4);
+    if (const Problem* problem = problem_of(picture)) return *problem;
+    page.picture = std::get<Picture>(std::move(picture));
+    return page;
+}
+
+Result<QuizPages> read_pages(const std::string& path, LoadProgress& progress) {
+    Result<Lesson> read = read_lesson(path);
+    if (const Problem* problem = problem_of(read)) return *problem;
+    QuizPages quiz;
+    quiz.lesson = std::get<Lesson>(std::move(read));
+    LessonRunner runner(1);
+    const Result<SceneDocument> opened = runner.open(quiz.lesson);
+    if (const Problem* problem = problem_of(opened)) return *problem;
+    for (const LessonStep& step : quiz.lesson.steps)
+        for (const LessonPart& part : step.parts) {
+            if (progress.cancelled) throw LoadCancelled();
+            const auto* p = std::get_if<Prediction>(&part);
+            if (p == nullptr || p->kind != PredictionKind::Choice) continue;
+            Result<QuizPage> page = page_of(runner, std::get<SceneDocument>(opened), quiz.lesson, step, *p);
+            if (const Problem* problem = problem_of(page)) return *problem;
+            quiz.pages.push_back(std::get<QuizPage>(std::move(page)));
+        }
+    return quiz;
+}
+
+std::string kept_file(const UiState& state) { return state.persistence.file("quiz.json"); }
+
+QuizAnswers answers_of(const QuizState& quiz) { return {quiz.after, quiz.taken}; }
+std::string text_of(const QuizState& quiz, const QuizAnswers& answers) {
+    return json_text(answers_json(quiz.pages->lesson, answers));
+}
+
+/// What is kept, as far as it fits these questions.
+std::optional<QuizAnswers> kept_answers(const UiState& state) {
+    constexpr std::size_t longest_file = 1 << 16;
+    const QuizState& quiz = state.quiz;
+    if (state.persistence.folder.empty()) return {};
+    const Result<std::string> text = read_file(kept_file(state), longest_file);
+    if (problem_of(text) != nullptr) return {};
+    const Result<QuizAnswers> read =
+        read_answers(quiz.pages->lesson, std::get<std::string>(text), kept_file(state));
+    const auto* answers = std::get_if<QuizAnswers>(&read);
+    if (answers == nullptr || answers->options.size() != quiz.pages->pages.size()) return {};
+    return *answers;
+}
+
+/// What was answered in a window before; goes on at the first question that was not.
+void recall_answers(UiState& state) {
+    QuizState& quiz = state.quiz;
+    quiz.taken.assign(quiz.pages->pages.size(), {});
+    quiz.kept = answers_of(quiz);
+    const std::optional<QuizAnswers> answers = kept_answers(state);
+    if (!answers) return;
+    quiz.kept = *answers;
+    quiz.after = answers->after;
+    quiz.taken = answers->options;
+    const auto first = std::find(quiz.taken.begin(), quiz.taken.end(), std::nullopt);
+    quiz.at = static_cast<std::size_t>(first - quiz.taken.begin());
+}
+
+void keep_answers(UiState& state) {
+    QuizState& quiz = state.quiz;
+    const QuizAnswers now = answers_of(quiz);
+    if (now == quiz.kept) return;
+    const char* const answers = "What is answered here";
+    if (!can_keep(state, answers)) return;
+    quiz.kept = now;
+    const auto written = write_file_at_once(kept_file(state), text_of(quiz, now));
+    if (const Problem* problem = problem_of(written)) tell_not_kept(state, answers, *problem);
+}
+
+void begin_quiz_again(QuizState& quiz) {
+    quiz.put_away = std::exchange(quiz.taken, decltype(quiz.taken)(quiz.taken.size()));
+    quiz.at = 0;
+}
+
+void take_pages(UiState& state) {
+    QuizState& quiz = state.quiz;
+    Result<QuizPages> read = quiz.loading->take();
+    quiz.loading.reset();
+    if (const Problem* problem = problem_of(read)) {
+        quiz.open = false;
+        return state.notifications.add(*problem);
+    }
+    quiz.pages = std::get<QuizPages>(std::move(read));
+    const std::vector<QuizPage>& pages = quiz.pages->pages;
+    recall_answers(state);
+    if (pages.empty()) return;
+    quiz.sheet.reset(pages.front().picture.size, 4, static_cast<int>(pages.size()));
+    for (std::size_t i = 0; i < pages.size(); ++i) quiz.sheet.put(static_cast<int>(i), pages[i].picture);
+}
+
+std::size_t count_taken(const QuizState& quiz) {
+    return static_cast<std::size_t>(
+        std::count_if(quiz.taken.begin(), quiz.taken.end(), [](const auto& t) { return t.has_value(); }));
+}
+
+void page(QuizState& quiz) {
+    const QuizPage& page = quiz.pages->pages[quiz.at];
+    ImGui::PushFont(fonts().heading);
+    ImGui::TextUnformatted(page.title.c_str());
+    ImGui::PopFont();
+    const float width = std::min(ImGui::GetContentRegionAvail().x, px(361));
+    const PictureSize cell = quiz.sheet.cell;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 size{width, width * float(cell.height) / float(cell.width)};
+    quiz.sheet.draw(*ImGui::GetWindowDrawList(), static_cast<int>(quiz.at), low, low + size);
+    ImGui::Dummy(size);
+    ImGui::Dummy({0, px(4)});
+    prose(page.text);
+    prose({{ProseKind::Heading, 3, -1, {{.text = page.question, .link = {}}}}});
+    for (std::size_t i = 0; i < page.options.size(); ++i) {
+        const bool taken = quiz.taken[quiz.at] == i;
+        if (option_card(letter_of_option(i), page.options[i], taken ? OptionLook::Taken : OptionLook::Open))
+            quiz.taken[quiz.at] = i;
+    }
+}
+
+void last_page(UiState& state) {
+    QuizState& quiz = state.quiz;
+    prose_line(fmt::format("You answered {} of {} questions.", count_taken(quiz), quiz.taken.size()));
+    prose_line(
+        "What is right is not shown here: the lessons explain it, and after them you are asked again.");
+    ImGui::Dummy({0, px(6)});
+    if (ImGui::RadioButton("before the lessons", !quiz.after)) quiz.after = false;
+    ImGui::SameLine(0, px(16));
+    if (ImGui::RadioButton("after them", quiz.after)) quiz.after = true;
+    ImGui::Dummy({0, px(6)});
+    if (main_button("Save my answers…"))
+        state.files.ask(FilePurpose::SaveAnswers, quiz.after ? "answers-after.json" : "answers-before.json");
+    tooltip("Save my answers", "As a file that `glint quiz ANSWERS.json...` counts for a class");
+    small_dim("The file has no name in it but the one that you give it.");
+}
+
+void answer_by_key(QuizState& quiz, KeyPress press) {
+    if (!press.is_alone()) return;
+    const std::vector<QuizPage>& pages = quiz.pages->pages;
+    const std::size_t options = quiz.at < pages.size() ? pages[quiz.at].options.size() : 0;
+    if (const auto option = option_of_key(press, options))
+        quiz.taken[quiz.at] = option;
+    else if (press.key == Key::Enter || press.key == Key::PageDown)
+        quiz.at = std::min(quiz.at + 1, pages.size());
+    else if (press.key == Key::PageUp && quiz.at > 0)
+        --quiz.at;
+}
+
+void ways_on(QuizState& quiz) {
+    const std::size_t count = quiz.pages->pages.size();
+    ImGui::Separator();
+    const float width = px(92), right = ImGui::GetWindowContentRegionMax().x;
+    ImGui::BeginDisabled(quiz.at == 0);
+    if (ImGui::Button("‹ Back##quiz", {width, 0})) --quiz.at;
+    ImGui::EndDisabled();
+    tooltip("Question before", "PgUp does it, too");
+    if (count_taken(quiz) > 0) {
+        ImGui::SameLine();
+        if (ImGui::Button("Begin again##quiz")) begin_quiz_again(quiz);
+        tooltip("Begin again", "At the first question, with nothing answered");
+    } else if (!quiz.put_away.empty()) {
+        ImGui::SameLine();
+        if (ImGui::Button("Bring them back##quiz")) quiz.taken = std::exchange(quiz.put_away, {});
+        tooltip("Bring them back", "The answers as they were before you began again");
+    }
+    const std::string place = quiz.at < count ? fmt::format("{} of {}", quiz.at + 1, count) : "the end";
+    ImGui::SameLine((right - ImGui::CalcTextSize(place.c_str()).x) / 2);
+    dim_text(place.c_str());
+    if (quiz.at >= count) return;
+    ImGui::SameLine(right - width);
+    if (chosen_button("Next ›##quiz", quiz.taken[quiz.at].has_value(), width)) ++quiz.at;
+    tooltip("Next question", "PgDn and Enter do it, too");
+}
+
+}  // namespace
+
+void open_quiz(UiState& state) {
+    QuizState& quiz = state.quiz;
+    quiz.open = true;
+    if (quiz.pages || quiz.loading) return;
+    quiz.loading = std::make_unique<Job<QuizPages>>(
+        "Quiz",
+        [path = state.lesson.inventory](LoadProgress& progress) { return read_pages(path, progress); });
+}
+
+void quiz_dialog(UiState& state, const UiInput& input) {
+    QuizState& quiz = state.quiz;
+    if (quiz.loading && quiz.loading->done()) take_pages(state);
+    if (quiz.loading) redraw_within(0.05);
+    if (!quiz.open) return;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const ImVec2 size{std::min(px(640), window.x - px(40)), std::min(px(700), window.y - px(30))};
+    ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize(size);
+    if (!begin_modal("What do you believe about lighting?##quiz", &quiz.open,
+                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return;
+    if (!quiz.pages) {
+        dim_text("The pictures are drawn …");
+    } else {
+        if (!ImGui::IsWindowAppearing())
+            for (const KeyPress& press : input.presses) answer_by_key(quiz, press);
+        ImGui::PushID(static_cast<int>(quiz.at));  // each page its own place of scrolling
+        ImGui::BeginChild("##page", {0, -ImGui::GetFrameHeightWithSpacing() - px(8)});
+        if (quiz.at < quiz.pages->pages.size())
+            page(quiz);
+        else
+            last_page(state);
+        ImGui::EndChild();
+        ImGui::PopID();
+        ways_on(quiz);
+        keep_answers(state);
+    }
+    if (!quiz.open || state.files.open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+void save_answers(UiState& state, const std::string& path) {
+    const auto written = write_file_at_once(path, text_of(state.quiz, answers_of(state.quiz)));
+    if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
+    std::error_code not_there;
+    if (!state.persistence.folder.empty()) std::filesystem::remove(kept_file(state), not_there);
+    state.notifications.add(Tone::Done,
+                            fmt::format("Saved {}", std::filesystem::path(path).filename().string()));
+}
+
+}  // namespace glint

@@ -1,0 +1,53 @@
+#pragma once
+// The concept inventory in the window: a picture and four options a question, before the lessons or after
+// them, and the answers as a file that `glint quiz` counts. Until they are saved they are kept beside the
+// window's other memory, for the next window to go on.
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lessons/lesson.h"
+#include "lessons/quiz.h"
+#include "renderer/picture.h"
+#include "ui/document/job.h"
+#include "ui/widgets/picture_sheet.h"
+
+namespace glint {
+
+struct UiState;
+struct UiInput;
+
+struct QuizPage {
+    std::string title;
+    std::vector<ProseBlock> text;
+    std::string question;
+    std::vector<std::string> options;
+    Picture picture;  // that does not tell the answer
+};
+struct QuizPages {
+    Lesson lesson;
+    std::vector<QuizPage> pages;
+};
+
+struct QuizState {
+    bool open = false, after = false;  // after the lessons, else before them
+    std::unique_ptr<Job<QuizPages>> loading;
+    std::optional<QuizPages> pages;
+    std::vector<std::optional<std::size_t>> taken;     // an option for each page, from 0
+    std::vector<std::optional<std::size_t>> put_away;  // by *Begin again*, which can be taken back
+    QuizAnswers kept;                                  // as they are on the disk
+    std::size_t at = 0;                                // pages.size(): the end
+    PictureSheet sheet;
+};
+
+/// Opens the dialog; answers that were given and not saved are still there.
+void open_quiz(UiState& state);
+/// Draws it. Keys: the letter of an option takes it, Enter and PgDn go on, PgUp goes back.
+void quiz_dialog(UiState& state, const UiInput& input);
+/// Writes the answers, and ends keeping them for another window; what is wrong is a notification.
+void save_answers(UiState& state, const std::string& path);
+
+}  // namespace glint

@@ -1,0 +1,232 @@
+#include "ui/features/inspector/equation/equation_tab.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/vector_relational.hpp>
+#include <optional>
+
+#include "models/scene/reflection.h"
+#include "renderer/explain/explain_format.h"
+#include "renderer/explain/explain_words.h"
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/inspector/equation/formula.h"
+#include "ui/features/inspector/equation/text_line.h"
+#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/inspector/tabs.h"
+#include "ui/fields/field_panel.h"
+#include "ui/picture/draw_picture.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/numbers/number_input.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// Buttons for the corners, with their weights, which sum to 1.
+void corner_buttons(InspectorState& state, const Explanation& explanation) {
+    for (int i = 0; i < static_cast<int>(explanation.corners.size()); ++i) {
+        const ExplainedCorner& corner = explanation.corners[static_cast<std::size_t>(i)];
+        const std::string label = fmt::format("{} {:.2f}", static_cast<char>('A' + i % 26), corner.weight);
+        if (i % 4 != 0) ImGui::SameLine(0, px(4));
+        ImGui::PushFont(fonts().figures);
+        if (chosen_button(label.c_str(), i == state.corner)) state.corner = i;
+        ImGui::PopFont();
+        tooltip("Corner", "Its share of the pixel; click for its numbers");
+    }
+}
+
+/// Says at which corner the numbers below were lit.
+void lit_at(InspectorState& state, const Explanation& explanation, const Shading& shading) {
+    if (!explanation.lit_per_corner || explanation.corners.empty()) return;
+    if (explanation.corners.size() == 1)
+        return wrapped_dim(flat_at_provoking_corner(shading)
+                               ? "Lit once for the whole triangle, at its provoking corner:"
+                               : "Lit once for the whole polygon, at its centroid:");
+    state.corner = std::clamp(state.corner, 0, static_cast<int>(explanation.corners.size()) - 1);
+    wrapped_dim(fmt::format("Lit at the corners, the colours mixed by {} weights:",
+                            explanation.corners.empty() ? "" : choice_of(explanation.interpolation).word));
+    corner_buttons(state, explanation);
+}
+
+/// What the pixel would be under each way of weighing the corners: resting shows the picture so, a click
+/// takes it.
+void interpolations(UiState& state, const Explanation& explanation) {
+    for (const ExplainedInterpolation& each : explanation.interpolations) {
+        const Choice choice = choice_of(each.interpolation);
+        const bool is_chosen = each.interpolation == explanation.interpolation;
+        ImGui::PushID(choice.label);
+        if (ImGui::Selectable(choice.label, is_chosen, 0, {px(92), 0}))
+            if (Scene* scene = editable_scene(state)) scene->shading.interpolation = each.interpolation;
+        const bool pointed = is_pointed_at();
+        tooltip(choice.label, choice.meaning, "Rest here: the picture under it. Click: take it",
+                "/shading/interpolation");
+        ImGui::SameLine(0, px(6));
+        mono_text(shown_vector(each.sum));
+        ImGui::PopID();
+        if (!pointed || is_chosen) continue;
+        Scene other = asked_scene(state);
+        other.shading.interpolation = each.interpolation;
+        show_instead(state, other, fmt::format("{} weights", choice.label));
+    }
+}
+
+/// Whether a highlight between the corners is lost here, or enough of them bring it back.
+void against_phong(const UiState& state, const Explanation& explanation) {
+    if (!explanation.lit_per_corner) return;
+    const std::optional<Explanation> phong = under_phong(state, explanation);
+    if (!phong) return;
+    // Not by the bytes: where both are clipped they are equal, whatever is lost.
+    if (shown_vector(phong->sum) == shown_vector(explanation.sum))
+        return wrapped_dim("Phong shading gives the same colour here: nothing is lost between the corners.");
+    const glm::vec3 lost = phong->sum - explanation.sum;
+    const auto row = [](const char* label, const char* what, glm::vec3 value) {
+        const float left = ImGui::GetCursorPosX();
+        dim_text(label);
+        tooltip(label, what);
+        ImGui::SameLine(left + px(98));
+        mono_text(shown_vector(value));
+    };
+    row("Phong", "The pixel lit at its own point, not at the corners", phong->sum);
+    if (glm::all(glm::greaterThanEqual(lost, glm::vec3(0))))
+        row("lost", "What lies between the corners, and so in none of their colours", lost);
+    else if (glm::all(glm::lessThanEqual(lost, glm::vec3(0))))
+        row("too much", "What the corners bring here, though it does not reach this point", -lost);
+    else
+        row("differs", "This colour minus Phong's: negative is what is lost between the corners", -lost);
+}
+
+/// The tone, which under cool to warm takes the place of emission, ambient and diffuse.
+void tone_line(const ExplainedTone& tone, int channel) {
+    TextLine line;
+    line.symbol(Quantity::WarmShare).plain(" = (1 + ").symbol(Quantity::NL).plain(")/2 = ");
+    line.number(shown_number(tone.k_w), theme().text);
+    TextLine mix;
+    mix.gap(14).symbol(Quantity::Warm).number(shown_number(tone.warm[channel]), theme().text);
+    mix.times().symbol(Quantity::WarmShare).plain(" + ").symbol(Quantity::Cool);
+    mix.number(shown_number(tone.cool[channel]), theme().text);
+    mix.times().plain("(1 − ").symbol(Quantity::WarmShare).plain(")");
+    mix.result(shown_number(tone.color[channel]), theme().text);
+}
+
+void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint& point) {
+    const int channel = state.inspector.channel;
+    const auto& marked = state.inspector.marked;
+    const bool is_marked = marked && marked->light < 0;
+    const QuantityMark mark(is_marked ? std::optional(marked->quantity) : std::nullopt, false);
+    if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel);
+    for (const EquationLine& line : unlit_lines(asked_scene(state), explanation, point)) {
+        ImGui::PushID(static_cast<int>(line.term));
+        (void)draw_line(line, {asked_scene(state), editable_scene(state)}, channel);
+        ImGui::PopID();
+    }
+}
+
+void light_cards(UiState& state, const Explanation& explanation, const ExplainedPoint& point) {
+    const auto& lights = point.lights;
+    const auto& marked = state.inspector.marked;
+    const auto wanted = std::find_if(lights.begin(), lights.end(), [&](const ExplainedLight& light) {
+        return marked && marked->light == light.index;
+    });
+    state.inspector.cards.draw(
+        static_cast<int>(lights.size()),
+        [&](int i) { light_card(state, explanation, point, static_cast<std::size_t>(i)); },
+        static_cast<int>(wanted - lights.begin()));
+}
+
+void mistakes_note(const Scene& scene) {
+    if (const std::string on = mistakes_text(scene.shading.mistakes); !on.empty())
+        warning_text(on + ". A term need not be the product of its factors.");
+}
+
+std::string section_title(const InspectorState& state, const Explanation& explanation) {
+    constexpr std::array channels{"red", "green", "blue"};
+    return fmt::format("In {}, under {} shading", channels[static_cast<std::size_t>(state.channel)],
+                       choice_of(explanation.mode).label);
+}
+
+/// A mark is seen for a few seconds.
+void forget_old_mark(InspectorState& inspector) {
+    if (!inspector.marked) return;
+    const double rest = inspector.marked->until - ImGui::GetTime();
+    if (rest <= 0)
+        inspector.marked.reset();
+    else
+        redraw_within(rest);
+}
+
+constexpr std::array formats{
+    CopyFormat{CopyAs::Text, "text", "As `glint explain FILE --pixel X,Y` prints it"},
+    CopyFormat{CopyAs::Json, "JSON",
+               "As `glint explain … --format json` prints it; docs/explain.md tells its keys"},
+    CopyFormat{CopyAs::Latex, "LaTeX", "As `glint explain … --format latex` prints it, for amsmath"}};
+
+void copy_buttons(const UiState& state) {
+    section_heading("Copy this explanation as");
+    ImGui::PushFont(fonts().small);
+    for (const CopyFormat& format : formats) {
+        if (&format != &formats.front()) ImGui::SameLine();
+        if (ImGui::Button(format.label)) copy_explanation(state, format);
+        tooltip(format.label, format.what);
+    }
+    ImGui::PopFont();
+}
+
+}  // namespace
+
+std::string explained_as(CopyAs format, const Explanation& explanation, const Scene& scene) {
+    switch (format) {
+    case CopyAs::Text:
+        return explain_text(explanation, scene);
+    case CopyAs::Json:
+        return explain_json(explanation);
+    case CopyAs::Latex:
+        return explain_latex(explanation, scene);
+    }
+    return {};  // not reached
+}
+
+std::span<const CopyFormat> copy_formats() { return formats; }
+
+void copy_explanation(const UiState& state, const CopyFormat& format) {
+    const Explanation& explanation = *state.explanation;
+    ImGui::SetClipboardText(explained_as(format.as, explanation, asked_scene(state)).c_str());
+    say(fmt::format("The explanation of pixel {}, {} is on the clipboard as {}", explanation.x, explanation.y,
+                    format.label));
+}
+
+void equation_tab(UiState& state, const PictureView&) {
+    if (!state.explanation)
+        return inspector_empty_state(
+            "Here the lighting equation of that pixel appears with its numbers: what each light adds, and "
+            "why a "
+            "light that you expect adds nothing.");
+    const Explanation& explanation = *state.explanation;
+    forget_old_mark(state.inspector);
+    if (!explanation.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
+    if (static_cast<std::size_t>(explanation.object_index) >= asked_scene(state).objects.size()) return;
+    formula(explanation.reflection);
+    if (!is_plain_front(explanation)) warning_text("The surface is seen from its " + side_words(explanation));
+    sum_table(state, explanation);
+    display_lines(state, explanation);
+    my_pixel(state);
+    if (explanation.reflection != Reflection::None) {
+        section_heading(section_title(state.inspector, explanation).c_str());
+        mistakes_note(asked_scene(state));
+        lit_at(state.inspector, explanation, asked_scene(state).shading);
+        interpolations(state, explanation);
+        against_phong(state, explanation);
+        const ExplainedPoint& point = asked_point(state.inspector, explanation);
+        unlit(state, explanation, point);
+        light_cards(state, explanation, point);
+        if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");
+    }
+    copy_buttons(state);
+}
+
+}  // namespace glint

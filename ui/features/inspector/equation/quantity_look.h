@@ -1,0 +1,17 @@
+#pragma once
+// How the letters of the equation look in the window.
+
+#include <utility>
+
+#include "renderer/explain/quantity.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+
+/// The colour of a letter.
+[[nodiscard]] Symbol colour_of(Quantity quantity);
+
+/// The vectors between which it is the cosine. Precondition: is_cosine().
+[[nodiscard]] std::pair<Quantity, Quantity> vectors_of(Quantity cosine);
+
+}  // namespace glint

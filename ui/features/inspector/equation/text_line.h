@@ -1,0 +1,89 @@
+#pragma once
+// A line of the equation: letters in their colours, numbers to read and numbers to drag, on one baseline. It
+// goes on in the next line where the column ends.
+
+#include <imgui.h>
+
+#include <optional>
+#include <string>
+
+#include "renderer/explain/quantity.h"
+#include "ui/features/inspector/equation/number_handle.h"
+#include "ui/widgets/area.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+
+/// While a mark lives, the first letter of that quantity is framed, with the number behind it; with `scrolls`
+/// it is brought into view, too.
+class QuantityMark {
+  public:
+    QuantityMark(std::optional<Quantity> quantity, bool scrolls);
+    ~QuantityMark();
+    QuantityMark(const QuantityMark&) = delete;
+    QuantityMark& operator=(const QuantityMark&) = delete;
+};
+
+class TextLine {
+  public:
+    /// Begins at the cursor; lines after the first are indented by `indent` logical pixels.
+    explicit TextLine(float indent = 14);
+    ~TextLine();
+    TextLine(const TextLine&) = delete;
+    TextLine& operator=(const TextLine&) = delete;
+
+    TextLine& plain(const std::string& text);
+    TextLine& plain(const std::string& text, const ImVec4& colour);
+    /// Text of a program, in letters of equal width.
+    TextLine& code(const std::string& text, const ImVec4& colour);
+    /// Figures of equal width; a right click copies them.
+    TextLine& number(const std::string& text, const ImVec4& colour);
+    /// Its letter; of a cosine each in its vector's colour. Resting on it tells what it stands for.
+    TextLine& symbol(Quantity quantity);
+    TextLine& times();
+    /// A number to drag, dotted below. True when it was edited.
+    bool handle(const NumberHandle& number, const ImVec4& colour);
+    /// A handle raised like an exponent; a plain number so.
+    bool exponent(const NumberHandle& number, const ImVec4& colour);
+    TextLine& raised(const std::string& text, const ImVec4& colour);
+    /// Sets what "Copy line" copies in the menus of the numbers that follow.
+    TextLine& copied_as(std::string line);
+    /// Writes the result at the right edge of the column.
+    void result(const std::string& text, const ImVec4& colour);
+    TextLine& gap(float width);
+    /// Keeps what draw() draws on one line if it fits into one: a value with its name. draw() is called
+    /// twice, the first time only to measure; handles return false then.
+    template <class Draw> TextLine& together(const Draw& draw) {
+        const float x = x_;
+        measures_ = true;
+        draw();
+        measures_ = false;
+        const float width = x_ - x;
+        x_ = x;
+        keep_together(width);
+        draw();
+        return *this;
+    }
+
+    [[nodiscard]] static float height();
+
+  private:
+    void place(float width);
+    /// Goes on in a new line where the next `width` do not fit into this one.
+    void keep_together(float width);
+    TextLine& piece(const std::string& text, const ImVec4& colour, ImFont* font, float down);
+    bool edit(const NumberHandle& number, const ImVec4& colour, float down);
+
+    void menu_of(const std::string& number);
+    void letters(Quantity quantity);
+    void end_mark(const Rect& value);
+
+    float x_, y_, left_, right_, indent_;
+    std::string line_;
+    int numbers_ = 0;
+    bool measures_ = false;      // nothing is drawn: only x_ goes on
+    std::optional<Rect> mark_;   // the letter of the marked quantity, until its value is drawn
+    bool marks_result_ = false;  // and that is the line's result
+};
+
+}  // namespace glint

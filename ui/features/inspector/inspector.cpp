@@ -1,0 +1,68 @@
+#include "ui/features/inspector/inspector.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/ui.h"
+
+namespace glint {
+
+bool asks_at_cursor(const UiState& state) {
+    return ImGui::GetIO().KeyAlt && state.viewport.hovered && state.viewport.gesture == Gesture::None;
+}
+
+std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& view) {
+    const PictureSize size = view.map.size;
+    if (!asks_at_cursor(state)) return probe_pixel(state.viewport, size);
+    return nearest_pixel(size, view.to_pixel(ImGui::GetIO().MousePos));
+}
+
+const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& explanation) {
+    if (!explanation.lit_per_corner || explanation.corners.empty()) return explanation.at;
+    const auto last = static_cast<int>(explanation.corners.size()) - 1;
+    return explanation.corners[static_cast<std::size_t>(std::clamp(state.corner, 0, last))].at;
+}
+
+const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& point) {
+    const auto find = [&](int index) {
+        return std::find_if(point.lights.begin(), point.lights.end(),
+                            [index](const ExplainedLight& light) { return light.index == index; });
+    };
+    if (point.lights.empty()) return nullptr;
+    if (const auto it = find(state.inspector.pointed_light); it != point.lights.end()) return &*it;
+    const Selection& selection = state.editor.selection;
+    if (selection.kind == Selection::Kind::Light)
+        if (const auto it = find(selection.index); it != point.lights.end()) return &*it;
+    const auto adds = [](const ExplainedLight& light) {
+        const glm::vec3 share = light.ambient + light.diffuse + light.specular;
+        return share.x + share.y + share.z;
+    };
+    return &*std::max_element(
+        point.lights.begin(), point.lights.end(),
+        [&](const ExplainedLight& a, const ExplainedLight& b) { return adds(a) < adds(b); });
+}
+
+Scene with_term_alone(Scene scene, Symbol term) {
+    scene.shading.terms = {term == Symbol::Emission, term == Symbol::Ambient, term == Symbol::Diffuse,
+                           term == Symbol::Specular};
+    return scene;
+}
+
+void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests) {
+    if (same_description(scene, state.editor.scene())) return;  // a click has just taken it
+    if (!column_has_turn(state)) return;
+    state.inspector.instead = scene;
+    state.inspector.instead_rests = rests;
+    state.inspector.preview_name = name;
+}
+
+Scene with_light_alone(Scene scene, int light) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        scene.lights[i].enabled = static_cast<int>(i) == light;
+    scene.global_ambient = glm::vec3(0);
+    scene.shading.terms.emission = false;
+    return scene;
+}
+
+}  // namespace glint

@@ -1,0 +1,166 @@
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "renderer/reflectance/highlight.h"
+#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/inspector/tabs.h"
+#include "ui/fields/field_panel.h"
+#include "ui/picture/draw_picture.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// Clamps a linear colour: only for the explained sum is it known exactly what the display makes of it.
+ImU32 ink_of(glm::vec3 c) {
+    return to_u32({std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f), 1});
+}
+
+void swatch(ImU32 colour, float edge) {
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high = low + edge * ImVec2(1, 1);
+    ImGui::GetWindowDrawList()->AddRectFilled(low, high, colour, px(3));
+    ImGui::GetWindowDrawList()->AddRect(low, high, to_u32(theme().line), px(3));
+    ImGui::Dummy({edge, edge});
+}
+
+/// Lists the corners that make the colour, with their weights.
+void corner_lines(const Explanation& explanation) {
+    char letter = 'A';
+    for (const ExplainedCorner& corner : explanation.corners) {
+        swatch(ink_of(corner.at.sum), ImGui::GetTextLineHeight());
+        ImGui::SameLine(0, px(6));
+        dim_text(fmt::format("{}", letter++).c_str());
+        ImGui::SameLine(0, px(6));
+        mono_text(fmt::format("{:.3f} × {}", corner.weight, shown_vector(corner.at.sum)));
+    }
+}
+
+/// Says how the mode comes by the colour.
+void how(const Explanation& explanation, const Shading& shading) {
+    switch (explanation.mode) {
+    case ShadingMode::Flat:
+        return small_dim(flat_at_provoking_corner(shading)
+                             ? "lit once, at the triangle's provoking corner"
+                             : "lit once, at the polygon's centroid, with the facet's normal");
+    case ShadingMode::Facet:
+        return small_dim("lit here, with the facet's normal");
+    case ShadingMode::Gouraud:
+        small_dim(fmt::format("lit at the corners; {} weights × colours, added:",
+                              choice_of(explanation.interpolation).word));
+        return corner_lines(explanation);
+    case ShadingMode::Phong:
+        return small_dim("lit here, with the corners' normals mixed and made unit:");
+    }
+}
+
+/// Shows n in the frame of the Vectors tab.
+void normal_line(const InspectorState& state, const Explanation& explanation) {
+    if (explanation.lit_per_corner) return;
+    const InBothFrames& n = explanation.at.normal;
+    coloured(Symbol::N, "n");
+    ImGui::SameLine(0, px(6));
+    mono_text(shown_vector(state.world_frame ? n.world : n.camera));
+}
+
+void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode, const Explanation& phong) {
+    Shading& shading = state.editor.scene().shading;
+    const Choice choice = choice_of(mode);
+    const bool chosen = shading.mode == mode;
+    ImGui::PushID(choice.label);
+    ImGui::BeginGroup();
+    const auto [r, g, b] = explanation.byte;
+    const float edge = 2 * ImGui::GetTextLineHeight() + px(5);
+    swatch(IM_COL32(r, g, b, 255), edge);
+    ImGui::SameLine(0, px(8));
+    ImGui::BeginGroup();
+    ImGui::PushFont(chosen ? fonts().title : fonts().body);
+    if (ImGui::Selectable(choice.label, chosen)) shading.mode = mode;
+    ImGui::PopFont();
+    const bool pointed = is_pointed_at();
+    tooltip(choice.label, choice.meaning, "Rest here: the picture under it. Click: take it", "/shading/mode");
+    mono_text(shown_vector(explanation.sum));
+    ImGui::EndGroup();
+    how(explanation, shading);
+    normal_line(state.inspector, explanation);
+    if (mode != ShadingMode::Phong) small_dim("minus Phong: " + shown_vector(explanation.sum - phong.sum));
+    ImGui::EndGroup();
+    ImGui::PopID();
+    ImGui::Dummy({0, px(4)});
+    if (!pointed) return;
+    Scene other = state.editor.scene();
+    other.shading.mode = mode;
+    show_instead(state, other, fmt::format("{} shading", choice.label));
+}
+
+/// Says with which shininess Blinn's highlight looks most like this one of Phong's; a click takes model and
+/// shininess.
+void like_line(UiState& state, const Explanation& explanation) {
+    Scene& scene = state.editor.scene();
+    const auto object = static_cast<std::size_t>(explanation.object_index);
+    const float n = explanation.material.shininess;
+    if (explanation.reflection != Reflection::Phong || object >= scene.objects.size() || n <= 0) return;
+    const double like = state.views.plots.blinn_like.of(n, [n] { return blinn_shininess_like(n); });
+    section_heading("Blinn against Phong");
+    wrapped_dim(fmt::format(
+        "Blinn's (n·h)ˢ comes nearest to this Phong highlight of shininess {:.4g} with {:.4g}.", n, like));
+    if (ImGui::Button("Change to Blinn")) {
+        scene.shading.reflection = Reflection::BlinnPhong;
+        scene.objects[object].material.shininess = static_cast<float>(like);
+    }
+    tooltip("Change to Blinn", "Blinn's model with that shininess; undo brings Phong's back");
+    if (!is_pointed_at()) return;
+    Scene other = scene;
+    other.shading.reflection = Reflection::BlinnPhong;
+    other.objects[object].material.shininess = static_cast<float>(like);
+    show_instead(state, other, fmt::format("Blinn, shininess {:.4g}", like));
+}
+
+/// Whether the scenes agree in all that decides what shows at a pixel.
+bool same_faces(const Scene& a, const Scene& b) {
+    return same_surfaces(a, b) && a.shading.cull == b.shading.cull && a.npr == b.npr;
+}
+
+}  // namespace
+
+std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanation& explanation) {
+    std::array<Explanation, 4> all;
+    Scene other = state.editor.scene();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        other.shading.mode = static_cast<ShadingMode>(i);
+        all[i] = state.renderer->explain_as(other, explanation.x, explanation.y);
+    }
+    return all;
+}
+
+std::optional<Explanation> under_phong(const UiState& state, const Explanation& explanation) {
+    Scene other = asked_scene(state);
+    if (explanation.mode != other.shading.mode || !same_faces(state.rendered_scene, other)) return {};
+    other.shading.mode = ShadingMode::Phong;
+    return state.renderer->explain_as(other, explanation.x, explanation.y);
+}
+
+void models_tab(UiState& state, const PictureView&) {
+    if (!state.explanation)
+        return inspector_empty_state(
+            "Here the pixel appears under flat, facet, Gouraud and Phong shading at once.");
+    const Explanation& explanation = *state.explanation;
+    if (!explanation.hit) return wrapped_dim("No object shows here: every model leaves the background.");
+    if (!same_faces(state.rendered_scene, state.editor.scene()))
+        return wrapped_dim("Another scene is on the screen; the models are those of the edited one.");
+    const std::array<Explanation, 4> all = under_each_mode(state, explanation);
+    small_dim(fmt::format(
+        "Sums of the same pixel, red green blue; {} triangle of face {}, perspective weights {}",
+        explanation.front_facing ? "front" : "back", explanation.face, shown_vector(explanation.weights)));
+    ImGui::Dummy({0, px(2)});
+    for (std::size_t i = 0; i < all.size(); ++i)
+        mode_block(state, all[i], static_cast<ShadingMode>(i), all.back());
+    like_line(state, explanation);
+}
+
+}  // namespace glint

@@ -1,0 +1,297 @@
+// The tab "Program": the scene as calls of fixed-function OpenGL, alive.
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "models/fields/choices.h"
+#include "models/json/json_pointer.h"
+#include "models/scene/mistakes.h"
+#include "programs/gl_calls.h"
+#include "programs/program.h"
+#include "renderer/explain/printed_number.h"
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/export/clipboard.h"
+#include "ui/features/inspector/equation/number_handle.h"
+#include "ui/features/inspector/equation/text_line.h"
+#include "ui/features/inspector/mistake_row.h"
+#include "ui/features/inspector/program/program_state.h"
+#include "ui/features/inspector/tabs.h"
+#include "ui/fields/panels.h"
+#include "ui/ui.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// What a call sets is lit up in the picture: a light shines alone, an object glows.
+void light_up(UiState& state, const std::string& about) {
+    constexpr glm::vec3 glow{0.3f, 0.22f, 0};
+    Scene scene = state.editor.scene();
+    if (const auto light = item_in(about, "/lights/"))
+        return show_instead(state, with_light_alone(scene, light->place),
+                            scene.lights[static_cast<std::size_t>(light->place)].name + " alone");
+    if (about == "/global_ambient")
+        return show_instead(state, with_term_alone(scene, Symbol::Ambient), "Ambient light alone");
+    const auto item = item_in(about, "/objects/");
+    if (!item) return;
+    Object& object = scene.objects[static_cast<std::size_t>(item->place)];
+    object.material.emission += glow;
+    scene.shading.terms.emission = true;
+    show_instead(state, scene, object.name);
+}
+
+/// So many decimals as the number is written with.
+int decimals_of(const std::string& text) {
+    const std::size_t point = text.find('.');
+    return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
+}
+
+float grip_width() { return 0.8f * TextLine::height(); }
+
+/// What is taken hold of to move a line past others. True while it is held.
+bool grip(const std::string& name, const char* drag, const std::string& what, const char* effect,
+          const std::string& pointer) {
+    const float edge = TextLine::height();
+    (void)hit_area(name.c_str(), {grip_width(), edge});
+    const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+    const auto [low, high] = last_item();
+    if (held || hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    const ImU32 ink = to_u32(held || hovered ? theme().text : theme().dim_text);
+    for (const float y : {0.32f, 0.5f, 0.68f})
+        ImGui::GetWindowDrawList()->AddLine({low.x + 0.15f * edge, low.y + y * edge},
+                                            {high.x - 0.2f * edge, low.y + y * edge}, ink, px(1.2f));
+    tooltip(drag, what.c_str(), effect, pointer);
+    list_control(name.c_str(), "", {low, high});
+    ImGui::SameLine(0, 0);
+    return held;
+}
+
+/// The grip of a light's place, which can be moved past gluLookAt().
+void light_grip(UiState& state, int light_index) {
+    Light& light = state.editor.scene().lights[static_cast<std::size_t>(light_index)];
+    const char* what = light.space == LightSpace::Camera
+                           ? "Before gluLookAt: its numbers are camera coordinates"
+                           : "After gluLookAt: its numbers are world coordinates";
+    if (!grip(fmt::format("grip of light {}", light_index), "Drag past gluLookAt", what,
+              "Its numbers stay, and mean another place", fmt::format("/lights/{}/space", light_index)))
+        return;
+    const float y = ImGui::GetIO().MousePos.y, line = state.inspector.look_at_y;
+    if (light.space == LightSpace::Camera && y > line + TextLine::height()) light.space = LightSpace::World;
+    if (light.space == LightSpace::World && y < line) light.space = LightSpace::Camera;
+}
+
+/// Up to the first space, which belongs to it.
+std::string_view first_word(std::string_view text) {
+    const std::size_t space = text.find(' ');
+    return space == text.npos ? text : text.substr(0, space + 1);
+}
+
+/// Word by word: a line goes on in the next one between any two.
+void words(TextLine& line, std::string_view text, const ImVec4& colour) {
+    while (!text.empty()) {
+        const std::string_view word = first_word(text);
+        line.code(std::string(word), colour);
+        text.remove_prefix(word.size());
+    }
+}
+
+/// Draws a call whose numbers edit `scene`. Returns its area, over the column's whole width.
+Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float right = low.x + ImGui::GetContentRegionAvail().x;
+    if (call.place_of_light >= 0 && call.pieces.front().text.find("GL_POSITION") != std::string::npos)
+        light_grip(state, call.place_of_light);
+    TextLine line(22);
+    line.copied_as(call_text(call));
+    std::string_view punctuation;  // behind the number before, on its line: ", " or "));"
+    for (std::size_t i = 0; i < call.pieces.size(); ++i) {
+        const CallPiece& piece = call.pieces[i];
+        NumberHandle number;
+        if (!piece.pointer.empty()) number = number_handle({scene, &scene}, piece.pointer);
+        // The w of a position is plain text: it is divided by at once, so a typed w would be 1 again.
+        if (piece.pointer.empty() || number.number.is_w) {
+            words(line, std::string_view(piece.text).substr(punctuation.size()),
+                  call.is_remark ? theme().warning : theme().dim_text);
+            punctuation = {};
+            continue;
+        }
+        if (i + 1 < call.pieces.size()) punctuation = first_word(call.pieces[i + 1].text);
+        number.number.kind.format = decimal_format(number.number.value, std::max(decimals_of(piece.text), 1));
+        line.together([&] {
+            const bool edited = line.handle(number, theme().text);
+            state.editor.edits_camera |= edited && piece.pointer.starts_with("/camera");
+            line.code(std::string(punctuation), theme().dim_text);
+        });
+    }
+    const Rect area{low, {right, last_item().high.y}};
+    if (call.is_look_at) state.inspector.look_at_y = low.y;
+    if (!ImGui::IsAnyMouseDown() && is_pointed_at(area)) light_up(state, call.about);
+    return area;
+}
+
+/// Draws the calls of an object as they are written, and applies what is dragged. `written_scene`: the scene
+/// of these calls, with the transforms' numbers as written. True when `written` has changed.
+bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransform& written,
+                 const std::vector<GlCall>& calls) {
+    Object& object = state.editor.scene().objects[static_cast<std::size_t>(index)];
+    Object& edited = written_scene.objects[static_cast<std::size_t>(index)];
+    const WrittenTransform before = written;
+    std::array<Rect, 3> areas{};
+    std::optional<TransformStep> last, held;
+    std::size_t block = 0;  // in the order of the lines
+    for (const GlCall& call : calls) {
+        const auto step = step_of(call);
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        if (step && step != last) {
+            const char* name = call.pieces.front().text.c_str();
+            const std::string word(name, std::string_view(name).find('('));
+            if (grip(fmt::format("grip of {} {}", word, index), "Drag past another transform",
+                     "What is written last happens first", "Its numbers stay, and the object goes elsewhere",
+                     fmt::format("/objects/{}/transform", index)))
+                held = step;
+            areas[block++].low = low;
+        } else if (step) {
+            ImGui::Dummy({grip_width(), TextLine::height()});
+            ImGui::SameLine(0, 0);
+        }
+        last = step;
+        const Rect area = draw_call(state, written_scene, call);
+        if (step) areas[block - 1].high = area.high;
+    }
+    written.numbers = edited.transform;
+    if (held) written.order = dragged_order(written.order, *held, ImGui::GetIO().MousePos.y, areas);
+    std::optional<Transform> transform = in_file_order(written.numbers, written.order);
+    if (!transform) {
+        wrapped_dim(
+            "glScalef is not the same in all directions: written before glRotatef it would shear the "
+            "object, which a scene file cannot say.");
+        written.order = before.order;
+        transform = in_file_order(written.numbers, written.order);
+    }
+    object.material = edited.material;
+    const bool changed = transform && written != before;
+    if (changed) object.transform = *transform;
+    order_note(written, object.transform);
+    return changed;
+}
+
+/// Names each light whose numbers stayed while its coordinates changed since the scene was opened or saved:
+/// the mistake "light in wrong space" does the same.
+void wrong_space_notes(UiState& state) {
+    const Scene& now = state.editor.scene();
+    const Scene& saved = state.editor.saved;
+    for (std::size_t i = 0; i < std::min(now.lights.size(), saved.lights.size()); ++i) {
+        const Light &light = now.lights[i], &before = saved.lights[i];
+        if (light.space == before.space || light.position != before.position) continue;
+        const bool camera = light.space == LightSpace::Camera;
+        wrapped_dim(
+            fmt::format("The numbers of {} were given in {} coordinates and are now read as {} coordinates.",
+                        light.name, camera ? "world" : "camera", camera ? "camera" : "world"));
+        const auto names = mistake_names();
+        const auto row = std::find_if(names.begin(), names.end(),
+                                      [](const MistakeName& m) { return m.name == "light_in_wrong_space"; });
+        const std::string label = "Mistake: " + title_of(*row);
+        if (ImGui::SmallButton(label.c_str())) show_mistake(state, &*row);
+        tooltip(label.c_str(), std::string(row->what).c_str(), "Click to show it in its list");
+    }
+}
+
+bool is_open_at_first(const UiState& state, const GlCallGroup& group) {
+    return group.about.empty() || selection_in(group.about) == state.editor.selection;
+}
+
+void copy_button(UiState& state, const std::vector<GlCallGroup>& groups) {
+    if (ImGui::SmallButton("Copy")) {
+        ImGui::SetClipboardText(calls_text(groups).c_str());
+        state.notifications.tell("The calls are in the clipboard");
+    }
+    const Scene& scene = state.editor.scene();
+    std::string program;
+    if (ImGui::IsItemHovered())
+        program = state.program.program.of(scene, [&] { return whole_program_words(scene); });
+    tooltip("Copy all calls", "As a function of C or C++", program);
+}
+
+WrittenCalls written_calls(const Scene& scene) {
+    WrittenCalls calls{scene, {}, {}};
+    for (Object& object : calls.scene.objects) {
+        calls.transforms.push_back(
+            written_transform(static_cast<int>(calls.transforms.size()), object.transform));
+        object.transform = calls.transforms.back().numbers;
+    }
+    calls.groups = gl_calls(calls.scene);
+    for (GlCallGroup& group : calls.groups)
+        if (const auto object = item_in(group.about, "/objects/"))
+            put_in_order(group.calls, calls.transforms[static_cast<std::size_t>(object->place)].order);
+    return calls;
+}
+
+/// Returns the index of the first element for which `is` holds, or the number of elements if none does.
+template <class T, class Is> int index_of(const std::vector<T>& all, Is is) {
+    return static_cast<int>(std::find_if(all.begin(), all.end(), is) - all.begin());
+}
+
+/// The camera's calls, and the lights' places before and after gluLookAt(), which is drawn even out of sight:
+/// a light's place is dragged past it.
+void draw_places(UiState& state, const std::vector<GlCall>& calls, const PictureView& view) {
+    state.program.places.draw(
+        static_cast<int>(calls.size()),
+        [&](int i) { (void)draw_call(state, state.editor.scene(), calls[static_cast<std::size_t>(i)]); },
+        index_of(calls, [](const GlCall& call) { return call.is_look_at; }));
+    note_fitted(state.editor.scene().camera, view.map.size);
+    wrong_space_notes(state);
+}
+
+/// Draws a group. Returns the transform of its object as it is written now, when that has changed.
+std::optional<WrittenTransform> draw_group(UiState& state, Scene& written_scene, const WrittenCalls& calls,
+                                           const GlCallGroup& group, const PictureView& view) {
+    if (!fold(whole_label(group.title).c_str(), is_open_at_first(state, group))) return {};
+    const std::optional<ListItem> object = item_in(group.about, "/objects/");
+    if (object) {
+        WrittenTransform written = calls.transforms[static_cast<std::size_t>(object->place)];
+        const bool changed = draw_object(state, written_scene, object->place, written, group.calls);
+        return changed ? std::optional(written) : std::nullopt;
+    }
+    if (group.about.empty())
+        draw_places(state, group.calls, view);
+    else
+        for (const GlCall& call : group.calls) (void)draw_call(state, state.editor.scene(), call);
+    return {};
+}
+
+}  // namespace
+
+std::string whole_program_words(const Scene& scene) {
+    const std::vector<Language> able = languages_for({scene, {}, ""});
+    if (able.empty()) return "glint code cannot write this scene as a program";
+    return fmt::format("A whole program: glint code FILE --language {} -o FOLDER", name_of(able.front()));
+}
+
+void program_tab(UiState& state, const PictureView& view) {
+    ProgramState& program = state.program;
+    const WrittenCalls& calls =
+        program.calls.of(state.editor.scene(), [&] { return written_calls(state.editor.scene()); });
+    Scene written_scene = calls.scene;
+    copy_button(state, calls.groups);
+    bool any_changed = false;
+    const auto draw = [&](int i) {
+        const GlCallGroup& group = calls.groups[static_cast<std::size_t>(i)];
+        ImGui::PushID(i);
+        const auto changed = draw_group(state, written_scene, calls, group, view);
+        ImGui::PopID();
+        if (!changed) return;
+        const int object = item_in(group.about, "/objects/")->place;
+        keep_written(object, *changed,
+                     state.editor.scene().objects[static_cast<std::size_t>(object)].transform);
+        any_changed = true;
+    };
+    program.groups.draw(static_cast<int>(calls.groups.size()), draw,
+                        index_of(calls.groups, [](const GlCallGroup& group) { return group.about.empty(); }));
+    if (any_changed) program.calls.forget();
+}
+
+}  // namespace glint

@@ -1,0 +1,43 @@
+#pragma once
+// The calls of an object's transforms in the tab Program: one can be dragged past another. A scene file knows
+// one order only, so the numbers stay as they are written and the object goes to where the other order puts
+// it.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "models/scene/transform.h"
+#include "programs/gl_calls.h"
+#include "ui/widgets/area.h"
+
+namespace glint {
+
+/// An object's transform as it is written in the tab.
+struct WrittenTransform {
+    TransformOrder order = file_order;
+    Transform numbers;
+    bool operator==(const WrittenTransform&) const = default;
+};
+
+/// Returns how the object of that number is written in the current window: as it was left, or in the file's
+/// order if something else has changed `transform` since.
+[[nodiscard]] WrittenTransform written_transform(int object, const Transform& transform);
+/// Keeps how it is written for the next frame; `transform` is the result.
+void keep_written(int object, const WrittenTransform& written, const Transform& transform);
+
+/// The transform that a call belongs to; nothing for other calls.
+[[nodiscard]] std::optional<TransformStep> step_of(const GlCall& call);
+
+/// Puts the calls of the three transforms, which follow each other, into that order.
+void put_in_order(std::vector<GlCall>& calls, const TransformOrder& order);
+
+/// Returns the order while the step's lines are held at height `mouse_y`: they pass a neighbour once they
+/// would then lie under the mouse. `areas`: of each step's lines, in the order in which they are written.
+[[nodiscard]] TransformOrder dragged_order(const TransformOrder& order, TransformStep held, float mouse_y,
+                                           std::span<const Rect, 3> areas);
+
+/// Says below the calls what an order other than the file's leads to; nothing in the file's order.
+void order_note(const WrittenTransform& written, const Transform& transform);
+
+}  // namespace glint

@@ -1,0 +1,222 @@
+// The sensitivity tab: jobs that measure in the background, and the lines that show their results.
+#include "ui/features/inspector/sensitivity.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <iterator>
+
+#include "ui/document/loading.h"
+#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/tabs.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+
+namespace {
+
+double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+}  // namespace
+
+std::vector<Sensitivity> ranked(const Sensitivities& sensitivities) {
+    std::vector<Sensitivity> rank;
+    std::copy_if(sensitivities.numbers.begin(), sensitivities.numbers.end(), std::back_inserter(rank),
+                 [](const Sensitivity& number) { return !number.is_w; });
+    std::stable_sort(rank.begin(), rank.end(), [](const Sensitivity& a, const Sensitivity& b) {
+        return largest(a.effect) > largest(b.effect);
+    });
+    return rank;
+}
+
+namespace {
+
+constexpr double look_again = 0.05;  // seconds between looks at its progress
+
+/// Measures one pixel of one scene. The document's meshes are shared, nothing else.
+std::unique_ptr<Job<Sensitivities>> measure(const SceneDocument& document, PictureSize size,
+                                            glm::ivec2 pixel) {
+    const auto work = [document, size, pixel](LoadProgress& progress) -> Result<Sensitivities> {
+        if (document.scene.lights.size() > max_sensitivity_lights)
+            return Problem{"", "", fmt::format("More than {} lights take too long.", max_sensitivity_lights),
+                           ""};
+        const PartOfProgress meshes;
+        SensitivityRun run(document, size, pixel.x, pixel.y, 1);  // one thread: the window needs the others
+        progress.total = run.count();
+        while (!progress.cancelled && run.step()) progress.done = run.measured();
+        if (progress.cancelled) throw LoadCancelled();
+        return run.result();
+    };
+    return std::make_unique<Job<Sensitivities>>("Sensitivity", work);
+}
+
+/// Starts, drops and collects jobs; once a frame while the results are wanted. A job starts when scene and
+/// pixel have stood still for a moment.
+void poll_sensitivity(SensitivityState& state, const SceneDocument& document, PictureSize size,
+                      glm::ivec2 pixel) {
+    const double now = ImGui::GetTime();
+    drop_ended(state.ending);
+    const bool same =
+        state.asked_pixel == pixel && state.asked_size == size && state.asked_scene == document.scene;
+    if (!same) {
+        state.asked_scene = document.scene, state.asked_pixel = pixel, state.asked_size = size;
+        state.asked_since = now;
+        state.current = false;
+        leave(state.job, state.ending);
+    }
+    if (state.current) return;
+    if (!state.job && state.ending.empty() && now - state.asked_since >= stillness &&
+        !ImGui::IsAnyMouseDown())
+        state.job = measure(document, size, pixel);
+    if (state.job && state.job->done()) {
+        const Result<Sensitivities> result = state.job->take();
+        const auto* found = std::get_if<Sensitivities>(&result);
+        const Problem* problem = problem_of(result);
+        state.why_none = problem != nullptr ? problem->text() : "";
+        state.shown = found != nullptr ? std::optional(*found) : std::nullopt;
+        state.rank = found != nullptr ? ranked(*found) : std::vector<Sensitivity>();
+        state.shown_scene = state.asked_scene;
+        state.current = true;
+        state.job.reset();
+        return;
+    }
+    redraw_within(look_again);
+}
+
+/// The channel that moves most: 0 red, 1 green, 2 blue.
+int strongest(glm::dvec3 v) {
+    const glm::dvec3 size = glm::abs(v);
+    if (size.x >= size.y && size.x >= size.z) return 0;
+    return size.y >= size.z ? 1 : 2;
+}
+
+void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
+    const auto parts = [](glm::dvec3 v) {
+        const auto part = [](double x) { return shown_number(static_cast<float>(x)); };
+        return fmt::format("red {}, green {}, blue {}", part(v.x), part(v.y), part(v.z));
+    };
+    tooltip(fmt::format("{}: {}", named.owner, named.what).c_str(),
+            "How much the pixel's colour changes with this number. Click: its panel",
+            fmt::format("now {:.4g}{}\nmoved by {:+.3g}: {}\nfor each unit: {}", number.value,
+                        number.one_sided ? ", can move one way only" : "", number.move, parts(number.effect),
+                        parts(number.change)),
+            number.pointer);
+}
+
+/// Selects what the number belongs to in the scene that was measured. Until it is measured again another may
+/// have that place: then nothing is selected.
+void select_owner(UiState& state, const std::string& pointer, const NamedNumber& named) {
+    if (named_number(pointer, state.editor.scene()).owner == named.owner)
+        state.editor.selection = named.selection;
+}
+
+/// A line: how much, as a bar and in figures, and of what. A click selects it.
+void number_row(UiState& state, const Sensitivity& number, double most) {
+    const NamedNumber named = named_number(number.pointer, state.sensitivity.shown_scene);
+    const float line = ImGui::GetTextLineHeight();
+    ImGui::PushID(number.pointer.c_str());
+    const bool clicked =
+        ImGui::Selectable("##row", false, 0, {ImGui::GetContentRegionAvail().x, line + px(5)});
+    if (clicked) select_owner(state, number.pointer, named);
+    const auto [low, high] = last_item();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto share = static_cast<float>(largest(number.effect) / std::max(most, 1e-30));
+    const ImVec2 text = low + px(1) * ImVec2(4, 1);
+    list.AddRectFilled({text.x, high.y - px(3)}, {text.x + share * (high.x - low.x - px(8)), high.y - px(1)},
+                       to_u32(theme().accent));
+    list.AddText(text, to_u32(theme().text), fmt::format("{}  {}", named.owner, named.what).c_str());
+    const int channel = strongest(number.effect);
+    const std::string figure =
+        fmt::format("{} {}", shown_number(static_cast<float>(number.effect[channel])), "RGB"[channel]);
+    ImGui::PushFont(fonts().figures);
+    const float width = ImGui::CalcTextSize(figure.c_str()).x + px(6);
+    list.AddRectFilled({high.x - width, low.y}, {high.x, high.y - px(4)}, to_u32(theme().panel));
+    list.AddText({high.x - width + px(2), text.y}, to_u32(theme().text), figure.c_str());
+    ImGui::PopFont();
+    number_tooltip(named, number);
+    ImGui::PopID();
+}
+
+/// Numbers without effect, an owner a line.
+void owners(UiState& state, const char* title, const std::vector<std::string>& pointers) {
+    if (pointers.empty() || !fold(title, false)) return;
+    struct Line {
+        NamedNumber named;
+        std::string pointer, words;  // of the owner's first number; of all
+    };
+    std::vector<Line> lines;
+    for (const std::string& pointer : pointers) {
+        const NamedNumber named = named_number(pointer, state.sensitivity.shown_scene);
+        const auto same = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
+            return line.named.owner == named.owner && line.named.selection == named.selection;
+        });
+        const auto line = same != lines.end() ? same : lines.insert(lines.end(), {named, pointer, ""});
+        if (!named.what.empty()) line->words.append(line->words.empty() ? "" : ", ").append(named.what);
+    }
+    for (const auto& [named, pointer, words] : lines) {
+        ImGui::PushID(named.owner.c_str());
+        if (ImGui::Selectable(whole_label(named.owner).c_str())) select_owner(state, pointer, named);
+        ImGui::PopID();
+        ImGui::Indent(px(12));
+        small_dim(words.empty() ? "does not show at this pixel" : words);
+        ImGui::Unindent(px(12));
+    }
+}
+
+void progress(const SensitivityState& job) {
+    const float share = job.job ? std::max(progress_share(job.job->progress()), 0.0f) : 0;
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme().accent);
+    ImGui::ProgressBar(share, {ImGui::GetContentRegionAvail().x, px(4)}, "");
+    ImGui::PopStyleColor();
+    small_dim(job.shown ? "Measuring again; below are the numbers from before."
+                        : "Moving every number of the scene a little, and looking at the pixel.");
+}
+
+/// The edited scene under the setting of the part of a comparison that was asked; a stored B is not edited.
+SceneDocument asked_document(const UiState& state) {
+    SceneDocument document = state.editor.document;
+    if (state.asked_part.kind != Variant::Kind::Stored)
+        document.scene = scene_under(state.asked_part, document.scene, nullptr);
+    return document;
+}
+
+}  // namespace
+
+void sensitivity_tab(UiState& state, const PictureView& view) {
+    if (!state.explanation)
+        return inspector_empty_state(
+            "Here every number of the scene is sorted by how much it matters there.");
+    SensitivityState& job = state.sensitivity;
+    if (state.asked_part == Variant{})
+        poll_sensitivity(job, state.editor.document, view.map.size, state.asked);
+    else
+        poll_sensitivity(job, asked_document(state), view.map.size, state.asked);
+    if (!job.current) progress(job);
+    if (!job.shown) {
+        if (job.current) warning_text(job.why_none);
+        return;
+    }
+    small_dim(
+        "How much the colour changes, in the channel that changes most, when a number moves by a tenth of "
+        "its "
+        "usual "
+        "range, or by a drag of 100 pixels where it has none.");
+    constexpr std::size_t first_few = 12;
+    const double most = job.rank.empty() ? 1 : largest(job.rank.front().effect);
+    if (job.rank.empty()) wrapped_dim("No number of the scene moves this pixel.");
+    for (std::size_t i = 0; i < job.rank.size(); ++i) {
+        if (i == first_few &&
+            !fold(fmt::format("{} more that matter less", job.rank.size() - i).c_str(), false))
+            break;
+        number_row(state, job.rank[i], most);
+    }
+    owners(state, "Does not matter here", job.shown->no_effect);
+}
+
+}  // namespace glint

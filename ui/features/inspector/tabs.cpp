@@ -1,0 +1,239 @@
+#include "ui/features/inspector/tabs.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "renderer/explain/explain_words.h"
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/inspector/equation/equation_tab.h"
+#include "ui/features/inspector/outside_view.h"
+#include "ui/features/inspector/vectors/vectors_tab.h"
+#include "ui/features/plots/plots_tab.h"
+#include "ui/features/views/term_grid.h"
+#include "ui/picture/draw_picture.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr std::array tabs{
+    InspectorTabInfo{InspectorTab::Equation, "Equation",
+                     "The lighting equation at the picked pixel, with its numbers", equation_tab,
+                     TabScene::Asked, true},
+    InspectorTabInfo{InspectorTab::Vectors, "Vectors",
+                     "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab,
+                     TabScene::Asked, true},
+    InspectorTabInfo{InspectorTab::Models, "Models",
+                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab,
+                     TabScene::Edited, true},
+    InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch",
+                     mistakes_tab, TabScene::Edited, true},
+    InspectorTabInfo{InspectorTab::MyPicture, "My picture",
+                     "What is wrong in a picture of this scene that your own program drew", my_picture_tab},
+    InspectorTabInfo{InspectorTab::Program, "Program",
+                     "The calls by which OpenGL draws this scene, every number to be dragged", program_tab},
+    InspectorTabInfo{InspectorTab::Plots, "Plots",
+                     "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab, TabScene::Asked},
+    InspectorTabInfo{InspectorTab::Grid, "Light × term",
+                     "Every term of every light as a small picture: alone, or left out", term_grid_tab,
+                     TabScene::Shown},
+    InspectorTabInfo{InspectorTab::Sensitivity, "Sensitivity",
+                     "What matters here: every number, sorted by how much the pixel moves with it",
+                     sensitivity_tab},
+    InspectorTabInfo{InspectorTab::Matrices, "Matrices", "View, its inverse, projection, and what they carry",
+                     matrices_tab, TabScene::Asked},
+    InspectorTabInfo{InspectorTab::Outside, "From outside",
+                     "The eye, its view volume and the lights, seen from outside", outside_tab},
+};
+
+/// The place of the heading's square of colour.
+struct Square {
+    ImVec2 low;
+    float edge;
+    [[nodiscard]] ImVec2 high() const { return {low.x + edge, low.y + edge}; }
+};
+
+void nothing_picked(const Square& square) {
+    ImGui::GetWindowDrawList()->AddRect(square.low, square.high(), to_u32(theme().line), px(4));
+    ImGui::Dummy({square.edge, square.edge});
+    ImGui::SameLine(0, px(10));
+    ImGui::BeginGroup();
+    dim_text("no pixel picked");
+    ImGui::PushFont(fonts().title);
+    ImGui::TextUnformatted("Click the picture to ask why");
+    ImGui::PopFont();
+    ImGui::EndGroup();
+}
+
+/// Writes the parts that have room beside the cross; the place always.
+void pixel_line(const std::string& what, const std::string& place, const std::string& bytes) {
+    ImGui::PushFont(fonts().figures);
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - px(4);
+    const auto fits = [room](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x <= room; };
+    const std::string all = what + place + bytes, bare = place + bytes;
+    ImGui::TextUnformatted((fits(all) ? all : fits(bare) ? bare : place).c_str());
+    ImGui::PopFont();
+}
+
+void picked(UiState& state, const Explanation& explanation, const Square& square) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto [r, g, b] = explanation.byte;
+    list.AddRectFilled(square.low, square.high(), IM_COL32(r, g, b, 255), px(4));
+    list.AddRect(square.low, square.high(), to_u32(theme().line), px(4));
+    ImGui::Dummy({square.edge, square.edge});
+    tooltip("Colour", "As it is on the screen: red, green, blue from 0 to 255",
+            fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
+    ImGui::SameLine(0, px(10));
+    ImGui::BeginGroup();
+    pixel_line(fmt::format("{} ", asks_at_cursor(state) ? "at the cursor" : "pixel"),
+               fmt::format("{}, {}", state.asked.x, state.asked.y), fmt::format("   {} {} {}", r, g, b));
+    if (explanation.hit) {
+        const char* const side = explanation.front_facing ? "front side" : "back side";
+        const float room = ImGui::GetContentRegionAvail().x - px(26) - ImGui::CalcTextSize(side).x - px(12);
+        const std::string what =
+            fmt::format("{}, face {}", whole_label(explanation.object), explanation.face);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const bool clicked = ImGui::Selectable("##object", false, 0, {room, 0});
+        if (clicked && is_explained(state))
+            state.editor.selection = {Selection::Kind::Object, explanation.object_index};
+        tooltip("Object", is_explained(state) ? "Click to show its panel" : "Of the scene that is shown",
+                what);
+        cut_text(list, at, at.x + room, what);
+        ImGui::SameLine(0, px(12));
+        coloured(is_plain_front(explanation) ? theme().dim_text : theme().warning, side);
+        tooltip("Side",
+                "Front: its corners run counter-clockwise on the screen, a mirrored object's clockwise",
+                "Here: " + side_words(explanation));
+    } else {
+        dim_text("background");
+    }
+    ImGui::EndGroup();
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight());
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, square.low.y});
+    if (icon_button("##forget", Icon::Close)) ask_about(state.viewport, {});
+    tooltip("Forget this pixel", "Click the picture to pick another");
+}
+
+/// Draws a square of the pixel's colour, its byte values, the pixel, and what it shows. A click on the object
+/// selects it, a click on the cross forgets the pixel. Without a pixel it says how to pick one, at the same
+/// height, so that the tabs below it stay in place.
+void heading(UiState& state) {
+    const Square square{ImGui::GetCursorScreenPos(), 2 * ImGui::GetTextLineHeight() + px(6)};
+    if (state.explanation)
+        picked(state, *state.explanation, square);
+    else
+        nothing_picked(square);
+    ImGui::SetCursorScreenPos({square.low.x, square.high().y + px(8)});
+}
+
+/// A button of the bar; the chosen one stands on a bar of the accent.
+bool tab_button(const char* label, const char* what, bool chosen) {
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
+    ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().text : theme().dim_text);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(3)});
+    const bool clicked = ImGui::Button(label);
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(2);
+    const auto [low, high] = last_item();
+    if (chosen)
+        ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(2)}, high, to_u32(theme().accent));
+    tooltip(label, what);
+    return clicked;
+}
+
+/// The tabs that only few ask for, behind a button that says which of them is shown.
+void more_tabs(InspectorState& inspector, float right) {
+    const auto shown = std::find_if(tabs.begin(), tabs.end(), [&](const InspectorTabInfo& info) {
+        return info.tab == inspector.tab && !info.is_first;
+    });
+    const bool is_one = shown != tabs.end();
+    const std::string label = fmt::format("{} ▾", is_one ? shown->label : "More");
+    same_line_if_fits(ImGui::CalcTextSize(label.c_str()).x + px(12), px(1), right);
+    if (tab_button(label.c_str(),
+                   is_one ? shown->what : "Curves, every light's terms, what matters, matrices", is_one))
+        ImGui::OpenPopup("##more");
+    if (!ImGui::BeginPopup("##more")) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(6), px(5)});
+    for (const InspectorTabInfo& info : tabs) {
+        if (info.is_first) continue;
+        if (ImGui::Selectable(info.label, info.tab == inspector.tab)) inspector.tab = info.tab;
+        tooltip(info.label, info.what);
+    }
+    ImGui::PopStyleVar();
+    ImGui::EndPopup();
+}
+
+/// The buttons in as many rows as they need.
+void tab_bar(InspectorState& inspector) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    ImGui::PushFont(fonts().small);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(1), px(1)});
+    for (const InspectorTabInfo& info : tabs) {
+        if (!info.is_first) continue;
+        if (&info != &tabs.front())
+            same_line_if_fits(ImGui::CalcTextSize(info.label).x + px(12), px(1), right);
+        if (tab_button(info.label, info.what, inspector.tab == info.tab)) inspector.tab = info.tab;
+    }
+    more_tabs(inspector, right);
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddLine({low.x, low.y}, {right, low.y}, to_u32(theme().line));
+    ImGui::Dummy({0, px(3)});
+}
+
+/// Draws a tab while what was asked is of another scene than the edited one.
+void draw_beside_other(UiState& state, const InspectorTabInfo& info, const PictureView& view) {
+    const char* const which = state.asked_other->name;
+    if (info.scene == TabScene::Edited)
+        wrapped_dim(fmt::format("The {} is of {}. What follows is of the edited scene.",
+                                state.explanation ? "pixel" : "picture", which));
+    if (info.scene != TabScene::Asked) return info.draw(state, view);
+    wrapped_dim(fmt::format("Numbers of {}: not to be edited.", which));
+    ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);  // they are there to be read
+    ImGui::BeginDisabled();
+    info.draw(state, view);
+    ImGui::EndDisabled();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+std::span<const InspectorTabInfo> inspector_tabs() { return tabs; }
+
+void inspector(UiState& state, const PictureView& view) {
+    const std::optional<Symbol> pointed_vector = std::exchange(state.inspector.pointed_vector, std::nullopt);
+    const int pointed_light = std::exchange(state.inspector.pointed_light, -1);
+    heading(state);
+    tab_bar(state.inspector);
+    for (const InspectorTabInfo& info : tabs) {
+        if (info.tab != state.inspector.tab) continue;
+        ImGui::BeginChild(info.label);  // each tab keeps its own place of scrolling
+        if (state.asked_other)
+            draw_beside_other(state, info, view);
+        else
+            info.draw(state, view);
+        ImGui::EndChild();
+    }
+    if (pointed_vector != state.inspector.pointed_vector || pointed_light != state.inspector.pointed_light)
+        redraw_within(0);  // the picture's arrows were drawn before
+}
+
+void inspector_empty_state(const char* promise) {
+    for (const char* text :
+         {promise, "The pixel stays picked while you drag lights and sliders, and the numbers follow.",
+          "Hold Alt to explain the pixel under the cursor without a click."}) {
+        ImGui::Dummy({0, px(5)});
+        wrapped_dim(text);
+    }
+}
+
+}  // namespace glint

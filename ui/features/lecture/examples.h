@@ -1,0 +1,36 @@
+#pragma once
+// The scenes that come with the program, each with its picture and its caption, in the order of the lecture.
+
+#include <string>
+#include <vector>
+
+#include "ui/features/views/small_pictures.h"
+
+namespace glint {
+
+struct UiInput;
+struct UiState;
+
+struct Example {
+    std::string path;   // of the scene file
+    std::string title;  // "Lost highlight", of lost-highlight.json
+    bool operator==(const Example&) const = default;
+};
+
+/// The scene files of `folder`: those that its lecture_order.txt names, in that order, then the others by
+/// name.
+[[nodiscard]] std::vector<Example> examples_in(const std::string& folder);
+
+struct ExamplesState {
+    bool open = false;
+    int chosen = -1;  // by the arrow keys
+    std::vector<Example> list;
+    SmallPictures pictures;  // of the list, with the captions: begun when the dialog is first opened
+};
+
+/// Opens the dialog; a click in it, or the arrow keys and Enter, opens a scene.
+void open_examples(UiState& state);
+/// Draws it. Precondition: it is open.
+void examples_dialog(UiState& state, const UiInput& input);
+
+}  // namespace glint

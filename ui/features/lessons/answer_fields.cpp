@@ -1,0 +1,267 @@
+// The ways to answer a question, one a kind; and the answer beside the right one.
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/features/lessons/lesson_parts.h"
+#include "ui/features/lessons/prose.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/numbers/expression.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/text/text_field.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// True when Enter ended the typing.
+bool number_answer(LessonState& lesson, const Prediction& question) {
+    const float width = px(130);
+    ImGui::PushFont(fonts().reading);
+    ImGui::SetNextItemWidth(width);
+    // In the first frame of a window those that appear after it take the keyboard away again.
+    if (!ImGui::IsWindowAppearing() && std::exchange(lesson.takes_keys, false)) ImGui::SetKeyboardFocusHere();
+    const bool entered =
+        text_field("##answer", "a number", lesson.typed, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (entered && !can_lock(lesson)) {  // it is to be mended
+        lesson.takes_keys = true;
+        redraw_within(0);
+    }
+    tooltip("Your answer", "A number, or a calculation such as 1/2 or cos(30*deg)");
+    if (!question.unit.empty()) {
+        const float gap = px(8), left = ImGui::GetContentRegionAvail().x - width - gap;
+        const bool beside = ImGui::CalcTextSize(question.unit.c_str()).x <= left;
+        if (beside) ImGui::SameLine(0, gap);
+        if (beside) ImGui::AlignTextToFramePadding();
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(question.unit.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::PopFont();
+    if (const std::string why = why_no_answer(lesson); !lesson.typed.empty() && !why.empty()) small_dim(why);
+    return entered;
+}
+
+void choice_answer(LessonState& lesson, const Prediction& question) {
+    for (std::size_t i = 0; i < question.options.size(); ++i) {
+        const bool taken = lesson.chosen == Json(i);
+        if (option_card(letter_of_option(i), question.options[i].text,
+                        taken ? OptionLook::Taken : OptionLook::Open))
+            lesson.chosen = Json(i);
+    }
+}
+
+void sketch_answer(LessonState& lesson, const Prediction& question) {
+    small_dim("Draw the curve with the mouse, along the line from A to B in the picture.");
+    sketch_plot(lesson, question, lesson.chosen, nullptr);
+    if (lesson.chosen == Json()) return;
+    const bool wipes = ImGui::SmallButton("Wipe");
+    tooltip("Wipe", "Removes the curve, so that you can draw it again");
+    if (wipes) lesson.chosen = {};
+}
+
+/// Whose answer it is, in a row of two; a large figure under a small word.
+void figure(const char* word, const std::string& text, const ImVec4& colour) {
+    ImGui::BeginGroup();
+    small_dim(word);
+    ImGui::PushFont(fonts().heading);
+    ImGui::PushTextWrapPos(0);
+    coloured(colour, text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    ImGui::EndGroup();
+    list_control(word, "", last_item());
+}
+
+/// Both side by side where they fit.
+void two_figures(const std::string& mine, const std::string& right, bool counts) {
+    const float left = ImGui::GetCursorPosX(), half = ImGui::GetContentRegionAvail().x / 2;
+    ImGui::PushFont(fonts().heading);
+    const auto fits = [&](const std::string& text) {
+        return ImGui::CalcTextSize(text.c_str()).x < half - px(8);
+    };
+    const bool beside = fits(mine) && fits(right);
+    ImGui::PopFont();
+    if (!mine.empty()) {
+        figure("You said", mine, counts ? theme().accent : theme().warning);
+        if (beside) {
+            ImGui::SameLine();
+            ImGui::SetCursorPosX(left + half);
+        }
+    }
+    figure("It is", right, theme().accent);
+}
+
+std::string off_words(const Prediction& question, double off, double right) {
+    switch (question.kind) {
+    case PredictionKind::Number: {
+        const std::string by = "Off by " + answer_text(off, question.unit);
+        const double percent = 100 * off / std::abs(right);
+        return percent < 10'000 ? fmt::format("{}, {:.0f} % of it", by, percent) : by;
+    }
+    case PredictionKind::Click:
+        return fmt::format("Off by {:.0f} of the lesson's pixels", off);
+    case PredictionKind::Sketch:
+        return fmt::format("{:.2f} apart (root of the mean square)", off);
+    case PredictionKind::Colour:
+        return fmt::format("At most {:.0f} of 255 apart in a channel", 255 * off);
+    case PredictionKind::Choice:
+        break;
+    }
+    return {};
+}
+
+void revealed_choice(const StationQuestion& question, const GivenAnswer& given) {
+    const std::vector<LessonOption>& options = question.asks->options;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const bool right = question.right.value == Json(i);
+        const bool taken = given.locked && given.value == Json(i);
+        const OptionLook look = taken ? (right ? OptionLook::TakenRight : OptionLook::TakenWrong)
+                                      : (right ? OptionLook::Right : OptionLook::Other);
+        (void)option_card(letter_of_option(i), options[i].text, look);
+        if (look == OptionLook::TakenWrong && !options[i].thinks.empty())
+            small_dim("Behind it: " + options[i].thinks);
+    }
+}
+
+void revealed_value(LessonState& lesson, const StationQuestion& question, const GivenAnswer& given) {
+    const Prediction& asks = *question.asks;
+    const Json& right = question.right.value;
+    switch (asks.kind) {
+    case PredictionKind::Number:
+        return two_figures(given.locked ? answer_text(given.value.get<double>(), asks.unit) : "",
+                           answer_text(right.get<double>(), asks.unit), is_right(question, given));
+    case PredictionKind::Choice:
+        return revealed_choice(question, given);
+    case PredictionKind::Click:
+        return small_dim(given.locked ? "In the picture: the ring is yours, the cross is the place."
+                                      : "In the picture: the cross is the place.");
+    case PredictionKind::Sketch:
+        sketch_plot(lesson, asks, given.value, &right);
+        if (given.locked) coloured(theme().warning, "yours");
+        if (given.locked) ImGui::SameLine(0, px(14));
+        return coloured(theme().accent, "as it is");
+    case PredictionKind::Colour:
+        if (given.locked) colour_row("You said", given.value);
+        return colour_row("It is", right);
+    }
+}
+
+}  // namespace
+
+std::string given_words(const Prediction& question, const GivenAnswer& given) {
+    if (given.skipped) return "Not predicted";
+    switch (question.kind) {
+    case PredictionKind::Number:
+        return "You say " + answer_text(given.value.get<double>(), question.unit);
+    case PredictionKind::Choice:
+        return "You say: " + question.options[static_cast<std::size_t>(given.value.get<double>())].text;
+    case PredictionKind::Click:
+    case PredictionKind::Sketch:
+    case PredictionKind::Colour:
+        break;
+    }
+    return "Your answer is locked in";
+}
+
+void answer_fields(UiState& state, const StationQuestion& question) {
+    LessonState& lesson = state.lesson;
+    const Prediction& asks = *question.asks;
+    bool entered = false;
+    switch (asks.kind) {
+    case PredictionKind::Number:
+        entered = number_answer(lesson, asks);
+        break;
+    case PredictionKind::Choice:
+        choice_answer(lesson, asks);
+        break;
+    case PredictionKind::Click:
+        prose_line(lesson.chosen == Json() ? "Click the place in the picture."
+                                           : "The ring marks your place. Click elsewhere to move it.",
+                   theme().accent);
+        break;
+    case PredictionKind::Sketch:
+        sketch_answer(lesson, asks);
+        break;
+    case PredictionKind::Colour:
+        (void)pick_colour("##colour", lesson.chosen);
+        break;
+    }
+    ImGui::Dummy({0, px(3)});
+    const std::string why = why_no_answer(lesson);
+    const bool can = why.empty();
+    ImGui::BeginDisabled(!can);
+    const bool locked = main_button("Lock it in");
+    ImGui::EndDisabled();
+    tooltip("Lock it in", can ? "It stands then, and the answer is shown (Enter)" : why.c_str());
+    if (can && (locked || entered)) return lock_in(state);
+    ImGui::SameLine(0, px(12));
+    ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().dim_text);
+    const bool skipped = ImGui::Button("Show it without");
+    ImGui::PopStyleColor(2);
+    tooltip("Show it without", "Shows the answer without your prediction: you learn less that way");
+    if (skipped) reveal_unanswered(state);
+}
+
+std::string why_no_answer(const LessonState& lesson) {
+    const auto open = open_question(lesson);
+    if (!open) return "Nothing is asked";
+    const Prediction& question = *lesson.station().questions[*open].asks;
+    const bool is_number = question.kind == PredictionKind::Number;
+    if (is_number ? lesson.typed.empty() : lesson.chosen == Json()) return "Answer first";
+    if (is_number) return calculated(lesson.typed, 0).problem;
+    if (question.kind != PredictionKind::Sketch) return {};
+    const Json::array_t& values = elements_of(lesson.chosen);
+    const auto is_drawn = [](const Json& v) { return v.is_number(); };
+    const auto gap = std::find_if_not(values.begin(), values.end(), is_drawn);
+    if (values.size() == sketch_length(question) && gap == values.end()) return {};
+    const auto end = std::find_if(gap, values.end(), is_drawn);
+    return fmt::format("The curve has a gap from {} to {} on the lower axis: draw it there, too",
+                       gap - values.begin(), end - values.begin());
+}
+
+bool can_lock(const LessonState& lesson) { return why_no_answer(lesson).empty(); }
+
+bool answer_by_key(UiState& state, KeyPress press) {
+    LessonState& lesson = state.lesson;
+    const auto open = open_question(lesson);
+    if (!open || lesson.lecturer) return false;
+    if (press == KeyPress{Key::Enter} && can_lock(lesson)) {
+        lock_in(state);
+        return true;
+    }
+    const auto option = option_of_key(press, lesson.station().questions[*open].asks->options.size());
+    if (option) lesson.chosen = Json(*option);
+    return option.has_value();
+}
+
+void revealed_answer(UiState& state, const StationQuestion& question, const GivenAnswer& given) {
+    const Prediction& asks = *question.asks;
+    revealed_value(state.lesson, question, given);
+    if (given.locked && asks.kind != PredictionKind::Choice) {
+        const double off = how_far(asks.kind, given.value, question.right.value);
+        const bool exact = off < 1e-3 * question.right.tolerance;
+        const double right = asks.kind == PredictionKind::Number ? question.right.value.get<double>() : 0;
+        const bool counts = is_right(question, given);
+        const std::string words = off_words(asks, off, right);
+        if (counts)
+            coloured(theme().accent, exact ? "Exactly." : "Close enough. " + words + ".");
+        else
+            warning_text(words + ".");
+    }
+    if (given.skipped && !state.lesson.lecturer) small_dim("You did not predict it.");
+    const Reveal* reveal = state.lesson.station().reveal;
+    if (reveal == nullptr || !reveal->pick) return;
+    const char* const label = asks.term.empty() ? "The pixel's equation" : "Where it stands in the equation";
+    if (ImGui::SmallButton(label)) show_in_equation(state, asks);
+    tooltip(label, asks.term.empty() ? "Of the pixel that the lesson picked"
+                                     : "The picked pixel's equation, with this number marked");
+}
+
+}  // namespace glint

@@ -1,0 +1,82 @@
+#pragma once
+// A lesson prepared for working through: its scenes are loaded, its answers computed, and it is cut into
+// stations, each with its text, questions, reveal and tasks. No drawing.
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lessons/lesson.h"
+#include "lessons/run_lesson.h"
+
+namespace glint {
+
+/// A question with its right answer on the station's scene.
+struct StationQuestion {
+    const Prediction* asks = nullptr;  // in Course::lesson
+    RightAnswer right;
+};
+
+/// What follows the answer: text, or a task.
+struct StationPart {
+    const std::vector<ProseBlock>* told = nullptr;  // one of the two
+    const Task* task = nullptr;
+};
+
+/// What stands from one question to the next: text, questions, what is revealed once all of them are
+/// answered, and what follows from it. A station without a question is revealed at once.
+struct Station {
+    std::size_t step = 0;  // in Lesson::steps
+    std::vector<const std::vector<ProseBlock>*> before;
+    std::vector<StationQuestion> questions;
+    const Reveal* reveal = nullptr;  // or none
+    std::vector<StationPart> after;
+    Scene asked, revealed;  // the step's scene, and with what the reveal sets
+};
+
+struct Course {
+    Lesson lesson;
+    SceneDocument document;  // the lesson's scene with its meshes, and no path: nothing is saved over it
+    std::vector<Station> stations;  // at least one; they point into `lesson`
+};
+
+/// Reads the lesson's file, loads its scene, and runs what its questions ask for. What is wrong is one line
+/// with the number of its line. Ends early when this thread's load is cancelled (models/progress.h).
+[[nodiscard]] Result<std::shared_ptr<const Course>> open_course(const std::string& path);
+
+/// Whether a path names a lesson: it ends in .md.
+[[nodiscard]] bool is_lesson_file(const std::string& path);
+
+/// An answer that somebody gives to a question, and whether it is final.
+struct GivenAnswer {
+    Json value;  // null: none is given yet
+    bool locked = false, skipped = false;
+    [[nodiscard]] bool is_over() const { return locked || skipped; }
+    bool operator==(const GivenAnswer&) const = default;
+};
+
+/// An answer that was locked in counts as right where it is not farther off than the tolerance.
+[[nodiscard]] bool is_right(const StationQuestion& question, const GivenAnswer& given);
+
+/// How far somebody has come in a lesson; it has the shape of the lesson's stations.
+struct CourseProgress {
+    std::size_t station = 0;
+    std::vector<std::vector<GivenAnswer>> given;
+    std::vector<std::vector<bool>> tasks;  // done, in the order of their parts
+    bool operator==(const CourseProgress&) const = default;
+};
+[[nodiscard]] CourseProgress fresh_progress(const Course& course);
+
+/// Whether nothing of the station is left to be answered.
+[[nodiscard]] bool is_answered(const CourseProgress& progress, std::size_t station);
+
+/// How many questions were asked, answered, answered right, and how many tasks there are and were done.
+struct CourseScore {
+    int questions = 0, locked = 0, right = 0, tasks = 0, done = 0;
+};
+[[nodiscard]] CourseScore score_of(const Course& course, const CourseProgress& progress);
+
+}  // namespace glint

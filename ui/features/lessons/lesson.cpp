@@ -1,0 +1,280 @@
+#include "ui/features/lessons/lesson.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+#include "ui/document/document_actions.h"
+#include "ui/features/lessons/lesson_parts.h"
+#include "ui/features/lessons/lesson_progress.h"
+#include "ui/features/lessons/predict_mode.h"
+#include "ui/picture/picture_notes.h"
+#include "ui/ui.h"
+#include "ui/widgets/numbers/expression.h"
+#include "ui/widgets/numbers/number_input.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// A scene of the lesson is not an edit that could be lost, but it is a step that can be undone. It belongs
+/// to no file, whatever name the one before was saved under.
+void set_scene(UiState& state, const Scene& scene) {
+    Editor& editor = state.editor;
+    (void)cancel_gesture(state.viewport, editor.scene());
+    let_go_of_fields();
+    give_up_meshes(state);  // the step that goes before has the meshes that are seen
+    remember_step(editor, false);
+    editor.scene() = scene;
+    state.sensitivity.forget();
+    editor.followed.reset();  // its lights are others, not those before that came or went
+    editor.document.path.clear();
+    editor.document.stamp = {};
+    editor.edits_camera = true;
+    remember_step(editor, false);
+    editor.saved = scene;
+    editor.saved_edited_camera = editor.history.edited_camera();
+    editor.selection = valid_selection(editor.selection, scene);
+}
+
+void forget_input(LessonState& lesson) {
+    lesson.typed.clear();
+    lesson.chosen = {};
+    lesson.sketched.reset();
+}
+
+/// The item that the first task's hand is to move is selected: its handles show.
+void select_for_tasks(UiState& state) {
+    for (const StationPart& part : state.lesson.station().after) {
+        if (part.task == nullptr) continue;
+        for (const std::string& pointer : part.task->controls) {
+            const std::optional<Selection> item = selection_in(pointer);
+            if (!item) continue;
+            state.editor.selection = valid_selection(*item, state.editor.scene());
+            // The gizmo would hide what is looked at; it is needed only if the object itself is to move.
+            if (pointer.find("/transform") == std::string::npos) state.viewport.gizmo = GizmoMode::None;
+            return;
+        }
+    }
+}
+
+constexpr int frames_of_layout = 3;  // until the picture has its new room
+
+void show_reveal(UiState& state) {
+    LessonState& lesson = state.lesson;
+    const Station& station = lesson.station();
+    set_scene(state, station.revealed);
+    lesson.scrolls_down = !station.questions.empty();
+    if (station.reveal == nullptr) return select_for_tasks(state);
+    lesson.lays_line = frames_of_layout;
+    if (station.reveal->pick) {
+        state.inspector.tab = InspectorTab::Equation;
+        ask_about(state.viewport, share_of_lesson_pixel(state, glm::dvec2(*station.reveal->pick) + 0.5));
+        for (const StationQuestion& question : station.questions)
+            if (!question.asks->term.empty()) mark_in_equation(state, *question.asks);
+    }
+    if (station.reveal->along) {
+        state.views.scope.open = true;
+    }
+    if (!station.reveal->play.empty()) play_reveal(state);
+    select_for_tasks(state);
+}
+
+/// Arrives at the station where the progress stands.
+void arrive(UiState& state) {
+    LessonState& lesson = state.lesson;
+    forget_input(lesson);
+    put_all_away(state);
+    lesson.watched.reset();
+    lesson.shows_scene = false;
+    lesson.scrolls_up = lesson.takes_keys = true;
+    state.left_shows_inspector = false;
+    if (is_answered(lesson.progress, lesson.progress.station))
+        show_reveal(state);
+    else
+        set_scene(state, lesson.station().asked);
+}
+
+/// Does `what` at once, or asks first whether to save. It asks if a scene was saved under a name and has
+/// unsaved changes: that is somebody's work. The lesson's own scene is not, however it was explored.
+void ask_first(UiState& state, Pending::What what, const std::string& path = {}) {
+    if (!state.editor.document.path.empty() && state.editor.unsaved())
+        return begin_pending(state, what, path);
+    finish_in_lesson(state, {.what = what, .path = path});
+}
+
+}  // namespace
+
+void put_all_away(UiState& state) {
+    ViewsState& views = state.views;
+    views.compare.choice.on = false;
+    end_picture_notes(state);
+    views.scope.open = views.scope.armed = false;
+    views.magnifier = {};
+    views.lit.dots = views.lit.needles = false;
+    state.animate.open = false;
+    state.animate.animation.pointer.clear();
+    state.animate.number.clear();
+    ask_about(state.viewport, {});
+    state.explanation.reset();
+}
+
+void begin_lesson(UiState& state, std::shared_ptr<const Course> course) {
+    LessonState& lesson = state.lesson;
+    end_prediction(state);
+    lesson.course = std::move(course);
+    lesson.progress = lesson.written = recall_progress(state, *lesson.course);
+    state.layout.hides_columns = state.layout.hides_all = false;
+    arrive(state);
+    state.editor.history.reset(state.editor.scene());
+}
+
+void leave_lesson(UiState& state) {
+    LessonState& lesson = state.lesson;
+    if (!lesson.course) return;
+    keep_progress(state);
+    state.animate.playing = false;
+    forget_input(lesson);
+    lesson.course.reset();
+    lesson.watched.reset();
+}
+
+std::optional<std::size_t> open_question(const LessonState& lesson) {
+    if (!lesson.course) return {};
+    const std::vector<GivenAnswer>& given = lesson.given();
+    const auto open = std::find_if(given.begin(), given.end(), [](const auto& g) { return !g.is_over(); });
+    if (open == given.end()) return {};
+    return static_cast<std::size_t>(open - given.begin());
+}
+
+bool is_held(const UiState& state) { return open_question(state.lesson).has_value(); }
+
+void go_on(UiState& state, int steps) { ask_first(state, Pending::What::Page, std::to_string(steps)); }
+
+void page_lesson(UiState& state, int steps) {
+    if (state.lesson.lecturer && steps > 0 && open_question(state.lesson)) return reveal_unanswered(state);
+    go_on(state, steps);
+}
+
+namespace {
+
+void turn_page(UiState& state, int steps) {
+    LessonState& lesson = state.lesson;
+    const auto wanted = static_cast<std::ptrdiff_t>(lesson.progress.station) + steps;
+    if (wanted < 0) return state.notifications.tell("This is where the lesson begins");
+    if (wanted >= std::ssize(lesson.course->stations))
+        return state.notifications.tell("The lesson ends here");
+    lesson.progress.station = static_cast<std::size_t>(wanted);
+    arrive(state);
+}
+
+void become_student(UiState& state) {
+    LessonState& lesson = state.lesson;
+    lesson.lecturer = false;
+    const std::size_t station = lesson.progress.station;
+    lesson.progress = lesson.written;
+    lesson.progress.station = station;
+    arrive(state);
+}
+
+void restart(UiState& state) {
+    state.lesson.progress = fresh_progress(*state.lesson.course);
+    arrive(state);
+}
+
+void restore_scene(UiState& state) {
+    LessonState& lesson = state.lesson;
+    state.animate.playing = false;
+    set_scene(state, open_question(lesson) ? lesson.station().asked : lesson.station().revealed);
+}
+
+}  // namespace
+
+void switch_lecturer(UiState& state) {
+    LessonState& lesson = state.lesson;
+    if (lesson.lecturer) return ask_first(state, Pending::What::Student);
+    keep_progress(state);
+    lesson.lecturer = true;
+    lesson.written = lesson.progress;  // to come back to
+}
+
+void begin_again(UiState& state) { ask_first(state, Pending::What::Again); }
+
+void back_to_scene(UiState& state) { ask_first(state, Pending::What::Station); }
+
+void finish_in_lesson(UiState& state, const Pending& now) {
+    if (!state.lesson.course) return;
+    if (now.what == Pending::What::Page) turn_page(state, std::atoi(now.path.c_str()));
+    if (now.what == Pending::What::Student) become_student(state);
+    if (now.what == Pending::What::Again) restart(state);
+    if (now.what == Pending::What::Station) restore_scene(state);
+}
+
+void lock_in(UiState& state) {
+    LessonState& lesson = state.lesson;
+    if (!can_lock(lesson)) return;
+    const std::size_t open = *open_question(lesson);
+    const bool is_number = lesson.station().questions[open].asks->kind == PredictionKind::Number;
+    lesson.given()[open] = {is_number ? Json(calculated(lesson.typed, 0).value) : lesson.chosen, true};
+    forget_input(lesson);
+    lesson.takes_keys = true;
+    if (!open_question(lesson)) show_reveal(state);
+}
+
+void reveal_unanswered(UiState& state) {
+    for (GivenAnswer& given : state.lesson.given()) given.skipped |= !given.locked;
+    forget_input(state.lesson);
+    show_reveal(state);
+}
+
+bool has_strayed(const UiState& state) {
+    const LessonState& lesson = state.lesson;
+    return !open_question(lesson) && !(state.editor.scene() == lesson.station().revealed);
+}
+
+void play_reveal(UiState& state) {
+    const Reveal& reveal = *state.lesson.station().reveal;
+    AnimateState& animate = state.animate;
+    constexpr int frames = 75;  // three seconds there and back
+    animate.playing = !animate.playing;
+    animate.animation = {Motion::PingPong, reveal.play, reveal.play_from, reveal.play_to, frames};
+    animate.number.clear();
+    animate.frames_a_second = 25;
+    animate.began = ImGui::GetTime();
+}
+
+namespace {
+
+void lay_line(UiState& state) {
+    LessonState& lesson = state.lesson;
+    if (lesson.lays_line <= 0 || state.rendered == nullptr) return;
+    --lesson.lays_line;
+    redraw_within(0);
+    const Reveal* reveal = lesson.course ? lesson.station().reveal : nullptr;
+    if (reveal == nullptr || open_question(lesson)) return;
+    if (reveal->pick && state.viewport.probe)
+        state.viewport.probe = share_of_lesson_pixel(state, glm::dvec2(*reveal->pick) + 0.5);
+    if (!reveal->along) return;
+    ScopeState& scope = state.views.scope;
+    scope.from = share_of_lesson_pixel(state, glm::dvec2(reveal->along->first) + 0.5);
+    scope.to = share_of_lesson_pixel(state, glm::dvec2(reveal->along->second) + 0.5);
+}
+
+}  // namespace
+
+void hold_lesson(UiState& state) {
+    lay_line(state);
+    const auto open = open_question(state.lesson);
+    if (!open) return;
+    Editor& editor = state.editor;
+    const Scene& asked = state.lesson.station().asked;
+    if (!(editor.scene() == asked)) {
+        (void)cancel_gesture(state.viewport, editor.scene());
+        editor.scene() = asked;
+    }
+    state.inspector.instead.reset();
+    state.viewport.touched = true;
+    if (state.viewport.probe) ask_about(state.viewport, {});
+}
+
+}  // namespace glint

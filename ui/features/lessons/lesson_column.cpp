@@ -1,0 +1,219 @@
+// The lesson's column: where one is, what is told and asked here, and the ways on.
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/features/lessons/lesson_parts.h"
+#include "ui/features/lessons/prose.h"
+#include "ui/ui.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/icons.h"
+#include "ui/widgets/named_controls.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+const std::string& step_title(const Course& course, std::size_t station) {
+    const LessonStep& step = course.lesson.steps[course.stations[station].step];
+    return step.title.empty() ? course.lesson.title : step.title;
+}
+
+/// A stroke for each station, to be clicked: answered ones are full, the one that is shown is high.
+void station_strokes(UiState& state) {
+    LessonState& lesson = state.lesson;
+    const std::size_t count = lesson.course->stations.size();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, high = px(14), step = width / float(count);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    std::optional<std::size_t> clicked;
+    for (std::size_t i = 0; i < count; ++i) {
+        const ImVec2 at{low.x + step * float(i), low.y};
+        ImGui::SetCursorScreenPos(at);
+        ImGui::PushID(static_cast<int>(i));
+        if (hit_area("##station", {step, high})) clicked = i;
+        ImGui::PopID();
+        const bool here = i == lesson.progress.station, hovered = ImGui::IsItemHovered();
+        const bool over = is_answered(lesson.progress, i) && (i < lesson.progress.station || here);
+        const float thick = px(here ? 6.0f : hovered ? 5.0f : 3.0f);
+        const ImVec4& colour = here || over ? theme().accent : hovered ? theme().text : theme().line;
+        list.AddRectFilled({at.x + px(1), at.y + (high - thick) / 2},
+                           {at.x + step - px(1), at.y + (high + thick) / 2}, to_u32(colour), px(1.5f));
+        tooltip(fmt::format("Station {}", i + 1).c_str(), step_title(*lesson.course, i).c_str());
+    }
+    ImGui::SetCursorScreenPos(low + ImVec2(0, high + px(4)));
+    if (clicked) go_on(state, static_cast<int>(*clicked) - static_cast<int>(lesson.progress.station));
+}
+
+void heading(UiState& state) {
+    LessonState& lesson = state.lesson;
+    const bool has_title = !lesson.course->lesson.steps[lesson.station().step].title.empty();
+    small_dim(has_title ? lesson.course->lesson.title : lesson.course->lesson.topic);
+    station_strokes(state);
+    ImGui::PushFont(fonts().heading);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(step_title(*lesson.course, lesson.progress.station).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    ImGui::Dummy({0, px(2)});
+}
+
+/// A question's or a task's words behind a bar, below a small word.
+void asked(const char* word, const std::string& text) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    ImGui::Indent(px(12));
+    ImGui::PushFont(fonts().small);
+    coloured(theme().accent, word);
+    ImGui::PopFont();
+    prose_line(text);
+    ImGui::Unindent(px(12));
+    const float end = ImGui::GetCursorScreenPos().y - px(6);
+    ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + px(3), end}, to_u32(theme().accent));
+    list_control(text.c_str(), word, {from, {from.x + ImGui::GetContentRegionAvail().x, end}});
+}
+
+/// Shows a lecturer what can be answered, and nothing that could be chosen by mistake.
+void posed(const StationQuestion& question) {
+    const std::vector<LessonOption>& options = question.asks->options;
+    for (std::size_t i = 0; i < options.size(); ++i)
+        (void)option_card(letter_of_option(i), letter_of_option(i) + ":  " + options[i].text,
+                          OptionLook::Other);
+}
+
+void questions(UiState& state) {
+    const Station& station = state.lesson.station();
+    const auto open = open_question(state.lesson);
+    if (open && !state.lesson.course->lesson.steps[station.step].picture.empty())
+        small_dim("Until you have answered, the picture shows another setting: it would tell the answer.");
+    for (std::size_t i = 0; i < station.questions.size(); ++i) {
+        if (open && i > *open && !state.lesson.lecturer) return;
+        const StationQuestion& question = station.questions[i];
+        ImGui::PushID(static_cast<int>(i));
+        asked(open == i ? "WHAT DO YOU THINK?" : "QUESTION", question.asks->question);
+        const GivenAnswer& given = state.lesson.given()[i];
+        if (!open)
+            revealed_answer(state, question, given);
+        else if (state.lesson.lecturer)
+            posed(question);
+        else if (i < *open)
+            small_dim(given_words(*question.asks, given));
+        else
+            answer_fields(state, question);
+        ImGui::Dummy({0, px(8)});
+        ImGui::PopID();
+        if (open != open_question(state.lesson)) return redraw_within(0);  // it was locked in
+    }
+    if (!open || !state.lesson.lecturer) return;
+    if (main_button("Show the answer")) reveal_unanswered(state);
+    tooltip("Show the answer", "PgDn does it, too");
+}
+
+void told(UiState& state) {
+    LessonState& lesson = state.lesson;
+    const Station& station = lesson.station();
+    if (std::exchange(lesson.scrolls_down, false)) ImGui::SetScrollHereY(0.6f);
+    if (station.reveal != nullptr && !station.reveal->play.empty()) {
+        if (ImGui::Button(state.animate.playing ? "Stop" : "Play it")) play_reveal(state);
+        tooltip("Play it", "To and fro, between the two ends");
+    }
+    const bool current = lesson.watched && lesson.watched->station == lesson.progress.station;
+    std::size_t task = 0;
+    for (const StationPart& part : station.after) {
+        if (part.told != nullptr) {
+            prose(*part.told);
+            continue;
+        }
+        ImGui::PushID(static_cast<int>(task));
+        asked("DO IT", "Drag " + part.task->drag + ".");
+        const bool now = current && task < lesson.watched->done.size() && lesson.watched->done[task];
+        task_box(state, *part.task, lesson.progress.tasks[lesson.progress.station][task], now);
+        ImGui::Dummy({0, px(8)});
+        ImGui::PopID();
+        ++task;
+    }
+}
+
+/// Where the last station is answered: how it went.
+void summary(UiState& state) {
+    const LessonState& lesson = state.lesson;
+    if (lesson.progress.station + 1 < lesson.course->stations.size()) return;
+    const CourseScore score = score_of(*lesson.course, lesson.progress);
+    std::string text = fmt::format("The end of this lesson. {} of {} questions predicted, {} of them right",
+                                   score.locked, score.questions, score.right);
+    if (score.tasks > 0) text += fmt::format("; {} of {} things done by hand", score.done, score.tasks);
+    ImGui::Dummy({0, px(4)});
+    small_dim(text + ".");
+    if (ImGui::SmallButton("Begin again")) begin_again(state);
+    tooltip("Begin again", "From the first station, with nothing answered");
+}
+
+/// The row below: back, where one is, on.
+void ways_on(UiState& state) {
+    LessonState& lesson = state.lesson;
+    const std::size_t at = lesson.progress.station, count = lesson.course->stations.size();
+    const bool open = open_question(lesson).has_value();
+    ImGui::Separator();
+    const float width = px(92), right = ImGui::GetWindowContentRegionMax().x;
+    ImGui::BeginDisabled(at == 0);
+    const bool back = ImGui::Button("‹ Back", {width, 0});
+    ImGui::EndDisabled();
+    tooltip("Back", "The station before, with its scene", "", "PgUp");
+    const std::string place = fmt::format("{} of {}", at + 1, count);
+    ImGui::SameLine((right - ImGui::CalcTextSize(place.c_str()).x) / 2);
+    dim_text(place.c_str());
+    ImGui::SameLine(right - width);
+    const bool last = at + 1 == count;
+    const bool next = chosen_button(last ? "Lessons…" : "Next ›", !open, width);
+    tooltip(last ? "Lessons" : "Next", last ? "Choose another" : "The next station, with its scene", "",
+            last ? "" : "PgDn");
+    if (back) go_on(state, -1);
+    if (next && last) open_lessons(state);
+    if (next && !last) go_on(state, 1);
+}
+
+/// Whoever has explored finds the way back.
+void way_back(UiState& state) {
+    if (open_question(state.lesson)) return;
+    ImGui::BeginDisabled(!has_strayed(state));
+    if (ImGui::Button("Back to the lesson's scene", {ImGui::GetContentRegionAvail().x, 0}))
+        back_to_scene(state);
+    ImGui::EndDisabled();
+    tooltip("Back to the lesson's scene", "As it was here before you changed it; undo brings yours back");
+}
+
+/// The way back has its row before anything is dragged: the text must not jump under the hand.
+float height_below(const UiState& state) {
+    const float row = ImGui::GetFrameHeightWithSpacing();
+    return row + px(8) + (open_question(state.lesson) ? 0 : row);
+}
+
+}  // namespace
+
+void lesson_column(UiState& state) {
+    LessonState& lesson = state.lesson;
+    if (!lesson.course) return;  // it was left in this frame
+    heading(state);
+    ImGui::BeginChild("##lesson", {0, -height_below(state)});
+    if (std::exchange(lesson.scrolls_up, false)) ImGui::SetScrollY(0);
+    for (const auto* text : lesson.station().before) prose(*text);
+    questions(state);
+    if (!open_question(lesson)) {
+        told(state);
+        summary(state);
+    }
+    ImGui::EndChild();
+    way_back(state);
+    ways_on(state);
+}
+
+std::string lesson_caption(const UiState& state) {
+    const LessonState& lesson = state.lesson;
+    if (!lesson.course) return {};
+    if (const auto open = open_question(lesson)) return lesson.station().questions[*open].asks->question;
+    return step_title(*lesson.course, lesson.progress.station);
+}
+
+}  // namespace glint

@@ -1,0 +1,38 @@
+#pragma once
+// The list of lessons: those that come with the program, and those beside the open one, with how far one has
+// come.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/features/lessons/lesson_progress.h"
+
+namespace glint {
+
+struct UiState;
+struct UiInput;
+
+struct LessonEntry {
+    std::string path, title, topic;  // without a title where the file cannot be read: opening it says why
+    std::optional<LessonRecord> record;
+};
+
+struct LessonListState {
+    bool open = false;
+    int chosen = -1;  // by the arrow keys, counted through both lists
+    std::vector<LessonEntry> own,
+        beside;  // of the program; of the open lesson's folder, where that is another
+};
+
+/// The number that the file's name begins with, "05"; empty where there is none.
+[[nodiscard]] std::string number_of(const LessonEntry& entry);
+
+/// Reads the lessons of the program into the list: some milliseconds.
+void list_own_lessons(UiState& state);
+/// Opens the dialog; a click in it, or the arrow keys and Enter, opens a lesson.
+void open_lessons(UiState& state);
+/// Draws it. Precondition: it is open.
+void lessons_dialog(UiState& state, const UiInput& input);
+
+}  // namespace glint

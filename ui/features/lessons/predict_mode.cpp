@@ -1,0 +1,184 @@
+#include "ui/features/lessons/predict_mode.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/commands/command.h"
+#include "ui/document/loading.h"
+#include "ui/features/lessons/lesson_parts.h"
+#include "ui/features/lessons/prose.h"
+#include "ui/picture/draw_picture.h"
+#include "ui/ui.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+Json json_of(const std::array<int, 3>& colour) {
+    return {colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0};
+}
+
+/// What is predicted is a colour of the edited scene: no part of a comparison, and not what is frozen, plays
+/// or is B.
+void show_edited_alone(UiState& state) {
+    state.views.compare.choice.on = state.views.compare.choice.shows_stored = false;
+    state.animate.playing = false;
+    state.animate.frame.reset();
+    state.lecture.frozen.reset();
+}
+
+/// From the picked pixel on, if it has a colour now; else one is asked for.
+void begin_prediction(UiState& state) {
+    show_edited_alone(state);
+    state.predict = {};
+    state.predict.stage = PredictStage::Pick;
+    redraw_within(0);  // poll_prediction() goes on
+}
+
+/// Precondition: the picked pixel is explained, of the edited scene.
+void stop_picture(UiState& state) {
+    show_edited_alone(state);
+    PredictState& predict = state.predict;
+    predict.stage = PredictStage::Change;
+    predict.probe = state.viewport.probe;
+    predict.before = state.explanation->byte;
+    freeze(state);
+    state.lecture.frozen = as_made(state, state.editor.scene());  // not what the mouse over a term may show
+}
+
+/// Shows the predicted pixel as it is now, whatever was looked at or asked meanwhile.
+void reveal(UiState& state) {
+    state.predict.stage = PredictStage::Revealed;
+    show_edited_alone(state);
+    state.viewport.probe = state.predict.probe;
+    state.explanation.reset();
+    redraw_within(0);
+}
+
+void lock_in_colour(UiState& state) {
+    PredictState& predict = state.predict;
+    if (predict.mine == Json()) predict.mine = json_of(predict.before);
+    reveal(state);
+}
+
+void pick_panel() {
+    prose_line("Click the pixel whose colour you want to predict.");
+    small_dim("Then the picture stands still. You change the scene, say what the colour will be, and look.");
+}
+
+void change_panel(UiState& state) {
+    PredictState& predict = state.predict;
+    prose_line("Change what you like: the picture stands still. What colour will the pixel have?");
+    colour_row("It was", json_of(predict.before));
+    ImGui::Dummy({0, px(4)});
+    if (std::exchange(predict.takes_keys, false)) {
+        ImGui::SetWindowFocus();
+        ImGui::SetKeyboardFocusHere(2);  // the picker's square and its bar are in front of its numbers
+    }
+    if (predict.mine == Json()) {
+        Json shown = json_of(predict.before);
+        if (pick_colour("##predicted", shown)) predict.mine = shown;
+    } else {
+        (void)pick_colour("##predicted", predict.mine);
+    }
+    ImGui::Dummy({0, px(4)});
+    if (main_button(predict.mine == Json() ? "It stays as it was" : "Lock it in")) lock_in_colour(state);
+    tooltip("Lock the colour in", "The picture goes on and shows what the colour is");
+    ImGui::SameLine(0, px(12));
+    if (ImGui::Button("Give up")) end_prediction(state);
+    small_dim(predict.mine == Json() ? "Enter: type the colour  ·  Esc: give up"
+                                     : "Enter: lock it in  ·  Esc: give up");
+}
+
+void revealed_panel(UiState& state) {
+    const PredictState& predict = state.predict;
+    if (!predict.answer) return small_dim("The picture is drawn.");
+    const Json answer = json_of(*predict.answer);
+    colour_row("You said", predict.mine);
+    const bool still = state.explanation && state.explanation->byte == *predict.answer;
+    colour_row(still ? "It is" : "It was", answer);  // after a further edit
+    const double off = 255 * how_far(PredictionKind::Colour, predict.mine, answer);
+    constexpr double levels_hardly_seen = 8;
+    const std::string words = fmt::format("{:.0f} of 255 levels apart at most", off);
+    if (off <= levels_hardly_seen)
+        coloured(theme().accent, off < 0.5 ? "Exactly." : "Close enough: " + words + ".");
+    else
+        warning_text(words + ".");
+    if (main_button("Again")) begin_prediction(state);
+    tooltip("Predict again", "The picture stands still for another change");
+    ImGui::SameLine(0, px(12));
+    if (ImGui::Button("Close")) end_prediction(state);
+    small_dim("Enter: again  ·  Esc: close");
+    ImGui::Separator();
+}
+
+}  // namespace
+
+void switch_prediction(UiState& state) {
+    if (state.predict.stage != PredictStage::Off) return end_prediction(state);
+    state.layout.right = state.left_shows_inspector = true;
+    state.layout.hides_columns = false;
+    begin_prediction(state);
+}
+
+void end_prediction(UiState& state) {
+    if (state.predict.stage == PredictStage::Change) state.lecture.frozen.reset();
+    state.predict = {};
+}
+
+bool predict_by_key(UiState& state, KeyPress press) {
+    PredictState& predict = state.predict;
+    if (!(press == KeyPress{Key::Enter})) return false;
+    if (predict.stage == PredictStage::Revealed && predict.answer) {
+        begin_prediction(state);
+        return true;
+    }
+    if (predict.stage != PredictStage::Change) return false;
+    if (predict.mine != Json()) {
+        lock_in_colour(state);
+        return true;
+    }
+    predict.mine = json_of(predict.before);
+    predict.takes_keys = true;
+    return true;
+}
+
+void poll_prediction(UiState& state) {
+    PredictState& predict = state.predict;
+    if (predict.stage == PredictStage::Pick && state.viewport.probe) {
+        if (is_explained(state))
+            stop_picture(state);
+        else if (is_out_of_hand(state))  // B, or a frozen picture, was clicked: the scene is shown first
+            show_edited_alone(state);
+    }
+    if (predict.stage == PredictStage::Change && !state.lecture.frozen) end_prediction(state);  // by F8
+    if (predict.stage != PredictStage::Revealed || predict.answer) return;
+    if (!state.viewport.probe) return end_prediction(state);
+    const bool drawn = state.rendered_is_edited && state.rendered_scene == state.editor.scene();
+    if (drawn && state.explanation && is_explained(state)) predict.answer = state.explanation->byte;
+    redraw_within(0);
+}
+
+bool predict_panel(UiState& state) {
+    switch (state.predict.stage) {
+    case PredictStage::Off:
+        return true;
+    case PredictStage::Pick:
+        pick_panel();
+        return false;
+    case PredictStage::Change:
+        change_panel(state);
+        return false;
+    case PredictStage::Revealed:
+        revealed_panel(state);
+        return state.predict.answer.has_value();
+    }
+    return true;  // not reached
+}
+
+}  // namespace glint

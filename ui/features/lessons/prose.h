@@ -1,0 +1,35 @@
+#pragma once
+// Text of a lesson in a column: large, with its styles, and with the letters of the equation in their
+// colours.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/lesson.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+
+/// Draws paragraphs, lists, quotes and code into the current window, as wide as its room.
+void prose(const std::vector<ProseBlock>& blocks);
+
+/// One paragraph of plain words.
+void prose_line(const std::string& text);
+void prose_line(const std::string& text, const ImVec4& colour);
+/// Its height in a room so wide.
+[[nodiscard]] float prose_height(const std::string& text, float width);
+/// Draws it at a place of the window, in a room so wide; the cursor stays.
+void prose_at(ImDrawList& list, ImVec2 at, float width, const std::string& text, const ImVec4& colour);
+
+/// A piece of a word in one colour: a letter of the equation in its own.
+struct ColouredPiece {
+    std::string_view text;
+    bool is_symbol = false;
+    Symbol symbol = Symbol::N;
+};
+/// A word cut where its colour changes. Vectors are letters beside a dot, "n·l"; factors have an index,
+/// "k_d".
+[[nodiscard]] std::vector<ColouredPiece> coloured_pieces(std::string_view word);
+
+}  // namespace glint

@@ -1,0 +1,169 @@
+// Curves of one factor each: Lambert's cosine, with the beam that spreads over more surface the more it
+// slants; falloff; the cone.
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "renderer/reflectance/curves.h"
+#include "renderer/reflectance/lobes.h"
+#include "ui/features/plots/plot.h"
+#include "ui/features/plots/plots_tab.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+constexpr float beam_units = 40;  // width of the beam, of the design
+
+/// A beam that meets a surface: points of the window.
+struct Beam {
+    ImVec2 foot, to_light, across;  // its middle on the surface; unit, y down
+};
+
+Beam beam_at(const Rect& room, double deg) {
+    const auto angle = static_cast<float>(glm::radians(deg));
+    return {{room.low.x + 0.56f * room.size().x, room.high.y - px(26)},
+            {-std::sin(angle), -std::cos(angle)},
+            {std::cos(angle), -std::sin(angle)}};
+}
+
+/// Both rims of the beam run on until they meet the surface, which is level.
+void draw_beam(ImDrawList& list, const Rect& room, double deg) {
+    const Beam beam = beam_at(room, deg);
+    const float half = px(beam_units) / 2, far = room.size().x + room.size().y;
+    const float foot = half / -beam.to_light.y;  // half of d / cos
+    const ImVec2 left = beam.foot - ImVec2(foot, 0), right = beam.foot + ImVec2(foot, 0);
+    const ImU32 light = to_u32(theme()[Symbol::L]);
+    list.AddQuadFilled(left, right, right + far * beam.to_light, left + far * beam.to_light,
+                       to_u32(theme()[Symbol::L], 0.22f));
+    list.AddLine(left, left + far * beam.to_light, light, px(1.2f));
+    list.AddLine(right, right + far * beam.to_light, light, px(1.2f));
+    // The beam's width, at right angles to it, a little above the surface.
+    const ImVec2 middle = beam.foot + px(54) * beam.to_light;
+    list.AddLine(middle - half * beam.across, middle + half * beam.across, light, px(2));
+    plot_text(list, middle + px(9) * beam.to_light, theme().text, "d", true);
+    list.AddLine(left, right, to_u32(theme()[Symbol::Diffuse]), px(4));
+    plot_text(list, beam.foot + ImVec2(0, px(13)), theme()[Symbol::Diffuse],
+              fmt::format("d / cos θ = {:.2f} d", 1 / std::cos(glm::radians(deg))), true);
+}
+
+void draw_surface(ImDrawList& list, const Rect& room, double deg) {
+    const Beam beam = beam_at(room, deg);
+    list.AddRectFilled({room.low.x, beam.foot.y}, room.high, to_u32(theme().field));
+    list.AddLine({room.low.x, beam.foot.y}, {room.high.x, beam.foot.y}, to_u32(theme().text), px(1.2f));
+    const ImVec2 top{beam.foot.x, room.low.y + px(14)};
+    list.AddLine(beam.foot, top, to_u32(theme()[Symbol::N]), px(1.4f));
+    plot_text(list, top + px(1) * ImVec2(5, -6), theme()[Symbol::N], "n");
+}
+
+void beam_drawing(double deg) {
+    const Rect room = plot_room(120);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    begin_drawing(list, room);
+    draw_surface(list, room, deg);
+    if (deg < 90) draw_beam(list, room, deg);
+    end_drawing(list, room);
+}
+
+/// The share that a white matt surface reflects of a light at this angle: the equation's own diffuse term.
+double diffuse_at(double light_deg) {
+    Reflector white;
+    white.reflection = Reflection::Lambert;
+    white.material.diffuse = glm::vec3(1);
+    return double(reflected(white, in_plane(-light_deg), {0, 0, 1}).diffuse.x);
+}
+
+void cosine_curve(double deg) {
+    std::vector<glm::dvec2> curve;
+    for (int at = 0; at <= 180; at += 2) curve.emplace_back(at, diffuse_at(at));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const PlotArea area = draw_axes(list, plot_room(96), {0, 180}, {0, 1.1},
+                                    {"θ between n and l", "degrees", true, 45}, {"", ""});
+    draw_upright(list, area, 90, theme().dim_text);
+    draw_curve(list, area, curve, theme()[Symbol::Diffuse]);
+    draw_mark(list, area, {deg, diffuse_at(deg)}, theme()[Symbol::Diffuse]);
+    draw_reading(list, area, {{curve, theme()[Symbol::Diffuse]}});
+}
+
+constexpr int factor_steps = 240;
+
+/// Says how far a falloff's plot reaches: past the point, to where little is left.
+double farthest_of(const PlotSubject& subject) {
+    const double there = subject.point.light != nullptr ? double(subject.point.light->distance) : 0;
+    return std::max(2.2 * there, 5.0);  // twice as far is on it
+}
+
+}  // namespace
+
+std::vector<glm::dvec2> inverse_square(const std::vector<glm::dvec2>& falloff, const PlotPoint& point) {
+    const glm::dvec2 through = point.light != nullptr ? falloff_mark(point) : glm::dvec2(1);
+    std::vector<glm::dvec2> law;
+    for (const glm::dvec2 p : falloff)
+        if (p.x > 0) law.emplace_back(p.x, through.y * through.x * through.x / (p.x * p.x));
+    return law;
+}
+
+void cosine_section(PlotsState& plots, const PlotSubject& subject) {
+    if (!fold("Lambert's cosine: a slanting beam spreads", false)) return;
+    const bool picked = subject.point.light != nullptr;
+    if (picked) plots.beam_deg = static_cast<float>(local_directions(subject.point).light_deg);
+    ImGui::BeginDisabled(picked);
+    (void)number_field(
+        "Light", plots.beam_deg,
+        {.range = half_turn_deg, .unit = "degrees", .step = 0.25f, .format = "%.1f", .usual_max = 180}, 50,
+        {"Between n and l: that of the picked point where one is picked", ""});
+    ImGui::EndDisabled();
+    const auto deg = double(plots.beam_deg);
+    beam_drawing(deg);
+    if (deg >= 90) warning_text("From 90° on the light is behind the surface: nothing arrives.");
+    cosine_curve(deg);
+    small_dim("max(n·l, 0): what arrives, as a share of what arrives head on. The same seen from anywhere.");
+}
+
+void falloff_section(const PlotSubject& subject) {
+    if (!fold("Falloff over the distance to the light", true)) return;
+    const auto curve = falloff_curve(subject.scene, subject.light, farthest_of(subject), factor_steps);
+    if (curve.empty()) {
+        const bool area =
+            subject.scene.lights[static_cast<std::size_t>(subject.light)].kind == LightKind::Area;
+        return small_dim(area ? "An area light has none of its own: it comes from its samples."
+                              : "A directional light has none: it is infinitely far.");
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    double most = 0;
+    for (const glm::dvec2 p : curve) most = std::max(most, p.y);
+    if (subject.point.light != nullptr)
+        most = std::min(most, 4 * std::max(falloff_mark(subject.point).y, 0.25));
+    const PlotArea area = draw_axes(list, plot_room(curve_height), {0, curve.back().x}, {0, 1.1 * most},
+                                    {"dist", "scene units"}, {"falloff", ""});
+    const std::vector<glm::dvec2> law = inverse_square(curve, subject.point);
+    draw_curve(list, area, law, theme().dim_text, 1);
+    draw_curve(list, area, curve, theme()[Symbol::L]);
+    if (subject.point.light != nullptr)
+        draw_mark(list, area, falloff_mark(subject.point), theme()[Symbol::L]);
+    draw_reading(list, area, {{curve, theme()[Symbol::L]}, {law, theme().dim_text}});
+    coloured(Symbol::L, "this light");
+    ImGui::SameLine(0, px(10));
+    dim_text(subject.point.light != nullptr ? "1 / dist², through the point" : "1 / dist²");
+}
+
+void spot_section(const PlotSubject& subject) {
+    const auto curve = spot_curve(subject.scene, subject.light, factor_steps);
+    if (curve.empty()) return;
+    if (!fold("Cone: how much goes into which direction", false)) return;
+    const Light& light = subject.scene.lights[static_cast<std::size_t>(subject.light)];
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const PlotArea area = draw_axes(list, plot_room(curve_height), {-90, 90}, {0, 1.1},
+                                    {"from the axis", "degrees", true, 30}, {"spot", ""});
+    for (const float side : {-1.0f, 1.0f})
+        draw_upright(list, area, double(side * light.spot.cutoff_deg), theme().dim_text);
+    draw_curve(list, area, curve, theme()[Symbol::L]);
+    if (subject.point.light != nullptr) draw_mark(list, area, spot_mark(subject.point), theme()[Symbol::L]);
+    draw_reading(list, area, {{curve, theme()[Symbol::L]}});
+}
+
+}  // namespace glint

@@ -1,0 +1,239 @@
+#include "ui/features/plots/plot.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "renderer/explain/printed_number.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
+
+namespace glint {
+namespace {
+
+/// More points than this on one curve are thinned: ImGui counts the corners of a list in 16 bits.
+constexpr std::size_t max_points = 1500;
+
+double multiples_in(Interval range, double step) {
+    return std::floor(range.high / step + 1e-9) - std::ceil(range.low / step - 1e-9) + 1;
+}
+
+/// The smallest step of at most `most` ticks: 1, 2 or 5 times a power of ten.
+double tick_step(Interval range, int most) {
+    const double power = std::pow(10, std::floor(std::log10(range.length() / (most + 1))));
+    for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0})
+        if (multiples_in(range, step * power) <= most) return step * power;
+    return 100 * power;
+}
+
+/// Whole multiples of `step` in the range, so that 0 is 0 and no error adds up; at most 40.
+std::vector<double> multiples(Interval range, double step) {
+    std::vector<double> values;
+    const double first = std::ceil(range.low / step - 1e-9);
+    for (int i = 0; i < 40 && (first + i) * step <= range.high + 1e-9 * step; ++i)
+        values.push_back((first + i) * step);
+    return values;
+}
+
+ImVec2 text_size(const std::string& text) {
+    return fonts().small->CalcTextSizeA(small_text_height(), 1e9f, 0, text.c_str());
+}
+
+/// The margin between the curves' room and the right edge of all.
+float right_margin() { return px(6); }
+
+std::string axis_title(const AxisText& axis) {
+    return *axis.unit != 0 ? fmt::format("{}, {}", axis.name, axis.unit) : std::string(axis.name);
+}
+
+void draw_x_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
+    const int most = std::max(2, static_cast<int>(area.rect.size().x / px(62)));
+    const double step = text.step > 0 ? text.step : tick_step(area.x, most);
+    const float y = area.rect.high.y;
+    for (const double v : multiples(area.x, step)) {
+        const float x = area.at({v, area.y.low}).x;
+        list.AddLine({x, area.rect.low.y}, {x, y}, to_u32(theme().line));
+        if (!text.numbers) continue;
+        const std::string number = tick_text(v, step);
+        const float half = text_size(number).x / 2, right = area.rect.high.x + right_margin();
+        plot_text(list, {std::min(x, right - half), y + px(3) + small_text_height() / 2}, theme().dim_text,
+                  number, true);
+    }
+    if (*text.name == 0) return;
+    const std::string title = axis_title(text);
+    const float below = text.numbers ? small_text_height() + px(3) : px(2);
+    plot_text(list, {area.rect.high.x - text_size(title).x, y + below}, theme().text, title);
+}
+
+void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
+    if (*text.name != 0)  // above the curves' room, so that it lies over none
+        plot_text(list, {area.rect.low.x, area.rect.low.y - small_text_height() - px(1)}, theme().text,
+                  axis_title(text));
+    const int most = std::max(2, static_cast<int>(area.rect.size().y / px(24)));
+    const float line = small_text_height();
+    for (const double v : ticks(area.y, most)) {
+        const float y = area.at({area.x.low, v}).y;
+        list.AddLine({area.rect.low.x, y}, {area.rect.high.x, y}, to_u32(theme().line));
+        if (!text.numbers) continue;
+        const std::string number = tick_text(v, tick_step(area.y, most));
+        // Within its own plot's height: the plot above has numbers too.
+        const float top = std::clamp(y - line / 2, area.rect.low.y - px(1),
+                                     std::max(area.rect.high.y - line + px(1), area.rect.low.y));
+        plot_text(list, {area.rect.low.x - px(4) - text_size(number).x, top}, theme().dim_text, number);
+    }
+}
+
+/// The lowest and the highest point of each of `buckets` pieces, in their order.
+std::vector<glm::dvec2> thinned(std::span<const glm::dvec2> points, std::size_t buckets) {
+    std::vector<glm::dvec2> kept;
+    for (std::size_t b = 0; b < buckets; ++b) {
+        const auto piece = points.subspan(b * points.size() / buckets,
+                                          (b + 1) * points.size() / buckets - b * points.size() / buckets);
+        if (piece.empty()) continue;
+        const auto lower = [](glm::dvec2 a, glm::dvec2 c) { return a.y < c.y; };
+        auto [low, high] = std::minmax_element(piece.begin(), piece.end(), lower);
+        if (high < low) std::swap(low, high);
+        kept.push_back(*low);
+        if (low != high) kept.push_back(*high);
+    }
+    return kept;
+}
+
+}  // namespace
+
+Interval range_of(std::span<const double> values, double least, double margin) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const double v : values) {
+        if (!std::isfinite(v)) continue;
+        low = std::min(low, v);
+        high = std::max(high, v);
+    }
+    if (low > high) return {0, 1};
+    if (high - low < least) {
+        const double middle = (low + high) / 2;
+        low = middle - least / 2;
+        high = middle + least / 2;
+    }
+    const double more = margin * (high - low);
+    return {low - more, high + more};
+}
+
+std::vector<double> ticks(Interval range, int most) {
+    std::vector<double> values = multiples(range, tick_step(range, most));
+    if (values.size() > static_cast<std::size_t>(most)) values.resize(static_cast<std::size_t>(most));
+    return values;
+}
+
+std::string tick_text(double value, double step) {
+    if (std::abs(value) < step * 1e-6) return "0";
+    const int places = static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+    if (places > 4 || step >= 1e5) return fmt::format("{:.3g}", value);
+    return fmt::format("{:.{}f}", value, std::max(places, 0));
+}
+
+ImVec2 PlotArea::at(glm::dvec2 value) const {
+    const ImVec2 size = rect.size();
+    return {rect.low.x + static_cast<float>((value.x - x.low) / x.length()) * size.x,
+            rect.high.y - static_cast<float>((value.y - y.low) / y.length()) * size.y};
+}
+
+glm::dvec2 PlotArea::value(ImVec2 at) const {
+    const ImVec2 size = rect.size();
+    return {x.low + x.length() * static_cast<double>((at.x - rect.low.x) / size.x),
+            y.low + y.length() * static_cast<double>((rect.high.y - at.y) / size.y)};
+}
+
+ImVec4 channel_colour(int channel) {
+    static const ImVec4 on_dark[] = {{1, 0.42f, 0.36f, 1}, {0.35f, 0.85f, 0.45f, 1}, {0.45f, 0.65f, 1, 1}};
+    static const ImVec4 on_light[] = {{0.75f, 0.1f, 0.1f, 1}, {0, 0.45f, 0.1f, 1}, {0.1f, 0.25f, 0.8f, 1}};
+    return theme().dark ? on_dark[channel] : on_light[channel];
+}
+
+void plot_text(ImDrawList& list, ImVec2 at, const ImVec4& colour, const std::string& text, bool centre) {
+    const ImVec2 low = centre ? at - text_size(text) / 2 : at;
+    list.AddText(fonts().small, small_text_height(), low, to_u32(colour), text.c_str());
+}
+
+PlotArea area_within(const Rect& all, Interval x, Interval y, const AxisText& x_text,
+                     const AxisText& y_text) {
+    const float left = y_text.numbers ? px(56) : px(4);  // "−0.00025" and its distance to the axis
+    const float below = (x_text.numbers ? small_text_height() + px(3) : 0) +
+                        (*x_text.name != 0 ? small_text_height() + px(2) : px(2));
+    const float above = *y_text.name != 0 ? small_text_height() + px(2) : px(2);
+    PlotArea area{
+        {{all.low.x + left, all.low.y + above}, {all.high.x - right_margin(), all.high.y - below}}, x, y};
+    area.rect.high.x = std::max(area.rect.high.x, area.rect.low.x + 1);
+    area.rect.high.y = std::max(area.rect.high.y, area.rect.low.y + 1);
+    return area;
+}
+
+PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y, const AxisText& x_text,
+                   const AxisText& y_text) {
+    const PlotArea area = area_within(all, x, y, x_text, y_text);
+    list.AddRectFilled(area.rect.low, area.rect.high, to_u32(theme().window));
+    draw_x_axis(list, area, x_text);
+    draw_y_axis(list, area, y_text);
+    if (y.low < 0 && y.high > 0)
+        list.AddLine(area.at({x.low, 0}), area.at({x.high, 0}), to_u32(theme().dim_text, 0.6f));
+    list.AddRect(area.rect.low, area.rect.high, to_u32(theme().line));
+    return area;
+}
+
+void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dvec2> points,
+                const ImVec4& colour, float width) {
+    std::vector<glm::dvec2> fewer;
+    if (points.size() > max_points) {
+        fewer = thinned(points, max_points / 2);
+        points = fewer;
+    }
+    list.PushClipRect(area.rect.low, area.rect.high, true);
+    const auto stroke = [&] { list.PathStroke(to_u32(colour), 0, px(width)); };
+    for (const glm::dvec2 p : points) {
+        if (std::isfinite(p.x) && std::isfinite(p.y))
+            list.PathLineTo(area.at(p));
+        else
+            stroke();  // a gap
+    }
+    stroke();
+    list.PopClipRect();
+}
+
+void draw_point(ImDrawList& list, ImVec2 at, const ImVec4& colour) {
+    list.AddCircleFilled(at, px(5), to_u32(theme().window));
+    list.AddCircleFilled(at, px(3.6f), to_u32(colour));
+}
+
+void begin_drawing(ImDrawList& list, const Rect& room) {
+    list.AddRectFilled(room.low, room.high, to_u32(theme().window));
+    list.PushClipRect(room.low, room.high, true);
+}
+
+void end_drawing(ImDrawList& list, const Rect& room) {
+    list.PopClipRect();
+    list.AddRect(room.low, room.high, to_u32(theme().line));
+}
+
+void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVec4& colour, bool figures) {
+    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;
+    ImVec2 place = area.at(at);
+    place.x = std::clamp(place.x, area.rect.low.x, area.rect.high.x);
+    place.y = std::clamp(place.y, area.rect.low.y, area.rect.high.y);
+    draw_point(list, place, colour);
+    if (!figures) return;
+    const std::string text = significant_text(at.y, 3);
+    const float width = text_size(text).x;
+    const bool left = place.x + px(9) + width > area.rect.high.x;
+    const float y = std::clamp(place.y - small_text_height() - px(3), area.rect.low.y,
+                               area.rect.high.y - small_text_height());
+    plot_text(list, {left ? place.x - px(9) - width : place.x + px(9), y}, colour, text);
+}
+
+void draw_upright(ImDrawList& list, const PlotArea& area, double x, const ImVec4& colour, float opacity) {
+    const float at = area.at({x, area.y.low}).x;
+    if (at < area.rect.low.x || at > area.rect.high.x) return;
+    list.AddLine({at, area.rect.low.y}, {at, area.rect.high.y}, to_u32(colour, opacity));
+}
+
+}  // namespace glint

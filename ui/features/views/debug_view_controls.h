@@ -1,0 +1,49 @@
+#pragma once
+// A debug view shows one quantity behind the picture in place of its colours, with a colour bar that says
+// what they mean; stripes may lie over what is too bright to be shown.
+
+#include <imgui.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "renderer/debug_views/debug_view.h"
+#include "ui/picture/screen.h"
+
+namespace glint {
+
+/// The quantity that is looked at; changes to it change the picture.
+struct DebugViewSet {
+    DebugViewChoice choice;
+    bool over_range = false;  // stripes where a channel exceeds 1
+    bool operator==(const DebugViewSet&) const = default;
+};
+
+struct DebugViewState {
+    DebugViewSet set;
+    std::unique_ptr<DebugViewPainter> painter;  // once it was needed
+    Picture striped;
+    std::uint64_t clipped = 0;  // striped pixels
+};
+
+struct DebugViewInfo {
+    DebugView view;
+    const char* label;
+    const char* what;
+};
+/// The window's words for a debug view.
+[[nodiscard]] const DebugViewInfo& info_of(DebugView view);
+
+/// The next debug view after `view`, or the one before it, round and round.
+[[nodiscard]] DebugView debug_view_after(DebugView view, int steps);
+
+/// Draws drop-downs for the debug view and its light into the current line. True when a view was chosen.
+bool debug_view_controls(DebugViewState& state, const Scene& scene);
+
+/// Draws the colour bar into the picture's lower left corner, with the values at the picked pixel and at the
+/// cursor.
+void draw_debug_view_legend(ImDrawList& list, const DebugViewState& state, const Scene& scene,
+                            const PictureView& view, std::optional<glm::ivec2> picked);
+
+}  // namespace glint

@@ -1,0 +1,75 @@
+#pragma once
+// The scan-line scope lays a line over the picture and shows below it the intensity with first and second
+// differences, so that Mach bands are seen in numbers. Lecture: "Gouraud Shading Artifacts".
+
+#include <imgui.h>
+
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "renderer/debug_views/profile.h"
+#include "ui/picture/screen.h"
+#include "ui/widgets/area.h"
+
+namespace glint {
+
+struct ScopeState {
+    enum class Hand { None, From, To, Line, New, Card };
+
+    bool open = false;   // line and panel are shown
+    bool armed = false;  // the next drag over the picture draws the line
+    // Ends of the line, and the grey card's middle and size, as shares of the picture's size.
+    glm::dvec2 from{0.02, 0.5}, to{0.98, 0.5};
+    bool card = false;
+    glm::dvec2 card_at{0.5}, card_size{0.1, 0.3};
+    bool channels = false;    // red, green and blue apart, in place of luminance
+    bool eye = false;         // the perceived curve too
+    double surround_px = 12;  // of the eye
+    int hovered = -1;         // number of the sample under the cursor in the panel
+    // In hand:
+    Hand hand = Hand::None;
+    Hand under = Hand::None;  // what a press would take
+    glm::dvec2 last{0};       // where the cursor was, as a share
+
+    std::vector<ProfileSample> samples;  // of the picture on the screen
+    std::vector<double> seen;            // perceived intensity; empty unless asked for
+};
+
+/// Draws the panel below the picture, with intensity along the scope's line, over `area`. `size`: of the
+/// picture that the samples are of. True when the command line is to be copied.
+[[nodiscard]] bool scope_panel(ScopeState& scope, const Rect& area, PictureSize size);
+
+/// The pixel at a share of the picture's size.
+[[nodiscard]] glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size);
+
+/// Lays the line across the middle of the picture: where it lay says nothing of another scene.
+void lay_level(ScopeState& scope);
+
+/// Opens the scope with its tool in hand, or closes it.
+void toggle_scope(ScopeState& scope);
+
+/// Reads the line off a picture that was drawn with `linear`.
+void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& picture);
+
+/// Lays the card on the right of the sharpest bend of the line, its edge on the pixel of the bend.
+void place_card(ScopeState& scope, PictureSize size);
+/// Takes the card up, placed so, or puts it away.
+void switch_card(ScopeState& scope, PictureSize size);
+
+/// Where along the line, between two samples, another triangle is seen.
+struct ScopeEdge {
+    double position = 0;       // as ProfileSample::position
+    bool is_diagonal = false;  // within a polygon: the edge of triangles that it is drawn as
+    bool operator==(const ScopeEdge&) const = default;
+};
+[[nodiscard]] std::vector<ScopeEdge> edges_along(const std::vector<ProfileSample>& samples);
+
+/// "384 pixels, 1 edge, 2 diagonals".
+[[nodiscard]] std::string edge_words(const std::vector<ProfileSample>& samples);
+
+/// The panel's words for a sample: its pixel, intensity, differences (where the slope jumps, the slopes
+/// before and after) and face.
+[[nodiscard]] std::string sample_text(const std::vector<ProfileSample>& samples, std::size_t at);
+
+}  // namespace glint

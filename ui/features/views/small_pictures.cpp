@@ -1,0 +1,76 @@
+#include "ui/features/views/small_pictures.h"
+
+#include <mutex>
+#include <utility>
+
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+
+/// Shared with the job that draws: it adds at the end, the window takes from the front.
+struct DrawnSmall {
+    std::mutex mutex;
+    std::vector<SmallPicture> done;
+};
+
+namespace {
+
+constexpr int sheet_columns = 8;
+constexpr double look_again = 0.05;  // seconds between looks at what is drawn
+
+Result<int> draw_all(const DrawSmall& draw, int count, DrawnSmall& drawn, const LoadProgress& progress) {
+    Renderer renderer(1);  // one thread: the window needs the others
+    for (int i = 0; i < count && !progress.cancelled; ++i) {
+        SmallPicture one = draw(renderer, i);
+        const std::lock_guard lock(drawn.mutex);
+        drawn.done.push_back(std::move(one));
+    }
+    return count;
+}
+
+}  // namespace
+
+void begin_small_pictures(SmallPictures& small, const std::string& name, PictureSize cell, int count,
+                          DrawSmall draw) {
+    const auto many = static_cast<std::size_t>(count);
+    if (!(small.sheet.cell == cell) || small.words.size() != many) {
+        small.sheet.reset(cell, sheet_columns, count);
+        small.words.assign(many, {});
+    }
+    small.taken = 0;
+    small.problem.clear();
+    small.drawn = std::make_shared<DrawnSmall>();
+    small.job = std::make_unique<Job<int>>(
+        name, [draw = std::move(draw), count, drawn = small.drawn](const LoadProgress& progress) {
+            return draw_all(draw, count, *drawn, progress);
+        });
+}
+
+void stop_small_pictures(SmallPictures& small) {
+    small.taken = 0;
+    small.drawn.reset();
+    if (small.job) small.job->cancel();
+}
+
+void take_small_pictures(SmallPictures& small) {
+    if (!small.job) return;
+    const bool done = small.job->done();  // asked first: what it finishes from now on is for the next frame
+    if (small.drawn) {
+        const std::lock_guard lock(small.drawn->mutex);
+        std::vector<SmallPicture>& all = small.drawn->done;
+        for (auto i = static_cast<std::size_t>(small.taken); i < all.size(); ++i) {
+            if (!all[i].picture.rgba.empty()) small.sheet.put(static_cast<int>(i), all[i].picture);
+            small.words[i] = std::move(all[i].words);
+            all[i] = {};
+        }
+        small.taken = static_cast<int>(all.size());
+    }
+    if (!done) return redraw_within(look_again);
+    const Result<int> result = small.job->take();
+    if (const auto* problem = std::get_if<Problem>(&result); small.drawn && problem != nullptr)
+        small.problem = problem->text();
+    small.drawn.reset();
+    small.job.reset();
+}
+
+}  // namespace glint

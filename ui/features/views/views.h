@@ -1,0 +1,130 @@
+#pragma once
+// The picture can be looked at in many ways: by the row above it, tools upon it, panels below it.
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "renderer/renderer.h"
+#include "ui/features/plots/plots_tab.h"
+#include "ui/features/views/compare_view.h"
+#include "ui/features/views/debug_view_controls.h"
+#include "ui/features/views/scope.h"
+#include "ui/features/views/term_grid.h"
+#include "ui/picture/screen.h"
+#include "ui/shell/layout.h"
+#include "ui/widgets/kept.h"
+
+namespace glint {
+
+struct UiState;
+
+// The magnifier enlarges the picture as it is, without drawing it again, until each pixel is a square with
+// its number in it. Lecture: "Gouraud Shading" (scanlines), "Shading Artifacts" (silhouettes).
+
+struct MagnifierState {
+    // 1, 2, 4 ... 64: window pixels a pixel, times the scale of the type, rounded up.
+    int zoom = 1;
+    glm::dvec2 centre{0.5};  // what lies in the middle, as a share of the picture's size
+};
+inline constexpr int max_zoom = 64, usual_zoom = 32;
+
+/// Enlarges the picture's place in the window about the middle of `area`, and keeps `area` covered.
+void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier);
+
+/// Another zoom, the pixel at `share` staying where it is in the window.
+void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share);
+
+// Lit dots show where the equation is evaluated: a dot at each face's point, corner or pixel, thinned; its
+// normal as a needle; and how often it is evaluated a frame. Lecture: "Flat Shading", "Gouraud Shading",
+// "Phong Shading".
+
+struct LitDot {
+    glm::vec3 place{0}, normal{0};  // world
+    glm::vec3 color{0};             // what the equation gives there, linear
+};
+
+/// The dots of a part of the picture.
+struct PartDots {
+    PartRect rect;
+    std::vector<LitDot> dots;
+};
+
+struct LitDotsState {
+    bool dots = false, needles = false;
+    Kept<std::uint64_t, std::vector<PartDots>> found;  // in the picture of this serial
+    PictureSize size;  // of that picture, which during a motion is smaller than what it is shown as
+};
+
+/// The places at which the equation was evaluated for pixels within `rect`, of a grid of about `across`
+/// columns over the renderer's last picture: each corner or face's point once.
+[[nodiscard]] std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across,
+                                           const PartRect& rect);
+
+/// Looks for the dots again when the picture is another.
+void update_lit_dots(LitDotsState& state, const std::vector<DrawnPart>& parts, PictureSize size,
+                     std::uint64_t serial);
+
+/// "corners: 5 321 × 4 lights = 21 284 evaluations a frame".
+[[nodiscard]] std::string evaluations_text(const Renderer& renderer, const Scene& scene);
+
+void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureView& view);
+/// Draws how often the equation is evaluated (evaluations_text()) in the picture's corner, below the labels
+/// of a comparison.
+void draw_evaluations(ImDrawList& list, const std::string& text, bool compares);
+
+/// Puts the command line that prints the scope's numbers on the clipboard; a picture was drawn.
+void copy_profile_command(UiState& state);
+
+/// The picture on the screen without stripes and false colours: what big pixels say of it.
+[[nodiscard]] const Picture& unpainted_picture(const UiState& state);
+
+/// What the shown picture is made from, beside the drawn one; it is composed again when this changes.
+struct ShownFrom {
+    CompareChoice compare;
+    DebugViewSet debug_view;
+    bool linear = false;
+    bool operator==(const ShownFrom&) const = default;
+};
+
+/// The ways in which the picture is looked at; none of it is the scene's.
+struct ViewsState {
+    ScopeState scope;
+    CompareState compare;
+    DebugViewState debug_view;
+    PlotsState plots;
+    MagnifierState magnifier;
+    LitDotsState lit;
+    TermGridState grid;
+    int threads = 0;  // of further renderers
+    // What the shown picture was made from:
+    ShownFrom shown_from;
+    std::uint64_t shown_serial = 0;  // UiState::picture_serial then
+    float bar_width = 0;             // of the row of buttons when it was whole last
+};
+
+/// Shows one quantity in place of the picture. It and a comparison take each other's place.
+void show_quantity(ViewsState& views, DebugView view, bool keep_comparing = false);
+
+/// Whether parts of a comparison or a quantity show in the place of the scene's own picture.
+[[nodiscard]] bool is_composed(const ViewsState& views);
+
+/// Asks for the room of panels that are open; before the layout.
+void begin_views(UiState& state);
+
+/// Whether something shown is read off Picture::linear.
+[[nodiscard]] bool views_need_linear(const ViewsState& views);
+
+/// Brings all that is read off the picture up to date; after it was drawn, or kept.
+void update_views(UiState& state);
+
+/// Draws the row above the picture, what shows in it and lies over it, and the panel below.
+void views_windows(UiState& state, const Layout& layout);
+
+/// B pressed stays, B held goes back when it is let go of. Once a frame, after the keys' actions.
+void follow_b_key(UiState& state, bool held);
+
+}  // namespace glint

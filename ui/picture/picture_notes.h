@@ -1,0 +1,58 @@
+#pragma once
+// What makes the picture on the screen differ from the edited scene's own, correct picture: one list, which
+// the badge on the picture shows, which a saved file is described by, and which ends when another scene
+// opens.
+
+#include <string>
+#include <vector>
+
+#include "ui/shell/notifications.h"
+#include "ui/widgets/area.h"
+#include "ui/widgets/shortcut.h"
+
+namespace glint {
+
+struct UiState;
+
+struct PictureNote {
+    enum class Kind {
+        Preview,     // shown while the mouse is over something
+        OtherScene,  // in place of the edited scene
+        InScene,     // a setting of the scene itself, also in its file
+        View         // made of the picture, never saved
+    };
+    Kind kind = Kind::View;
+    std::string name;
+    void (*end)(UiState&) = nullptr;  // null: it ends with another note, or when the mouse moves on
+    CommandId key = CommandId::None;  // that ends it, too
+};
+
+/// Returns the notes of the picture that is shown, in the order of the badge. Add a reason as a row of the
+/// table in picture_notes.cpp.
+[[nodiscard]] std::vector<PictureNote> picture_notes(const UiState& state);
+
+/// Ends every note that does not belong to the scene, except a comparison, whose parts have their own labels.
+void end_picture_notes(UiState& state);
+
+/// Draws the badge into the upper left corner of `picture`, the part of it that is in sight: a line for each
+/// note, with a cross that ends it.
+void picture_badge(UiState& state, const Rect& picture);
+
+/// Names of notes, joined by commas: of those that a file shows, and of those that only the window shows.
+struct FileNotes {
+    std::string in_file, left_out;
+};
+/// Of a file of what is shown, or of the edited scene.
+[[nodiscard]] FileNotes notes_of_shown(const UiState& state);
+[[nodiscard]] FileNotes notes_of_edited(const UiState& state);
+
+/// "WHAT: Off: specular. Not in the file: Comparison", a warning where something is left out.
+[[nodiscard]] Notification file_message(const std::string& what, const FileNotes& notes);
+/// The same before the file is written: "With: Off: specular. Not in the file: Comparison"; empty without
+/// notes.
+[[nodiscard]] std::string file_warning(const FileNotes& notes);
+
+/// The name of the cells of Light × term that are kept on the screen; empty when there are none.
+[[nodiscard]] std::string kept_cells(const UiState& state);
+
+}  // namespace glint
