@@ -45,7 +45,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
     std::mt19937 random(seed);
     if (random() % 2 == 0) return LLVMFuzzerMutate(data, size, max_size);
     std::vector<std::string_view> lines = lines_of(fuzz::text_of(data, size));
-    const std::string line = random_pointer(random) + "=" + fuzz::random_leaf(random).text();
+    const std::string line = random_pointer(random) + "=" + json_line(fuzz::random_leaf(random));
     const std::size_t at = random() % (lines.size() + 1);
     if (at == lines.size() || random() % 4 == 0)
         lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(at), line);
