@@ -1,6 +1,6 @@
 #pragma once
-// What the commands answer about scenes and pictures, as JSON: written here, so that the command line, the
-// claims of a lesson and the window say the same. docs/command_line.md names the fields.
+// The commands' JSON about scenes and pictures. The command line, the claims of lessons and the window share
+// it, so that they agree. docs/command_line.md names the fields.
 
 #include <vector>
 
@@ -24,7 +24,7 @@ namespace glint {
 /// `glint compare`.
 [[nodiscard]] Json comparison_json(const Comparison& comparison);
 
-/// `glint profile`: a list for each column of profile_csv(), null where a sample does not have it.
+/// `glint profile`: a list for each column of profile_csv(), with null for a sample that lacks the value.
 [[nodiscard]] Json profile_json(const std::vector<ProfileSample>& samples);
 
 }  // namespace glint

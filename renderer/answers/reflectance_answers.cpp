@@ -6,7 +6,7 @@
 namespace glint {
 namespace {
 
-using glint::json_of;  // beside those below
+using glint::json_of;  // in addition to those below
 
 Json json_of(const LobeSample& s) {
     return {{"view_deg", s.view_deg},

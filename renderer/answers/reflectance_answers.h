@@ -1,5 +1,5 @@
 #pragma once
-// What `glint lobe` and `glint microfacets` answer, as JSON (docs/command_line.md).
+// The JSON of `glint lobe` and `glint microfacets` (docs/command_line.md).
 
 #include <string>
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace glint {
 
-/// `glint lobe` of the object's material under the scene's reflection model and terms. `slice` is
-/// lobe_slice() of that reflector and angle.
+/// `glint lobe` of the object's material with the scene's reflection model and terms. `slice` is lobe_slice()
+/// of that reflector and angle.
 [[nodiscard]] Json lobe_json(const Reflector& reflector, const std::string& object, double light_deg,
                              const std::vector<LobeSample>& slice);
 
-/// `glint microfacets`; `lobe_rays` rays count its lobe in space.
+/// `glint microfacets`; `lobe_rays` rays sample its lobe in space.
 [[nodiscard]] Json microfacets_json(const MicrofacetOptions& options, int lobe_rays = 100000);
 
 }  // namespace glint
