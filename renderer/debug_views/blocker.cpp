@@ -12,7 +12,7 @@ namespace glint {
 namespace {
 
 struct Ray {
-    glm::dvec3 from, along;  // object coordinates; `along` as long as one unit of the way
+    glm::dvec3 from, along;  // object coordinates; `along` spans one unit of the ray parameter
 };
 
 /// Whether the ray meets the box between `near` and `far`.
@@ -27,10 +27,10 @@ bool meets(const Ray& ray, const Bounds& box, double near, double far) {
         near = std::max(near, std::min(a, b));
         far = std::min(far, std::max(a, b));
     }
-    return near <= far * (1 + 1e-12);  // a flat box is as thick as rounding
+    return near <= far * (1 + 1e-12);  // tolerance for a flat box
 }
 
-/// How far along the ray the triangle is met, from either side; infinity where it is not.
+/// The ray parameter at which the ray hits the triangle from either side; infinity if it misses.
 /// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997).
 double met_at(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     constexpr double never = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ double met_at(const Ray& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     return glm::dot(v, q) / det;
 }
 
-/// The nearest of the mesh's triangles between `near` and `far`, as a share of the way; infinity without one.
+/// The ray parameter of the nearest hit on the mesh between `near` and `far`; infinity without one.
 double nearest_of(const Mesh& mesh, const Ray& ray, double near, double far) {
     double nearest = std::numeric_limits<double>::infinity();
     if (!meets(ray, mesh.bounds, near, far)) return nearest;
@@ -72,7 +72,7 @@ std::optional<int> blocker(const Scene& scene, glm::dvec3 point, glm::dvec3 to_l
         if (!object.mesh || !object.visible) continue;
         const glm::dmat4 world = glm::dmat4(world_from_object(object.transform));
         const double volume = glm::determinant(glm::dmat3(world));
-        if (volume == 0) continue;  // squashed flat: the transform has no inverse
+        if (volume == 0) continue;  // flattened: the transform has no inverse
         const glm::dmat4 back = glm::inverse(world);
         const Ray ray{glm::dvec3(back * glm::dvec4(point, 1)), glm::dvec3(back * glm::dvec4(way, 0))};
         const glm::dvec3 size = glm::dvec3(object.mesh->bounds.max) - glm::dvec3(object.mesh->bounds.min);

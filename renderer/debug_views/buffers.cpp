@@ -21,10 +21,10 @@ using OfLight = glm::vec3 (*)(const ExplainedLight&);
 struct Buffer {
     std::string name;
     OfPixel value;
-    bool of_background = false;  // else asked only where a surface shows
+    bool of_background = false;  // else computed only for pixels that show a surface
 };
 
-/// Blended over the points that were lit.
+/// Blended over the lit points.
 OfPixel of_lit_points(const OfPoint& value) {
     return [value](const Explanation& e) {
         if (!e.lit_per_corner) return value(e.at);
@@ -69,8 +69,8 @@ template <class Add> void for_each_enabled(const Scene& scene, const Add& add) {
         if (scene.lights[i].enabled) add(scene.lights[i], static_cast<int>(i), fmt::format("_{}", i));
 }
 
-// NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks): it does not follow what a std::function in another
-// frees.
+// NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks): it does not see that a std::function inside another
+// frees its memory.
 void add_directions(std::vector<Buffer>& all, const Scene& scene) {
     all.push_back({"view", of_lit_points([](const ExplainedPoint& at) { return at.view.camera; })});
     for_each_enabled(scene, [&all](const Light& light, int i, const std::string& number) {

@@ -72,7 +72,7 @@ void DebugViewPainter::measure_angles(const Scene& scene, PictureSize size) {
     for_pixels(size, [&](std::size_t i, int x, int y) {
         if (renderer_->object_at(x, y) < 0) return;
         const glm::dvec3 a = smooth.linear_at(x, y), b = facet.linear_at(x, y);
-        // Computed from the half angle, whose sine keeps its digits where the angle is small.
+        // Computed from the half angle, whose sine keeps its precision for small angles.
         values_[i] = static_cast<float>(2 * std::atan2(glm::length(a - b), glm::length(a + b)) * 180 /
                                         std::numbers::pi);
     });

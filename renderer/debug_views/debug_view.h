@@ -1,8 +1,8 @@
 #pragma once
-// Debug views: quantities behind the picture, shown in place of its colours. None has a formula of its own. A
-// normal is the picture of a white surface under Lambert's law without its clamp, lit by three directional
-// lights along the camera's axes; n.l is its picture under the light in question. So the equation itself
-// measures them, as fast as it draws.
+// Debug views: quantities behind the picture, shown in place of its colours. None has its own formula.
+// Normals are the picture of a white surface under Lambert's law without its clamp, lit by three directional
+// lights along the camera's axes; n.l is the picture under the chosen light. So the equation itself measures
+// them, as fast as it draws.
 
 #include <array>
 #include <cstdint>
@@ -19,13 +19,13 @@ namespace glint {
 enum class DebugView {
     Picture,
     Normal,       // interpolated, camera coordinates; red, green, blue: x, y, z from -1 to 1
-    Orientation,  // whether a triangle's front shows or its back, by its winding on the screen
-    NDotL,        // of one light, not clamped, under the scene's own shading mode
+    Orientation,  // whether a triangle shows its front or its back, by its winding on the screen
+    NDotL,        // of one light, not clamped, in the scene's shading mode
     Depth,        // in front of the camera, scene units
     Face,         // which polygon: neighbours in different colours
     FacetAngle,   // between the facet's and the interpolated normal, degrees
-    Silhouette,   // the picture with its outline marked: polygons stay, whatever the shading
-    Emission,     // single terms of the sum, as the picture shows them
+    Silhouette,   // the picture with its outline marked: polygonal in every shading mode
+    Emission,     // single terms of the sum, as in the picture
     Ambient,
     Diffuse,
     Specular
@@ -38,13 +38,13 @@ struct DebugViewChoice {
     bool operator==(const DebugViewChoice&) const = default;
 };
 
-/// A scene whose linear picture is the normal at each pixel: the facets' or the interpolated ones. Mistakes
-/// in the normals stay. Lights, materials, background and strokes are replaced.
+/// A scene whose linear picture is the normal at each pixel, of the facet or interpolated. Keeps mistakes in
+/// the normals. Replaces lights, materials, background and strokes.
 [[nodiscard]] Scene normal_scene(const Scene& scene, bool facet);
-/// A scene whose linear picture is n.l of one light, in all three channels. An area light counts as its
-/// middle. Precondition: 0 <= light < #lights.
+/// A scene whose linear picture is n.l of one light, in all three channels. An area light is treated as a
+/// point light at its centre. Precondition: 0 <= light < #lights.
 [[nodiscard]] Scene n_dot_l_scene(const Scene& scene, int light);
-/// The scene with one term alone. Precondition: Emission, Ambient, Diffuse or Specular.
+/// The scene with only one term. Precondition: Emission, Ambient, Diffuse or Specular.
 [[nodiscard]] Scene term_scene(const Scene& scene, DebugView term);
 
 /// The scene with a stroke along its silhouettes in place of its own strokes.
@@ -58,34 +58,33 @@ struct DebugViewScale {
 };
 
 /// The colour, 0 to 255, of a value on a scale: from dark to light, or for NDotL two ramps with a break at 0.
-/// Values outside take the ends' colours.
+/// Values outside are clamped.
 [[nodiscard]] std::array<std::uint8_t, 3> debug_view_color(DebugView view, const DebugViewScale& scale,
                                                            double value);
 /// The colour of a normal: (n + 1) / 2.
 [[nodiscard]] std::array<std::uint8_t, 3> normal_color(glm::vec3 normal);
-/// The colour of a face: neighbours in the file get very different colours.
+/// The colour of a face: consecutive faces of the file get very different colours.
 [[nodiscard]] std::array<std::uint8_t, 3> face_color(std::uint64_t number);
-/// Blue in front, red behind; darker where the surface is seen from the side.
+/// Blue for the front, red for the back; darker at grazing angles.
 [[nodiscard]] std::array<std::uint8_t, 3> side_color(bool front, double n_dot_v);
-/// `color` in the stripes that mark a normal that points away from the viewer, n.v < 0, at pixel (x, y).
+/// `color` with the stripes that mark normals pointing away from the viewer, n.v < 0, at pixel (x, y).
 [[nodiscard]] std::array<std::uint8_t, 3> turned_away_color(std::array<std::uint8_t, 3> color, int x, int y);
 
 class DebugViewPainter {
   public:
     explicit DebugViewPainter(int threads);
 
-    /// Paints what the choice shows of `scene`, which `drawn_by` has drawn last at this size. A light index
-    /// beyond the last stands for the last light; without lights, n.l is shown nowhere. Background is dark
-    /// grey.
+    /// Paints the chosen view of `scene`, which `drawn_by` has drawn last at this size. A light index beyond
+    /// the last selects the last light; without lights there is no n.l to show. Background is dark grey.
     const Picture& paint(DebugViewChoice choice, const Scene& scene, const Renderer& drawn_by,
                          PictureSize size);
 
     [[nodiscard]] const DebugViewScale& scale() const { return scale_; }
-    /// The size of the last painting.
+    /// The size of the last painted view.
     [[nodiscard]] PictureSize size() const { return picture_.size; }
-    /// The number at a pixel of the last painting, or a word where there is none.
+    /// The number at a pixel of the last painted view, or a word if there is none.
     [[nodiscard]] std::string value_text(int x, int y) const;
-    /// What value_text() writes, as a number; NaN on background and where it is not one number.
+    /// The number that value_text() writes; NaN on background and if it is not a single number.
     [[nodiscard]] float value_at(int x, int y) const;
 
   private:

@@ -11,14 +11,14 @@ template <class Keep> void keep_mistakes(Mistakes& mistakes, const Keep& keep) {
     for (const MistakeName& m : mistake_names()) mistakes.*m.flag &= keep(m);
 }
 
-/// Whether a mistake changes normals, or where a light stands.
+/// Whether a mistake changes normals or the position of a light.
 bool shows_in_measures(const MistakeName& m) {
     const bool reach = m.seen_as == SeenAs::WrongReach || m.seen_as == SeenAs::WrongBrightness;
     return m.stage == MistakeStage::Normals || m.stage == MistakeStage::Viewer ||
            (m.stage == MistakeStage::Lights && !reach);
 }
 
-/// A white surface under Lambert's law without the clamp, and nothing else in the picture.
+/// A white surface under Lambert's law without the clamp, without anything else in the picture.
 Scene measuring_scene(const Scene& scene) {
     Scene s = scene;
     s.lights.clear();
@@ -54,7 +54,7 @@ Scene normal_scene(const Scene& scene, bool facet) {
     Scene s = measuring_scene(scene);
     s.shading.mode = facet ? ShadingMode::Facet : ShadingMode::Phong;
     keep_mistakes(s.shading.mistakes, [](const MistakeName& m) { return m.stage != MistakeStage::Lights; });
-    // Cook-Torrance's diffuse term is Lambert's too, but its shares are not rounded (rounding.h).
+    // Cook-Torrance has Lambert's diffuse term too, but its shares are not rounded (rounding.h).
     s.shading.reflection = Reflection::CookTorrance;
     s.lights = {sun_along({1, 0, 0}), sun_along({0, 1, 0}), sun_along({0, 0, 1})};
     return s;

@@ -20,7 +20,7 @@ void difference(std::vector<ProfileSample>& s) {
 }
 
 /// The mean of the samples around sample `at`, weighted by a Gaussian. Near an end of the line the window is
-/// cut on both sides, so that an even rise stays one.
+/// cut on both sides, so that a linear rise is preserved.
 double gaussian_mean(const std::vector<ProfileSample>& samples, std::ptrdiff_t at, double deviation_px,
                      double step_px) {
     const auto last = static_cast<std::ptrdiff_t>(samples.size()) - 1;
@@ -39,7 +39,7 @@ double gaussian_mean(const std::vector<ProfileSample>& samples, std::ptrdiff_t a
 
 double height_of(const SlopeJump& jump) { return std::abs(jump.after - jump.before); }
 
-/// The jump between samples `at` and `at + 1`, whose first difference is a mixture of both slopes.
+/// The jump between samples `at` and `at + 1`, whose first difference mixes both slopes.
 std::optional<SlopeJump> jump_behind(const std::vector<ProfileSample>& s, std::size_t at) {
     if (at < 2 || at + 3 >= s.size()) return {};
     const auto slope = [&s](std::size_t i) { return *s[i].first_difference; };
@@ -83,7 +83,7 @@ std::vector<ProfileSample> profile(const Renderer& renderer, const Picture& pict
 }
 
 std::optional<SlopeJump> slope_jump_at(const std::vector<ProfileSample>& samples, std::size_t at) {
-    std::optional<SlopeJump> highest;  // of overlapping pairs, which see only a part of the jump
+    std::optional<SlopeJump> highest;  // of overlapping pairs, each of which sees only part of the jump
     bool is_here = false;
     for (std::size_t i = at - std::min<std::size_t>(at, 2); i <= at + 1; ++i) {
         const auto jump = jump_behind(samples, i);

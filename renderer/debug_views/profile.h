@@ -1,6 +1,6 @@
 #pragma once
-// Intensity along a line drawn on the picture, with its differences. They show Mach bands, which a jump of
-// the first difference causes. Lecture: "Gouraud Shading Artifacts" (Mach bands: discontinuity of the first
+// Intensity along a line in the picture, with its differences. They show Mach bands, which a jump of the
+// first difference causes. Lecture: "Gouraud Shading Artifacts" (Mach bands: discontinuity of the first
 // derivative).
 
 #include <glm/vec2.hpp>
@@ -24,8 +24,8 @@ struct ProfileSample {
     std::optional<SeenPoint> seen;            // none on background
 };
 
-/// Luminance of linear RGB with the primaries of sRGB: 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709); a grey
-/// has the value of its channels.
+/// Luminance of linear RGB with the primaries of sRGB: 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709); for a
+/// grey, the value of its channels.
 [[nodiscard]] double intensity_of(glm::vec3 linear);
 
 /// The pixels nearest to the line from `from` to `to`, ends included, one for each step along its longer
@@ -34,25 +34,25 @@ struct ProfileSample {
 [[nodiscard]] std::vector<ProfileSample> profile(const Renderer& renderer, const Picture& picture,
                                                  glm::ivec2 from, glm::ivec2 to);
 
-/// The slopes (first differences) on either side of a place where the slope jumps.
+/// The slopes (first differences) on either side of a jump of the slope.
 struct SlopeJump {
     double before = 0, after = 0;
 };
-/// Returns the jump at a sample. A jump between two samples is split over both their second differences, so
-/// neither shows its full height. Returns nothing where the intensity is smooth or itself jumps.
+/// Returns the jump at a sample. A jump between two samples is split between their second differences, so
+/// neither shows its full height. Returns nothing if the intensity is smooth or itself jumps.
 [[nodiscard]] std::optional<SlopeJump> slope_jump_at(const std::vector<ProfileSample>& samples,
                                                      std::size_t at);
 
 /// Returns the intensities as an eye perceives them: I + (c - s), where c and s are the means under a narrow
 /// and a wide Gaussian of standard deviations 1 and `surround_px` (> 1) pixels along the line, cut at four
-/// deviations and at the line's ends. The weights of a mean sum to 1, so that constant and evenly rising
-/// intensities stay as they are, and a band appears only where the slope changes: dark before a rise, bright
-/// after it. One value a sample. Source: the receptive field as a difference of Gaussians (R. Rodieck 1965);
-/// F. Ratliff, "Mach Bands" (1965).
+/// deviations and at the line's ends. The weights of a mean sum to 1, so that constant and linear intensities
+/// are unchanged, and a band appears only where the slope changes: dark before a rise, bright after it. One
+/// value per sample. Source: the receptive field as a difference of Gaussians (R. Rodieck 1965); F. Ratliff,
+/// "Mach Bands" (1965).
 [[nodiscard]] std::vector<double> perceived(const std::vector<ProfileSample>& samples, double surround_px);
 
-/// A header and a line for each sample; what a sample does not have is an empty field. Numbers in the
-/// shortest form that reads back equal.
+/// A header and a line for each sample; missing values are empty fields. Numbers are in the shortest form
+/// that parses to the same value.
 [[nodiscard]] std::string profile_csv(const std::vector<ProfileSample>& samples);
 
 }  // namespace glint

@@ -16,19 +16,19 @@
 namespace glint {
 namespace {
 
-/// The scene with only the object that shows, and the names of numbers in the whole scene. A stroke over the
-/// pixel may be another object's: then all stay.
+/// The scene reduced to the visible object, and the names of numbers in the entire scene. A stroke over the
+/// pixel may be another object's: then all objects are kept.
 struct PinnedScene {
     SceneDocument document;
     int object = -1;
-    bool is_alone = true;  // but for hidden objects behind it, whose numbers are not measured
+    bool is_alone = true;  // except for hidden objects behind it, whose numbers are not measured
 
     [[nodiscard]] std::string pointer_in_whole(const std::string& pointer) const {
         constexpr std::string_view first = "/objects/0/";
         if (!is_alone || !pointer.starts_with(first)) return pointer;
         return fmt::format("/objects/{}/{}", object, pointer.substr(first.size()));
     }
-    /// Returns the numbers to measure; if there are many objects, only those of the one that shows.
+    /// Returns the numbers to measure; if there are many objects, only those of the visible one.
     [[nodiscard]] std::vector<SceneNumber> measured_numbers() const {
         std::vector<SceneNumber> numbers = numbers_of(document.scene);
         if (!is_alone && document.scene.objects.size() <= max_stroking_objects) return numbers;
@@ -44,7 +44,7 @@ struct PinnedScene {
 /// One pixel of many scenes.
 class PixelProbe {
   public:
-    /// `pinned` must stay where it is.
+    /// `pinned` must outlive this object.
     PixelProbe(const PinnedScene& pinned, const SceneDocument& whole, PictureSize size, int x, int y,
                int threads)
         : pinned_(pinned), whole_(whole), size_(size), x_(x), y_(y), still_(threads), moved_(threads) {
@@ -54,7 +54,8 @@ class PixelProbe {
     [[nodiscard]] glm::dvec3 color_now() const {
         return color_of(still_.explain(x_, y_), pinned_.document.scene);
     }
-    /// Returns the colour with another value of one number; nothing where the scene does not allow it.
+    /// Returns the colour with a different value of one number; nothing if the scene does not allow the
+    /// value.
     [[nodiscard]] std::optional<glm::dvec3> color_with(const SceneNumber& number, double value) {
         Scene scene = pinned_.document.scene;
         if (set_number(scene, number.pointer, value)) return std::nullopt;
@@ -64,7 +65,7 @@ class PixelProbe {
         (void)moved_.render(scene, size_);
         return color_of(moved_.explain(x_, y_), scene);
     }
-    /// The same after a long move, which may take the object away from what stands behind it.
+    /// The same after a long move, which may uncover the objects behind.
     [[nodiscard]] std::optional<glm::dvec3> color_far(const SceneNumber& number, double value) {
         Scene scene = whole_.scene;
         if (set_number(scene, pinned_.pointer_in_whole(number.pointer), value)) return std::nullopt;
@@ -75,8 +76,8 @@ class PixelProbe {
     }
 
   private:
-    /// Whether a number decides which face the pixel shows, or what is drawn over it: the picture is drawn
-    /// again.
+    /// Whether a number affects which face the pixel shows or the stroke over it, so that the picture must be
+    /// drawn again.
     static bool decides_face(const SceneNumber& number, const Scene& scene) {
         return number.moves_faces || lights_cull(scene);
     }
@@ -88,12 +89,12 @@ class PixelProbe {
     SceneDocument whole_;
     PictureSize size_;
     int x_, y_;
-    Renderer still_, moved_;  // the scene as it is; the scene with something else in it
+    Renderer still_, moved_;  // the original scene; the scene with one number changed
 };
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The change of the pixel for each unit of a number.
+/// The change of the pixel per unit of a number.
 struct Slope {
     glm::dvec3 change{0};
     bool is_fixed = false, one_sided = false, is_none = true;
@@ -117,15 +118,16 @@ Slope slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved, 
     return found;
 }
 
-/// Returns the slope over a thousandth of the number. While a step changes the pixel by little more than its
-/// last digits, as for a number near 0, a step ten times as large is tried, up to `wide`; it must differ from
-/// the one before by no more than those digits, or it has met something else, such as the next face.
+/// Returns the slope over a thousandth of the number. If that changes the pixel by little more than its last
+/// digits, as for a number near 0, tries steps ten times as large, up to `wide`. The slope must agree with
+/// the one before to within those digits; otherwise the step has reached something else, such as the next
+/// face.
 Slope clear_slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved) {
     constexpr double last_digits = 0x1p-20;
     const double wide = 1e-2 * std::abs(usual_move(moved));
     double h = 1e-3 * std::max(std::abs(moved.value), 0.1);
     Slope found = slope(probe, now, moved, h);
-    double clear = 10;  // of a larger step a hundredth of the slope is asked
+    double clear = 10;  // a larger step must agree to a hundredth of the slope
     while (!found.is_fixed && h < wide) {
         const double unsure = last_digits * std::max(1.0, largest(now)) / h;
         if (largest(found.change) > clear * unsure) break;
@@ -202,7 +204,7 @@ struct SensitivityRun::State {
     PixelProbe probe;
     glm::dvec3 now;
     std::vector<SceneNumber> numbers;
-    std::vector<std::string> others;  // objects that do not show at the pixel
+    std::vector<std::string> others;  // objects that the pixel does not show
     std::size_t measured = 0;
     Sensitivities found;
 };
@@ -246,7 +248,7 @@ Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize s
 
 namespace {
 
-/// A change in its column; one that so many decimals would show as 0 as a power of ten.
+/// A change in its column; as a power of ten if its fixed decimals would show 0.
 std::string change_text(double change) {
     const bool is_small = change != 0 && std::abs(change) < 1e-5;
     return is_small ? fmt::format("{:+9.1e}", change) : fmt::format("{:+.6f}", change);

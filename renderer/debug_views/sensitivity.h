@@ -1,6 +1,6 @@
 #pragma once
 // Measures how much a pixel changes with each number of its scene: the equation's derivatives, by differences
-// of the picture itself, so that whatever the engine does is in them.
+// of the picture itself, so that they include everything that the engine does.
 
 #include <functional>
 #include <glm/vec3.hpp>
@@ -17,29 +17,29 @@ namespace glint {
 /// One number of the scene file.
 struct Sensitivity {
     std::string pointer;     // RFC 6901
-    double value = 0;        // what it is now
-    glm::dvec3 change{0};    // of the pixel (linear RGB times exposure) for each unit of the number
-    bool one_sided = false;  // the number can move in one direction only (it is at the end of its range)
-    bool is_w = false;       // of a position: nobody moves a light by it
-    double move = 0;         // usual_move(), below 0 where the number can only become less
-    glm::dvec3 effect{0};    // what the pixel gains when the number moves so far, in the whole scene
+    double value = 0;        // current
+    glm::dvec3 change{0};    // of the pixel (linear RGB times exposure) per unit of the number
+    bool one_sided = false;  // the number can move in one direction only (it is at an end of its range)
+    bool is_w = false;       // the w of a position, which is not for moving a light
+    double move = 0;         // usual_move(); negative if the number can only decrease
+    glm::dvec3 effect{0};    // change of the pixel when the number moves by `move`, in the entire scene
 };
 
-/// How far a number is usually moved, in its unit: a tenth of its usual range; where it has none, what a drag
-/// over 100 pixels adds.
+/// The usual change of a number, in its unit: a tenth of its usual range, or without one, the change of a
+/// drag over 100 pixels.
 [[nodiscard]] double usual_move(const SceneNumber& number);
 
 struct Sensitivities {
-    std::vector<Sensitivity> numbers;    // those that count, the largest change of a channel first
-    std::vector<std::string> no_effect;  // moving them leaves the pixel as it is, to the last bit
-    std::vector<std::string> fixed;      // that cannot move a little (whole numbers, a direction's w)
+    std::vector<Sensitivity> numbers;    // those with an effect, the largest change of a channel first
+    std::vector<std::string> no_effect;  // changing them leaves every bit of the pixel unchanged
+    std::vector<std::string> fixed;      // without small changes (integers, a direction's w)
 };
 
-/// More lights than these are a problem: every number of each would take two pictures.
+/// More lights than these are a problem: each of their numbers would take two pictures.
 inline constexpr std::size_t max_sensitivity_lights = 64;
 inline constexpr std::size_t max_stroking_objects = 32;
 
-/// Measures the sensitivities step by step, for a window that must not wait for all of them.
+/// Measures the sensitivities step by step, so that a window need not wait for all of them.
 class SensitivityRun {
   public:
     /// `document.scene` must be drawable, the pixel inside the picture. Threads as for Renderer.
@@ -48,11 +48,11 @@ class SensitivityRun {
     SensitivityRun(const SensitivityRun&) = delete;
     SensitivityRun& operator=(const SensitivityRun&) = delete;
 
-    /// Measures the next number; false when all are measured.
+    /// Measures the next number; returns false when all are measured.
     bool step();
     [[nodiscard]] std::size_t measured() const;
     [[nodiscard]] std::size_t count() const;
-    /// What is measured so far, sorted.
+    /// The measurements so far, sorted.
     [[nodiscard]] Sensitivities result() const;
 
   private:
@@ -61,12 +61,12 @@ class SensitivityRun {
 };
 
 /// Central differences over a thousandth of each number. The face at the pixel is pinned: the other objects,
-/// which under local illumination could change the pixel only by hiding it, are left out and have no effect;
-/// but behind a number's long move they are there.
-/// Where a stroke covers some of the pixel, they stay, and their numbers are measured too: of more than
-/// max_stroking_objects only those of the object that shows.
-/// `document.scene` must be drawable, the pixel inside the picture. `measured` is told how many numbers of
-/// how many are done, after each. Problem: more than max_sensitivity_lights.
+/// which with local illumination could change the pixel only by hiding it, are left out and have no effect;
+/// only a number's long move includes them.
+/// If a stroke covers part of the pixel, they are kept and their numbers are measured too; with more than
+/// max_stroking_objects, only those of the visible object.
+/// `document.scene` must be drawable, the pixel inside the picture. `measured` is called after each number
+/// with the finished and the total count. Problem: more than max_sensitivity_lights.
 using SensitivityProgress = std::function<void(std::size_t done, std::size_t all)>;
 [[nodiscard]] Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize size, int x,
                                                   int y, int threads,
