@@ -29,8 +29,8 @@ EquationFactor plain(Quantity quantity, double value) {
     return {.quantity = quantity, .value = glm::dvec3(value)};
 }
 
-/// The factors with which every term of a light begins: f and the two colours. `key`: the key of both colours
-/// in the scene file.
+/// The first factors of every term of a light: f and the two colours. `key`: the key of both colours in the
+/// scene file.
 std::vector<EquationFactor> common_factors(const LightOfEquation& in, Quantity of_light, Quantity of_material,
                                            glm::vec3 Light::*light, glm::vec3 Material::*material,
                                            const char* key) {
@@ -45,10 +45,10 @@ void add_maker(EquationLine& line, const LightOfEquation& in, const char* key) {
     if (!pointer.empty()) line.made_by.push_back(pointer);
 }
 
-/// The factor of the diffuse term: max(n·l, 0), and what roughness makes of it.
+/// The factor of the diffuse term: max(n·l, 0), modified by roughness.
 void add_cosine(EquationLine& line, const LightOfEquation& in) {
     const float n_dot_l = in.light.n_dot_l;
-    // That mistake is a factor of its own, whatever the model makes of the cosine.
+    // That mistake is a separate factor in every model.
     const double times = in.scene.shading.mistakes.missing_pi ? std::numbers::pi : 1;
     const bool counts_behind = in.light.diffuse_factor != 0;  // by a mistake
     EquationFactor cosine = plain(Quantity::NL, counts_behind ? n_dot_l : std::max(n_dot_l, 0.0f));
@@ -69,7 +69,7 @@ void add_cosine(EquationLine& line, const LightOfEquation& in) {
         plain(Quantity::Rough, times * double(in.light.diffuse_factor) / double(in.light.n_dot_l)));
 }
 
-/// The shininess as the picture uses it: OpenGL's fixed function knows none above 128.
+/// The shininess as the picture uses it: OpenGL's fixed function clamps it to 128.
 EquationPower power_of(const LightOfEquation& in) {
     const double n = in.explanation.material.shininess;
     if (in.scene.shading.rules == Rules::OpenGL2 && n > opengl_max_shininess)
@@ -104,7 +104,7 @@ std::pair<Quantity, float> highlight_cosine(const ReflectionInfo& info, const Ex
 std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
     const ReflectionInfo info = info_of(in.explanation.reflection);
     const glm::dvec3 s = in.light.specular_factor;
-    const bool dropped = in.light.n_dot_l <= 0 && s == glm::dvec3(0);  // a mistake keeps it
+    const bool dropped = in.light.n_dot_l <= 0 && s == glm::dvec3(0);  // with a mistake, the term is kept
     if (info.uses_shininess()) {
         const auto [quantity, cosine] = highlight_cosine(info, in.light);
         EquationFactor base = plain(quantity, std::max(cosine, 0.0f));
@@ -112,8 +112,8 @@ std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
         base.power = power_of(in);
         const double power = std::pow(base.value.x, base.power->exponent);
         if (dropped) return {base};
-        // A cosine near 1 has too few digits as a float for a large exponent: the power has the remaining
-        // ones.
+        // A float cosine near 1 has too few digits for a large exponent: take the missing ones from the
+        // power.
         if (s.x > 0 && base.power->exponent > 0 && is_close(glm::dvec3(power), s))
             base.value = glm::dvec3(std::pow(s.x, 1 / base.power->exponent));
         if (is_close(glm::dvec3(power), s)) return {base};
@@ -136,7 +136,7 @@ std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
                     {.quantity = Quantity::Fresnel, .value = facets.f},
                     n_dot_v};
     }
-    return {{.quantity = Quantity::Highlight, .value = s}};  // a mistake, a table: no formula makes it
+    return {{.quantity = Quantity::Highlight, .value = s}};  // with a mistake or a table, there is no formula
 }
 
 void add_highlight(EquationLine& line, const LightOfEquation& in) {
@@ -153,7 +153,7 @@ void add_highlight(EquationLine& line, const LightOfEquation& in) {
     line.factors.push_back(mean);
 }
 
-/// The reason why the model's highlight is dropped here; empty where there is none.
+/// Why the model's highlight is dropped here; empty if it is not.
 std::string drop_reason(const LightOfEquation& in) {
     const bool is_area = !in.light.samples.empty();
     if (is_area || !info_of(in.explanation.reflection).has_highlight) return {};
@@ -190,14 +190,15 @@ EquationLine specular_line(const LightOfEquation& in) {
                                      &Light::specular, &Material::specular, "specular"),
                       in.light.specular};
     line.left_out = drop_reason(in);
-    if (!line.left_out.empty()) line.factors.clear();  // the highlight alone, lest it read as a product of 0
+    if (!line.left_out.empty())
+        line.factors.clear();  // only the highlight, so that the line does not read as a product of 0
     add_highlight(line, in);
     if (!in.scene.shading.terms.specular) line.left_out = switched_off;
     return line;
 }
 
-/// Where the scene's mistakes make something else of a term than the product of its factors: that is a factor
-/// of its own, or the whole term where the product is 0.
+/// If the scene's mistakes make a term differ from the product of its factors, adds the ratio as a factor, or
+/// makes the mistake the entire term if the product is 0.
 void add_mistake(const Scene& scene, EquationLine& line) {
     if (scene.shading.mistakes == Mistakes() || !line.left_out.empty()) return;
     const glm::dvec3 product{line.product(0), line.product(1), line.product(2)};
@@ -259,7 +260,7 @@ EquationLine share_line(const LightOfEquation& in) {
 std::vector<EquationLine> light_lines(const LightOfEquation& in) {
     std::vector<EquationLine> lines;
     if (!in.scene.npr.cool_to_warm) lines = {ambient_line(in), diffuse_line(in)};
-    // A factor that the model does not have is not a line.
+    // Factors that the model lacks have no line.
     if (info_of(in.explanation.reflection).has_highlight || in.light.specular != glm::vec3(0))
         lines.push_back(specular_line(in));
     for (EquationLine& line : lines) add_mistake(in.scene, line);

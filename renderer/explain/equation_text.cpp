@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-/// One channel of v, or all three where they differ.
+/// One channel of v, or all three if they differ.
 template <class Text> std::string in_channels(glm::dvec3 v, std::optional<int> channel, const Text& text) {
     if (channel) return text(v[*channel]);
     const std::string red = text(v.x), green = text(v.y), blue = text(v.z);
@@ -27,7 +27,7 @@ std::string written_factor(const EquationFactor& f, int decimals, int exponent_d
     return fmt::format("({})^{}", text, short_text(f.power->exponent, exponent_decimals));
 }
 
-/// The fewest decimals of a factor. f has as many as in its own line, where it is the result.
+/// The minimum number of decimals of a factor. f has as many as in its own line, of which it is the result.
 int least_decimals(const EquationFactor& f, int channel, NumberText as) {
     const double x = f.value[channel];
     if (f.quantity == Quantity::QuarterPi) return most_decimals;
@@ -37,10 +37,10 @@ int least_decimals(const EquationFactor& f, int channel, NumberText as) {
     return point < end ? static_cast<int>(end - point) - 1 : 0;
 }
 
-/// The decimals with which the product of the written factors equals that of the factors in one channel, to
-/// within half of the last digit of the result.
+/// The decimals for which the product of the written factors equals the product of the factors in one
+/// channel, to within half of the last digit of the result.
 LineDecimals decimals_of(const EquationLine& line, int channel, NumberText as) {
-    constexpr double held_back = 0.45;  // of the last digit: the rest is for the float's own rounding
+    constexpr double held_back = 0.45;  // of the last digit: the rest allows for the float's rounding
     std::vector<double> values;
     std::vector<int> least;
     for (const EquationFactor& f : line.factors) {

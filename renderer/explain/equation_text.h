@@ -12,17 +12,17 @@ namespace glint {
 /// How a line's result is written; the digits of the factors follow from it.
 using NumberText = std::string (*)(double);
 
-/// The decimals with which the numbers of a line are written (renderer/explain/printed_number.h).
+/// The number of decimals of each number in a line (renderer/explain/printed_number.h).
 struct LineDecimals {
-    std::vector<int> value, exponent;  // one a factor
+    std::vector<int> value, exponent;  // one per factor
 };
 
-/// The decimals with which the factors give the result as `as` writes it: of one channel, or of all three.
+/// The decimals for which the factors give the result as `as` writes it: for one channel, or for all three.
 [[nodiscard]] LineDecimals written_decimals(const EquationLine& line, std::optional<int> channel,
                                             NumberText as);
 
-/// "f 1.5 · L_d 1 · k_d (0.8 0.1 0.1) · n·l 0.871", "(n·h 0.953)^32 = 0.2144, dropped: n·l < 0". It is the
-/// text of one channel, or of all three: then factors whose channels differ stand in brackets.
+/// "f 1.5 · L_d 1 · k_d (0.8 0.1 0.1) · n·l 0.871", "(n·h 0.953)^32 = 0.2144, dropped: n·l < 0". The text of
+/// one channel, or of all three; then factors whose channels differ are in brackets.
 [[nodiscard]] std::string written_product(const EquationLine& line, std::optional<int> channel,
                                           NumberText as);
 

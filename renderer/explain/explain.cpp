@@ -19,7 +19,7 @@ namespace {
 
 using Vec = Vec3<float>;
 
-/// What an explanation reads of the stages: those of the picture, or stand-ins for some of them.
+/// The stages that an explanation reads: those of the picture, or substitutes for some of them.
 struct ExplainedStages {
     const Scene& scene;
     const Geometry& geometry;
@@ -29,7 +29,7 @@ struct ExplainedStages {
     const Lighting& lighting;
 };
 
-/// The lit points that make the colour of a pixel of `face`, with their weights by surface.choice.
+/// The lit points whose colours a pixel of `face` blends, with their weights according to surface.choice.
 std::vector<ExplainedCorner> lit_corners(const ExplainedStages& stages, const SurfaceInputs& surface,
                                          const SampleFace& face, const LightJob& job, const Frames& frames) {
     const BlendedPoints sample = blended_points(surface, stages.geometry, face);
@@ -77,7 +77,7 @@ void explain_stroke(Explanation& e, const ExplainedStages& stages, std::size_t p
         e.sum = to_glm(drawn_over(to_vec(e.sum), e.stroke.coverage, to_vec(e.stroke.color)));
 }
 
-/// The point on its way from the mesh to the screen.
+/// The point in every space from the mesh to the screen.
 ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
     const glm::dvec4 camera(glm::dvec3(face.p), 1);
     const glm::dvec4 clip = g.clip_from_view * camera;
@@ -91,7 +91,7 @@ ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
     return s;
 }
 
-/// From the shaded sum to what is seen.
+/// From the shaded sum to the displayed colour.
 void explain_display(Explanation& e, const ExplainedStages& stages, std::size_t pixel) {
     explain_stroke(e, stages, pixel);
     const DisplayJob job = display_job(stages.lighting.display, stages.lighting.shading.mistakes);
@@ -103,7 +103,7 @@ void explain_display(Explanation& e, const ExplainedStages& stages, std::size_t 
     }
 }
 
-/// What lighting would keep of `scene`, without lighting anything.
+/// The data that lighting would keep for `scene`, without lighting anything.
 Lighting lighting_of(const Scene& scene, const KeptStages& kept, bool at_corners) {
     Lighting l;
     l.sources = light_sources(scene);

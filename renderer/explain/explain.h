@@ -1,19 +1,18 @@
 #pragma once
-// Explains why a pixel has its colour: runs the picture's own functions again with `float` and keeps every
-// step.
+// Explains the colour of a pixel: reruns the picture's own functions with `float` and keeps every step.
 
 #include "renderer/explain/explanation.h"
 #include "renderer/stages.h"
 
 namespace glint {
 
-/// Precondition: the stages hold a drawn picture and (x, y) is inside it.
+/// Precondition: the stages contain a drawn picture and (x, y) is inside it.
 [[nodiscard]] Explanation explain_pixel(const KeptStages& stages, int x, int y);
 
 /// Explains the pixel as if the scene were `other`, which may differ from the drawn one in lights,
-/// materials, ambient light, display and shading, but in nothing that decides which face a pixel shows
-/// (camera, meshes, transforms, `cull`) nor in strokes. As if `other` were drawn and explained, to the last
-/// bit, at the cost of one pixel (of all normals, when they differ).
+/// materials, ambient light, display and shading, but not in strokes or in anything that decides which face a
+/// pixel shows (camera, meshes, transforms, `cull`). Gives the same bits as drawing and explaining `other`,
+/// at the cost of one pixel (of all normals, if they differ).
 [[nodiscard]] Explanation explain_pixel_as(const KeptStages& stages, const Scene& other, int x, int y);
 
 }  // namespace glint

@@ -22,7 +22,7 @@ std::string with_power(const std::string& text) {
 std::string plain_number(double x) { return fmt::format("{:.4g}", static_cast<float>(x)); }
 std::string number(float x) { return with_power(plain_number(double(x))); }
 
-/// Three channels below each other, or one where all are written alike.
+/// Three channels below each other, or a single number if all have the same text.
 template <class Text> std::string column(glm::dvec3 v, const Text& text) {
     std::string red = text(v.x);
     const std::string green = text(v.y), blue = text(v.z);
@@ -52,7 +52,7 @@ std::string value_of(const EquationFactor& f, int decimals, int exponent_decimal
     return fmt::format("({})^{{{}}}", value, with_power(short_text(f.power->exponent, exponent_decimals)));
 }
 
-/// Why, with the dot as a letter of text.
+/// The reason, with the dot as a text character.
 std::string left_out(const EquationLine& line) {
     std::string text = latex_escaped(line.left_out);
     const std::string dot = "·";
@@ -62,7 +62,7 @@ std::string left_out(const EquationLine& line) {
                : text.substr(0, at) + "\\textperiodcentered{}" + text.substr(at + dot.size());
 }
 
-/// "letters &= numbers = result": what is left out says why in place of the result.
+/// "letters &= numbers = result"; a term that is left out has the reason at the end.
 std::string row(const EquationLine& line, const std::string& index) {
     const LineDecimals decimals = written_decimals(line, std::nullopt, plain_number);
     std::string letters, numbers;

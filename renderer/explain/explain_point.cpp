@@ -1,5 +1,5 @@
-// The lighting equation at one point, with every number that went into it: the same functions as the
-// picture's, on one lane.
+// The lighting equation at one point with all intermediate numbers, by the picture's own functions on one
+// lane.
 #include "renderer/explain/explain_point.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ ExplainedFacets explain_facets(const LightTerms<float>& t, const LightJob& job, 
     return {f.d, f.g, at.n_dot_v, to_glm(f.f)};
 }
 
-/// Puts the samples of an area light under one entry that holds their sums, and its name.
+/// Groups the samples of an area light under one entry with their sums and its name.
 void join_samples(ExplainedLight& joined, const std::string& name, const ExplainedLight& sample) {
     if (joined.samples.empty()) {
         joined.name = name;

@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Gives the camera and the world coordinates of a vector or a position in camera coordinates.
+/// Returns the camera and the world coordinates of a vector or a position in camera coordinates.
 class Frames {
   public:
     explicit Frames(const Camera& camera) : world_from_view_(world_from_view(camera)) {}

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// Writes a number ten columns wide, with the decimal points below each other where a plain number is enough.
+/// Writes a number ten columns wide, with aligned decimal points if no exponent is needed.
 std::string in_column(float x) {
     const float size = std::abs(x);
     if (!std::isfinite(x)) return fmt::format("{:>10}", x);
@@ -25,7 +25,7 @@ std::string in_column(float x) {
 }
 std::string in_columns(glm::vec3 v) { return in_column(v.x) + in_column(v.y) + in_column(v.z); }
 
-/// Inside an equation: as short as it can be.
+/// Inside an equation: as short as possible.
 std::string brief(float x) { return fmt::format("{:.4g}", x); }
 std::string brief(glm::vec3 v) {
     if (v.x == v.y && v.y == v.z) return brief(v.x);
@@ -34,8 +34,7 @@ std::string brief(glm::vec3 v) {
 
 constexpr std::size_t product_width = 62;
 
-/// A term: its name, the product that makes it, and its red, green and blue (on the next line where it is
-/// long).
+/// A term: its name, its product, and its red, green and blue (on the next line if it is long).
 std::string term(std::string_view name, std::string_view product, glm::vec3 value) {
     const auto is_start = [](char byte) { return !continues_character(byte); };
     const auto width = static_cast<std::size_t>(std::count_if(product.begin(), product.end(), is_start));
@@ -48,13 +47,13 @@ std::string vector(std::string_view symbol, const InBothFrames& v, std::string_v
     return fmt::format("  {:<3}{}   {}    {}\n", symbol, in_columns(v.camera), in_columns(v.world), meaning);
 }
 
-/// A result in its column, without the spaces before it.
+/// A result in its column, without leading spaces.
 std::string result_text(double x) {
     const std::string text = in_column(static_cast<float>(x));
     return text.substr(text.find_first_not_of(' '));
 }
 
-/// A term of the equation: the product of its factors, and what it comes to.
+/// A term of the equation: the product of its factors and its result.
 std::string term(const EquationLine& line) {
     std::string_view name = "f";
     if (line.term == Quantity::EmissionTerm) name = "emission";
@@ -94,7 +93,7 @@ class Writer {
         return text;
     }
 
-    /// Whose weights the corners have, and what the others would give.
+    /// The interpolation of the corners' weights, and the results of the others.
     [[nodiscard]] std::string weights() const {
         std::string text;
         for (const ExplainedInterpolation& each : e_.interpolations) {
@@ -114,7 +113,7 @@ class Writer {
         return info_of(e_.reflection).is_lit && !scene_.shading.mistakes.lit_after_projection;
     }
 
-    /// Numbers divided by w, which is 0 for a point in the eye's plane.
+    /// Numbers divided by w, which is 0 for points in the eye's plane.
     static std::string divided(const std::vector<float>& numbers) {
         const auto is_finite = [](float x) { return std::isfinite(x); };
         if (!std::all_of(numbers.begin(), numbers.end(), is_finite)) return "      none: divided by 0";
@@ -123,7 +122,7 @@ class Writer {
         return text;
     }
 
-    /// The point on its way from the mesh to the screen.
+    /// The point in every space from the mesh to the screen.
     [[nodiscard]] std::string spaces() const {
         const ExplainedSpaces& in = e_.spaces;
         const auto line = [](std::string_view name, const std::string& values, std::string_view note) {
@@ -152,14 +151,14 @@ class Writer {
         return text;
     }
 
-    /// What there is without a light.
+    /// The terms that need no light.
     [[nodiscard]] std::string unlit(const ExplainedPoint& at) const {
         std::string text;
         for (const EquationLine& line : unlit_lines(scene_, e_, at)) text += term(line);
         return text + "\n";
     }
 
-    /// Cool-to-warm shading, which stands in place of emission, ambient and diffuse terms.
+    /// Cool-to-warm shading, which replaces emission, ambient and diffuse terms.
     static std::string tone(const ExplainedTone& t) {
         const std::string product = fmt::format("k_w {} · warm {} + {} · cool {}", brief(t.k_w),
                                                 brief(t.warm), brief(1 - t.k_w), brief(t.cool));
@@ -224,7 +223,7 @@ class Writer {
         return term("shaded", what, s.shaded) + term("sum", blend, e_.sum);
     }
 
-    /// The channels that the display cannot show, each with what it would have been.
+    /// The channels that the display clamps, each with its unclamped value.
     [[nodiscard]] std::string clips() const {
         std::string text;
         for (int i = 0; i < 3; ++i) {

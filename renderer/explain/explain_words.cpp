@@ -36,7 +36,7 @@ std::string dark_reason(const ExplainedLight& explained, const Light& light) {
     const bool is_outside = cone && explained.spot_angle_deg > light.spot.cutoff_deg;
     if (is_outside && explained.spot == 0)  // a mistake's cone may be wider
         return fmt::format("outside the cone by {:.1f}°", explained.spot_angle_deg - light.spot.cutoff_deg);
-    const bool adds = explained.diffuse + explained.specular != glm::vec3(0);  // behind it by a mistake
+    const bool adds = explained.diffuse + explained.specular != glm::vec3(0);  // a mistake lights the back
     if (explained.n_dot_l < 0 && !adds) return "behind the surface: n·l < 0";
     if (explained.n_dot_l == 0 && !adds) return "grazes the surface: n·l = 0";
     const float arrives = light.intensity * explained.falloff;  // a strong light reaches far

@@ -1,6 +1,6 @@
 #pragma once
-// Every number behind one pixel, as a value: what `glint explain` prints and the inspector shows.
-// Filled by the same functions that make the picture; the JSON's fields are documented in docs/explain.md.
+// Every number behind one pixel: `glint explain` prints it and the inspector shows it. Filled by the
+// functions that make the picture; docs/explain.md documents the JSON's fields.
 
 #include <array>
 #include <cstdint>
@@ -19,13 +19,13 @@ struct InBothFrames {
     glm::vec3 camera{0}, world{0};
 };
 
-/// What a microfacet highlight is made of: S = π/4 D G F / n·v, where the light is in front of the surface.
+/// The factors of a microfacet highlight: S = π/4 D G F / n·v, for a light in front of the surface.
 struct ExplainedFacets {
     float d = 0, g = 0, n_dot_v = 0;
     glm::vec3 f{0};
 };
 
-/// What one light (or one sample of an area light) does at one point, as it enters the sum.
+/// The contribution of one light (or of one sample of an area light) at one point.
 struct ExplainedLight {
     std::string name;      // empty in the samples of an area light
     int index = 0;         // in Scene::lights
@@ -35,16 +35,16 @@ struct ExplainedLight {
     float distance = 0;  // scene units; 0 for a directional light
     float falloff = 1, spot = 1;
     float spot_angle_deg = 0;      // between the cone's axis and the direction to the point; 0 without a cone
-    float diffuse_factor = 0;      // what multiplies light.diffuse * k_d: <n.l> for Lambert
-    glm::vec3 specular_factor{0};  // S of docs/scene_file.md, per channel; 0 where n.l <= 0
+    float diffuse_factor = 0;      // multiplies light.diffuse * k_d: <n.l> for Lambert
+    glm::vec3 specular_factor{0};  // S of docs/scene_file.md, per channel; 0 if n.l <= 0
     ExplainedFacets facets;        // under Cook-Torrance
     glm::vec3 ambient{0}, diffuse{0}, specular{0};  // what reaches the eye
-    glm::vec3 share{0};  // what is added to the sum: the three terms together, rounded as the picture rounds
-                         // them; of an area light each sample has one, and this is 0
-    std::vector<ExplainedLight> samples;  // of an area light; then the fields above are their sums
+    glm::vec3 share{0};  // added to the sum: the three terms together, rounded as in the picture;
+                         // 0 for an area light, whose samples have one each
+    std::vector<ExplainedLight> samples;  // of an area light; the fields above are then their sums
 };
 
-/// Cool-to-warm shading: what the sum begins with in place of emission, ambient and diffuse terms.
+/// Cool-to-warm shading: the start of the sum instead of emission, ambient and diffuse terms.
 struct ExplainedTone {
     bool used = false;
     float n_dot_l = 0;           // for the first enabled light; 0 without one
@@ -59,7 +59,7 @@ struct ExplainedPoint {
     std::vector<ExplainedLight> lights;  // enabled ones, in the scene's order
     glm::vec3 emission{0}, global_ambient{0};
     ExplainedTone cool_to_warm;
-    /// What the sum begins with: emission + global ambient light, rounded as the shares are, or the tone.
+    /// The start of the sum: emission + global ambient light, rounded like the shares, or the tone.
     glm::vec3 base{0};
     glm::vec3 sum{0};
 };
@@ -70,8 +70,8 @@ struct ExplainedCorner {
     ExplainedPoint at;
 };
 
-/// The picked point carried through every space of the pipeline (lecture: "Projective Rendering Pipeline").
-/// Lighting stands between camera and clip coordinates.
+/// The picked point in every space of the pipeline (lecture: "Projective Rendering Pipeline"). Lighting takes
+/// place between camera and clip coordinates.
 struct ExplainedSpaces {
     glm::vec3 object{0}, world{0}, camera{0};
     glm::vec4 clip{0};
@@ -86,7 +86,7 @@ struct ExplainedStroke {
     glm::vec3 shaded{0};  // the sum before
 };
 
-/// What the pixel would be under a way of weighing the corners.
+/// The colour that the pixel would have with one interpolation of the corners.
 struct ExplainedInterpolation {
     Interpolation interpolation = Interpolation::Perspective;
     glm::vec3 sum{0};  // before strokes
@@ -106,11 +106,11 @@ struct Explanation {
     std::array<std::uint32_t, 3> corner{};  // the drawn triangle's corners: indices into Mesh::positions
     glm::vec3 weights{0};                   // perspective-correct weights of those corners at the pixel
     ExplainedSpaces spaces;
-    ExplainedPoint at;  // phong and facet: the pixel's own point, lit. Others: its place and normal, unlit
-    std::vector<ExplainedCorner> corners;  // gouraud and flat: what was lit, and its weight
-    Interpolation interpolation = Interpolation::Perspective;  // gouraud: whose weights the corners have
+    ExplainedPoint at;  // phong and facet: the pixel's own point, lit. Others: its position and normal, unlit
+    std::vector<ExplainedCorner> corners;  // gouraud and flat: the lit points and their weights
+    Interpolation interpolation = Interpolation::Perspective;  // gouraud: determines the corners' weights
     std::vector<ExplainedInterpolation> interpolations;  // gouraud: each of them, in the enumerators' order
-    bool lit_per_corner = false;                         // true when `corners` makes the sum
+    bool lit_per_corner = false;                         // true if the sum blends `corners`
     ExplainedStroke stroke;                              // over surface or background
     glm::vec3 sum{0};        // linear, before exposure: the pixel of the PFM / exposure
     glm::vec3 displayed{0};  // after exposure, transfer and clamp, 0 to 1

@@ -63,7 +63,7 @@ double last_digit_of(std::string_view number) {
     const auto decimals = point < e ? static_cast<int>(e - point) - 1 : 0;
     int exponent = 0;
     if (e < number.size()) {
-        const std::size_t digits = number[e + 1] == '+' ? e + 2 : e + 1;  // from_chars knows no plus
+        const std::size_t digits = number[e + 1] == '+' ? e + 2 : e + 1;  // from_chars rejects a plus
         std::from_chars(number.data() + digits, number.data() + number.size(), exponent);
     }
     return std::pow(10.0, exponent - decimals);
@@ -82,7 +82,7 @@ std::vector<int> decimals_for(std::span<const double> values, std::span<const in
     };
     for (std::size_t i = 0; i < values.size(); ++i) measure(i);
     for (;;) {
-        // At worst the errors of the single numbers add up; their products are far smaller.
+        // In the worst case the errors of the numbers add up; products of errors are negligible.
         double sum = 0;
         std::size_t worst = values.size();
         for (std::size_t i = 0; i < values.size(); ++i) {

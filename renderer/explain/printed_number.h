@@ -1,6 +1,5 @@
 #pragma once
-// Chooses the digits of an equation's numbers: as many as the written numbers need to give the written
-// result.
+// Chooses the number of digits in an equation, so that the written numbers give the written result.
 
 #include <functional>
 #include <span>
@@ -10,31 +9,31 @@
 
 namespace glint {
 
-/// Most decimals that a number is written with: a float has no more.
+/// The maximum number of decimals: a float has no more.
 inline constexpr int most_decimals = 9;
 
-/// printf's format that writes x with so many decimals (0 to most_decimals): a plain number, or powers of ten
+/// The printf format for x with this many decimals (0 to most_decimals): a plain number, or powers of ten
 /// from 1e6 on and below 1e-4.
 [[nodiscard]] const char* decimal_format(double x, int decimals);
-/// x by that format.
+/// x in that format.
 [[nodiscard]] std::string decimal_text(double x, int decimals);
 /// Returns decimal_text() without trailing zeros: "0.5", "1".
 [[nodiscard]] std::string short_text(double x, int decimals);
 
-/// Formats x with that number of decimals. A number that rounds to 0 has no sign.
+/// Formats x with this many decimals. A number that rounds to 0 has no sign.
 [[nodiscard]] std::string fixed_text(double x, int decimals);
-/// Returns the number of decimals that shows two significant digits of an x between 0.0001 and 1, at least
+/// Returns the number of decimals that show two significant digits of an x between 0.0001 and 1, at least
 /// `decimals`; returns `decimals` for any other x.
 [[nodiscard]] int significant_decimals(double x, int decimals);
-/// Formats x with `decimals` decimals, more where two significant digits need them: "0.00012", "1.2e-05".
+/// Formats x with `decimals` decimals, more if two significant digits need them: "0.00012", "1.2e-05".
 [[nodiscard]] std::string significant_text(double x, int decimals);
 
-/// One unit of the last digit that a number shows: 0.001 of "0.713", 1e-7 of "3.21e-05".
+/// One unit of the last digit of a formatted number: 0.001 of "0.713", 1e-7 of "3.21e-05".
 [[nodiscard]] double last_digit_of(std::string_view number);
 
 /// Returns how many decimals each of `values` needs, at least its entry in `least`, for the formula of the
-/// written values to differ by at most `tolerance` from the formula of the values themselves. As few as that
-/// takes; most_decimals where no number of them is enough.
+/// written values to differ by at most `tolerance` from the formula of the exact values. Returns the minimum;
+/// most_decimals if no number is enough.
 [[nodiscard]] std::vector<int> decimals_for(std::span<const double> values, std::span<const int> least,
                                             const std::function<double(std::span<const double>)>& formula,
                                             double tolerance);

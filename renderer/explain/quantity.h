@@ -1,6 +1,6 @@
 #pragma once
-// The letters of the lighting equation: each stands for one thing, in the window, in text and in LaTeX. All
-// three read these rows.
+// The letters of the lighting equation. The window, text and LaTeX all read these rows, so that each letter
+// has one meaning.
 
 #include <array>
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace glint {
 
-/// What a letter stands for.
+/// The meaning of a letter.
 enum class Quantity {
     Result,
     EmissionTerm,
@@ -56,10 +56,10 @@ enum class Quantity {
 
 struct QuantityRow {
     Quantity quantity;
-    const char* letter;   // "k"; of a cosine both vectors with the dot, "n·l"
+    const char* letter;   // "k"; for a cosine both vectors with the dot, "n·l"
     const char* index;    // its subscript, or empty
     const char* latex;    // in math mode
-    const char* meaning;  // a legend's words
+    const char* meaning;  // for a legend
 };
 
 inline constexpr std::array quantity_rows{
