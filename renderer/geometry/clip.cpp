@@ -5,14 +5,15 @@
 namespace glint {
 namespace {
 
-/// Clips the polygon to a plane. `kept`: memory to work in.
+/// Clips the polygon to a plane. `kept`: scratch memory.
 void clip_to_plane(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& kept, const glm::dvec4& plane) {
     kept.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const glm::dvec4 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
         const double da = glm::dot(plane, a), db = glm::dot(plane, b);
         if (da >= 0) kept.push_back(a);
-        // Always from the inner towards the outer corner: both faces of an edge then compute the same point.
+        // Always from the inner towards the outer corner, so that both faces of an edge compute the same
+        // point.
         if (da >= 0 && db < 0) kept.push_back(a + (da / (da - db)) * (b - a));
         if (da < 0 && db >= 0) kept.push_back(b + (db / (db - da)) * (a - b));
     }

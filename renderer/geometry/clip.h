@@ -33,14 +33,14 @@ inline constexpr glm::dvec4 near_plane{0, 0, 1, 1};
             glm::dvec4{0, -1, 0, side_y}};
 }
 
-/// The part of a convex polygon (clip coordinates) inside near, far and guard band, in the same order around;
-/// empty when nothing is left. A cut edge gives the same new corner whichever of its two faces is clipped, so
-/// that no crack opens. `spare` is memory to work in. Source: I. Sutherland, G. Hodgman 1974.
+/// The part of a convex polygon (clip coordinates) inside near, far and guard band, with the same winding;
+/// empty when nothing is left. Both faces of a cut edge get the same new corner, so that there is no crack.
+/// `spare` is scratch memory. Source: I. Sutherland, G. Hodgman 1974.
 void clip_polygon(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& spare);
 
-// A face in front of the near plane, on the screen: what interpolation on the screen works with.
+// The part of a face in front of the near plane, on the screen, for interpolation on the screen.
 
-/// A corner of the cut face. It lies between two of the face's own corners (or on `a`, with t = 0), at the
+/// A corner of the cut face. It is between two of the face's own corners (or at `a`, with t = 0), at the
 /// perspective-correct share t from a to b.
 struct ClippedCorner {
     glm::dvec2 pixel{0};  // on the screen, in pixels, y down
@@ -48,7 +48,7 @@ struct ClippedCorner {
     double t = 0;
 };
 
-/// Memory for one face of usual size on the stack, so that a pixel costs no allocation.
+/// Stack memory for one face of usual size, so that a pixel costs no allocation.
 struct ClipMemory {
     std::array<std::byte, 4096> bytes;
     std::pmr::monotonic_buffer_resource pool{bytes.data(), bytes.size()};
@@ -59,8 +59,8 @@ struct ClipMemory {
                                                            std::span<const std::uint32_t> corners,
                                                            ClipMemory& memory);
 
-// The kernels' viewport transform for one vertex alone: whole triangles and clipped pieces go through the
-// same formulas, so that no crack opens between them.
+// The kernels' viewport transform for a single vertex. Unclipped triangles and clipped pieces use the same
+// formulas, so that there is no crack between them.
 
 [[nodiscard]] inline Matrix4 matrix_of(const glm::dmat4& m) {
     Matrix4 out;
@@ -89,15 +89,15 @@ struct ClipMemory {
 }
 
 /// Repairs w of a corner that clipping left at or inside the near plane. On an edge 1e17 units long, doubles
-/// keep no digit of where it is cut, and the corner may come out far beyond the plane: its w is then set to
-/// the least that is allowed, so that the division by w gives a number.
+/// lose the position of the cut, and the corner may be far beyond the plane: its w is then set to the
+/// minimum, so that the division by w gives a number.
 [[nodiscard]] inline glm::dvec4 before_eye(const Projection& projection, const glm::dvec4& clip) {
     const double least_w = is_orthographic(projection) ? 0.5 : 0.5 * static_cast<double>(near_of(projection));
     return {clip.x, clip.y, clip.z, std::max(clip.w, least_w)};
 }
 
 /// Moves a corner that clipping left beyond near plane or guard band (see before_eye) to the nearest point
-/// that lies on the rasteriser's grid; any other stays.
+/// that fits the rasteriser's grid; leaves others unchanged.
 [[nodiscard]] inline glm::dvec4 held_in_view(const Projection& projection, const glm::dvec4& clip) {
     const glm::dvec4 c = before_eye(projection, clip);
     const double side = (guard_band + 1) * c.w, depth = 1.001 * c.w;

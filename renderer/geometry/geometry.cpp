@@ -34,8 +34,8 @@ void transform_vertices(ObjectGeometry& object, VertexJob job) {
 
 using VertexList = std::shared_ptr<const std::vector<std::uint32_t>>;
 
-/// The vertex of each triangle's corner. Made once for each mesh, because looking it up by way of the
-/// triangle's corner takes one more step in memory.
+/// The vertex of each triangle's corner. Computed once for each mesh, because a lookup through the triangle's
+/// corner is one more indirection.
 VertexList list_triangle_vertices(const Mesh& mesh) {
     std::vector<std::uint32_t> list;
     list.reserve(3 * mesh.triangles.size());
@@ -44,7 +44,8 @@ VertexList list_triangle_vertices(const Mesh& mesh) {
     return std::make_shared<const std::vector<std::uint32_t>>(std::move(list));
 }
 
-/// Gives objects whose mesh has changed the new mesh and its list, which all objects of one mesh share.
+/// Updates objects whose mesh has changed with the new mesh and its list, which all objects of one mesh
+/// share.
 void take_meshes(std::vector<ObjectGeometry>& objects, const Scene& scene) {
     std::map<const Mesh*, VertexList> lists;
     for (std::size_t i = 0; i < objects.size(); ++i) {

@@ -21,10 +21,9 @@ struct ObjectGeometry {
     MeshPtr mesh;
     Transform transform;
     bool visible = true;  // false: none of its triangles is drawn; they keep their numbers
-    // The transform contains a reflection (determinant < 0). Corners then run the other way round on the
-    // screen, so visibility/draw_tile.h exchanges front and back. Normals need no change: with their inverse
-    // transpose, normal and direction keep the sign of their product, (M^-T n)·(M d) = n·d, so what lies
-    // outward of the surface stays there.
+    // The transform contains a reflection (determinant < 0). The winding on the screen is then reversed, so
+    // visibility/draw_tile.h swaps front and back. Normals need no change: the inverse transpose preserves
+    // the sign of the product of normal and direction, (M^-T n)·(M d) = n·d, so outside remains outside.
     bool mirrored = false;
     std::uint32_t first_triangle = 0;  // its triangles have the global numbers first_triangle + 0, 1, 2, ...
     glm::dmat4 view_from_object{1.0}, clip_from_object{1.0};
@@ -47,7 +46,7 @@ struct Geometry {
     glm::dmat4 clip_from_view{1.0};
     std::vector<ObjectGeometry> objects;
     std::uint32_t triangle_count = 0;  // at most max_scene_triangles
-    std::uint64_t state = 0;           // another number after every change, of whatever Geometry; 0: empty
+    std::uint64_t state = 0;  // changes with every update, unique across all Geometry objects; 0: empty
 
     /// The object that a global triangle number belongs to.
     [[nodiscard]] std::uint32_t object_of(std::uint32_t triangle) const;

@@ -1,5 +1,5 @@
 #pragma once
-// What goes into and comes out of the kernels of geometry: plain numbers, shared by all instruction sets.
+// The input and output of the geometry kernels: plain numbers, shared by all instruction sets.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,9 +9,8 @@ namespace glint {
 inline constexpr int subpixel_bits = 8;
 inline constexpr int subpixels = 1 << subpixel_bits;  // the rasteriser's grid, per pixel
 
-/// Says where a vertex lies outside: beyond one of the six planes of the view volume, or beyond the guard
-/// band, outside which screen coordinates do not fit the rasteriser's integers or products do not fit a
-/// float.
+/// Which planes a vertex is outside of: the six planes of the view volume, and the guard band, beyond which
+/// screen coordinates do not fit the rasteriser's integers or products do not fit a float.
 enum OutsideBits : std::uint32_t {
     OutsideLeft = 1,
     OutsideRight = 2,
@@ -23,24 +22,24 @@ enum OutsideBits : std::uint32_t {
 };
 inline constexpr std::uint32_t needs_clipping = OutsideNear | OutsideFar | OutsideGuard;
 
-/// How far the guard band reaches, in half picture widths: |x|, |y| <= guard_band w. The largest picture,
-/// 16384, times 32, times 256 subpixels, is 2^27: edge functions then fit 64 bits with room to spare.
+/// The extent of the guard band, in half picture widths: |x|, |y| <= guard_band w. The largest picture,
+/// 16384, times 32, times 256 subpixels, is 2^27: edge functions then easily fit 64 bits.
 inline constexpr double guard_band = 64;
 
-/// From this w on, products of two corners' clip coordinates keep a float's digits where the corners lie
-/// close together. Below, pixels are placed in doubles.
+/// From this w on, products of two corners' clip coordinates keep a float's precision for nearby corners.
+/// Below it, pixels are located in doubles.
 inline constexpr double min_float_w = 1e-12;
 
-/// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner. Four numbers, read at
-/// once.
+/// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner. Four numbers, loaded
+/// together.
 struct alignas(16) ScreenVertex {
     std::int32_t x = 0, y = 0;  // 1/256 pixel
     float inv_w = 0;  // depth, linear on the screen, larger is nearer: inv_w_of (vertex_transform.h)
-    /// OutsideBits; with one of `needs_clipping` the rest has no meaning.
+    /// OutsideBits; if one of `needs_clipping` is set, the other members are undefined.
     std::uint32_t outside = 0;
 };
 
-/// A vertex as shading needs it: two records of four numbers, each read at once.
+/// A vertex as shading needs it: two records of four numbers, each loaded together.
 struct alignas(32) TransformedVertex {
     float clip_x = 0, clip_y = 0, clip_w = 0;  // clip coordinates
     std::uint32_t outside = 0;                 // OutsideBits
@@ -48,7 +47,7 @@ struct alignas(32) TransformedVertex {
     float unused = 0;
 };
 
-/// A unit normal, or zero, in camera coordinates: four numbers, read at once.
+/// A unit normal, or zero, in camera coordinates: four numbers, loaded together.
 struct alignas(16) CameraNormal {
     float x = 0, y = 0, z = 0, unused = 0;
 };
@@ -66,7 +65,7 @@ struct Viewport {
 
 /// The vertices of one object. Each array has as many entries as there are positions.
 struct VertexJob {
-    const float* positions = nullptr;  // object coordinates, three a vertex
+    const float* positions = nullptr;  // object coordinates, three per vertex
     Matrix4 view_from_object, clip_from_view;
     Viewport viewport;
     TransformedVertex* vertices = nullptr;
@@ -77,7 +76,7 @@ struct Matrix3 {
     double column[3][3];
 };
 struct NormalJob {
-    const float* normals = nullptr;  // object coordinates, three a normal
+    const float* normals = nullptr;  // object coordinates, three per normal
     Matrix3 matrix;                  // to camera coordinates
     CameraNormal* in_camera = nullptr;
 };
@@ -86,11 +85,11 @@ struct NormalJob {
 struct GeometryKernels {
     /// The vertices begin .. end - 1.
     void (*transform_vertices)(const VertexJob& job, std::size_t begin, std::size_t end);
-    /// The normals begin .. end - 1, made unit; (0, 0, 0) stays so.
+    /// The normals begin .. end - 1, normalised; (0, 0, 0) is unchanged.
     void (*transform_normals)(const NormalJob& job, std::size_t begin, std::size_t end);
 };
 
-/// The kernels of the instruction set that is in use (instruction_set.h).
+/// The kernels of the current instruction set (instruction_set.h).
 const GeometryKernels& geometry_kernels();
 
 }  // namespace glint

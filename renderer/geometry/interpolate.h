@@ -8,7 +8,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// x, y and w in clip coordinates: where the corner is on the screen times w, and its distance in front of
+/// x, y and w in clip coordinates: the corner's position on the screen times w, and its distance in front of
 /// the eye (1 for an orthographic camera).
 template <Number F> struct ClipCorner { F x{}, y{}, w{}; };
 
@@ -20,11 +20,11 @@ template <Number F> ScreenPoint<F> to_ndc(F x, F y, F width, F height) {
     return {F(2) * x / width - F(1), F(1) - F(2) * y / height};
 }
 
-/// Returns numbers proportional to the weights of three corners where the ray through `at` meets their plane.
-/// They are not negative inside the triangle, whichever side is seen.
+/// Returns numbers proportional to the weights of three corners where the ray through `at` intersects their
+/// plane. They are not negative inside the triangle, seen from either side.
 template <Number F>
 Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
-    // Corners relative to the ray: differences first, so that a small triangle far away keeps its digits.
+    // Corners relative to the ray: differences first, so that a small triangle far away keeps its precision.
     const F ax = a.x - at.x * a.w, ay = a.y - at.y * a.w;
     const F bx = b.x - at.x * b.w, by = b.y - at.y * b.w;
     const F cx = c.x - at.x * c.w, cy = c.y - at.y * c.w;
@@ -33,9 +33,9 @@ Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, Screen
 }
 
 /// Perspective-correct weights (of points, colours or normals in space) of three corners where the ray
-/// through `at` meets their plane; they sum to 1. A sample just outside the triangle, as the 1/256 pixel grid
-/// of the rasteriser may choose, gets the nearest weights inside; a triangle seen exactly edge-on gets 1/3
-/// each.
+/// through `at` intersects their plane; they sum to 1. A sample just outside the triangle, which the
+/// rasteriser's grid of 1/256 pixel can cause, gets the nearest weights inside; a triangle seen exactly
+/// edge-on gets 1/3 each.
 template <Number F>
 Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
     Vec3<F> e = edge_functions(a, b, c, at);
@@ -45,7 +45,7 @@ Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, S
 }
 
 /// Converts perspective-correct weights to weights that are linear on the screen. Precondition: all w > 0.
-/// Where products leave the range of floats, it returns the perspective-correct ones.
+/// If products exceed the range of floats, returns the perspective-correct ones.
 /// Source: perspective-correct interpolation, a = sum(b_i a_i / w_i) / sum(b_i / w_i) with weights b on the
 /// screen, as in Heckbert and Moreton 1991, solved for b.
 template <Number F> Vec3<F> screen_weights(Vec3<F> perspective, F wa, F wb, F wc) {
@@ -58,8 +58,8 @@ template <Number F> Vec3<F> blend(Vec3<F> weights, Vec3<F> a, Vec3<F> b, Vec3<F>
     return weights.x * a + weights.y * b + weights.z * c;
 }
 
-/// Adds one corner to a weighted sum. A corner of weight 0 is skipped, so that a sum has the same bits
-/// however many such corners are listed.
+/// Adds one corner to a weighted sum. Skips a corner of weight 0, so that such corners do not change a bit of
+/// the sum.
 template <Number F> Vec3<F> add_weighted(Vec3<F> sum, F weight, Vec3<F> value) {
     return select<F>(weight > F(0), sum + weight * value, sum);
 }

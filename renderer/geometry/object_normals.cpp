@@ -16,10 +16,10 @@
 namespace glint {
 namespace {
 
-constexpr glm::vec3 opengl_default_normal{0, 0, 1};  // what OpenGL takes while no normal was given
+constexpr glm::vec3 opengl_default_normal{0, 0, 1};  // OpenGL's normal if none is given
 
-/// From an object's normals to camera coordinates: a matrix, and the translation of the mistake that takes
-/// normals for points.
+/// From an object's normals to camera coordinates: a matrix, and a translation for the mistake that
+/// transforms normals like points.
 struct NormalFrame {
     Matrix3 matrix;
     Vec3<double> offset;
@@ -30,7 +30,7 @@ struct NormalFrame {
     }
 };
 
-/// The matrix that the normals go by.
+/// The matrix for the normals.
 glm::dmat3 linear_part(const ObjectGeometry& object, const NormalMistakes& mistakes) {
     if (mistakes.left_in_object) return glm::dmat3(1.0);
     if (mistakes.left_in_world)
@@ -60,7 +60,7 @@ Vec3<double> object_normal(glm::vec3 n, const NormalMistakes& mistakes) {
     return {taken.x, taken.y, taken.z};
 }
 
-/// Lengths that a file's normals had before they were made unit, one for each of `of_mesh->normals`.
+/// Lengths of the file's normals before normalisation, one for each of `of_mesh->normals`.
 std::vector<float> given_lengths(const ObjectNormals& normals) {
     std::vector<float> lengths(normals.of_mesh->normals.size(), 1);
     const Mesh& mesh = *normals.mesh;
@@ -92,7 +92,7 @@ std::vector<std::uint8_t> own_normals(const ObjectNormals& normals) {
     return own;
 }
 
-/// Transforms the normals as the mistakes would have them.
+/// Transforms the normals with the mistakes.
 void transform_mistaken_normals(ObjectNormals& normals, const NormalFrame& frame,
                                 const NormalMistakes& mistakes) {
     std::vector<float> lengths;
@@ -105,7 +105,7 @@ void transform_mistaken_normals(ObjectNormals& normals, const NormalFrame& frame
         const Vec3<double> n = frame.to_camera(object_normal(reversed ? -given : given, mistakes));
         const glm::vec3 taken =
             to_glm(mistakes.unnormalized ? static_cast<double>(lengths[i]) * n : unit_or_zero(n));
-        constexpr float most = 1e18f;  // products with places have to fit a float
+        constexpr float most = 1e18f;  // products with positions must fit a float
         const glm::vec3 held = glm::clamp(taken, -most, most);
         normals.normals[i] = {held.x, held.y, held.z};
     });
@@ -124,7 +124,7 @@ void transform_normals(ObjectNormals& normals, const ObjectGeometry& object, con
     });
 }
 
-/// The normals of meshes that are known, for whatever options they were made.
+/// The known normals of meshes, with the options they were computed for.
 using KnownNormals =
     std::multimap<const Mesh*, std::pair<NormalOptions, std::shared_ptr<const CornerNormals>>>;
 
@@ -137,8 +137,8 @@ std::shared_ptr<const CornerNormals> normals_of(KnownNormals& known, const Objec
     return made;
 }
 
-/// Gives objects whose mesh or options have changed their new normals, which objects with the same mesh and
-/// options share.
+/// Updates the normals of objects whose mesh or options have changed. Objects with the same mesh and options
+/// share them.
 void take_normals(std::vector<ObjectNormals>& kept, const Scene& scene) {
     KnownNormals known;
     for (std::size_t o = 0; o < kept.size(); ++o) {
@@ -154,7 +154,7 @@ void take_normals(std::vector<ObjectNormals>& kept, const Scene& scene) {
 }
 
 struct MeshFace {
-    std::weak_ptr<const Mesh> mesh;  // whose address no other mesh has as long as it is not expired
+    std::weak_ptr<const Mesh> mesh;  // keeps the address from being reused
     std::uint32_t face = 0;
     bool operator==(const MeshFace& other) const {
         if (face != other.face) return false;

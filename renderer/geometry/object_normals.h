@@ -1,6 +1,6 @@
 #pragma once
-// The normals of the objects as shading takes them: camera coordinates, unit. Lecture: "Vertex Normals"; a
-// normal is transformed by the inverse transpose of the points' matrix.
+// The normals of the objects for shading: camera coordinates, unit. Lecture: "Vertex Normals"; a normal is
+// transformed by the inverse transpose of the points' matrix.
 
 #include <memory>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace glint {
 
-/// The mistakes that concern normals (models/scene/mistakes.h).
+/// The mistakes with normals (models/scene/mistakes.h).
 struct NormalMistakes {
     bool unnormalized = false, by_model_matrix = false, flipped = false, none_given = false;
     bool left_in_object = false, left_in_world = false, as_points = false;
@@ -28,14 +28,14 @@ struct ObjectNormals {
     std::shared_ptr<const CornerNormals> of_mesh;
     std::vector<CameraNormal> normals;  // of_mesh->normals in camera coordinates
 
-    /// For each corner of the mesh the index into `normals`.
+    /// For each corner of the mesh, the index into `normals`.
     [[nodiscard]] const std::vector<std::uint32_t>& normal_of_corner() const {
         return of_mesh->corner.empty() ? mesh->corner_position : of_mesh->corner;
     }
     [[nodiscard]] glm::vec3 at_corner(std::uint32_t corner) const {
         return normal(normal_of_corner()[corner]);
     }
-    /// The number of a lit vertex within its object: its position's index where each position has one normal,
+    /// The number of a lit vertex within its object: its position's index if each position has one normal,
     /// else its corner's. normal_of_slot(slot) is its normal.
     [[nodiscard]] std::uint32_t slot_of(std::uint32_t corner) const {
         return of_mesh->corner.empty() ? mesh->corner_position[corner] : corner;
@@ -55,14 +55,14 @@ struct ObjectNormals {
     }
 };
 
-/// Brings the normals of all objects up to date; those of a mesh are kept while mesh and options stay.
+/// Updates the normals of all objects; those of a mesh are kept while mesh and options are the same.
 void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const Geometry& geometry,
                     const NormalMistakes& mistakes);
 
-/// True when `kept` was made of the same meshes and options.
+/// True if `kept` was computed from the same meshes and options.
 [[nodiscard]] bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene);
 
-/// The facet normal of a polygon in camera coordinates, unit; (0, 0, 0) when it has no area. `flip`: of the
+/// The facet normal of a polygon in camera coordinates, unit; (0, 0, 0) when it has no area. `flip`: from the
 /// object's NormalOptions.
 [[nodiscard]] glm::vec3 camera_facet_normal(const ObjectGeometry& object, bool flip, std::uint32_t face,
                                             const NormalMistakes& mistakes);

@@ -1,6 +1,6 @@
 #pragma once
-// Keeps what was found of the faces that were asked about last. Of a face of many corners it costs them all,
-// which a pixel must not pay: neighbours show the same few faces.
+// Caches values of the last few faces. Computing a value visits all corners of a face, which is too expensive
+// per pixel, and neighbouring pixels show the same few faces.
 
 #include <array>
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace glint {
 
-/// A face of so many corners is worth keeping.
+/// Faces with this many corners are worth caching.
 inline constexpr std::size_t many_corners = 64;
 
 /// A face of an object of a Geometry.
@@ -22,13 +22,13 @@ struct GeometryFace {
 /// The values of the last few faces, for one thread.
 template <class Face, class Value> class RecentFaces {
   public:
-    /// Returns the value of a face: make() where it is not among the last few.
+    /// Returns the value of a face: make() if it is not among the last few.
     template <class Make> Value& of(const Face& face, const Make& make) {
         for (std::optional<Known>& known : known_)
             if (known && known->face == face) return known->value;
         std::optional<Known>& oldest = known_[next_];
         next_ = (next_ + 1) % known_.size();
-        oldest.reset();  // gives back what it holds before more is taken
+        oldest.reset();  // releases its memory before more is allocated
         return oldest.emplace(face, make).value;
     }
 

@@ -6,7 +6,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-inline constexpr int together = 8;  // a multiple of every number of doubles side by side
+inline constexpr int together = 8;  // a multiple of every vector width of doubles
 
 /// Transformed vertices as lists of numbers, in the order of the records' members: the two halves of
 /// TransformedVertex, and ScreenVertex.
@@ -22,7 +22,7 @@ void transform_lanes(const VertexJob& job, const float (&p)[3][together], int i,
     const Point4<D> clip = transformed(job.clip_from_view, camera);
     const Outside<D> outside = outside_of(clip);
     const GridPoint<D> at = grid_point(job.viewport, clip);
-    const auto whole = outside.cut <= D(0);  // else it has no place on the grid
+    const auto whole = outside.cut <= D(0);  // else it has no position on the grid
     store_narrowed(out.clip[0] + i, clip.x);
     store_narrowed(out.clip[1] + i, clip.y);
     store_narrowed(out.clip[2] + i, clip.w);

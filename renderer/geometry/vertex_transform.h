@@ -1,7 +1,7 @@
 #pragma once
 // The vertex transform, in doubles: from object to camera to clip coordinates, then the viewport transform
 // onto the rasteriser's grid; and the transform of normals to camera coordinates. D is one number (double) or
-// several side by side (Doubles).
+// a vector of them (Doubles).
 
 #include "renderer/geometry/geometry_kernels.h"
 #include "renderer/simd/double_lanes.h"
@@ -19,8 +19,8 @@ template <Number D> Point4<D> transformed(const Matrix4& m, const Point4<D>& p) 
     return {row(0), row(1), row(2), row(3)};
 }
 
-/// The OutsideBits of a vertex as two sums: those of the sides of the view, and those that need clipping.
-/// `c`: the vertex in clip coordinates.
+/// The OutsideBits of a vertex as two sums: those of the view's sides, and those that require clipping. `c`:
+/// the vertex in clip coordinates.
 template <Number D> struct Outside { D sides, cut; };
 template <Number D> Outside<D> outside_of(const Point4<D>& c) {
     const auto bit = [](auto where, OutsideBits b) { return select(where, D(static_cast<double>(b)), D(0)); };
@@ -59,7 +59,7 @@ template <Number D> GridPoint<D> grid_point(const Viewport& viewport, const Poin
     return {at.x * D(subpixels), at.y * D(subpixels), inv_w_of(viewport, clip)};
 }
 
-/// Transforms a normal to camera coordinates; its length is what the matrix leaves.
+/// Transforms a normal to camera coordinates; the result is not normalised.
 template <Number D> Vec3<D> to_camera(const Matrix3& m, Vec3<D> n) {
     const auto row = [&](int r) {
         return D(m.column[0][r]) * n.x + D(m.column[1][r]) * n.y + D(m.column[2][r]) * n.z;
@@ -67,7 +67,7 @@ template <Number D> Vec3<D> to_camera(const Matrix3& m, Vec3<D> n) {
     return {row(0), row(1), row(2)};
 }
 
-/// v / |v|, correctly rounded divisions; (0, 0, 0) stays so.
+/// v / |v| with correctly rounded divisions; (0, 0, 0) is unchanged.
 template <Number D> Vec3<D> unit_or_zero(Vec3<D> v) {
     const D length = square_root(dot(v, v));
     const auto any_length = length > D(0);
