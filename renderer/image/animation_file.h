@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of one size, one after another, as one file that repeats for ever: GIF and WebP.
+// Writes a sequence of pictures of one size as a file that repeats for ever: GIF and WebP.
 
 #include <memory>
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace glint {
 
-/// Gif: at most 256 colours a frame, chosen for that frame and mixed by dithering; what every program shows.
-/// WebP: exactly the pictures' colours, in a smaller file.
+/// Gif: at most 256 colours per frame, chosen for that frame and dithered; every program shows it. WebP:
+/// exactly the pictures' colours, in a smaller file.
 enum class AnimationFormat { Gif, WebP };
 
 /// Returns the format by the extension of `path`, in any case; nothing for another extension.
@@ -20,10 +20,9 @@ enum class AnimationFormat { Gif, WebP };
 class AnimationWriter {
   public:
     virtual ~AnimationWriter() = default;
-    /// Adds a frame. Precondition: the picture has the size of the writer.
+    /// Adds a frame. Precondition: the picture has the writer's size.
     [[nodiscard]] virtual std::optional<Problem> add(const Picture& picture) = 0;
-    /// Returns the bytes of the file. Precondition: it was not called before, and at least one frame was
-    /// added.
+    /// Returns the bytes of the file. Precondition: this is the first call, and at least one frame was added.
     [[nodiscard]] virtual Result<std::string> finish() = 0;
 };
 
@@ -32,7 +31,7 @@ class AnimationWriter {
                                                                         PictureSize size,
                                                                         int frames_a_second);
 
-/// The writers of animation_writer().
+/// Called by animation_writer().
 [[nodiscard]] std::unique_ptr<AnimationWriter> gif_writer(PictureSize size, int frames_a_second);
 [[nodiscard]] std::unique_ptr<AnimationWriter> webp_writer(PictureSize size, int frames_a_second);
 

@@ -1,5 +1,5 @@
-// Animations as GIF, by giflib. The palettes are ours: the library's keeps 5 bits of each channel and cuts
-// where the most pixels are, which paints a shaded object in one colour.
+// Animations as GIF, written by giflib. The palettes are our own: the library's keep 5 bits of each channel
+// and split where most pixels are, which flattens a shaded object to one colour.
 #include <gif_lib.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ struct Box {
     std::span<Counted> colours;
     Rgb mean{};
     double error = 0;        // the sum of the squared distances from the mean
-    std::size_t widest = 0;  // the channel with most of it
+    std::size_t widest = 0;  // the channel with the largest part of it
 
     explicit Box(std::span<Counted> all) : colours(all) {
         double pixels = 0;
@@ -61,9 +61,9 @@ struct Box {
     }
 };
 
-/// At most 256 colours, from dark to bright: the picture's own where it has no more. Else the box with the
-/// largest error is halved at its mean until there are enough (after Wan, Wong and Prusinkiewicz, "An
-/// algorithm for multidimensional data clustering", 1988).
+/// At most 256 colours, from dark to bright: the picture's own if it has no more. Otherwise repeatedly splits
+/// the box with the largest error at its mean (after Wan, Wong and Prusinkiewicz, "An algorithm for
+/// multidimensional data clustering", 1988).
 Palette palette_of(std::vector<Counted> colours) {
     std::vector<Box> boxes{Box(colours)};
     while (boxes.size() < palette_size) {
@@ -95,9 +95,9 @@ struct Mixture {
     double share = 0;
 };
 
-/// The two entries whose mixture comes nearest to a colour: the nearest entry and a second one.
+/// The two entries whose mixture is closest to a colour: the nearest entry and a second one.
 Mixture mixture(const Rgb& colour, const Palette& palette) {
-    // What the eye averages is to be right; of two mixtures that are, the one with less grain is taken.
+    // The average must be right; of two such mixtures, take the one with less grain.
     constexpr double grain = 0.1;
     const auto distance = [&](const Rgb& entry) {
         const Rgb away = difference(colour, entry);
@@ -127,8 +127,8 @@ Mixture mixture(const Rgb& colour, const Palette& palette) {
     return {entry(nearest), entry(other), share};
 }
 
-/// Bayer's threshold matrix of 8x8, between 0 and 1. A pattern that stays in its place on the screen does not
-/// flicker where the picture stays as it was, as an error that is carried on to the neighbours would.
+/// Bayer's threshold matrix of 8x8, between 0 and 1. A pattern that is fixed on the screen does not flicker
+/// in static parts of the picture, unlike error diffusion.
 double threshold(int x, int y) {
     int rank = 0;
     for (int bit = 0; bit < 3; ++bit) {
@@ -138,7 +138,7 @@ double threshold(int x, int y) {
     return (rank + 0.5) / 64;
 }
 
-/// A picture as entries of its palette, one a pixel.
+/// A picture as palette entries, one per pixel.
 struct Indexed {
     Palette palette;
     std::vector<GifByteType> entries;
@@ -220,7 +220,7 @@ class GifWriter final : public AnimationWriter {
     }
     void check(int result) { failed_ |= result != GIF_OK; }
 
-    /// "Repeat for ever", in Netscape's extension.
+    /// "Repeat for ever", by Netscape's extension.
     void loop_extension() {
         static constexpr GifByteType forever[] = {1, 0, 0};
         check(EGifPutExtensionLeader(file_, APPLICATION_EXT_FUNC_CODE));
@@ -229,7 +229,7 @@ class GifWriter final : public AnimationWriter {
         check(EGifPutExtensionTrailer(file_));
     }
 
-    /// Whole hundredths of a second, whose sum over many frames keeps the speed.
+    /// Integer hundredths of a second, whose sum over many frames preserves the speed.
     void delay() {
         const auto begin_of = [this](int frame) {
             return (100 * frame + frames_a_second_ / 2) / frames_a_second_;

@@ -1,4 +1,4 @@
-// Animations as WebP, by libwebp and libwebpmux, without loss.
+// Animations as lossless WebP, written by libwebp and libwebpmux.
 #include <webp/encode.h>
 #include <webp/mux.h>
 
@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// Of 0 to 9. The next one makes files a tenth smaller in one and a half times the time.
+/// 0 to 9. The next level makes files a tenth smaller and takes one and a half times as long.
 constexpr int effort = 2;
 
 struct DeleteEncoder {
@@ -30,7 +30,7 @@ struct Frame {
 };
 
 Encoder encoder_for(PictureSize size) {
-    WebPAnimEncoderOptions options;  // they repeat for ever
+    WebPAnimEncoderOptions options;  // by default, they repeat for ever
     WebPAnimEncoderOptionsInit(&options);
     return Encoder(WebPAnimEncoderNew(size.width, size.height, &options));
 }

@@ -25,7 +25,8 @@ Result<Comparison> compare(const Picture& a, const Picture& b) {
     }
     Comparison result;
     result.size = a.size;
-    std::array<std::uint64_t, 3> sum{}, sum_of_squares{};  // whole, so that no order of adding matters
+    std::array<std::uint64_t, 3> sum{},
+        sum_of_squares{};  // integers, so that the order of addition does not matter
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
         const int alpha = difference(a, b, i + 3);
         bool differs = alpha > 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Measures how far two pictures are apart: numbers for tests and for `glint compare`, and a picture of the
+// Measures the difference of two pictures: numbers for tests and for `glint compare`, and a picture of the
 // differences.
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace glint {
 
-/// All in bytes, 0 to 255, of what is displayed; three numbers are red, green, blue.
+/// All in displayed levels, 0 to 255; three numbers are red, green, blue.
 struct Comparison {
     PictureSize size;
     std::array<int, 3> max{};            // largest difference of a pixel
@@ -21,16 +21,15 @@ struct Comparison {
     std::uint64_t differing_pixels = 0;  // in any channel, opacity included
 };
 
-/// Compares two pictures pixel by pixel. Sizes that differ are a problem, without a file.
+/// Compares two pictures pixel by pixel. Different sizes are a problem, without a file.
 [[nodiscard]] Result<Comparison> compare(const Picture& a, const Picture& b);
 
-/// What a byte of difference is multiplied by in difference_picture(): the largest whole number that keeps
-/// all within 255, so that the smallest difference can be seen and every one read off exactly. 1 when there
-/// is none.
+/// The factor for differences in difference_picture(): the largest integer that keeps all within 255, so that
+/// the smallest difference is visible and all can be read exactly. 1 if there are none.
 [[nodiscard]] int difference_gain(const Comparison& comparison);
 
 /// The absolute difference of every channel times `gain` (>= 1), at most 255; a difference in opacity raises
-/// all three. With difference_gain(compare(a, b)) nothing is cut off. Precondition: equal sizes.
+/// all three. With difference_gain(compare(a, b)) nothing is clamped. Precondition: equal sizes.
 [[nodiscard]] Picture difference_picture(const Picture& a, const Picture& b, int gain);
 
 }  // namespace glint

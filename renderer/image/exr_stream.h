@@ -1,5 +1,5 @@
 #pragma once
-// OpenEXR files in memory, as its library reads and writes them. Inside renderer/image only.
+// In-memory streams for the OpenEXR library. Only for renderer/image.
 
 #include <ImfIO.h>
 

@@ -7,7 +7,7 @@
 
 namespace glint {
 
-/// The picture as an element of a page that needs nothing else; `alt` says what it shows.
+/// The picture as a self-contained HTML element; `alt` describes it.
 [[nodiscard]] std::string html_image(const Picture& picture, std::string_view alt);
 
 }  // namespace glint

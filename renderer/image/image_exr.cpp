@@ -1,4 +1,4 @@
-// OpenEXR, by its own library.
+// Writes OpenEXR by its own library.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -25,7 +25,7 @@ std::string exr_bytes(const Picture& picture, float exposure) {
     }
     ExrSink out;
     {
-        Imf::OutputFile file(out, header, 0);  // the table of lines is written when the file is closed
+        Imf::OutputFile file(out, header, 0);  // the line offset table is written when the file is closed
         file.setFrameBuffer(frame);
         file.writePixels(picture.size.height);
     }

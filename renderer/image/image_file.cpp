@@ -17,8 +17,7 @@
 namespace glint {
 namespace {
 
-/// A picture being written by libpng into `bytes`. Nothing but memory can fail here, and then std::bad_alloc
-/// is thrown.
+/// Writes a picture into `bytes` by libpng. The only possible failure is std::bad_alloc.
 class PngWriter {
   public:
     explicit PngWriter(std::string& bytes)
@@ -39,7 +38,7 @@ class PngWriter {
                      8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                      PNG_FILTER_TYPE_DEFAULT);
         // Against libpng's own choice (level 6, the best of five filters for every row) these took a quarter
-        // of the time on pictures of ours and gave files larger by a tenth.
+        // of the time on our pictures and gave files larger by a tenth.
         png_set_compression_level(png_, 4);
         png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     }
@@ -52,7 +51,7 @@ class PngWriter {
     }
     void rows(const Picture& picture) {
         png_write_info(png_, info_);
-        png_set_filler(png_, 0, PNG_FILLER_AFTER);  // four bytes a pixel come in, three go out
+        png_set_filler(png_, 0, PNG_FILLER_AFTER);  // four bytes per pixel in, three out
         const std::size_t stride = std::size_t{4} * static_cast<std::size_t>(picture.size.width);
         for (std::size_t at = 0; at < picture.rgba.size(); at += stride)
             png_write_row(png_, &picture.rgba[at]);

@@ -1,4 +1,4 @@
-// Reading of PNG files, those of any program.
+// Reads PNG files of any program.
 #include <fmt/core.h>
 #include <png.h>
 
@@ -16,23 +16,23 @@
 namespace glint {
 namespace {
 
-// A picture of the largest size, 16 bits a channel, that cannot be compressed at all.
+// An incompressible picture of the maximum size, with 16 bits per channel.
 constexpr std::size_t max_png_bytes = std::size_t{9} * max_picture_side * max_picture_side;
-// Deflate never makes more than 1032 bytes of one, so a larger claim is a lie (zlib, "Technical Details").
+// Deflate expands a byte to at most 1032, so a larger claim is false (zlib, "Technical Details").
 constexpr std::size_t max_inflation = 1032;
 
 Problem unreadable(const std::string& path, const std::string& what) {
     return {.file = path, .pointer = {}, .what = what, .expected = "a PNG picture of 1x1 to 16384x16384"};
 }
 
-/// What libpng says is wrong with a file.
+/// libpng's message about an invalid file.
 struct PngFault {
     std::string what;
 };
 
-/// A picture being read by libpng out of `bytes`, which must stay. Throws PngFault and std::bad_alloc.
-/// Not png_image, libpng's simpler reader: where it makes 8 bits of 16 it takes an interlaced file's rows as
-/// they come (seen in 1.6.39 as Debian 12 has it).
+/// Reads a picture by libpng from `bytes`, which must outlive it. Throws PngFault and std::bad_alloc. Does
+/// not use png_image, libpng's simpler reader, which misreads interlaced files when it converts 16 bits to 8
+/// (seen in Debian 12's 1.6.39).
 class PngReader {
   public:
     explicit PngReader(std::string_view bytes)
@@ -44,7 +44,7 @@ class PngReader {
         }
         png_set_read_fn(png_, &rest_, take);
         // Besides the picture itself, only its transparent colour (tRNS) is read: pictures are compared by
-        // the bytes that are stored, whatever the file says about their encoding.
+        // their stored bytes, regardless of the encoding that the file declares.
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT,
                                     reinterpret_cast<png_const_bytep>("tRNS"), 1);
@@ -53,12 +53,12 @@ class PngReader {
     PngReader& operator=(const PngReader&) = delete;
     ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-    /// All that stands before the picture.
+    /// Everything before the picture.
     void read_header() { png_read_info(png_, info_); }
     [[nodiscard]] std::size_t width() const { return png_get_image_width(png_, info_); }
     [[nodiscard]] std::size_t height() const { return png_get_image_height(png_, info_); }
 
-    /// After read_header(). Whatever the file has, as red, green, blue and alpha of 8 bits.
+    /// Call after read_header(). Converts any format to red, green, blue and alpha of 8 bits.
     void read_rows(std::vector<std::uint8_t>& rgba) {
         png_set_expand(png_);
         png_set_scale_16(png_);
@@ -93,7 +93,7 @@ Problem unreadable(const std::string& path, const PngFault& fault) {
     return unreadable(path, "cannot be read as a PNG (" + fault.what + ")");
 }
 
-/// What is wrong with the first bytes of a file that does not begin as a PNG does.
+/// The problem of a file that does not begin like a PNG.
 Problem not_a_png(std::string_view bytes, const std::string& path) {
     try {
         PngReader(bytes).read_header();
@@ -128,7 +128,7 @@ Result<Picture> read_png(const std::string& path) {
         const std::size_t width = png.width(), height = png.height(), pixels = width * height;
         if (width > max_picture_side || height > max_picture_side)
             return unreadable(path, fmt::format("has {}x{} pixels", width, height));
-        // One bit a pixel is the least that a PNG can hold.
+        // A PNG has at least one bit per pixel.
         if (pixels / 8 > max_inflation * bytes.size())
             return unreadable(path, "claims more pixels than it can hold");
         Picture picture{{static_cast<int>(width), static_cast<int>(height)}, {}, {}};

@@ -8,8 +8,7 @@ namespace {
 
 constexpr std::uint8_t ink = 25, pale_ink = 110, paper = 255;
 
-/// The last token of a pointer, or the last two when it is only a number in a list: "shininess", "position
-/// 0".
+/// The last token of a pointer, or the last two if the last is an index of a list: "shininess", "position 0".
 std::string name_of(const std::string& pointer) {
     const std::size_t last = pointer.rfind('/');
     const std::string token = pointer.substr(last + 1);
@@ -19,7 +18,7 @@ std::string name_of(const std::string& pointer) {
     return pointer.substr(before + 1, last - before - 1) + " " + token;
 }
 
-/// All lengths of a sheet in pixels, from the size of its cells.
+/// The lengths of a sheet in pixels, computed from the size of its cells.
 struct Layout {
     int value_size, name_size;          // of the letters
     int margin, gap;                    // around the sheet; between cells
