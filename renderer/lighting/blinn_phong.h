@@ -1,5 +1,5 @@
 #pragma once
-// Blinn-Phong: the highlight from the halfway vector, (n.h)^shininess; what OpenGL's fixed function does.
+// Blinn-Phong: the highlight from the halfway vector, (n.h)^shininess, as in OpenGL's fixed function.
 // Lecture: "Blinn-Phong Model"; J. Blinn 1977.
 
 #include "renderer/lighting/lambert.h"

@@ -1,8 +1,8 @@
 #pragma once
-// Cook-Torrance: a microfacet highlight, D G F / (4 n.l n.v). R. Cook, K. Torrance 1982, with today's terms:
-// D and G of Trowbridge-Reitz (GGX), G height-correlated (E. Heitz, JCGT 2014), F by C. Schlick 1994.
+// Cook-Torrance: a microfacet highlight, D G F / (4 n.l n.v). R. Cook, K. Torrance 1982, with modern terms: D
+// and G of Trowbridge-Reitz (GGX), G height-correlated (E. Heitz, JCGT 2014), F by C. Schlick 1994.
 // a = roughness^2 (B. Burley 2012), not below 0.001. As a factor of this equation: f pi n.l = pi D G F / (4
-// n.v), because its Lambert term carries no 1/pi.
+// n.v), because its Lambert term has no 1/pi.
 
 #include "renderer/lighting/lambert.h"
 
@@ -13,8 +13,8 @@ inline constexpr float min_alpha = 0.001f;
 template <Number F> F ggx_alpha(F roughness) { return max(roughness * roughness, F(min_alpha)); }
 
 /// Density of facets with normal h, per unit solid angle; integrates to 1 with the cosine n.h. The
-/// denominator is written with the sine, |n x h|, because 1 - (n.h)^2 would lose the narrow peak of a smooth
-/// surface to rounding.
+/// denominator uses the sine, |n x h|, because 1 - (n.h)^2 would lose the narrow peak of a smooth surface to
+/// rounding.
 template <Number F> F d_ggx(Vec3<F> n, Vec3<F> h, F a) {
     const F cosine = max0(dot(n, h));
     const Vec3<F> sine = cross(n, h);
@@ -34,8 +34,7 @@ template <Number F> F f_schlick(F f0, F c) {
     return f0 + (F(1) - f0) * (squared * squared * grazing);
 }
 
-/// What the highlight is made of: S = pi D G F / (4 n.v) where light and eye are both in front of the
-/// surface.
+/// The factors of the highlight: S = pi D G F / (4 n.v) if light and eye are both in front of the surface.
 template <Number F> struct FacetTerms {
     F d{}, g{}, cos_v{};
     Vec3<F> f;

@@ -1,5 +1,5 @@
 #pragma once
-// Linear colour -> what the screen shows: exposure, transfer, clamp, byte.
+// Linear colour -> displayed colour: exposure, transfer, clamp, byte.
 // sRGB: IEC 61966-2-1. Bytes: nearest of 256, halves up.
 
 #include "renderer/lighting/light_job.h"
@@ -12,18 +12,18 @@ namespace glint::inline GLINT_ISA {
 template <Number F> F srgb_encoded(F x) {
     const F curve = F(1.055f) * power(x, F(1 / 2.4f)) - F(0.055f);
     const F encoded = select(x <= F(0.0031308f), F(12.92f) * x, curve);
-    // The curve misses 1 by the rounding of its two numbers.
+    // The curve misses 1 because its two constants are rounded.
     return select(mask_and(x >= F(1), x <= F(1)), x, encoded);
 }
 
-/// Returns 0 to 1; NaN gives 0. The transfer function is monotonic and keeps 0 and 1, so clamping first gives
-/// the same result.
+/// Returns 0 to 1; NaN gives 0. The transfer function is monotonic and maps 0 and 1 to themselves, so
+/// clamping first gives the same result.
 template <Number F> F displayed(const DisplayJob& job, F linear) {
     const F exposed = min(max0(linear * F(job.exposure)), F(1));
     return job.srgb ? srgb_encoded(exposed) : exposed;
 }
 
-/// 0 to 255 from a displayed value in 0..1.
+/// Converts a displayed value in 0..1 to 0..255.
 template <Number F> IntOf<F> byte_of(F shown) { return to_int(shown * F(255) + F(0.5f)); }
 
 /// The value that a wrong program shows: encoded once more, or not clamped; NaN and infinity give 0.
@@ -35,7 +35,7 @@ template <Number F> F mistakenly_displayed(const DisplayJob& job, F linear) {
     return job.encoded_twice ? srgb_encoded(shown) : shown;
 }
 
-/// The whole number at or below a. |a| < 2^31, or a whole number.
+/// The largest integer not above a. Precondition: |a| < 2^31, or a is an integer.
 template <Number F> F floor_of(F a) {
     const auto has_fraction = abs(a) < F(0x1p23f);
     const F whole = to_number(to_int(select(has_fraction, a, F(0))));

@@ -1,7 +1,7 @@
 #pragma once
-// The mistakes that change the equation itself (models/scene/mistakes.h), and the table of powers that
-// renderers once looked up. They stand apart from the equation's own text: illuminate() calls them on its
-// intermediate results, and only while a mistake or the table is on.
+// The mistakes that change the equation itself (models/scene/mistakes.h), and the table of powers that early
+// renderers used. They are separate from the equation itself: illuminate() applies them to its intermediate
+// results, and only while a mistake or the table is on.
 
 #include "models/scene/shading.h"
 #include "renderer/lighting/light_job.h"
@@ -10,7 +10,8 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// Changes what does not depend on the surface: `falloff` at this distance, and `spot` for a unit l.
+/// Changes the factors that do not depend on the surface: `falloff` at this distance, and `spot` for a unit
+/// l.
 template <Number F>
 void apply_light_mistakes(const Mistakes& wrong, const LightAt<F>& light, F distance, Vec3<F> l, F& falloff,
                           F& spot) {
@@ -21,7 +22,7 @@ void apply_light_mistakes(const Mistakes& wrong, const LightAt<F>& light, F dist
         spot = select(along_axis(light, l) >= light.cos_cutoff, F(0), F(1));
 }
 
-/// Leaves l its length in n.l, r and h (not in l.v, cone and falloff), h unnormalised, or changes r.
+/// Keeps the length of l in n.l, r and h (not in l.v, cone and falloff), keeps h unnormalised, or changes r.
 template <Number F>
 void apply_direction_mistakes(const Mistakes& wrong, Reflection model, Directions<F>& d,
                               const LightVector<F>& light_vector, const PointAt<F>& at) {
@@ -32,7 +33,7 @@ void apply_direction_mistakes(const Mistakes& wrong, Reflection model, Direction
         d = directions_for(light_vector, Attenuation<F>{}, at);
         d.l_dot_v = l_dot_v;
     }
-    if (wrong.unnormalized_half) {  // half of l + v, whatever its length
+    if (wrong.unnormalized_half) {  // half of l + v, of any length
         d.h = F(0.5f) * (d.l + at.v);
         d.n_dot_h = dot(at.n, d.h);
         d.n_dot_unnormalized_h = d.n_dot_h;
@@ -49,8 +50,8 @@ void apply_direction_mistakes(const Mistakes& wrong, Reflection model, Direction
     }
 }
 
-/// x^s for any sign of x, as code without the clamp gives it: even for an even s, odd for an odd one; a
-/// fraction counts as even.
+/// x^s for any sign of x, as in code without the clamp: even for an even s, odd for an odd one; a fraction
+/// counts as even.
 template <Number F> F unclamped_power(F x, F s) {
     const F half = s * F(0.5f), magic = F(8388608.0f);
     const F nearest = (half + magic) - magic, rest = abs(s - (nearest + nearest));
@@ -58,14 +59,14 @@ template <Number F> F unclamped_power(F x, F s) {
     return select(mask_and(x < F(0), rest >= F(1)), -value, value);
 }
 
-/// The cosine of the nearest of `entries` entries, evenly from 0 to 1: a table of powers holds the powers of
-/// these, so that looking up is the same as rounding the cosine.
+/// Rounds the cosine to the nearest of `entries` values, evenly spaced from 0 to 1. A table of powers stores
+/// their powers, so a lookup is the same as rounding the cosine.
 template <Number F> F nearest_entry(F cosine, int entries) {
     const F last = F(static_cast<float>(entries - 1)), magic = F(8388608.0f);
     return ((min(max0(cosine), F(1)) * last + magic) - magic) / last;
 }
 
-/// c^shininess for c that may exceed 1, as the dot product of vectors that are not unit does.
+/// c^shininess for c that may exceed 1, such as the dot product of vectors that are not unit.
 template <Number F> F unheld_highlight(F c, const MaterialAt<F>& m) {
     const F squared = max(c * c, m.min_cosine_squared), most = F(0x1p127f);
     const F power = min(power_of_root(min(squared, most), m.shininess), most);
@@ -91,7 +92,7 @@ template <Number F> F cosine_of(HighlightCosine measured, const Directions<F>& d
     return F(0);
 }
 
-/// n.l as the test for the highlight takes it.
+/// The n.l that the highlight's test uses.
 template <Number F> F tested_cosine(const Mistakes& wrong, const Directions<F>& d) {
     return wrong.absolute_cosine ? abs(d.n_dot_l) : d.n_dot_l;
 }
@@ -143,8 +144,8 @@ void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection 
     }
 }
 
-/// pow(0, 0), which GLSL leaves undefined: where the highlight is not dropped, its cosine is 0 once clamped,
-/// and the shininess is 0, S and everything computed from it are NaN.
+/// pow(0, 0), which GLSL leaves undefined: if the highlight is not dropped, its clamped cosine is 0, and the
+/// shininess is 0, S and everything computed from it are NaN.
 template <Number F>
 void apply_undefined_power(const Mistakes& wrong, Reflection model, const Directions<F>& d,
                            const MaterialAt<F>& m, Vec3<F>& response, Vec3<F>* specular) {
@@ -163,7 +164,7 @@ void apply_undefined_power(const Mistakes& wrong, Reflection model, const Direct
 template <Number F> F held(F a, F most) { return min(max(a, -most), most); }
 
 /// The projected point, which replaces the point in camera coordinates; the origin for a point at the eye,
-/// which has no projection. Matrix and point must be within +-1e18, and so is the result.
+/// which has no projection. Matrix and point must be within +-1e18; the result is, too.
 template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) {
     const F far = F(1e18f);
     const F w = F(m.w_per_z) * p.z + F(m.w);
@@ -173,7 +174,7 @@ template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) 
             held((F(m.z) * p.z + F(m.z_plus)) * inverse, far)};
 }
 
-/// The point, its normal and its direction to the eye, as the mistakes of the viewer have them.
+/// The point, its normal and its direction to the eye with the mistakes of the viewer.
 template <Number F> PointAt<F> mistakenly_seen(const LightJob& job, Vec3<F> p, Vec3<F> n) {
     const Mistakes& wrong = job.mistakes;
     if (wrong.lit_after_projection) p = projected(job.projection, p);

@@ -7,7 +7,7 @@
 namespace glint::inline GLINT_ISA {
 
 /// <n.l>: 0 from 90 degrees on. may_add() (illuminate.h) and certainly_behind()
-/// (renderer/shade/group_bounds.h) leave such lights out before they come here.
+/// (renderer/shade/group_bounds.h) skip such lights earlier.
 template <Number F> F lambert_cosine(const Directions<F>& d) { return max0(d.n_dot_l); }
 
 template <Number F> Response<F> lambert(const Directions<F>& d) { return {lambert_cosine(d), {}}; }

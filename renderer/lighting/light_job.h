@@ -1,5 +1,5 @@
 #pragma once
-// What goes into and comes out of the lighting kernels: plain numbers, shared by all instruction sets.
+// The input and output of the lighting kernels: plain numbers, shared by all instruction sets.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace glint {
 
-inline constexpr std::size_t block_size = 16;  // points side by side; a multiple of every SIMD width
-inline constexpr std::size_t batch_size = 16;  // blocks that stay in the first-level cache between two steps
+inline constexpr std::size_t block_size = 16;  // points per block; a multiple of every SIMD width
+inline constexpr std::size_t batch_size = 16;  // blocks that stay in the L1 cache between two steps
 
 /// Three numbers: a position, a direction or a linear RGB colour.
 struct Float3 {
@@ -17,9 +17,9 @@ struct Float3 {
     bool operator==(const Float3&) const = default;
 };
 
-/// Falloff, and the factors of a highlight without a bound, are clamped to this: near a light they grow
-/// without limit. The numbers of a scene are at most 1e7 (models/range.h), so that a term is at most
-/// 1e31, and the terms of 64 samples of 4096 lights have a sum that a float can hold.
+/// The maximum of falloff and of unbounded highlight factors, which grow without limit near a light. The
+/// numbers of a scene are at most 1e7 (models/range.h), so that a term is at most 1e31, and the sum of the
+/// terms of 64 samples of 4096 lights fits a float.
 inline constexpr float max_factor = 1e10f;
 
 /// One light, or one sample of an area light: camera coordinates, colours times intensity.
@@ -37,17 +37,17 @@ struct LightSource {
     bool operator==(const LightSource&) const = default;
 };
 
-/// One object's material as the equation sees it.
+/// One object's material for the equation.
 struct SurfaceMaterial {
     Float3 k_a, k_d, k_s, f0;
     float shininess = 0, roughness = 0;
     float min_cosine_squared = 0;     // see MaterialAt
-    Float3 emission, global_ambient;  // k_e and k_a I_a: what is there without any light
+    Float3 emission, global_ambient;  // k_e and k_a I_a: the terms that need no light
 };
 
-/// Points to light, components side by side; those past the last are zeros.
+/// Points to light, as a structure of arrays; entries past the last are zero.
 struct alignas(64) PointBlock {
-    float x[block_size], y[block_size], z[block_size];     // place, camera coordinates
+    float x[block_size], y[block_size], z[block_size];     // position, camera coordinates
     float nx[block_size], ny[block_size], nz[block_size];  // normal, unit or zero
 };
 /// Colours of a block of points: linear RGB, not clamped.
@@ -60,8 +60,8 @@ struct CoolToWarm {
     bool on = false;
     Float3 cool, warm;
     float alpha = 0, beta = 0;
-    /// The first enabled light, camera coordinates: position (light_w = 1) or unit direction (0). All zeros,
-    /// which give n.l = 0, without a light.
+    /// The first enabled light, camera coordinates: position (light_w = 1) or unit direction (0). All zeros
+    /// without a light, which gives n.l = 0.
     Float3 light;
     float light_w = 0;
 };
@@ -73,14 +73,14 @@ struct LightJob {
     Reflection model = Reflection::Phong;
     Terms terms;
     CoolToWarm tone;
-    Float3 eye;                    // where v points to: the origin of camera coordinates
+    Float3 eye;                    // the target of v: the origin of camera coordinates
     bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
     float grid = 0;      // each light's share is rounded to a multiple of this power of two; 0: not rounded
     bool clamp = false;  // to 0..1 after the sum (OpenGL's rule for colours at vertices)
     bool any_mistake = false;  // or a table in place of the power
     Mistakes mistakes;
     int power_table = 0;  // Shading::power_table
-    /// Clip coordinates of camera coordinates, for the mistake of lighting after projection.
+    /// From camera to clip coordinates, for the mistake of lighting after projection.
     struct Projection {
         float x = 1, x_per_z = 0, x_plus = 0, y = 1, y_per_z = 0, y_plus = 0;
         float z = 1, z_plus = 0, w_per_z = -1, w = 0;
@@ -88,7 +88,7 @@ struct LightJob {
     Projection projection;
 };
 
-/// How linear colours become bytes.
+/// The conversion of linear colours to bytes.
 struct DisplayJob {
     float exposure = 1;
     bool srgb = false;
@@ -99,15 +99,15 @@ struct DisplayJob {
 
 /// The kernels of one instruction set.
 struct LightingKernels {
-    /// Lights blocks of points. `partial_sums`: sums to which the job's lights are added; if null, they begin
-    /// with the terms that need no light. It may be the same as `colors`.
+    /// Lights blocks of points. `partial_sums`: sums to which the job's lights are added; if null, the sums
+    /// start with the terms that need no light. It may be the same as `colors`.
     void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
                   ColorBlock* colors, std::size_t blocks);
-    /// 16 pixels a block as bytes r, g, b, 255 in memory order.
+    /// 16 pixels per block as bytes r, g, b, 255 in memory order.
     void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);
 };
 
-/// The kernels of the instruction set that is in use (instruction_set.h).
+/// The kernels of the current instruction set (instruction_set.h).
 const LightingKernels& lighting_kernels();
 
 }  // namespace glint

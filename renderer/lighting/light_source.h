@@ -1,5 +1,5 @@
 #pragma once
-// A light as the equation sees it: in camera coordinates, its colours times its intensity.
+// A light in the equation's form: camera coordinates, colours times intensity.
 // Lecture: "Light Sources", "Light Source Falloff".
 
 #include "renderer/lighting/light_job.h"
@@ -9,11 +9,11 @@
 namespace glint::inline GLINT_ISA {
 
 template <Number F> struct LightAt {
-    Vec3<F> xyz;                           // w = 0: unit direction towards the light; w = 1: its place
+    Vec3<F> xyz;                           // w = 0: unit direction towards the light; w = 1: its position
     F w{};                                 // 0 or 1, the same in all lanes
     Vec3<F> ambient, diffuse, specular;    // linear RGB times intensity
     F constant{1}, linear{}, quadratic{};  // falloff 1 / (constant + linear r + quadratic r^2)
-    Vec3<F> axis;          // unit: where a spot points, or the normal of an area light's patch
+    Vec3<F> axis;          // unit: the direction of a spot, or the normal of an area light's patch
     F cos_cutoff{-1};      // of a spot
     Exponent<F> exponent;  // of a spot
     F patch{};             // of an area light's sample: area / (pi * samples)
@@ -34,8 +34,8 @@ template <class D> D falloff_polynomial(D constant, D linear, D quadratic, D r) 
     return constant + r * (linear + r * quadratic);
 }
 
-/// 1 / (constant + linear r + quadratic r^2) at the distance r >= 0, at most max_factor; 0 where that would
-/// divide by zero. Lecture: "Light Source Falloff" (its a, b, c are quadratic, linear, constant).
+/// 1 / (constant + linear r + quadratic r^2) at the distance r >= 0, at most max_factor; 0 instead of a
+/// division by zero. Lecture: "Light Source Falloff" (its a, b, c are quadratic, linear, constant).
 template <Number F> F falloff(const LightAt<F>& light, F r) {
     const F divisor = falloff_polynomial(light.constant, light.linear, light.quadratic, r);
     return min(inverse_or_zero(divisor), F(max_factor));
@@ -55,17 +55,16 @@ template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
     return select(inside, power(min(cos_angle, F(1)), light.exponent), F(0));
 }
 
-/// False where all lanes certainly lie outside the cone. Compares signed squares of cosines times
-/// |to_light|^2, so that no square root is taken, with a margin for rounding.
+/// False if all lanes are certainly outside the cone. Compares signed squares of cosines times |to_light|^2,
+/// so that no square root is taken, with a margin for rounding.
 template <Number F> bool may_be_inside(const LightAt<F>& light, Vec3<F> to_light) {
     const F along = along_axis(light, to_light);
     const F least = light.cos_cutoff * abs(light.cos_cutoff) - F(1e-5f);
     return any(along * abs(along) >= least * dot(to_light, to_light));
 }
 
-/// The factor that takes the place of falloff for one sample of an area light: A |cos theta'| / (pi n^2 r^2),
-/// theta' at the emitter; 0 at r = 0, at most max_factor. With all samples it tends to Lambert's polygon
-/// formula.
+/// The factor that replaces falloff for one sample of an area light: A |cos theta'| / (pi n^2 r^2), theta' at
+/// the emitter; 0 at r = 0, at most max_factor. With all samples it tends to Lambert's polygon formula.
 template <Number F> F patch_factor(const LightAt<F>& light, Vec3<F> l, F r) {
     return min(light.patch * abs(dot(l, light.axis)) * inverse_or_zero(r * r), F(max_factor));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What each reflection model computes, by its enumerator. A new model: docs/changing.md.
+// Dispatches to the reflection models. To add a model, see docs/changing.md.
 
 #include "models/scene/reflection.h"
 #include "renderer/lighting/blinn_phong.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Retro-reflection: light goes back towards where it came from, (l.v)^shininess.
+// Retro-reflection: light returns towards its source, (l.v)^shininess.
 // Lecture: "Types of Reflection".
 
 #include "renderer/lighting/lambert.h"

@@ -1,7 +1,7 @@
 #pragma once
-// Rounds what each light adds, so that the shares of many lights add exactly and in any order: the sum of all
-// lights but one can then be kept while that one is dragged (renderer/shade/moving_light.h), and the picture
-// has the same bits as if every light were added anew.
+// Rounds each light's share, so that the shares of many lights add exactly and in any order: the sum of all
+// lights but one can then be cached while that one is dragged (renderer/shade/moving_light.h), and the
+// picture has the same bits as if all lights were added again.
 
 #include "renderer/simd/vec3.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// From plain numbers to the equation's types, and the sum over all lights at one point (or 16).
+// Converts plain numbers to the equation's types, and sums all lights at one point (or 16).
 
 #include "renderer/lighting/cool_to_warm.h"
 #include "renderer/lighting/illuminate.h"
@@ -34,7 +34,7 @@ template <Number F> MaterialAt<F> material_at(const SurfaceMaterial& s) {
 }
 
 /// A point with its direction to the eye: from p to the eye, or (0, 0, 1) for a viewer at infinity. The
-/// kernels name `any_mistake` themselves: a branch that is never taken would cost them registers.
+/// kernels name `any_mistake` themselves: even a branch that is never taken would cost them registers.
 template <Number F> PointAt<F> seen_from_eye(const LightJob& job, bool any_mistake, Vec3<F> p, Vec3<F> n) {
     if (any_mistake) return mistakenly_seen(job, p, n);
     const Vec3<F> toward_z{F(0), F(0), F(1)};
@@ -60,18 +60,18 @@ inline Equation equation_of(const LightJob& job, Reflection model, bool any_mist
 }
 inline Equation equation_of(const LightJob& job) { return equation_of(job, job.model, job.any_mistake); }
 
-// The sum over the lights, which the picture (lighting_kernels_isa.cpp, many points at once), the explanation
-// and the tests all make of these three steps. To the last bit: no compiler contracts a * b + c
-// (cmake/options.cmake, -ffp-contract=off).
+// The picture (lighting_kernels_isa.cpp, many points at once), the explanation and the tests all build the
+// sum over the lights from these three steps. They agree to the last bit, because no compiler contracts a * b
+// + c (cmake/options.cmake, -ffp-contract=off).
 
-/// What the sum begins with: emission and global ambient light, or the tone that stands in their place.
+/// The start of the sum: emission and global ambient light, or the tone that replaces them.
 template <Number F> Vec3<F> begin_sum(const LightJob& job, const PointAt<F>& at) {
     if (job.tone.on) return cool_to_warm(job.tone, broadcast<F>(job.material.k_d), at).color;
     return rounded(unlit<F>(job.material, job.terms), rounding_magic(job.grid));
 }
 
 /// Adds one light's share to the sum, and returns it. A light for which may_add() is false has a share of 0
-/// and may be left out.
+/// and may be skipped.
 template <Number F>
 Vec3<F> add_light(Vec3<F>& sum, const Equation& equation, const LightAt<F>& light,
                   const LightTerms<F>& terms) {
@@ -85,7 +85,7 @@ template <Number F> Vec3<F> end_sum(const LightJob& job, Vec3<F> sum) {
     return job.clamp ? clamped(sum) : sum;
 }
 
-/// The whole equation at one point. `visit(i, terms, share)` sees what light i of the job adds.
+/// The whole equation at one point. Calls `visit(i, terms, share)` for each light i of the job.
 template <Number F, class Visit>
 Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at, const Visit& visit) {
     const Equation equation = equation_of(job);

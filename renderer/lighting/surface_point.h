@@ -1,5 +1,5 @@
 #pragma once
-// A point to be lit, and what its surface is made of.
+// A point to be lit, and its material.
 
 #include "renderer/simd/pow.h"
 #include "renderer/simd/vec3.h"
@@ -16,28 +16,27 @@ template <Number F> struct PointAt {
         : p(position), n(normal), v(to_eye), n_dot_v(dot(normal, to_eye)) {}
 };
 
-/// What the surface is made of; the same at all points of an object.
+/// The material; the same at all points of an object.
 template <Number F> struct MaterialAt {
     Vec3<F> k_a, k_d, k_s;  // linear RGB
     Exponent<F> shininess;
-    F min_cosine_squared{};  // no highlight where c |c| is not above this: cos^shininess would be too small
-                             // to see
+    F min_cosine_squared{};  // no highlight unless c |c| is above this: cos^shininess would be invisible
     F roughness{};           // 0 to 1
     Vec3<F> f0;              // reflectance at normal incidence
 };
 
-/// What a reflection model makes of one light: the factors of the diffuse and of the specular term.
+/// The response of a reflection model to one light: the factors of the diffuse and of the specular term.
 template <Number F> struct Response {
     F diffuse{};
-    Vec3<F> specular;  // S, per channel; the caller drops it where the light is behind the surface
+    Vec3<F> specular;  // S, per channel; the caller drops it if the light is behind the surface
 };
 
-/// The vectors and cosines that every model is written in. l, r, h unit, camera coordinates. What a model
-/// does not use is never computed: the compiler leaves it out.
+/// The vectors and cosines that all models use. l, r, h unit, camera coordinates. The compiler omits what a
+/// model does not use.
 template <Number F> struct Directions {
     Vec3<F> l, r, h;  // towards the light; l mirrored at n; halfway between l and v (0 when l = -v)
     F n_dot_l{}, r_dot_v{}, n_dot_h{}, l_dot_v{};        // not clamped
-    F n_dot_unnormalized_h{}, unnormalized_h_squared{};  // n.h before h is made unit, and |h|^2 then
+    F n_dot_unnormalized_h{}, unnormalized_h_squared{};  // n.h and |h|^2 before h is normalised
 };
 
 /// The vector from a point to a light, not unit (for a directional light the unit direction itself), and its
@@ -47,15 +46,15 @@ template <Number F> struct LightVector {
     F n_dot{};
 };
 
-/// What depends on the distance to a light alone.
+/// The values that depend only on the distance to a light.
 template <Number F> struct Attenuation {
     F distance{1}, inverse{1};  // scene units, and 1 / distance; 1 for a directional light
-    F falloff{1};               // 1 where the light has none
+    F falloff{1};               // 1 if the light has none
 };
 
 /// The vectors and cosines for l = light_vector / distance. Lecture: "Calculating R Vector", "Blinn-Phong
-/// Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v, and h has the direction of l + v, which light_vector
-/// + distance v has too without a division.
+/// Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v, and h has the direction of l + v, as has
+/// light_vector + distance v, without a division.
 template <Number F>
 Directions<F> directions_for(const LightVector<F>& light_vector, const Attenuation<F>& attenuation,
                              const PointAt<F>& at) {
@@ -82,13 +81,13 @@ template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at
 }
 
 /// c^shininess for the cosine c = scaled / length, of any sign, as (c^2)^(shininess / 2), so that no
-/// square root is taken. 0 where c^2, with c's sign, is not above `min_cosine_squared`, as over much of a
-/// picture.
+/// square root is taken. 0 unless c^2, with c's sign, is above `min_cosine_squared`, which it is not in much
+/// of a picture.
 template <Number F> F highlight(F scaled, F length_squared, const MaterialAt<F>& m) {
     const F squared = max(length_squared, F(smallest_normal));
     const auto seen = scaled * abs(scaled) > m.min_cosine_squared * squared;
     if (!any(seen)) return F(0);
-    // Where h is all but lost to rounding, the quotient may be anything.
+    // If h is almost lost to rounding, the quotient may be anything.
     const F cosine_squared = min(max(scaled * scaled / squared, m.min_cosine_squared), F(1));
     return select(seen, power_of_root(cosine_squared, m.shininess), F(0));
 }
