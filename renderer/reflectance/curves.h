@@ -10,17 +10,17 @@
 namespace glint {
 
 /// (r, falloff) from 0 to `farthest` (> 0) scene units, `steps` (>= 1) steps; empty for a light whose falloff
-/// is not a function of r alone (directional: none, area: of its samples). Precondition: `light` is an index
+/// is not a function of r alone (directional: none; area: one per sample). Precondition: `light` is an index
 /// of Scene::lights; it may be off.
 [[nodiscard]] std::vector<glm::dvec2> falloff_curve(const Scene& scene, int light, double farthest,
                                                     int steps);
 
-/// (degrees from the spot's axis, factor) from -90 to 90; empty for a light without a cone. The cutoff's two
-/// edges are among the samples, and the angles just beyond them.
+/// (degrees from the spot's axis, factor) from -90 to 90; empty for a light without a cone. The samples
+/// include the cutoff's two edges and the angles just beyond them.
 [[nodiscard]] std::vector<glm::dvec2> spot_curve(const Scene& scene, int light, int steps);
 
 /// (degrees between r and v, S) from -90 to 90 under a light at the normal: cos^n for Phong, cos^n of half
-/// the angle for Blinn-Phong. Other reflection models have the curve of their own S.
+/// the angle for Blinn-Phong. For other reflection models, the curve of their S.
 [[nodiscard]] std::vector<glm::dvec2> highlight_curve(Reflection reflection, float shininess, int steps);
 
 /// S of a surface with k_s = 1 in the direction `view_deg` from its normal, under a light at the normal.

@@ -1,6 +1,6 @@
 #pragma once
-// The highlight of one light at single points of a surface, and where a light must stand so that it peaks
-// there: what dragging a highlight needs. The equation is the picture's own, mistakes and all.
+// The highlight of one light at single points of a surface, and the light direction for which it peaks there,
+// for dragging a highlight. Uses the picture's own equation, including mistakes.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -15,14 +15,14 @@
 
 namespace glint {
 
-/// Returns the specular term of `light` (which need not be one of the scene's, nor be on) at each of
-/// `points`, for a white light on a material with k_s = 1: the sum of the channels, falloff and cone
-/// included; for an area light, the sum over its samples. Each point is lit itself, as under the mode
-/// `phong`. The term is >= 0, and 0 where the model has no highlight or the light is behind the surface.
+/// Returns the specular term of `light` (which need not be in the scene or be on) at each of `points`, for a
+/// white light on a material with k_s = 1: the sum of the channels, falloff and cone included; for an area
+/// light, the sum over its samples. Each point is lit itself, as in the mode `phong`. The term is >= 0, and 0
+/// if the model has no highlight or the light is behind the surface.
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points);
 
-/// Returns the same on `material` in place of the objects' materials.
+/// Returns the same with `material` instead of the objects' materials.
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points, const Material& material);
 
@@ -32,17 +32,16 @@ namespace glint {
 
 /// Unit direction from a point towards a light whose highlight has its largest factor there: v mirrored at
 /// n, which is the same for (r.v)^n and (n.h)^n, and v itself for retro-reflection. Camera coordinates.
-/// (0, 0, 0) where the surface turns away from the viewer (n.v <= 0).
+/// (0, 0, 0) if the surface faces away from the viewer (n.v <= 0).
 [[nodiscard]] glm::vec3 peak_direction(const Scene& scene, PictureSize size, const SeenPoint& point);
 
-// How a highlight might fall off, and which power of a cosine comes nearest. Lecture: "How might we model
+// Possible falloffs of a highlight, and the power of a cosine that fits best. Lecture: "How might we model
 // this falloff?"
 
-/// Shapes that could stand in place of cos^n: a bell and a straight line, each 1 at 0 degrees and 1/2 where
-/// cos^n is.
+/// Alternatives to cos^n: a bell and a straight line, each 1 at 0 degrees and 1/2 where cos^n is.
 enum class HighlightShape { Gaussian, Linear };
 
-/// The angle in degrees where cos^n is 1/2: 60 for n = 1; 90 where it stays above (n near 0). n >= 0.
+/// The angle in degrees where cos^n is 1/2: 60 for n = 1; 90 if it stays above (n near 0). n >= 0.
 [[nodiscard]] double half_angle_deg(double n);
 
 /// Returns the shape as (degrees, value) from 0 to 90.
@@ -50,19 +49,20 @@ enum class HighlightShape { Gaussian, Linear };
 
 struct HighlightFit {
     double shininess = 0;  // 0 to 10,000
-    double error = 0;      // root of the mean square of what is left
+    double error = 0;      // root mean square of the residuals
 };
-/// The shininess with which a reflection model's highlight (Phong or Blinn-Phong, light at the normal) comes
-/// nearest to points (degrees from the highlight's middle, 0 to 90; value), by least squares. Nothing with
-/// fewer than two points.
+/// The shininess for which a reflection model's highlight (Phong or Blinn-Phong, light at the normal) best
+/// fits points (degrees from the highlight's middle, 0 to 90; value), by least squares. Nothing with fewer
+/// than two points.
 [[nodiscard]] std::optional<HighlightFit> fitted_highlight(Reflection reflection,
                                                            std::span<const glm::dvec2> points);
 
-/// The shininess n' with which Blinn-Phong's highlight comes nearest to Phong's with `shininess` (>= 0), by
-/// least squares over angles from 0 to 90 degrees. About 4 n.
+/// The shininess n' for which Blinn-Phong's highlight best fits Phong's with `shininess` (>= 0), by least
+/// squares over angles from 0 to 90 degrees. About 4 n.
 [[nodiscard]] double blinn_shininess_like(float shininess);
 
-// How r comes about, step by step. Lecture: "Calculating R Vector": P is l's shadow on n, R = 2 P - L.
+// The derivation of r, step by step. Lecture: "Calculating R Vector": P is the projection of l on n, R = 2 P
+// - L.
 
 struct MirrorSteps {
     float n_dot_l = 0;
@@ -70,7 +70,7 @@ struct MirrorSteps {
 };
 
 /// The equation's own r for a normal of any length: with |n| = k, p is k^2 times as long as it should be, and
-/// r is not a mirror direction. n and l in one frame; the results are in it.
+/// r is not a mirror direction. n and l are in one frame, and so are the results.
 [[nodiscard]] MirrorSteps mirror_steps(glm::vec3 n, glm::vec3 l);
 
 }  // namespace glint

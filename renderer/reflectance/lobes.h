@@ -1,10 +1,10 @@
 #pragma once
-// Samples what a reflection model does with light from one direction: slices f(l, v) for plots, and measures
-// the whole lobe: its energy, its albedo, whether it is reciprocal. Every value comes from the equation's own
+// Samples how a reflection model reflects light from one direction: slices f(l, v) for plots, and measures of
+// the entire lobe: its energy, its albedo, its reciprocity. All values come from the equation's own
 // illuminate(). Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and 0 degrees.
 //
 // The surface has n = (0, 0, 1); the light is white, of intensity 1, at `light_deg` from n on the side of -x,
-// so that the mirror direction leans as far towards +x.
+// so that the mirror direction is at the same angle towards +x.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -18,7 +18,7 @@
 
 namespace glint {
 
-/// A surface: how it reflects, and with what.
+/// A surface: its reflection model and material.
 struct Reflector {
     Reflection reflection = Reflection::Phong;
     Material material;
@@ -26,8 +26,7 @@ struct Reflector {
     bool operator==(const Reflector&) const = default;
 };
 
-/// What the equation makes of the light, per channel. `ambient` is k_a, as if the light had an ambient part
-/// of 1.
+/// The equation's terms, per channel. `ambient` is k_a, as if the light had an ambient part of 1.
 struct Reflected {
     glm::vec3 ambient{0}, diffuse{0}, specular{0};
     [[nodiscard]] glm::vec3 intensity() const { return ambient + diffuse + specular; }
@@ -37,7 +36,7 @@ struct Reflected {
 [[nodiscard]] Reflected reflected(const Reflector& reflector, glm::vec3 l, glm::vec3 v);
 
 /// f = (diffuse + specular) / (pi n.l), 1/sr: the pi because the equation's Lambert term is k_d n.l for a
-/// surface whose f is k_d / pi. 0 where light or viewer is not above the surface.
+/// surface whose f is k_d / pi. 0 if light or viewer is not above the surface.
 [[nodiscard]] glm::vec3 brdf(const Reflector& reflector, glm::vec3 l, glm::vec3 v);
 
 /// The direction at `deg` from n in the plane of incidence, positive on the mirror side; the light's own is
@@ -64,11 +63,11 @@ struct LobeSample {
 /// 0, up to rounding, for a reciprocal surface (Helmholtz). Same numbers on every run.
 [[nodiscard]] double reciprocity_error(const Reflector& reflector);
 
-/// A header and a line a sample: view_deg, then r, g, b of ambient, diffuse, specular, intensity and brdf.
+/// A header and a line per sample: view_deg, then r, g, b of ambient, diffuse, specular, intensity and brdf.
 [[nodiscard]] std::string lobe_csv(const std::vector<LobeSample>& slice);
 
-// A microfacet lobe in space: facets drawn from the GGX density bounce a ray, and the directions in which it
-// leaves, counted, tend to D(h) (n.h) / (4 v.h), the lobe of cook-torrance before shadowing and Fresnel.
+// A microfacet lobe in space: facets drawn from the GGX density reflect rays, and the histogram of the
+// outgoing directions tends to D(h) (n.h) / (4 v.h), the lobe of cook-torrance before shadowing and Fresnel.
 // Lecture: microfacets; B. Walter and others 2007 for the sampling.
 
 /// A facet's normal about n = (0, 0, 1), with density D(h) (n.h): tan(angle) = a sqrt(u / (1 - u)), a =
@@ -76,24 +75,24 @@ struct LobeSample {
 [[nodiscard]] glm::dvec3 sampled_normal(double roughness, std::mt19937& random);
 
 struct LobeBin {
-    double from_deg = 0, to_deg = 0;  // of the direction out, from n
-    double share = 0, expected = 0;   // of all rays: counted, and by the density
+    double from_deg = 0, to_deg = 0;  // of the outgoing direction, from n
+    double share = 0, expected = 0;   // of all rays: measured, and according to the density
 };
-/// `rays` rays from view_deg, bounced by facets that they see from the front; 18 bins of 5 degrees from n.
-/// What leaves below the horizon is in no bin. D is the equation's own d_ggx.
+/// Reflects `rays` rays from view_deg at facets that face them; 18 bins of 5 degrees from n. Rays that leave
+/// below the horizon are in no bin. D is the equation's own d_ggx.
 [[nodiscard]] std::vector<LobeBin> facet_lobe(double roughness, double view_deg, int rays,
                                               std::uint32_t seed);
 
-// A scene of one light, for what is measured light by light.
+// A scene of one light, for measurements of single lights.
 
-/// The light, on, white and of intensity 1, whatever its own diffuse and specular colours are.
+/// The light, switched on, white and of intensity 1 instead of its own diffuse and specular colours.
 [[nodiscard]] Light white(Light light);
 
-/// The scene's camera and shading with this light, on, as the only one, and no objects.
+/// The scene's camera and shading with only this light, switched on, and without objects.
 [[nodiscard]] Scene alone(const Scene& scene, const Light& light);
 
 /// Evaluates the picture's equation, mistakes included, for one light at any point of a material. The light
-/// is taken as white, of intensity 1 and switched on. The scene gives camera and shading; diffuse and
+/// is treated as white, of intensity 1 and switched on. Camera and shading are the scene's; diffuse and
 /// specular terms are on. Points and normals are in camera coordinates.
 class LightAlone {
   public:
@@ -115,8 +114,8 @@ class LightAlone {
     LightJob job_;
 };
 
-// Random numbers that are the same on every machine: a generator's bits, not the distributions of std::,
-// which differ between libraries.
+// Random numbers that are the same on every machine: bits of a generator, because the distributions of std::
+// differ between libraries.
 
 /// Uniform in [0, 1).
 [[nodiscard]] inline double uniform(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-32; }

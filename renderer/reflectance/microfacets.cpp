@@ -28,26 +28,26 @@ double random_tilt(std::mt19937& random, double sigma_deg) {
     }
 }
 
-/// Makes the facets one after the other. Tilts are symmetric, so their sign is free: where the line has
-/// strayed too far, the sign is chosen to lead it back.
+/// Creates the facets one after the other. The distribution of tilts is symmetric, so their signs are free:
+/// if the profile strays too far, the sign leads it back.
 void make_profile(MicrofacetPicture& p, const MicrofacetOptions& options, std::mt19937& random) {
     glm::dvec2 at(0);
     p.profile.push_back(at);
     const double band = 2 * std::tan(std::min(p.sigma_deg, 45.0) * degree);
     for (int i = 0; i < options.facets; ++i) {
         double tilt = random_tilt(random, p.sigma_deg);
-        if (std::abs(at.y) > band) tilt = std::copysign(tilt, at.y);  // leaning to +x, it falls
+        if (std::abs(at.y) > band) tilt = std::copysign(tilt, at.y);  // a positive tilt descends
         at += glm::dvec2(1, -std::tan(tilt * degree));
         p.profile.push_back(at);
         p.tilt_deg.push_back(tilt);
     }
 }
 
-/// Where the ray from `start` on facet `from` first meets another facet; nothing when it leaves.
+/// The first hit of the ray from `start` on facet `from` with another facet; nothing if it leaves.
 std::optional<glm::dvec2> meets(const MicrofacetPicture& p, int from, glm::dvec2 start, glm::dvec2 d,
                                 double highest) {
     const int step = d.x < 0 ? -1 : 1, end = static_cast<int>(p.tilt_deg.size());
-    if (std::abs(d.x) < 1e-12) return std::nullopt;  // straight up: nothing hangs over
+    if (std::abs(d.x) < 1e-12) return std::nullopt;  // straight up: there are no overhangs
     for (int i = from + step; i >= 0 && i < end; i += step) {
         const glm::dvec2 a = p.profile[static_cast<std::size_t>(i)],
                          b = p.profile[static_cast<std::size_t>(i) + 1];
@@ -92,7 +92,7 @@ FacetRay trace(const MicrofacetPicture& p, int facet, double along, double light
 }
 
 /// Aims parallel rays, as from a distant lamp, at the facets of the middle half, in proportion to the width
-/// that each shows the light.
+/// of each facet seen from the light.
 void aim_rays(MicrofacetPicture& p, const MicrofacetOptions& options, std::mt19937& random) {
     const int first = options.facets / 4, last = options.facets - first;
     std::vector<double> shown{0};  // running sum
@@ -143,7 +143,7 @@ double tilt_density(double sigma_deg, double tilt_deg) {
     return std::exp(-x * x / 2) / (sigma_deg * std::sqrt(2 * std::numbers::pi) * kept);
 }
 
-/// The share of tilts within `half_width` of one, by the midpoint rule.
+/// The share of tilts within `half_width` of a given one, by the midpoint rule.
 double share_of_tilts(double sigma_deg, double tilt_deg, double half_width) {
     constexpr int steps = 64;
     double sum = 0;

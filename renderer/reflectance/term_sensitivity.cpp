@@ -27,7 +27,7 @@ std::array<glm::dvec3, 2> across(glm::dvec3 a) {
     return {first, glm::cross(a, first)};
 }
 
-/// What the three terms are for these vectors, in the frame in which n is (0, 0, 1).
+/// The three terms for these vectors, in the frame in which n is (0, 0, 1).
 std::array<glm::vec3, 3> terms(const Reflector& reflector, glm::dvec3 n, glm::dvec3 l, glm::dvec3 v) {
     const auto [x, y] = across(n);
     const glm::dmat3 local = glm::transpose(glm::dmat3(x, y, n));
@@ -37,7 +37,7 @@ std::array<glm::vec3, 3> terms(const Reflector& reflector, glm::dvec3 n, glm::dv
 
 float largest(glm::vec3 d) { return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}); }
 
-/// The change that rounding may cause in a term that does not depend on a vector; a share of the term.
+/// The relative change that rounding may cause in a term that does not depend on a vector.
 constexpr float rounding = 2e-6f;
 
 }  // namespace
@@ -110,7 +110,7 @@ LightSensitivity light_sensitivity(const Scene& scene, PictureSize size, const L
         sensitivity.specular.*what =
             std::max(sensitivity.specular.*what, largest(then.specular, now.specular));
     };
-    // A directional light has no distance; that of the eye is as good as any.
+    // A directional light has no distance, so use the eye's.
     const bool has_place = light.kind != LightKind::Directional;
     const float eye = square_root(dot(p, p)), away = step * (has_place ? middle.distance : eye);
     const Vec l = middle.directions.l;
