@@ -1,5 +1,5 @@
 // From lit points to pixels: Phong and facet shading have one point per pixel, Gouraud blends corners, flat
-// shows the face's point; then strokes, exposure and bytes.
+// uses the face's point; then strokes, exposure and bytes.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -59,8 +59,8 @@ void color_groups(Lighting& l, const Surface& s, std::size_t first, std::size_t 
     light_points(l, s, first, count, colors);
 }
 
-/// Copies the bytes of lit points to pixels. Unrolled, and with local pointers: stores of bytes may alias
-/// anything, and would make the compiler reload members after each.
+/// Copies the bytes of lit points to pixels. Unrolled, and with local pointers: byte stores may alias
+/// anything, so the compiler would reload members after each.
 void show_points(const std::uint32_t* point_rgba, const std::uint32_t (&points)[block_size],
                  std::uint16_t mask, std::uint8_t* to) {
     if (mask == 0xFFFF) {
@@ -72,7 +72,7 @@ void show_points(const std::uint32_t* point_rgba, const std::uint32_t (&points)[
         if (mask >> i & 1u) std::memcpy(to + 4 * i, point_rgba + points[i], 4);
 }
 
-/// Flat, with nothing drawn over it: a pixel shows the bytes of its lit point.
+/// Flat without strokes: a pixel shows the bytes of its lit point.
 void show_faces(Lighting& l, const Surface& s, const PerFace& faces) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.groups.size(), 8 * batch_size),
                       [&](const auto& range) {
@@ -94,7 +94,7 @@ template <class Visit> void for_stretches(unsigned bits, const Visit& visit) {
     }
 }
 
-/// The groups of objects whose material alone changed.
+/// The groups of objects of which only the material has changed.
 GroupsToDo of_objects_again(const Lighting& l, const Surface& s, std::size_t first) {
     GroupsToDo todo{0, 0};
     for (std::size_t i = 0; i < std::min(batch_size, s.groups.size() - first); ++i)
@@ -102,8 +102,7 @@ GroupsToDo of_objects_again(const Lighting& l, const Surface& s, std::size_t fir
     return todo;
 }
 
-/// Colours up to 16 groups from `first` on: colour, strokes over it, bytes. Groups that already show what
-/// they should are left alone.
+/// Colours up to 16 groups from `first` on: colour, strokes over it, bytes. Skips groups that are up to date.
 void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display,
                  std::size_t first) {
     std::array<ColorBlock, batch_size> colors;
@@ -140,7 +139,7 @@ void color_groups_to_bytes(Lighting& l, const Surface& s, const Strokes& strokes
     });
 }
 
-/// Adds one group's share to the pixels of its group.
+/// Adds one group's share to its pixels.
 void add_share(ColorBlock& sum, std::array<float, block_size>& covered, const PixelGroup& group,
                const GroupSamples& samples, const ColorBlock& color) {
     for (std::size_t i = 0; i < block_size; ++i) {
@@ -153,11 +152,11 @@ void add_share(ColorBlock& sum, std::array<float, block_size>& covered, const Pi
     }
 }
 
-/// Adds the background to the part of each pixel that the faces leave uncovered.
+/// Adds the background to the part of each pixel that no face covers.
 void add_background(ColorBlock& sum, const std::array<float, block_size>& covered,
                     const glm::vec3& background) {
     for (std::size_t i = 0; i < block_size; ++i) {
-        const float left = 1 - covered[i];  // exact: shares are whole eighths
+        const float left = 1 - covered[i];  // exact: shares are multiples of 1/8
         if (left <= 0) continue;
         sum.r[i] += left * background.x;
         sum.g[i] += left * background.y;

@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// The first enabled light, camera coordinates: its place (w = 1; of an area light its centre) or the
+/// The first enabled light, camera coordinates: its position (w = 1; the centre of an area light) or the
 /// direction towards it (w = 0).
 glm::dvec4 first_light(const std::vector<LightSource>& sources) {
     glm::dvec3 sum(0);
@@ -39,7 +39,8 @@ std::vector<std::uint8_t> culled_by_light(const Scene& scene, const Geometry& g)
         const std::vector<Triangle>& triangles = object.mesh->triangles;
         const bool flip = scene.objects[o].normals.flip;
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size()), [&](const auto& range) {
-            std::uint32_t face = no_index;  // of the triangle before: a polygon of many is asked once
+            std::uint32_t face =
+                no_index;  // of the previous triangle: a polygon of many triangles is tested once
             std::uint8_t away = 0;
             for (std::size_t t = range.begin(); t != range.end(); ++t) {
                 if (triangles[t].face != face) {

@@ -1,5 +1,5 @@
 #pragma once
-// A mistake in which faces are drawn (models/scene/mistakes.h): culling by the light in place of the eye.
+// The mistake of culling faces by the light instead of the eye (models/scene/mistakes.h).
 
 #include <cstdint>
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace glint {
 
-/// Whether the lights, too, decide which face a pixel shows.
+/// Whether the lights also decide which face a pixel shows.
 [[nodiscard]] inline bool lights_cull(const Scene& scene) { return scene.shading.mistakes.culled_by_light; }
 
-/// For each triangle of the scene 1 where its face's normal has n.l <= 0 for the first enabled light, taken
-/// at the face's centroid (the mean of its corners), as a face without an area has. Empty, so that none is
-/// culled, without the mistake or without an enabled light. Precondition: `geometry` is up to date.
+/// For each triangle of the scene, 1 if its face has n.l <= 0 for the first enabled light at the face's
+/// centroid (the mean of its corners), or has no area. Empty, so that nothing is culled, without the mistake
+/// or without an enabled light. Precondition: `geometry` is up to date.
 [[nodiscard]] std::vector<std::uint8_t> culled_by_light(const Scene& scene, const Geometry& geometry);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// The back-facing test of a group of points: whether a light certainly leaves all of them dark, asked of the
+// The back-facing test of a group of points: whether a light certainly leaves all of them dark. Uses the
 // group's bounding sphere and normal cone, so that its points need not be read.
 
 #include "renderer/lighting/light_source.h"
@@ -15,11 +15,11 @@ template <Number F> struct GroupBounds {
     F spread{};
 };
 
-/// True where n.l < 0 for every position p and normal n of the bounds, rounding included; NaN is never
-/// certain. For a light at q, with d = q - center: n.(q - p) <= normal.d + spread |d| + radius.
+/// True if n.l < 0 for every position p and normal n of the bounds, rounding included; NaN is never certain.
+/// For a light at q, with d = q - center: n.(q - p) <= normal.d + spread |d| + radius.
 template <Number F> MaskOf<F> certainly_behind(const LightAt<F>& light, const GroupBounds<F>& bounds) {
-    const F room(1e-5f);       // far more than rounding takes, relative to each part
-    const F shortest(1e-18f);  // whose square is lost below the smallest numbers
+    const F room(1e-5f);       // far more than rounding errors, relative to each part
+    const F shortest(1e-18f);  // its square underflows
     const Vec3<F> d = vector_to_light(light, bounds.center);
     const F away = is_positional(light) ? bounds.radius + room * bounds.radius : F(0);
     const F most = (bounds.spread + room) * (length(d) + shortest) + away;

@@ -19,7 +19,7 @@ namespace {
 
 Float3 product(glm::dvec3 a, glm::dvec3 b) { return to_float3(a * b); }
 
-/// Camera coordinates of a light's places and directions.
+/// The transform of a light's positions and directions to camera coordinates.
 struct Frame {
     glm::dmat4 to_camera;
     [[nodiscard]] glm::dvec3 position(glm::dvec3 p) const { return glm::dvec3(to_camera * glm::dvec4(p, 1)); }
@@ -34,9 +34,9 @@ double cos_of_cutoff(double degrees) {
     return degrees == 90 ? 0 : std::cos(glm::radians(degrees));
 }
 
-// What students do by mistake to lights and viewer before the equation sees them (models/scene/mistakes.h).
+// Mistakes of students with lights and viewer, applied before the equation (models/scene/mistakes.h).
 
-/// Falloff and cone as the mistakes have them. No mistake leaves the source as it is.
+/// Applies the mistakes in falloff and cone. Without mistakes, the source is unchanged.
 void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSource& source) {
     if (wrong.falloff_without_constant && light.kind != LightKind::Directional) {
         source.constant = 0;
@@ -45,7 +45,7 @@ void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSourc
     if (wrong.falloff_of_directional && light.kind == LightKind::Directional) {
         const float r = glm::length(glm::vec3(light.position));
         const Falloff& f = light.falloff;
-        source.has_falloff = true;  // the same wherever the point is
+        source.has_falloff = true;  // the same at every point
         source.constant = falloff_polynomial(f.constant, f.linear, f.quadratic, r);
         source.linear = source.quadratic = 0;
     }
@@ -62,13 +62,13 @@ void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSourc
 
 LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
     const auto f = [&m](int row,
-                        int column) {  // of a narrow view: products with positions have to fit a float
+                        int column) {  // of a narrow view: products with positions must fit a float
         return static_cast<float>(std::clamp(m[column][row], -1e18, 1e18));
     };
     return {f(0, 0), f(0, 2), f(0, 3), f(1, 1), f(1, 2), f(1, 3), f(2, 2), f(2, 3), f(3, 2), f(3, 3)};
 }
 
-/// Where a spot points, camera coordinates, not unit; 0 where it stands at the origin that it is aimed at.
+/// The direction of a spot, camera coordinates, not unit; 0 if it is at the origin at which it is aimed.
 glm::dvec3 aim_of(const Mistakes& wrong, const Light& light, const Frame& frame, const glm::dmat4& view) {
     if (!wrong.aim_stays_at_origin) return frame.direction(light.spot.direction);
     const glm::dvec3 place(glm::dvec3(light.position) / static_cast<double>(light.position.w));
@@ -76,7 +76,7 @@ glm::dvec3 aim_of(const Mistakes& wrong, const Light& light, const Frame& frame,
     return frame.direction(origin - place);
 }
 
-/// Viewer and projection as the mistakes have them; notes whether any mistake is made at all.
+/// Applies the mistakes in viewer and projection; records whether there is any mistake.
 void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job) {
     const Mistakes& wrong = scene.shading.mistakes;
     job.mistakes = wrong;
@@ -84,7 +84,7 @@ void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job) {
     job.any_mistake = wrong != Mistakes{} || job.power_table > 0;
     const bool orthographic = is_orthographic(scene.camera.projection);
     if (wrong.perspective_view_in_ortho && orthographic) job.infinite_viewer = !scene.shading.local_viewer;
-    job.mistakes.unnormalized_view &= !job.infinite_viewer;  // there v is unit from the start
+    job.mistakes.unnormalized_view &= !job.infinite_viewer;  // its v is unit already
     if (wrong.viewer_at_origin_of_world) job.eye = to_float3(glm::dvec3(view_from_world(scene.camera)[3]));
     if (wrong.lit_after_projection)
         job.projection = projection_of(clip_from_view(scene.camera.projection, size));
@@ -107,7 +107,7 @@ void add_area(std::vector<LightSource>& sources, LightSource source, const Light
         }
 }
 
-/// What is the same for all lights.
+/// The values that all lights share.
 struct LightsOfScene {
     const Scene& scene;
     glm::dmat4 view;

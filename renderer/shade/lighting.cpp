@@ -1,5 +1,5 @@
-// Stage 4: decides which part of the lighting has to be done again, and how: by lighting each point, by
-// adding one light to a kept sum, or by blending the colours of corners.
+// Stage 4: decides which part of the lighting to recompute, and how: by lighting each point, by adding one
+// light to a cached sum, or by blending the colours of corners.
 #include "renderer/shade/lighting.h"
 
 #include <tbb/blocked_range.h>
@@ -14,7 +14,7 @@ namespace glint {
 
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size_t first, std::size_t count,
                   const ColorBlock* partial_sums, ColorBlock* colors) {
-    for (std::size_t i = 0; i < count;) {  // neighbouring blocks of one object go in one call
+    for (std::size_t i = 0; i < count;) {  // one call for neighbouring blocks of one object
         const std::size_t same = s.blocks_of_one_object(first + i, first + count);
         lighting_kernels().light(jobs[s.point_object[first + i]], &s.points[first + i],
                                  partial_sums ? partial_sums + i : nullptr, colors + i, same);
@@ -31,7 +31,7 @@ void light_points(const Lighting& l, const Surface& s, std::size_t first, std::s
 
 namespace {
 
-/// The colours of the mesh itself.
+/// The mesh's own colours.
 void take_vertex_colors(const Surface& s, const Geometry& g, std::size_t block, ColorBlock& colors) {
     const std::vector<ShadingPoint>& points = s.lit_points().shading_points;
     for (std::size_t i = 0; i < block_size; ++i) {
@@ -92,7 +92,7 @@ bool same_materials(const std::vector<Material>& kept, const Scene& scene) {
                       [](const Material& m, const Object& o) { return m == o.material; });
 }
 
-/// Notes the objects whose material alone differs; none if anything else does.
+/// Records the objects of which only the material differs; none if anything else differs.
 void find_objects_again(Lighting& l, const Scene& scene, bool same_but_materials) {
     l.objects_again.clear();
     if (!same_but_materials || l.materials.size() != scene.objects.size()) return;
@@ -100,8 +100,8 @@ void find_objects_again(Lighting& l, const Scene& scene, bool same_but_materials
         l.objects_again.push_back(l.materials[i] != scene.objects[i].material);
 }
 
-/// What this stage reads of `npr`: everything but what the strokes' stage reads, so that a new member counts
-/// unless it is named here.
+/// The members of `npr` that this stage reads: all except those of the strokes stage, so that a new member
+/// counts unless it is named here.
 Npr without_strokes(Npr npr) {
     const Npr none;
     npr.silhouettes = none.silhouettes;
@@ -112,12 +112,12 @@ Npr without_strokes(Npr npr) {
     return npr;
 }
 
-/// What is as it was when the kept picture was made.
+/// The inputs that have not changed since the cached picture.
 struct Unchanged {
-    bool ground = false;     // background, strokes and display: what pixels without a surface show
-    bool pixels = false;     // ground, and which surface each pixel shows
-    bool equation = false;   // the surface, and all of the equation but lights and materials
-    bool materials = false;  // of every object
+    bool ground = false;     // background, strokes and display: the inputs of pixels without a surface
+    bool pixels = false;     // ground, and the surface that each pixel shows
+    bool equation = false;   // the surface, and the equation except lights and materials
+    bool materials = false;  // of all objects
     bool lights = false;
 
     [[nodiscard]] bool all_but_lights() const { return equation && materials; }
@@ -141,11 +141,12 @@ Unchanged compare(const Lighting& kept, const Scene& scene, const Strokes& strok
     return same;
 }
 
-/// Makes sources and jobs again, reusing their memory; returns false when some object's grid differs.
+/// Recomputes sources and jobs, reusing their memory; returns false if some object's grid differs.
 bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_corners) {
     std::swap(kept.sources, kept.sources_before);
     light_sources(scene, kept.sources);
-    if (kept.sources != kept.sources_before) kept.objects_again.clear();  // a material may bound the lights
+    if (kept.sources != kept.sources_before)
+        kept.objects_again.clear();  // the materials enter the lights' bounds
     bool same_grids = kept.jobs.size() == scene.objects.size();
     kept.materials.resize(scene.objects.size());
     kept.jobs.resize(scene.objects.size());
@@ -158,8 +159,8 @@ bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_cor
     return same_grids;
 }
 
-/// Fills in the background wherever no surface will be shown. `same_ground`: background, strokes and display
-/// are those of the last picture, so that most of it is there already.
+/// Fills in the background in all pixels without a surface. `same_ground`: background, strokes and display
+/// are those of the last picture, so that most of it is up to date.
 void prepare_picture(Lighting& kept, PictureSize size, const Visibility& visibility, const Strokes& strokes,
                      const DisplayJob& display, bool same_ground) {
     const bool plain = visibility.samples == 1 && strokes.coverage.empty();

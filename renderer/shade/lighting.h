@@ -1,7 +1,7 @@
 #pragma once
-// Stage 4. Colours: lights every point that the surface stage kept, gives every pixel its colour and its
-// bytes, and draws the strokes over them. Inputs: the surface, the strokes, lights, materials, the rest of
-// `shading` and of `npr`, and `display`.
+// Stage 4. Lights every point of the surface stage, computes the colour and the bytes of every pixel, and
+// draws the strokes over them. Inputs: the surface, the strokes, lights, materials, the rest of `shading` and
+// of `npr`, and `display`.
 
 #include <vector>
 
@@ -15,19 +15,19 @@ namespace glint {
 
 struct Lighting {
     std::vector<LightSource> sources, sources_before;
-    std::vector<LightJob> jobs;             // one an object
+    std::vector<LightJob> jobs;             // one per object
     std::vector<ColorRecord> point_colors;  // Corners, Faces: of the lit points
-    std::vector<std::uint32_t> point_rgba;  // Faces: the same as bytes, 16 a block
-    std::vector<std::size_t> block_begins;  // several samples a pixel: first group of each 16 pixels
+    std::vector<std::uint32_t> point_rgba;  // Faces: the same as bytes, 16 per block
+    std::vector<std::size_t> block_begins;  // with several samples per pixel: first group of each 16 pixels
     Picture picture;
-    // Coverage masks (Visibility::covered) of the last picture; empty with strokes or multisampling, where
-    // they are not used.
+    // Coverage masks (Visibility::covered) of the last picture; empty with strokes or multisampling, which do
+    // not use them.
     std::vector<std::uint16_t> covered;
-    bool linear = false;  // picture.linear is kept up too
-    // While materials alone change, 1 for each object (by index) to be lit again; empty: all are.
+    bool linear = false;  // picture.linear is updated too
+    // While only materials change, 1 for each object (by index) to be lit again; empty: all.
     std::vector<std::uint8_t> objects_again;
-    MovingLight moving_light;  // while one light alone changes
-    // What the kept picture was made of, beside the surface and the strokes.
+    MovingLight moving_light;  // while only one light changes
+    // The inputs of the cached picture, in addition to the surface and the strokes.
     std::vector<Light> lights;
     std::vector<Material> materials;
     glm::vec3 global_ambient{0};
@@ -40,46 +40,46 @@ struct Lighting {
     }
 };
 
-/// Which of the stages before were done again.
+/// Which of the earlier stages have run again.
 struct RedoneStages {
     bool visibility = false, surface = false, strokes = false;
 };
 
-/// Runs the stage again if anything it reads differs; returns whether it did.
+/// Runs the stage again if any of its inputs differ; returns whether it did.
 bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometry,
                      const Visibility& visibility, const Surface& surface, const Strokes& strokes,
                      bool linear, RedoneStages redone);
 
-/// Colour of a lit point under reflection `none`: the mesh's vertex colour (white where it has none); for a
+/// Colour of a lit point with reflection `none`: the mesh's vertex colour (white if it has none); for a
 /// polygon the mean of its corners.
 [[nodiscard]] glm::vec3 vertex_color(const SurfaceInputs& surface, const Geometry& geometry,
                                      const ShadingPoint& source);
 
-/// How this display makes bytes of linear colours.
+/// The display's conversion of linear colours to bytes.
 [[nodiscard]] DisplayJob display_job(const Display& display, const Mistakes& mistakes);
 
-// The steps of update_lighting(): the equation over the surface's points (lighting.cpp), then every pixel's
-// colour from the lit points, its bytes, and the strokes over them (color_pixels.cpp).
+// The steps of update_lighting(): the equation at the surface's points (lighting.cpp), then every pixel's
+// colour from the lit points, strokes over it, and bytes (color_pixels.cpp).
 
 /// Lights `count` blocks of points from `first` on, each with its object's job; `partial_sums`: sums to which
 /// the jobs' lights are added, one for each of these blocks, or null.
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& surface, std::size_t first,
                   std::size_t count, const ColorBlock* partial_sums, ColorBlock* colors);
 
-/// Lights `count` blocks of points from `first` on with all lights, or with the moving one over the kept sum
+/// Lights `count` blocks of points from `first` on with all lights, or adds the moving one to the cached sum
 /// of the others.
 void light_points(const Lighting& lighting, const Surface& surface, std::size_t first, std::size_t count,
                   ColorBlock* colors);
 
-/// Under Corners and Faces: brings point_colors up to date; Faces: point_rgba too.
+/// For Corners and Faces: updates point_colors; for Faces also point_rgba.
 void color_points(Lighting& lighting, const Surface& surface, const Geometry& geometry,
                   const DisplayJob& display);
 
 /// Fills the picture with the background and the strokes over it.
 void clear_picture(Lighting& lighting, PictureSize size, const Strokes& strokes, const DisplayJob& display);
 
-/// Gives only those pixels the background again that showed a surface in the last picture (Lighting::covered)
-/// and show none now. Preconditions: no strokes are drawn; size, background and display are as they were.
+/// Restores the background only in pixels that showed a surface in the last picture (Lighting::covered) and
+/// show none now. Preconditions: no strokes are drawn; size, background and display are unchanged.
 void uncover(Lighting& lighting, const Visibility& visibility, const DisplayJob& display);
 
 /// Colours the pixels that show a surface. Preconditions: the picture was cleared since its background,

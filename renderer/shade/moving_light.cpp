@@ -1,5 +1,4 @@
-// One light moves and nothing else: the sum of all the others is kept, and each frame adds the moving one to
-// it.
+// While only one light moves, the sum of all the others is cached, and each frame adds the moving one to it.
 #include "renderer/shade/moving_light.h"
 
 #include <tbb/blocked_range.h>
@@ -18,9 +17,9 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t grain = 128;  // blocks a task
+constexpr std::size_t grain = 128;  // blocks per task
 
-/// A sphere around those of 16 vectors that belong to pixels; the first of these stands in for the rest.
+/// A sphere around those of 16 vectors that belong to pixels; the first of these replaces the rest.
 struct Sphere {
     float x = 0, y = 0, z = 0, radius = 0;
 
@@ -53,7 +52,7 @@ void bound_group(BoundsBlock& bounds, std::size_t i, const PointBlock& points, u
     bounds.spread[i] = normals.radius;
 }
 
-/// A sphere round the positions and one round the normals of each pixel group; empty for per-vertex and
+/// A sphere around the positions and one around the normals of each pixel group; empty for per-vertex and
 /// per-face shading, which have few points to light.
 void bound_groups(const Surface& s, std::vector<BoundsBlock>& bounds) {
     const std::size_t groups = s.choice.kind == SurfaceKind::Pixels ? s.groups.size() : 0;
@@ -71,7 +70,7 @@ void give_lights(LightJob& job, const std::vector<LightSource>& lights) {
 
 float max_product(const Float3& a, const Float3& b) { return std::max({a.x * b.x, a.y * b.y, a.z * b.z}); }
 
-/// An upper bound of what one light adds anywhere; infinity for an area light, of which none is known.
+/// An upper bound of one light's share at any point; infinity for an area light, which has no known bound.
 double max_share(const LightJob& job, const LightSource& light) {
     if (light.is_patch) return HUGE_VAL;
     const SurfaceMaterial& m = job.material;
@@ -84,7 +83,7 @@ double max_share(const LightJob& job, const LightSource& light) {
 }  // namespace
 
 float rounding_grid(const LightJob& job, float exposure) {
-    constexpr std::size_t fewest_lights = 3;  // of two, the other one is all that a kept sum would save
+    constexpr std::size_t fewest_lights = 3;  // of two, a cached sum would save only the other one
     constexpr double coarsest = 0x1p-18;      // of white: a hundredth of a level where sRGB is steepest
     const bool bounded = info_of(job.model).is_bounded;
     if (job.light_count < fewest_lights || !bounded || job.tone.on || job.power_table > 0 || job.clamp)
@@ -98,9 +97,9 @@ float rounding_grid(const LightJob& job, float exposure) {
         most = std::max(most, share);
         sum += share;
     }
-    const double steps = std::max(std::ldexp(most, -22), std::ldexp(sum, -24));  // as rounded() demands
+    const double steps = std::max(std::ldexp(most, -22), std::ldexp(sum, -24));  // as rounded() requires
     if (!(steps > 1e-30 && steps < 1e30)) return 0;
-    // A light that is far away, or all but falls to nothing, may add far less than its bound.
+    // A light that is far away, or falls off quickly, may add far less than its bound.
     const double grid = std::exp2(std::ceil(std::log2(steps)));
     return grid * double(exposure) <= coarsest ? static_cast<float>(grid) : 0;
 }
@@ -136,7 +135,7 @@ void MovingLight::light_others(const std::vector<LightJob>& jobs, const Surface&
 
 void MovingLight::follow(int moving, bool same_grids, const std::vector<LightSource>& sources,
                          const std::vector<LightJob>& jobs, const Surface& surface) {
-    // A mistake may make shares so large that their sum depends on its order.
+    // With a mistake, shares may be so large that their sum depends on its order.
     const bool exact =
         std::all_of(jobs.begin(), jobs.end(), [](const LightJob& j) { return j.grid > 0 && !j.any_mistake; });
     if (!allowed || moving < 0 || !exact) {
@@ -154,7 +153,7 @@ void MovingLight::follow(int moving, bool same_grids, const std::vector<LightSou
 
 GroupsToDo MovingLight::groups_to_do(std::size_t batch) {
     if (!is_followed() || bounds_.empty()) return {};
-    unsigned lit = 0;  // the groups where the moving light may add something
+    unsigned lit = 0;  // the groups to which the moving light may add something
     for (const LightSource& source : moving_sources_) lit |= shade_kernels().find_lit(source, bounds_[batch]);
     const unsigned shown = shown_lit_[batch];
     shown_lit_[batch] = static_cast<std::uint16_t>(lit);

@@ -1,17 +1,17 @@
 #pragma once
-// What goes into and comes out of the kernels of shading: plain numbers, shared by all instruction sets.
+// The input and output of the shading kernels: plain numbers, shared by all instruction sets.
 
 #include "renderer/lighting/light_job.h"
 
 namespace glint {
 
-/// The colour of one lit point, in a record that is read whole: linear RGB, not clamped.
+/// The colour of one lit point, in a record that is loaded at once: linear RGB, not clamped.
 struct ColorRecord {
     float r = 0, g = 0, b = 0, unused = 0;
 };
 
-/// Bounds of 16 blocks of points, block by block: a sphere around their positions and one around their
-/// normals (GroupBounds).
+/// Bounds of 16 blocks of points, each a sphere around the positions and one around the normals
+/// (GroupBounds).
 struct alignas(64) BoundsBlock {
     float x[block_size], y[block_size], z[block_size], radius[block_size];
     float nx[block_size], ny[block_size], nz[block_size], spread[block_size];
@@ -29,7 +29,7 @@ struct ShadeKernels {
                  std::size_t groups);
 };
 
-/// The kernels of the instruction set that is in use (instruction_set.h).
+/// The kernels of the current instruction set (instruction_set.h).
 const ShadeKernels& shade_kernels();
 
 }  // namespace glint

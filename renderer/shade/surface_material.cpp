@@ -11,8 +11,8 @@
 namespace glint {
 namespace {
 
-/// The sRGB encoding of a linear component of a colour, 0 and above; 0 and 1 stay exactly what they are,
-/// which floats alone (srgb_encoded) miss by their last bit.
+/// The sRGB encoding of a linear component of a colour, 0 and above; exact for 0 and 1, which srgb_encoded()
+/// in floats misses by the last bit.
 float srgb_of(float x) {
     if (x <= 0.0031308f) return 12.92f * x;
     return static_cast<float>(1.055 * static_cast<double>(power(x, 1 / 2.4f)) - 0.055);
