@@ -1,6 +1,6 @@
 #pragma once
-// Doubles side by side, for positions: half as many as the instruction set has floats, so that they fill a
-// register. Operations round alike in every width, as in lanes.h.
+// Vectors of doubles, for positions: half as many as the instruction set has floats, so that they fill a
+// register. Operations round identically in every width, as in lanes.h.
 
 #include "renderer/simd/lanes.h"
 
@@ -14,7 +14,7 @@ template <int N> struct Doubles {
     static constexpr int width = N;
     V v;
     Doubles() : v{} {}
-    Doubles(double a) : v(a - V{}) {}  // NOLINT: a number stands for itself in all lanes
+    Doubles(double a) : v(a - V{}) {}  // NOLINT: broadcasts a number to all lanes
     explicit Doubles(V a) : v(a) {}
 };
 template <int N> struct DoubleMask { typename Vector<long long, N>::Type v; };
@@ -24,7 +24,7 @@ template <int N> struct NumberTraits<Doubles<N>> {
     static constexpr int width = N;
 };
 
-/// Correctly rounded, as IEEE 754 demands, in every width.
+/// Correctly rounded, as IEEE 754 requires, in every width.
 template <int N> Doubles<N> square_root(Doubles<N> a) {
 #ifdef __AVX512F__
     if constexpr (N == 8) return Doubles<N>((typename Doubles<N>::V)_mm512_maskz_sqrt_pd(0xFF, (__m512d)a.v));
@@ -40,7 +40,7 @@ template <int N> Doubles<N> square_root(Doubles<N> a) {
     return root;
 }
 
-/// The doubles that go with a number type: as many as `width`.
+/// The doubles for a number type: as many as `width`.
 template <int N> struct DoublesOf {
     using Type = Doubles<N>;
     static constexpr int width = N;
@@ -51,7 +51,7 @@ template <> struct DoublesOf<1> {
 };
 template <Number F> using HalfAsMany = DoublesOf<(NumberTraits<F>::width + 1) / 2>;
 
-/// Loads floats or ints, as many as D has lanes, as doubles; none is rounded.
+/// Loads as many floats or ints as D has lanes, and converts them to doubles without rounding.
 template <class D, class Narrow> D widened(const Narrow* from) {
     if constexpr (sizeof(D) == sizeof(double)) {
         return static_cast<double>(*from);

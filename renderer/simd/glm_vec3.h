@@ -1,5 +1,5 @@
 #pragma once
-// Between GLM's vectors and the equation's.
+// Converts between GLM's vectors and the equation's.
 
 #include <glm/vec3.hpp>
 

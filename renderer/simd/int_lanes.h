@@ -1,11 +1,11 @@
 #pragma once
-// The integers of lanes.h as the rasteriser needs them: multiplied, compared and chosen, lane by lane.
+// Operations of the rasteriser on the integers of lanes.h: multiply, compare and select, lane by lane.
 
 #include "renderer/simd/lanes.h"
 
 namespace glint::inline GLINT_ISA {
 
-/// 0, 1, 2, ... as many as the widest set has lanes.
+/// 0, 1, 2, ..., one per lane of the widest set.
 static constexpr int iota[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 template <class I> I broadcast(int a) {
@@ -49,7 +49,7 @@ template <Number F> MaskOf<F> first_n(int count) {
 #endif
     return broadcast<IntOf<F>>(count) > load_ints<IntOf<F>>(iota);
 }
-/// Lane i gets lane i - 1; the first keeps its own.
+/// Lane i receives lane i - 1; the first lane is unchanged.
 inline IntLanes<4> slide1up(IntLanes<4> a) { return {__builtin_shufflevector(a.v, a.v, 0, 0, 1, 2)}; }
 inline IntLanes<8> slide1up(IntLanes<8> a) {
     return {__builtin_shufflevector(a.v, a.v, 0, 0, 1, 2, 3, 4, 5, 6)};
@@ -75,8 +75,7 @@ inline unsigned mask_bits(Mask16 m) { return m.bits; }
 #endif
 inline unsigned mask_bits(bool m) { return m ? 1 : 0; }
 
-/// Stores the lanes that the mask selects side by side, in memory with room for all lanes; returns how many
-/// they are.
+/// Stores the selected lanes contiguously, in memory with room for all lanes; returns their number.
 template <int N> unsigned compress_store(IntLanes<N> mask, IntLanes<N> a, int* to) {
     const unsigned bits = mask_bits(mask);
     unsigned count = 0;

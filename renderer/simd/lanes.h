@@ -1,12 +1,11 @@
 #pragma once
-// The number type of the equation: `float`, or N floats side by side (`Lanes<N>`), with the same operations
-// and, bit for bit, the same results. Only this header and its three additions (double_lanes.h,
+// The number type of the equation: `float`, or a vector of N floats (`Lanes<N>`), with the same operations
+// and bit-identical results. Only this header and its three additions (double_lanes.h,
 // transpose.h, int_lanes.h) know the compiler's vector types and the processor's intrinsics. Everything here
-// lives in a namespace of its own instruction set, so that the linker can never take AVX code for the
-// baseline's.
+// is in a namespace per instruction set, so that the linker can never merge AVX code with the baseline's.
 //
-// Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of pow.h. Nothing
-// else, and -ffp-contract=off: then every width and every optimisation level gives the same bits.
+// Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of pow.h. With nothing
+// else, and -ffp-contract=off, every width and every optimisation level gives the same bits.
 
 #ifndef GLINT_ISA
 #define GLINT_ISA baseline
@@ -23,18 +22,18 @@ template <int N> struct LanesOf {  // N floats and N ints as the compiler's vect
     typedef int Ints __attribute__((vector_size(N * sizeof(int))));
 };
 
-/// N integers; as a mask, a lane is 0 (false) or -1 (true), as comparisons give it.
+/// N integers; as a mask, a lane is 0 (false) or -1 (true), as comparisons return.
 template <int N> struct IntLanes { typename LanesOf<N>::Ints v; };
 
 template <int N> struct Lanes {
     using V = typename LanesOf<N>::Floats;
     V v;
     Lanes() : v{} {}
-    Lanes(float a) : v(a - V{}) {}  // NOLINT: a number stands for itself in all lanes
+    Lanes(float a) : v(a - V{}) {}  // NOLINT: broadcasts a number to all lanes
     explicit Lanes(V a) : v(a) {}
 };
 
-/// A mask of 16 lanes in the register that AVX-512 has for it.
+/// A mask of 16 lanes in an AVX-512 mask register.
 struct Mask16 {
     unsigned short bits;  // lane i: bit i
 };
@@ -43,7 +42,7 @@ template <int N> struct MaskOfLanes { using Type = IntLanes<N>; };
 template <> struct MaskOfLanes<16> { using Type = Mask16; };
 #endif
 
-// What belongs to a number type: its mask and its integers.
+// The types of a number type's masks and integers.
 template <class F> struct NumberTraits;
 template <> struct NumberTraits<float> {
     using Mask = bool;
@@ -51,8 +50,7 @@ template <> struct NumberTraits<float> {
     static constexpr int width = 1;
 };
 template <>
-struct NumberTraits<double> {  // for places on faces so large that float would lose them; never in the
-                               // equation
+struct NumberTraits<double> {  // for positions on faces too large for floats; never in the equation
     using Mask = bool;
     using Int = long long;
     static constexpr int width = 1;
@@ -69,7 +67,7 @@ concept Number = requires {
 template <Number F> using MaskOf = typename NumberTraits<F>::Mask;
 template <Number F> using IntOf = typename NumberTraits<F>::Int;
 
-/// Numbers side by side in one vector: Lanes, and Doubles (double_lanes.h).
+/// Vectors of numbers: Lanes, and Doubles (double_lanes.h).
 template <class L>
 concept SideBySide = Number<L> && requires {
     typename L::V;
@@ -104,12 +102,12 @@ inline bool any(Mask16 m) { return m.bits != 0; }
 template <int N> IntLanes<N> mask_and(IntLanes<N> a, IntLanes<N> b) { return {a.v & b.v}; }
 inline bool mask_and(bool a, bool b) { return a && b; }
 
-/// a where the mask holds, else b; neither side is skipped.
+/// a where the mask is true, else b; both sides are evaluated.
 template <SideBySide L> L select(MaskOf<L> m, L a, L b) { return L(m.v ? a.v : b.v); }
 inline float select(bool m, float a, float b) { return m ? a : b; }
 inline double select(bool m, double a, double b) { return m ? a : b; }
 
-/// True when the mask holds in some lane.
+/// Whether the mask is true in any lane.
 template <int N> bool any(IntLanes<N> m) {
 #ifdef __AVX__
     if constexpr (N == 8) return _mm256_movemask_ps((__m256)m.v) != 0;
@@ -145,13 +143,13 @@ template <int N> IntLanes<N> to_int(Lanes<N> a) {
 inline int to_int(float a) { return static_cast<int>(a); }
 template <int N> IntLanes<N> operator|(IntLanes<N> a, IntLanes<N> b) { return {a.v | b.v}; }
 template <int N> IntLanes<N> operator|(IntLanes<N> a, int b) { return {a.v | b}; }
-/// True when some bit is set in some lane.
+/// Whether any bit is set in any lane.
 template <int N> bool any_bit(IntLanes<N> a) { return any(IntLanes<N>{a.v != 0}); }
 inline bool any_bit(int a) { return a != 0; }
 inline void store_ints(void* to, int a) { __builtin_memcpy(to, &a, sizeof(a)); }
 template <int N> void store_ints(void* to, IntLanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
 
-/// Correctly rounded, as IEEE 754 demands, in every width.
+/// Correctly rounded, as IEEE 754 requires, in every width.
 inline float square_root(float a) { return __builtin_sqrtf(a); }
 inline double square_root(double a) { return __builtin_sqrt(a); }
 template <int N> Lanes<N> square_root(Lanes<N> a) {
@@ -170,11 +168,11 @@ template <int N> Lanes<N> square_root(Lanes<N> a) {
     return root;
 }
 
-// Small helpers that read like the lecture.
-inline constexpr float smallest_normal = 0x1p-126f;  // below it the mantissa is not normalised
+// Helpers in the lecture's notation.
+inline constexpr float smallest_normal = 0x1p-126f;  // smaller numbers are denormal
 template <Number F> F max(F a, F b) { return select(a > b, a, b); }
 template <Number F> F min(F a, F b) { return select(a < b, a, b); }
-template <int N> Lanes<N> max(Lanes<N> a, Lanes<N> b) {  // one instruction with the same meaning, NaN too
+template <int N> Lanes<N> max(Lanes<N> a, Lanes<N> b) {  // one instruction with the same result, also for NaN
 #ifdef __AVX512F__
     if constexpr (N == 16)
         return Lanes<N>((typename Lanes<N>::V)_mm512_maskz_max_ps(0xFFFF, (__m512)a.v, (__m512)b.v));
@@ -203,11 +201,11 @@ template <int N> Lanes<N> min(Lanes<N> a, Lanes<N> b) {
 template <Number F> F max0(F a) { return max(a, F(0)); }  // <a> = max(a, 0); NaN gives 0
 template <Number F> F abs(F a) { return number_of_bits(bits_of(a) & 0x7fffffff); }
 inline double abs(double a) { return a < 0 ? -a : a; }
-/// 1 / a, or 0 where a is 0, negative, or so small that 1 / a could overflow.
+/// 1 / a, or 0 if a is 0, negative, or so small that 1 / a could overflow.
 template <Number F> F inverse_or_zero(F a) { return select(a >= F(smallest_normal), F(1) / a, F(0)); }
 inline double inverse_or_zero(double a) { return a >= 0x1p-1022 ? 1 / a : 0; }
 
-// Lanes in and out of memory; the pointer need not be aligned.
+// Loads and stores; the pointer need not be aligned.
 template <Number F> F load(const float* from) {
     if constexpr (NumberTraits<F>::width == 1) {
         return *from;
@@ -224,8 +222,8 @@ template <class I> I load_ints(const void* from) {
 }
 inline void store(float* to, float a) { *to = a; }
 template <int N> void store(float* to, Lanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
-/// Prefetches the cache lines of `bytes` bytes from `from` on. Addresses that are not mapped do no harm.
-/// Inlined always: g++ 12 would drop calls of a function that does nothing else.
+/// Prefetches the cache lines of `bytes` bytes from `from` on. Unmapped addresses do no harm. Always inlined:
+/// g++ 12 would drop calls of a function that does nothing else.
 [[gnu::always_inline]] inline void prefetch(const void* from, unsigned long bytes) {
     for (unsigned long i = 0; i < bytes; i += 64) __builtin_prefetch(static_cast<const char*>(from) + i);
 }

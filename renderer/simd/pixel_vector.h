@@ -14,9 +14,8 @@
 
 namespace glint {
 
-/// Leaves new elements uninitialised unless they are given values (std::vector sets them to 0, on one
-/// thread), and asks for large pages: with pages of 4 KiB, getting the memory took a third of a first
-/// picture's time.
+/// Leaves new elements uninitialised unless they have values (std::vector sets them to 0, on one thread), and
+/// requests large pages: with pages of 4 KiB, page faults took a third of a first picture's time.
 template <class T> struct PixelAllocator {
     static_assert(std::is_trivially_copyable_v<T>);
     using value_type = T;
@@ -31,7 +30,7 @@ template <class T> struct PixelAllocator {
         constexpr std::size_t large_page = std::size_t{1} << 21;
         void* first = memory;
         std::size_t bytes = count * sizeof(T);
-        // Only hints where it lies; it may be refused.
+        // Only a hint, which may be refused.
         if (std::align(large_page, large_page, first, bytes) != nullptr)
             (void)madvise(first, bytes / large_page * large_page, MADV_HUGEPAGE);
 #endif

@@ -3,8 +3,8 @@
 //
 // log2(m) = (m - 1) P(m - 1) for m in [sqrt(1/2), sqrt(2)): no cancellation near 1, where highlights live.
 // exp2(f) = 1 + f Q(f) for f in [-1/2, 1/2]. Coefficients: Chebyshev interpolation in 30 digits; relative
-// error below 4e-8 for P and 1e-8 for Q; 2.5e-6 for powers above 1e-6, the product s log2(x) being what
-// rounds.
+// error below 4e-8 for P and 1e-8 for Q; 2.5e-6 for powers above 1e-6, because the product s log2(x) is
+// rounded.
 
 #include "renderer/simd/lanes.h"
 
@@ -12,13 +12,13 @@ namespace glint::inline GLINT_ISA {
 
 inline constexpr int sqrt_half_bits = 0x3f3504f3;  // of the float nearest sqrt(1/2)
 
-/// log2(x) for normal x > 0; anything else gives a finite number without meaning.
+/// log2(x) for normal x > 0; otherwise an unspecified finite number.
 template <Number F> F log2_of(F x) {
     const IntOf<F> shifted = bits_of(x) - sqrt_half_bits;
     const F exponent = to_number(shifted >> 23);
     const F f = number_of_bits((shifted & 0x007fffff) + sqrt_half_bits) - F(1);
-    // Pairs first (Estrin): one long chain of dependent products would leave the processor waiting. The two
-    // largest terms last, so that their rounding is the only one that counts.
+    // Pairs first (Estrin), to avoid one long chain of dependent products. The two largest terms last, so
+    // that only their rounding matters.
     const F f2 = f * f;
     const F a = (F(0.48091075f) + F(-0.36069328f) * f) + (F(0.28790325f) + F(-0.23916988f) * f) * f2;
     const F b = (F(0.21607822f) + F(-0.20586188f) * f) + F(0.12310968f) * f2;
@@ -26,10 +26,10 @@ template <Number F> F log2_of(F x) {
     return exponent + f * p;
 }
 
-/// 2^y for y >= -126 (below that a number without meaning), held at 2^127 above.
+/// 2^y for y >= -126 (unspecified below), clamped to 2^127.
 template <Number F> F exp2_above(F y) {
     const F held = min(y, F(127));
-    // 1.5 * 2^23: adding it leaves the nearest whole number in the low bits, and its own low nine are zero.
+    // 1.5 * 2^23: adding it leaves the nearest integer in the low bits, and its own low nine are zero.
     const F magic = F(12582912.0f);
     const F shifted = held + magic;
     const F f = held - (shifted - magic);
@@ -41,7 +41,7 @@ template <Number F> F exp2_above(F y) {
     return scale * (F(1) + f * q);
 }
 
-/// 2^y; 0 below y = -126 (no denormals), held at 2^127 above.
+/// 2^y; 0 below y = -126 (no denormals), clamped to 2^127.
 template <Number F> F exp2_of(F y) { return select(y < F(-126), F(0), exp2_above(y)); }
 
 /// x^s for x >= 0, s >= 0. Anything to the power 0 is 1 (0^0 too), 0 to any other power is 0. Negative or NaN
@@ -52,15 +52,15 @@ template <Number F> F power(F x, F s) {
     return select(x >= F(smallest_normal), value, select(s > F(0), F(0), F(1)));
 }
 
-/// Whole exponents up to here are raised to by squaring, which is a third of the work and as exact.
+/// Integer exponents up to this use squaring, which is a third of the work and as exact.
 inline constexpr float max_squared = 1024;
 
 /// An exponent s >= 0, the same in all lanes.
 template <Number F> struct Exponent {
     F value{};
-    int whole = 0;  // the same where it is a whole number up to `max_squared`, else -1
+    int whole = 0;  // the value if it is an integer up to `max_squared`, else -1
     Exponent() = default;
-    Exponent(F s) : value(s), whole(-1) {  // NOLINT: a number stands for itself
+    Exponent(F s) : value(s), whole(-1) {  // NOLINT: implicit, like Lanes(float)
         const float a = lane(s, 0);
         if (a >= 0 && a <= max_squared && a == static_cast<float>(static_cast<int>(a)))
             whole = static_cast<int>(a);
@@ -79,7 +79,7 @@ template <Number F> F whole_power(F x, int n) {
     return value;
 }
 
-/// sqrt(x)^s for normal x > 0, held at 2^-126 below.
+/// sqrt(x)^s for normal x > 0, at least 2^-126.
 template <Number F> F power_of_root(F x, const Exponent<F>& s) {
     if (s.whole < 0) return exp2_above(max(s.value * (F(0.5f) * log2_of(x)), F(-126)));
     const F even = whole_power(x, s.whole / 2);

@@ -1,7 +1,7 @@
 #pragma once
-// Transposes between records of four floats, one a lane, and four numbers side by side (AoS and SoA): one
-// 16-byte read a lane instead of four gathers of four bytes, and the transpose is done in registers. Shuffles
-// only, so no bit can change.
+// Transposes between records of four floats, one per lane, and four vectors (AoS and SoA): one 16-byte load
+// per lane instead of four gathers of four bytes; the transpose is done in registers. Uses only shuffles, so
+// no bit can change.
 
 #include <cstddef>
 
@@ -9,7 +9,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// The four floats of each lane's record, side by side.
+/// The four floats of each lane's record, as four vectors.
 template <Number F> struct Columns { F a, b, c, d; };
 
 namespace transposing {
@@ -21,8 +21,8 @@ inline Row row(const char* from) {
     return r;
 }
 
-// The shuffles that a transpose is made of, for each width. `rows` loads N floats, four from each of N / 4
-// records; the others interleave two vectors: single floats of the lower or of the upper half of each row,
+// The shuffles of a transpose, for each width. `rows` loads N floats, four from each of N / 4 records; the
+// others interleave two vectors: single floats of the lower or of the upper half of each row,
 // or pairs of floats.
 template <int N> struct Rows;
 template <> struct Rows<4> {
@@ -63,7 +63,7 @@ template <> struct Rows<16> {
     }
 };
 
-/// Transposes r[k], which holds the records of lanes k, k + 4, k + 8, ...
+/// Transposes r[k], which contains the records of lanes k, k + 4, k + 8, ...
 template <Number F> Columns<F> transposed(const typename Rows<NumberTraits<F>::width>::V* r) {
     using T = Rows<NumberTraits<F>::width>;
     const auto ab0 = T::low(r[0], r[1]), ab2 = T::low(r[2], r[3]);
@@ -74,7 +74,7 @@ template <Number F> Columns<F> transposed(const typename Rows<NumberTraits<F>::w
 
 }  // namespace transposing
 
-/// Gathers, for lane i, the four floats that lie at[i] * step bytes behind `from`.
+/// Gathers, for lane i, the four floats at `from` + at[i] * step bytes.
 template <Number F> Columns<F> gather_transposed(const void* from, const unsigned* at, std::size_t step) {
     constexpr int width = NumberTraits<F>::width;
     const auto* bytes = static_cast<const char*>(from);
@@ -84,7 +84,7 @@ template <Number F> Columns<F> gather_transposed(const void* from, const unsigne
         return record;
     } else {
         typename transposing::Rows<width>::V rows[4];
-#pragma GCC unroll 4  // or the rows would go through memory
+#pragma GCC unroll 4  // otherwise the rows would go through memory
         for (int k = 0; k < 4; ++k) {
             const char* record[width / 4];
 #pragma GCC unroll 4

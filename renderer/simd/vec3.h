@@ -1,6 +1,6 @@
 #pragma once
-// Three numbers of any width: a vector or a linear RGB colour. Ours, because GLM's dot and normalize take
-// scalars only.
+// Three numbers of any width: a vector or a linear RGB colour. Not GLM's, whose dot and normalize take only
+// scalars.
 
 #include "renderer/simd/lanes.h"
 
@@ -24,7 +24,7 @@ template <Number F> F length(Vec3<F> a) { return square_root(dot(a, a)); }
 /// a / |a|. (0, 0, 0) stays (0, 0, 0): a missing normal lights black, never NaN.
 template <Number F> Vec3<F> unit(Vec3<F> a) { return inverse_or_zero(length(a)) * a; }
 
-/// A unit vector at right angles to the unit vector a. One number a vector (float or double).
+/// A unit vector perpendicular to the unit vector a. Scalars only (float or double).
 template <class D> Vec3<D> any_perpendicular(Vec3<D> a) {
     const Vec3<D> helper = abs(a.x) < D(0.6) ? Vec3<D>{D(1), D(0), D(0)} : Vec3<D>{D(0), D(1), D(0)};
     return unit(helper - dot(helper, a) * a);
@@ -34,7 +34,7 @@ template <Number F> Vec3<F> select(MaskOf<F> m, Vec3<F> a, Vec3<F> b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 
-/// Puts anything with x, y, z into all lanes.
+/// Broadcasts anything with x, y, z to all lanes.
 template <Number F, class V> Vec3<F> broadcast(const V& a) { return {F(a.x), F(a.y), F(a.z)}; }
 
 }  // namespace glint::inline GLINT_ISA

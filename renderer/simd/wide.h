@@ -1,6 +1,6 @@
 #pragma once
-// Shared by the kernels that are compiled once for each instruction set: the set's number type, Wide, and the
-// attribute that inlines everything. Only for those (GLINT_LANES, renderer/CMakeLists.txt, add_kernels).
+// For kernels that are compiled once for each instruction set: the set's number type, Wide, and the attribute
+// that inlines everything. Only for those (GLINT_LANES, renderer/CMakeLists.txt, add_kernels).
 
 #include "renderer/simd/lanes.h"
 

@@ -12,10 +12,10 @@ namespace glint {
 /// The name of the set in use.
 [[nodiscard]] const char* instruction_set_name();
 
-/// What keeps GLINT_ISA from being obeyed: a name that no set has, or a set that this processor lacks.
+/// Why GLINT_ISA cannot be used: an unknown name, or a set that this processor lacks.
 struct InstructionSetProblem {
     Problem problem;
-    bool unknown = false;  // the name; else it is the processor
+    bool unknown = false;  // the name is unknown; else the processor lacks the set
 };
 [[nodiscard]] std::optional<InstructionSetProblem> instruction_set_problem();
 

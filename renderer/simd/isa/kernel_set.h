@@ -1,5 +1,5 @@
 #pragma once
-// All kernels of one instruction set, as its two object files hold them.
+// All kernels of one instruction set, from its two object files.
 
 #include "renderer/shade/shade_kernels.h"
 #include "renderer/surface/surface_kernels.h"

@@ -1,4 +1,4 @@
-// Chooses the instruction set for the processor at hand, once.
+// Chooses the instruction set for this processor, once.
 
 #include <cstdlib>
 #include <string>

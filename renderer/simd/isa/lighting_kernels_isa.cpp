@@ -21,12 +21,12 @@ static void store_colors(ColorBlock& out, std::size_t k, Vec3<Wide> c) {
     store(out.b + k, c.z);
 }
 
-/// `Wide` points of a batch, and their sums so far.
+/// `Wide` points of a batch, and their partial sums.
 struct Group {
     PointAt<Wide> at;
     Vec3<Wide> sum;
 };
-union Slot {  // a group that is not filled with zeros first
+union Slot {  // avoids zero-initialising the group
     Group group;
     Slot() {}
 };
@@ -44,12 +44,12 @@ union Slot {  // a group that is not filled with zeros first
     if (partial_sums) part_of(partial_sums);
 }
 
-/// Lights a batch by one reflection model, a template argument so that the compiler leaves out what other
-/// models need; the source of the equation is the same for all. flatten: the equation is many small
-/// functions, and each call would pass its vectors through memory. The loop runs light by light over a batch
-/// of points: the light stays in registers, the processor predicts well whether it reaches the points, and
-/// independent points fill the latency of a power. One function on purpose: cut into three that are always
-/// inlined, it took 2.3 times as long.
+/// Lights a batch by one reflection model, a template argument so that the compiler omits what other models
+/// need; the source of the equation is the same for all. flatten: the equation is many small functions, and
+/// each call would pass its vectors through memory. The loop runs light by light over a batch of points: the
+/// light stays in registers, the branch on whether it reaches the points is predictable, and independent
+/// points hide the latency of a power. One function on purpose: split into three that are always inlined, it
+/// took 2.3 times as long.
 template <Reflection model, bool any_mistake>
 GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points,
                                       const ColorBlock* partial_sums, ColorBlock* colors,
@@ -77,7 +77,7 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
         const auto add = [&](const LightAt<Wide>& light) {
             const LightColors<Wide> reflected = colors_on(material, light);
             // Software pipelining, depth 1: starts group i's square root and divisions, then finishes the
-            // group before. The processor alone looks ahead no farther than a group or two.
+            // group before. Out-of-order execution alone looks ahead only a group or two.
             std::size_t behind = count;
             LightVector<Wide> towards_behind;
             Attenuation<Wide> attenuation_behind;
@@ -128,7 +128,7 @@ static void light_as(const LightJob& job, const PointBlock* points, const ColorB
                                         colors + i, i + batch_size < blocks ? batch_size : blocks - i);
 }
 
-/// Finds the job's model among the models from number `model` on.
+/// Dispatches on the job's model, starting at model number `model`.
 template <bool any_mistake, int model = 0>
 static void light_with(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
                        ColorBlock* colors, std::size_t blocks) {
@@ -182,14 +182,14 @@ static void encode(const DisplayJob& job, const ColorBlock* colors, std::uint32_
     encode_with<false>(job, colors, rgba, blocks);
 }
 
-/// The colours of the lit points with these numbers.
+/// Loads the colours of the lit points with these numbers.
 template <Number F> Vec3<F> colors_of(const ColorRecord* points, const std::uint32_t* number) {
     const Columns<F> color = gather_transposed<F>(points, number, sizeof(ColorRecord));
     return {color.a, color.b, color.c};
 }
 
 /// Gouraud shading: the colour of a pixel is the sum of its corners' colours, each times its weight. `each`
-/// corners (lit points) a pixel, whose numbers and weights lie 16 side by side.
+/// corners (lit points) per pixel, whose numbers and weights are in groups of 16.
 template <Number F>
 Vec3<F> blended_colors(const ColorRecord* points, const std::uint32_t* number, const float* weight,
                        int each) {
