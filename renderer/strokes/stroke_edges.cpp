@@ -1,5 +1,5 @@
-// Which edges are drawn as strokes: silhouettes, where a facet seen from the front meets one that is not, and
-// creases, where two facets meet at a sharp angle.
+// Selects the edges drawn as strokes: silhouettes, between a facet seen from the front and one that is not,
+// and creases, between two facets at a sharp angle.
 #include "renderer/strokes/stroke_edges.h"
 
 #include <tbb/parallel_for.h>
@@ -15,9 +15,9 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t chunk_size = 16384;  // edges that one task looks at
+constexpr std::size_t chunk_size = 16384;  // edges per task
 
-/// Tests single edges, and keeps what is the same for all of them.
+/// Tests single edges; stores the values that they share.
 class Selector {
   public:
     Selector(const MeshEdges& edges, const EdgeView& view, const EdgeChoice& choice)
@@ -50,13 +50,13 @@ class Selector {
     }
 
   private:
-    // cos 90 degrees is not quite 0 in floating point, nor are the facets of a cube quite at right angles
-    // once it has been turned.
+    // In floating point, cos 90 degrees is not exactly 0, and the facets of a rotated cube are not exactly at
+    // right angles.
     static constexpr double crease_tolerance = 1e-6;
-    // The sine of the angle below which a facet counts as seen edge-on; only rounding is as small as this.
+    // The sine of the angle below which a facet counts as seen edge-on; only rounding errors are this small.
     static constexpr double edge_on = 1e-12;
-    // Every pair of facets is compared for a crease; a file with a million facets at one edge must not take a
-    // million million steps.
+    // A crease compares every pair of facets; the limit keeps a file with a million facets at one edge from
+    // taking 10^12 steps.
     static constexpr std::size_t max_compared = 256;
 
     [[nodiscard]] glm::dvec3 to_eye(std::size_t edge) const {
@@ -66,7 +66,7 @@ class Selector {
         return glm::dvec3(view_.eye) - view_.eye.w * middle;
     }
 
-    /// 1 where the facet is seen from the front, -1 from behind, 0 from its side.
+    /// 1 if the facet is seen from the front, -1 from behind, 0 edge-on.
     static int side(const glm::dvec3& e, const glm::dvec3& n) {
         const double towards_eye = glm::dot(e, n), limit = edge_on * std::sqrt(glm::dot(e, e));
         return towards_eye > limit ? 1 : towards_eye < -limit ? -1 : 0;

@@ -2,9 +2,9 @@
 // Selects the edges of a mesh that are drawn as strokes. Lecture: "Non-photorealistic shading: silhouettes
 // and creases".
 //
-// Silhouette: (e.n0)(e.n1) <= 0, e from the edge to the eye, n0 and n1 the normals of its two facets: one is
-// seen from the front and the other is not. Crease: n0.n1 <= cos(crease_deg); an edge of exactly that angle
-// is a crease here, while averaged normals (models/mesh/normals.h) still join across it.
+// Silhouette: (e.n0)(e.n1) <= 0, with e from the edge to the eye, and n0 and n1 the normals of its two
+// facets: one is seen from the front and the other is not. Crease: n0.n1 <= cos(crease_deg); an edge of
+// exactly that angle is a crease here, while averaged normals (models/mesh/normals.h) still join across it.
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -16,7 +16,7 @@
 
 namespace glint {
 
-/// The edges and facet normals of a mesh, made once.
+/// The edges and facet normals of a mesh, computed once.
 struct MeshEdges {
     MeshPtr mesh;
     Topology topology;
@@ -26,7 +26,8 @@ struct MeshEdges {
 
 /// How the mesh is seen.
 struct EdgeView {
-    glm::dvec4 eye{0, 0, 0, 1};  // object coordinates: w = 1 the eye's place, w = 0 the direction towards it
+    glm::dvec4 eye{0, 0, 0,
+                   1};  // object coordinates: w = 1: position of the eye, w = 0: direction towards it
     glm::dmat3 normal_matrix{1.0};  // inverse transpose to the frame in which creases are measured
 };
 
@@ -37,11 +38,11 @@ struct EdgeChoice {
     bool operator==(const EdgeChoice&) const = default;
 };
 
-/// How the surface lies around an edge.
+/// The orientation of the surface at an edge.
 enum class EdgeFacing {
     Towards,  // all its facets are seen from the front
-    Away,     // all from behind
-    Rim       // some from each, or there is but one: the surface is seen on one side of the edge at most
+    Away,     // all are seen from behind
+    Rim       // both kinds, or a single facet: at most one side of the edge shows the surface
 };
 
 struct StrokeEdge {
@@ -49,11 +50,11 @@ struct StrokeEdge {
     EdgeFacing facing = EdgeFacing::Rim;
 };
 
-/// Returns the edges to draw, in rising order. Silhouettes include all boundary edges. An edge of three
-/// facets and more is drawn when any two of them qualify (for creases, of the first 256); a facet seen
-/// exactly edge-on qualifies with every other. A polygon without an area is not a facet, but the edge that it
-/// shares with one is not a boundary. Edges whose facets are all culled are left out. Any transform that is
-/// not singular, mirrored ones too.
+/// Returns the edges to draw, in rising order. Silhouettes include all boundary edges. An edge of three or
+/// more facets is drawn if any two of them qualify (for creases, of the first 256); a facet seen exactly
+/// edge-on qualifies with every other. A polygon without an area is not a facet, but an edge that it shares
+/// with one is not a boundary. Omits edges whose facets are all culled. Supports every transform that is not
+/// singular, including reflections.
 [[nodiscard]] std::vector<StrokeEdge> stroke_edges(const MeshEdges& edges, const EdgeView& view,
                                                    const EdgeChoice& choice);
 

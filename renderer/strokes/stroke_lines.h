@@ -1,11 +1,11 @@
 #pragma once
-// Finds the visible pieces of edges: on the screen, inside the view, and only where no surface hides them.
+// Finds the visible pieces of edges: inside the view, and not hidden by a surface.
 //
 // The visibility stage knows one surface per pixel, so an edge is tested once per pixel of its length,
 // against the triangle that the nearest pixel shows. The plane of that triangle is extended to the edge, so
-// that the depth of a slanted surface is compared at the edge and not half a pixel beside it. At a rim, that
-// pixel may show the edge's own surface, which bulges towards the eye. But a visible rim has something
-// farther away, or nothing, beside it, so it is drawn if one of the four pixels around it does not hide it.
+// that the depth of a slanted surface is compared at the edge and not half a pixel away from it. At a rim,
+// that pixel may show the edge's own surface, which bulges towards the eye. But next to a visible rim there
+// is something farther away, or nothing, so it is drawn if one of the four pixels around it does not hide it.
 // An edge whose facets all face away can only be seen through an opening, so the nearest pixel must show its
 // own object: a pixel beyond the outline proves nothing. (Item buffers compare which face a pixel shows
 // instead, and lose edges between faces that are smaller than a pixel.)
@@ -21,13 +21,13 @@
 
 namespace glint {
 
-/// Tells whether a surface that a pixel shows lies in front of a place beside that pixel.
+/// Tests whether the surface that a pixel shows is in front of a position near that pixel.
 class Occlusion {
   public:
     explicit Occlusion(const Geometry& geometry);
 
-    /// True when the plane of a triangle (global number) lies in front of a screen position (pixels, y down)
-    /// of depth inv_w (ScreenVertex) by more than half a pixel's size at that depth. The triangle may reach
+    /// True if the plane of a triangle (global number) is in front of a screen position (pixels, y down) of
+    /// depth inv_w (ScreenVertex) by more than half a pixel's size at that depth. The triangle may extend
     /// behind the eye; seen exactly edge-on, it hides nothing.
     [[nodiscard]] bool hides(std::uint32_t triangle, glm::dvec2 pixel, double inv_w) const;
 
@@ -38,16 +38,16 @@ class Occlusion {
     double half_pixel_;  // in scene units at distance 1 (perspective) or at every distance (orthographic)
 };
 
-/// A piece of an edge that is seen.
+/// A visible piece of an edge.
 struct StrokeLine {
     glm::vec2 a{0}, b{0};            // pixels, y down, (0, 0) the picture's upper left corner
     float inv_w_a = 0, inv_w_b = 0;  // as in ScreenVertex; linear from a to b
     std::uint32_t object = 0;
 };
 
-/// Returns the visible pieces of the chosen edges of one object, in the order of the edges. `margin_px`: how
-/// far outside the picture an edge still matters, at least 1. An edge may fall to pieces at every second
-/// pixel of its length: what that takes is added to `share`.
+/// Returns the visible pieces of the chosen edges of one object, in the order of the edges. `margin_px`: the
+/// distance outside the picture up to which edges matter, at least 1. An edge may fall to pieces at every
+/// second pixel of its length: what that takes is added to `share`.
 [[nodiscard]] std::vector<StrokeLine> visible_lines(const Geometry& geometry, const Visibility& visibility,
                                                     std::uint32_t object, const MeshEdges& mesh,
                                                     std::span<const StrokeEdge> edges, double margin_px);

@@ -13,19 +13,19 @@
 namespace glint {
 namespace {
 
-constexpr int band_height = 32;  // rows that one task fills
+constexpr int band_height = 32;  // rows per task
 
 /// Pixels of a row from..to, inclusive; none when to < from.
 struct Span {
     int from = 0, to = -1;
 };
 
-/// The pixels of row y whose centres may lie within `reach` of the line.
+/// The pixels of row y whose centres may be within `reach` of the line.
 Span pixels_near(const StrokeLine& line, float reach, int y, int width) {
     const double ax = line.a.x, ay = line.a.y, dx = line.b.x - ax, dy = line.b.y - ay;
     double low = std::min(0.0, dx) - reach, high = std::max(0.0, dx) + reach;  // from a.x
     const double length = std::hypot(dx, dy);
-    if (std::abs(dy) > 1e-3 * length) {  // the slanted strip around the whole line is narrower
+    if (std::abs(dy) > 1e-3 * length) {  // the slanted strip around the line is narrower
         const double middle = (y + 0.5 - ay) * dx / dy, half = reach * length / std::abs(dy);
         low = std::max(low, middle - half);
         high = std::min(high, middle + half);
@@ -68,7 +68,7 @@ class Filler {
             for_each_band(lines_[i], [&](std::size_t band) { bands_[band].push_back(i); });
     }
 
-    /// Calls f with the number of each band that the line may touch.
+    /// Calls f with the index of each band that the line may touch.
     template <class F> void for_each_band(const StrokeLine& line, const F& f) const {
         const auto last = static_cast<float>(bands_.size() - 1);
         const auto [top, bottom] = std::minmax(line.a.y, line.b.y);
@@ -114,15 +114,15 @@ class Filler {
 }  // namespace
 
 float stroke_share(float distance_px, float width_px) {
-    // The overlap of a band of that width with a pixel, across the band.
+    // The overlap of a stroke of that width with a pixel, across the stroke.
     const float overlap = 0.5f * width_px + 0.5f - distance_px;
     return std::clamp(std::min(overlap, width_px), 0.0f, 1.0f);
 }
 
 namespace {
 
-/// Returns width x height shares, 0 to 1: the largest share of any line, so that lines that meet or overlap
-/// are no darker there; ends are round. A line does not cover a pixel that shows another object in front of
+/// Returns width x height shares, 0 to 1: the largest share of any line, so that lines are not darker where
+/// they meet or overlap; ends are round. A line does not cover a pixel that shows another object in front of
 /// it. The order of the lines does not change a bit.
 std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibility,
                                    std::span<const StrokeLine> lines, float width_px) {
@@ -132,7 +132,7 @@ std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibili
     return coverage;
 }
 
-/// Drops the edges of meshes that are gone and finds those of new ones.
+/// Drops the edges of removed meshes and finds those of new ones.
 void update_meshes(std::vector<MeshEdges>& meshes, const Geometry& g) {
     const auto is_gone = [&g](const MeshEdges& m) {
         return std::none_of(g.objects.begin(), g.objects.end(),
@@ -148,8 +148,8 @@ const MeshEdges& edges_of(const std::vector<MeshEdges>& meshes, const MeshPtr& m
     return *std::find_if(meshes.begin(), meshes.end(), [&](const MeshEdges& m) { return m.mesh == mesh; });
 }
 
-/// The eye in object coordinates, transformed directly from world coordinates, so that an eye in the plane of
-/// a facet stays there.
+/// The eye in object coordinates, transformed directly from world coordinates, so that an eye in a facet's
+/// plane remains in it.
 EdgeView edge_view(const Camera& camera, const ObjectGeometry& object) {
     const glm::dmat4 object_from_world = glm::inverse(world_from_object(object.transform));
     const glm::dvec4 eye = is_orthographic(camera.projection)
