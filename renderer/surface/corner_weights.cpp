@@ -1,5 +1,5 @@
-// How much each corner of a face has in the colour or the normal of a pixel: perspective-correct, linear on
-// the screen, or along edges and then along scanlines. Lecture: "Gouraud Shading", "Shading Artifacts:
+// Weights of a face's corners in the colour or the normal of a pixel: perspective-correct, linear on the
+// screen, or along edges and then along scanlines. Lecture: "Gouraud Shading", "Shading Artifacts:
 // Orientation".
 #include <algorithm>
 #include <cmath>
@@ -44,17 +44,17 @@ void add_clipped(CornerWeights& weights, const ClippedCorner& corner, double wei
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// Weights that are linear on the screen over the fan of a triangle that the near plane cuts; the
-/// perspective-correct ones where nothing of the fan is left around the sample (a sliver, or numbers so large
-/// that the cut is lost to rounding).
+/// Weights that are linear on the screen over the fan of a triangle that the near plane cuts;
+/// perspective-correct ones if no part of the fan contains the sample (a sliver, or numbers so large that the
+/// cut is lost to rounding).
 CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
     ClipMemory memory;
     const auto cut = clip_at_near(g, face.object, triangle.corner, memory);
     const glm::dvec2 at(face.at.x, face.at.y);
     CornerWeights best = of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
-    // The triangle of the fan whose smallest weight is largest holds the sample. Because corners are rounded
-    // to the rasteriser's grid the sample may lie slightly outside it, so weights down to -1 are accepted,
-    // and the nearest ones inside are taken.
+    // The triangle of the fan whose smallest weight is largest contains the sample. Because corners are
+    // rounded to the rasteriser's grid, the sample may be slightly outside it, so weights down to -1 are
+    // accepted, and then clamped to the inside.
     double best_inside = -1;
     for (std::size_t i = 2; i < cut.size(); ++i) {
         const ClippedCorner &a = cut[0], &b = cut[i - 1], &c = cut[i];
@@ -62,7 +62,7 @@ CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, 
         const double wb = cross(at - a.pixel, c.pixel - a.pixel) / area;
         const double wc = cross(b.pixel - a.pixel, at - a.pixel) / area;
         const double inside = std::min({1 - wb - wc, wb, wc});
-        if (!(inside > best_inside)) continue;  // NaN: it has no area
+        if (!(inside > best_inside)) continue;  // NaN: no area
         best_inside = inside;
         glm::dvec3 weights(1 - wb - wc, wb, wc);
         if (inside < 0) {
@@ -77,7 +77,7 @@ CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, 
     return best;
 }
 
-/// A face before the near plane.
+/// The part of a face in front of the near plane.
 using Polygon = std::pmr::vector<ClippedCorner>;
 
 Polygon clipped_face(const Geometry& g, std::uint32_t object, std::uint32_t face, ClipMemory& memory) {
@@ -88,9 +88,9 @@ Polygon clipped_face(const Geometry& g, std::uint32_t object, std::uint32_t face
     return clip_at_near(g, object, corners, memory);
 }
 
-/// The scanline meets an edge of the polygon there.
+/// An intersection of the scanline with an edge of the polygon.
 struct Crossing {
-    double x = 0, t = 0;  // t: share of the way from `from` to `to`
+    double x = 0, t = 0;  // t: parameter from `from` to `to`
     const ClippedCorner *from = nullptr, *to = nullptr;
 };
 using Crossings = std::pmr::vector<Crossing>;
@@ -109,7 +109,7 @@ void find_crossings(Crossings& found, const Polygon& polygon, double y) {
     std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
 }
 
-/// The height of the sample, moved onto the polygon where the rasteriser's grid put it a hair outside.
+/// The height of the sample, moved onto the polygon if the rasteriser's grid left it slightly outside.
 double height_within(const Polygon& polygon, double y) {
     const auto [low, high] = std::minmax_element(
         polygon.begin(), polygon.end(),
@@ -117,8 +117,9 @@ double height_within(const Polygon& polygon, double y) {
     return std::clamp(y, low->pixel.y, std::nextafter(high->pixel.y, low->pixel.y));
 }
 
-/// The face of many corners that this thread met last, with its crossings in the row asked last. Pixels come
-/// row by row: else a polygon of n corners costs n for each of its pixels, minutes where it has 100,000.
+/// Caches this thread's last large polygon, with its crossings in the last row. Pixels are visited row by
+/// row. Without the cache, a polygon of n corners costs O(n) per pixel, which takes minutes for 100,000
+/// corners.
 struct KnownFace {
     KnownFace(const Geometry& g, std::uint32_t of_object, std::uint32_t of_face)
         : geometry(g.state),
@@ -130,7 +131,7 @@ struct KnownFace {
     std::uint32_t object, face;
     ClipMemory memory;
     Polygon polygon;
-    std::optional<double> y;  // of the row that `crossings` are of
+    std::optional<double> y;  // the row of `crossings`
     Crossings crossings;
 };
 
@@ -139,20 +140,20 @@ const Crossings& known_crossings(const Geometry& g, std::uint32_t object, std::u
     if (!known || known->geometry != g.state || known->object != object || known->face != face)
         known.emplace(g, object, face);
     if (known->y != y && !known->polygon.empty()) {
-        known->y.reset();  // should there be no memory for the crossings
+        known->y.reset();  // in case the allocation throws
         find_crossings(known->crossings, known->polygon, height_within(known->polygon, y));
         known->y = y;
     }
     return known->crossings;
 }
 
-/// The first of the two crossings around x; of a polygon that is not convex there may be several twos, and
-/// where x lies in none it is the nearest, of equals the left one. Precondition: there are two.
+/// The first of the two crossings around x. A concave polygon may have several such pairs; if x is in none,
+/// returns the nearest, or the left of equally near ones. Precondition: there are two crossings.
 std::size_t nearest_two(const Crossings& crossings, double x) {
     const auto outside = [&](std::size_t two) {
         return std::max({crossings[2 * two].x - x, x - crossings[2 * two + 1].x, 0.0});
     };
-    // Looks for the first that ends at x or behind it, or the last.
+    // Finds the first that ends at or after x, or the last.
     std::size_t low = 0, end = crossings.size() / 2 - 1;
     while (low < end) {
         const std::size_t middle = low + (end - low) / 2;
@@ -180,7 +181,7 @@ CornerWeights weights_between(const Crossings& crossings, double x) {
 }
 
 CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
-    constexpr std::uint32_t few = 16;  // clipping them anew costs no more than looking whether they are known
+    constexpr std::uint32_t few = 16;  // not worth caching
     const Mesh& mesh = *g.objects[face.object].mesh;
     const auto or_perspective = [&](const Crossings& crossings) {
         return crossings.size() >= 2
@@ -225,8 +226,8 @@ void locate_on_face(SampleFace& face, const Geometry& g) {
         place(face, clip, camera, ndc_of<float>(g.size, face.at));
         return;
     }
-    // A face that had to be clipped may reach far beyond the picture: its corners are in double, as float
-    // would lose the position between them.
+    // A clipped face may extend far beyond the picture: its corners are in double, because float would lose
+    // the position between them.
     std::array<ClipCorner<double>, 3> clip;
     std::array<Vec3<double>, 3> camera;
     for (std::size_t i = 0; i < 3; ++i) {

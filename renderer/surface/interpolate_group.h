@@ -1,5 +1,6 @@
 #pragma once
-// Interpolates many pixels at once: finds where each pixel's ray meets its face, and the normal there.
+// Interpolates many pixels at once: finds the intersection of each pixel's ray with its face, and the normal
+// there.
 
 #include "renderer/geometry/interpolate.h"
 #include "renderer/simd/int_lanes.h"
@@ -8,8 +9,8 @@
 
 namespace glint::inline GLINT_ISA {
 
-// The corners of the triangles that neighbouring pixels show, one triangle a lane. Few different ones are
-// looked up once each and put into their lanes; many are looked up lane by lane.
+// The corners of the triangles that neighbouring pixels show, one triangle per lane. If there are few
+// triangles, each is looked up once and copied to its lanes; otherwise they are looked up lane by lane.
 
 /// One corner of each lane's triangle: on the screen, its position and its normal in camera coordinates.
 template <Number F> struct CornerOfLanes {
@@ -18,10 +19,10 @@ template <Number F> struct CornerOfLanes {
 };
 template <Number F> struct FacesOfLanes {
     CornerOfLanes<F> a, b, c;
-    bool clipped = false;  // some had to be
+    bool clipped = false;  // some are clipped
 };
 
-/// The records of a corner: where it is, and its normal. `triangle`: number within the object.
+/// The records of a corner: its position and its normal. `triangle`: number within the object.
 struct CornerRecords {
     const TransformedVertex* vertex;
     const CameraNormal* normal;
@@ -33,7 +34,7 @@ inline CornerRecords corner_records(const InterpolateJob& job, unsigned triangle
     return {job.vertices + vertex, job.normals + normal};
 }
 
-/// Loads corner `c`; put(old, value) says which lanes receive each of its numbers.
+/// Loads corner `c`; put(old, value) selects the lanes that receive each of its numbers.
 template <Number F, class Put>
 void put_corner(const InterpolateJob& job, unsigned triangle, unsigned c, CornerOfLanes<F>& out,
                 bool& clipped, const Put& put) {
@@ -74,7 +75,7 @@ CornerOfLanes<F> take_corner(const InterpolateJob& job, const unsigned* triangle
             p[k] = T::rows(vertex, 16);
             n[k] = T::rows(normal, 0);
         };
-        take_rows(0);  // one by one, so that they stay in registers
+        take_rows(0);  // one by one, to keep them in registers
         take_rows(1);
         take_rows(2);
         take_rows(3);
@@ -85,7 +86,7 @@ CornerOfLanes<F> take_corner(const InterpolateJob& job, const unsigned* triangle
     }
 }
 
-/// Where a group shows more triangles than this, looking up lane by lane is faster.
+/// With more triangles in a group than this, lookup lane by lane is faster.
 inline constexpr int max_looked_up_once = 4;
 
 /// Loads the corners of each lane's triangle. `triangles`: numbers within the object.
@@ -94,7 +95,7 @@ template <Number F> FacesOfLanes<F> faces_of_lanes(const InterpolateJob& job, In
     unsigned number[width];
     store_ints(number, triangles);
     FacesOfLanes<F> faces;
-    unsigned changes = mask_bits(not_equal(triangles, slide1up(triangles)));  // bit i: begins at lane i
+    unsigned changes = mask_bits(not_equal(triangles, slide1up(triangles)));  // bit i: a run begins at lane i
     if (width == 1 || __builtin_popcount(changes) > max_looked_up_once) {
         faces.a = take_corner<F>(job, number, 0, faces.clipped);
         faces.b = take_corner<F>(job, number, 1, faces.clipped);
@@ -118,7 +119,7 @@ template <Number F> ScreenPoint<F> centers_of_lanes(const InterpolateJob& job, s
 }
 
 /// Interpolates position and normal (not yet unit) of the pixels from k on, of a group that begins at (x, y)
-/// and shows `seen`. False when some lane shows a clipped triangle.
+/// and shows `seen`. Returns false if some lane shows a clipped triangle.
 template <Number F>
 bool blend_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
                  PointBlock& out) {
@@ -140,8 +141,8 @@ bool blend_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size
     return !face.clipped;
 }
 
-/// Computes the corners' weights at the same pixels; `out` is where the first corner's weight of pixel k
-/// goes. Returns false when some lane shows a clipped triangle.
+/// Computes the corners' weights at the same pixels; `out` is the destination of the first corner's weight of
+/// pixel k. Returns false if some lane shows a clipped triangle.
 template <Number F>
 bool weigh_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
                  float* out) {
@@ -155,7 +156,7 @@ bool weigh_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size
     return !face.clipped;
 }
 
-/// False when some normal is too short.
+/// False if some normal is too short.
 template <Number F> bool make_normals_unit(PointBlock& block) {
     bool long_enough = true;
     for (std::size_t k = 0; k < block_size; k += NumberTraits<F>::width) {
@@ -169,8 +170,8 @@ template <Number F> bool make_normals_unit(PointBlock& block) {
     return long_enough;
 }
 
-/// Returns what the 16 pixels show. Pixels that are not in the group are given what its first pixel shows, in
-/// `filled`.
+/// Returns the codes of the 16 pixels. Pixels that are not in the group receive the code of its first pixel,
+/// in `filled`.
 inline const std::uint32_t* seen_in_group(const InterpolateJob& job, const PixelGroup& group,
                                           std::uint32_t (&filled)[block_size]) {
     const std::uint32_t* seen = job.seen + group.first_pixel;
@@ -189,7 +190,7 @@ inline GroupPlace place_of(const InterpolateJob& job, const PixelGroup& group) {
     return {static_cast<int>(group.first_pixel % row), static_cast<int>(group.first_pixel / row)};
 }
 
-/// Does what SurfaceKernels::weigh says.
+/// Implements SurfaceKernels::weigh.
 template <Number F>
 void weigh_groups(const InterpolateJob& job, const PixelGroup* groups, std::size_t count, float* out,
                   std::uint8_t* on_fast_path) {

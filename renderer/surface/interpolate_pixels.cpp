@@ -1,5 +1,5 @@
-// The surface under Pixels: position and normal of every visible pixel. The fast path takes 16 pixels at
-// once, by the same formulas as one pixel alone (sample.cpp); it takes the others one by one.
+// The surface of kind Pixels: position and normal of every visible pixel. The fast path computes 16 pixels at
+// once, by the same formulas as for a single pixel (sample.cpp); the others are computed one by one.
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,6 +1,6 @@
-// The points that several pixels share: under flat shading one a face (SurfaceKind::Faces), under Gouraud the
-// corners (SurfaceKind::Corners). blended_colors() in renderer/simd/isa/lighting_kernels_isa.cpp blends their
-// colours. Phong and facet light each pixel.
+// The points that several pixels share: one per face with flat shading (SurfaceKind::Faces), the corners with
+// Gouraud shading (SurfaceKind::Corners). blended_colors() in renderer/simd/isa/lighting_kernels_isa.cpp
+// blends their colours. Phong and facet light each pixel.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -54,7 +54,7 @@ void visit_lanes(const Surface& s, const Geometry& g, const Visibility& visibili
     }
 }
 
-/// Gives the seen items of each object consecutive numbers, each object beginning a new block.
+/// Numbers the seen items of each object consecutively. Each object begins a new block.
 void number_seen(LitPoints& lit, Surface& s) {
     lit.shading_points.clear();
     s.point_object.clear();
@@ -87,7 +87,7 @@ void place_points(const LitPoints& lit, Surface& s, const Geometry& g) {
 /// Finds the lit points that the pixels show.
 void find_lit_points(LitPoints& lit, Surface& s, const Geometry& g, const Visibility& visibility) {
     number_items(lit, s, g);
-    // Perspective blends the three corners of a triangle wherever the pixel is.
+    // Perspective blends the three corners of a triangle at every pixel.
     const bool weighted =
         s.choice.kind == SurfaceKind::Corners && s.choice.interpolation != Interpolation::Perspective;
     const auto mark = [&](const SampleFace& face) {
@@ -131,8 +131,8 @@ void store_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, 
             vertices.ref_point[at] = vertices.lit.point[vertices.lit.number(sample.point[which])];
             vertices.ref_weight[at] = sample.weight[which];
         }
-        // Unused entries have weight 0 and the first entry's point: another point might hold NaN, and 0 times
-        // NaN is NaN.
+        // Unused entries have weight 0 and the first entry's point: another point might contain NaN, and 0
+        // times NaN is NaN.
         for (int k = sample.count; k < max_blended(s.choice); ++k)
             vertices.ref_point[s.corner_ref(group, k) + lane] =
                 vertices.ref_point[s.corner_ref(group, 0) + lane];
@@ -158,7 +158,7 @@ void store_weighed(PerVertex& vertices, const Surface& s, const Geometry& g, con
 }
 
 /// Stores the corners and weights of the groups first .. first + count - 1. All show one object, with one
-/// sample a pixel and perspective-correct weights.
+/// sample per pixel and perspective-correct weights.
 void store_together(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
                     std::size_t first, std::size_t count) {
     std::array<std::uint8_t, max_together> on_fast_path;

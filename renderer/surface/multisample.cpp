@@ -11,13 +11,13 @@ namespace {
 
 constexpr int max_samples = 8;
 
-/// What one sample shows.
+/// The surface at one sample.
 struct SampleSeen {
     std::uint32_t object = 0, triangle = 0, face = 0;
     bool back = false;
 };
 
-/// One face in one pixel: its samples as bits, what it is lit as, and where.
+/// One face in one pixel: its samples as bits, and the triangle and position at which it is lit.
 struct Fragment {
     SampleSeen seen;
     unsigned samples = 0;
@@ -33,7 +33,7 @@ struct PixelFragments {
     int count = 0;
 };
 
-/// How deep inside a triangle a screen position lies: the smallest of its corners' weights there, negative
+/// The depth of a screen position inside a triangle: the smallest of its corners' weights there, negative
 /// outside.
 double least_weight(const Geometry& g, const SampleSeen& seen, PixelPosition at) {
     const ObjectGeometry& object = g.objects[seen.object];
@@ -50,8 +50,8 @@ double least_weight(const Geometry& g, const SampleSeen& seen, PixelPosition at)
     return sum > 0 ? std::min({e.x, e.y, e.z}) / sum : -HUGE_VAL;
 }
 
-/// Finds, among the triangles that a face shows at its samples, the one that holds their mean, or comes
-/// nearest to that.
+/// Finds, among the triangles that a face shows at its samples, the one that contains their mean, or is
+/// nearest to it.
 SampleSeen triangle_at_mean(const Geometry& g, const PixelFragments& pixel, const Fragment& f) {
     SampleSeen best = f.seen;
     double deepest = -HUGE_VAL;
@@ -115,7 +115,7 @@ PixelFragments fragments_of(const Geometry& g, const Visibility& visibility, std
     return found;
 }
 
-/// Takes fragments of one object, at most one a pixel, into a group; false when none is left.
+/// Moves fragments of one object, at most one per pixel, into a group; returns false if none are left.
 bool next_group(std::array<PixelFragments, block_size>& pixels, std::uint32_t first_pixel, PixelGroup& group,
                 GroupSamples& samples) {
     group = {first_pixel, no_index, 0};

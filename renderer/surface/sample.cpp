@@ -1,4 +1,4 @@
-// What a sample shows, one at a time: the functions behind both the surface stage and `explain`.
+// The surface at single samples: the functions behind both the surface stage and `explain`.
 
 #include <glm/geometric.hpp>
 
@@ -22,8 +22,7 @@ Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const Sample
     return sum;
 }
 
-/// Whether the normals of a face are reversed: where both sides are lit, those of a face seen from behind
-/// are.
+/// Whether the normals of a face are reversed: with two-sided lighting, those of a face seen from behind are.
 bool is_turned(const SurfaceChoice& choice, const Geometry& g, const SampleFace& face, bool back) {
     const bool turned = choice.two_sided && back;
     if (!choice.mistakes.some_faces_flipped) return turned;
@@ -76,7 +75,7 @@ PositionNormal pixel_point(const SurfaceInputs& surface, const Geometry& g, cons
         if (length(sum) > shortest_normal)
             n = surface.choice.mistakes.unnormalized_at_pixel ? sum : unit(sum);
     }
-    // Where opposite corner normals cancel, too, the facet's own normal is the best choice.
+    // If opposite corner normals cancel as well, the facet's own normal is the best choice.
     if (dot(n, n) == 0)
         n = to_vec(camera_facet_normal(object, surface.normals[face.object].options.flip, t.face,
                                        surface.choice.mistakes));

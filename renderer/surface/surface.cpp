@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-/// The triangles of one object, first <= t < first + count: an object's follow one another.
+/// The triangles of one object, first <= t < first + count; they are consecutive.
 struct ObjectTriangles {
     std::uint32_t object = 0, first = 0, count = 0;
 
@@ -19,10 +19,10 @@ ObjectTriangles triangles_beside(const Geometry& g, std::uint32_t triangle) {
     return {o, g.objects[o].first_triangle, static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size())};
 }
 
-/// Bit i: pixel i of the block shows a triangle of this object; only the pixels of `covered` count.
+/// Bit i: pixel i of the block shows a triangle of this object; considers only the pixels of `covered`.
 std::uint32_t pixels_of(ObjectTriangles triangles, const std::uint32_t* codes, std::uint32_t covered) {
     if (covered == 0xFFFF) {
-        // Mostly all of them do: that is asked without a branch, of several pixels at once.
+        // Usually all do; test several pixels at once without a branch.
         std::uint32_t others = 0;
         for (std::uint32_t i = 0; i < block_size; ++i)
             others |= static_cast<std::uint32_t>(!triangles.holds(triangle_of_code(codes[i])));
@@ -36,15 +36,14 @@ std::uint32_t pixels_of(ObjectTriangles triangles, const std::uint32_t* codes, s
     return pixels;
 }
 
-/// Calls visit(group) for the groups of one row, left to right; a group of 16 pixels gives one group an
-/// object.
+/// Calls visit(group) for the groups of one row, left to right; 16 pixels give one group per object.
 template <class Visit>
 void visit_row(const Geometry& g, const Visibility& visibility, int y, const Visit& visit) {
     const auto width = static_cast<std::uint32_t>(g.size.width);
     const std::uint16_t* covered = &visibility.covered[static_cast<std::size_t>(y) * visibility.groups_a_row];
-    ObjectTriangles nearby;  // neighbouring pixels mostly show the same object
+    ObjectTriangles nearby;  // neighbouring pixels usually show the same object
     for (std::uint32_t x0 = 0; x0 < width; x0 += block_size) {
-        std::uint32_t left = covered[x0 / block_size];  // pixels of this group that no group has yet
+        std::uint32_t left = covered[x0 / block_size];  // pixels that are not in a group yet
         const std::uint32_t first_pixel = static_cast<std::uint32_t>(y) * width + x0;
         if (left && g.objects.size() == 1) {
             visit(PixelGroup{first_pixel, 0, static_cast<std::uint16_t>(left)});
@@ -61,7 +60,7 @@ void visit_row(const Geometry& g, const Visibility& visibility, int y, const Vis
     }
 }
 
-/// All groups of the picture, in reading order whatever the number of threads.
+/// All groups of the picture, in reading order for any number of threads.
 void find_groups(Surface& s, const Geometry& g, const Visibility& visibility) {
     const auto height = static_cast<std::size_t>(g.size.height);
     s.row_groups.assign(height + 1, {});

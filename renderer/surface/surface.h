@@ -1,8 +1,8 @@
 #pragma once
-// Stage 3. Finds for each visible sample what lighting needs: its position and unit normal in camera
-// coordinates, in blocks of 16 (phong, facet), or which lit corners it blends (gouraud) or which lit point it
-// shows (flat). Inputs: geometry, visibility, `normals`, `mode`, `interpolation`, `two_sided`, `flat_point`
-// (and `rules`, which may choose it).
+// Stage 3. Computes the input of lighting for each visible sample: its position and unit normal in camera
+// coordinates, in blocks of 16 (phong, facet), the lit corners that it blends (gouraud), or the lit point
+// that it shows (flat). Inputs: geometry, visibility, `normals`, `mode`, `interpolation`, `two_sided`,
+// `flat_point` (and `rules`, which may override it).
 
 #include <array>
 #include <cstdint>
@@ -17,25 +17,25 @@
 
 namespace glint {
 
-// Weighs the corners of a face at a pixel, under the three ways of interpolating. Lecture: "Gouraud Shading",
+// Weighs the corners of a face at a pixel, for the three kinds of interpolation. Lecture: "Gouraud Shading",
 // "Gouraud Shading Artifacts", "Shading Artifacts: Orientation".
 
-/// A place on the screen in pixels, y down, (0, 0) the picture's upper left corner.
+/// A position on the screen in pixels, y down, (0, 0) the picture's upper left corner.
 struct PixelPosition {
     float x = 0, y = 0;
 };
 
-/// One visible sample: the face it shows and the weights of its drawn triangle's corners.
+/// One visible sample: its face and the weights of its drawn triangle's corners.
 struct SampleFace {
     PixelPosition at;
     std::uint32_t object = 0, triangle = 0;  // triangle: global number
-    bool turned = false;                     // its normals are turned round: two_sided, seen from behind
+    bool turned = false;                     // its normals are reversed: two_sided, seen from behind
     glm::vec3 weights{0};                    // perspective-correct
-    glm::vec3 p{0};                          // where the pixel's ray meets the face, camera coordinates
+    glm::vec3 p{0};  // intersection of the pixel's ray with the face, camera coordinates
 };
 
-/// Weights of some corners of a mesh; all others have weight 0. There are at most eight: a scanline meets two
-/// edges, and where the near plane cuts the polygon each end of an edge may lie between two corners.
+/// Weights of some corners of a mesh; all others have weight 0. There are at most eight: a scanline crosses
+/// two edges, and if the near plane cuts the polygon, each end of an edge may be between two corners.
 struct CornerWeights {
     static constexpr int max_count = 8;
     int count = 0;
@@ -51,54 +51,54 @@ void locate_on_face(SampleFace& face, const Geometry& geometry);
 
 /// `perspective`: of the drawn triangle's corners, correct in space. `screen`: linear on the screen over the
 /// drawn triangle. `scanline`: along the polygon's edges on the screen, then along the scanline between them.
-/// Under the last two a face cut by the near plane is clipped first; its new corners get perspective-correct
+/// For the last two, a face cut by the near plane is clipped first; its new corners get perspective-correct
 /// values.
 [[nodiscard]] CornerWeights corner_weights(Interpolation interpolation, const Geometry& geometry,
                                            const SampleFace& face);
 
-/// Where the equation is evaluated, and how pixels come by their colour.
+/// Where the equation is evaluated, and the source of a pixel's colour.
 enum class SurfaceKind {
-    Pixels,   // one lit point a pixel
+    Pixels,   // one lit point per pixel
     Corners,  // lit points are vertices; a pixel blends three
     Faces     // lit points are polygons (or triangles, with a provoking corner); a pixel shows one
 };
 
-/// Everything of `shading` that this stage reads.
+/// The members of `shading` that this stage reads.
 struct SurfaceChoice {
     SurfaceKind kind = SurfaceKind::Pixels;
     bool facet_normals = false;  // Pixels: the facet's normal instead of the interpolated one
     Interpolation interpolation = Interpolation::Perspective;
     /// Faces: each triangle at its last corner instead of each polygon at its centroid.
     bool provoking = false;
-    bool two_sided = false;  // a face seen from behind has its normals turned round
+    bool two_sided = false;  // reverses the normals of a face seen from behind
     NormalMistakes mistakes;
     bool operator==(const SurfaceChoice&) const = default;
 };
 [[nodiscard]] SurfaceChoice surface_choice(const Shading& shading);
-/// Returns how many corners a pixel blends at most under Corners.
+/// Returns the maximum number of corners that a pixel blends with Corners.
 [[nodiscard]] inline int max_blended(const SurfaceChoice& choice) {
     return choice.interpolation == Interpolation::Scanline ? CornerWeights::max_count : 3;
 }
 
-/// With several samples a pixel: what each lane of a group shows. A pixel then has a group for each face seen
-/// in it.
+/// With several samples per pixel: the triangle of each lane of a group. A pixel then has a group for each
+/// face seen in it.
 struct GroupSamples {
     std::uint32_t triangle[block_size];  // global number
     float weight[block_size];            // share of the pixel's samples
     PixelPosition at[block_size];        // mean of the samples that show it
-    std::uint16_t back = 0;              // bit i: wound clockwise on the screen
+    std::uint16_t back = 0;              // bit i: clockwise on the screen
 };
 
-/// One entry a row of pixels, and one past the last.
+/// One entry per row of pixels, and one past the last.
 struct RowGroups {
     std::size_t first_group = 0;  // of this row
-    std::uint64_t pixels = 0;     // of the row before, that show a surface
+    std::uint64_t pixels = 0;     // of the previous row, that show a surface
 };
 
 /// The groups of one row of pixels, with several samples.
 struct SampledRow {
     std::vector<PixelGroup> groups;
-    std::vector<GroupSamples> samples;  // one a group
+    std::vector<GroupSamples> samples;  // one per group
     std::uint64_t pixels = 0;           // that show a surface
 };
 
@@ -111,38 +111,39 @@ struct ShadingPoint {
     std::uint32_t object = 0;
     // Corners: ObjectNormals::slot_of(corner); Faces: polygon, or triangle when provoking.
     std::uint32_t item = 0;
-    bool turned = false;  // its normal is turned round (two_sided, seen from behind)
+    bool turned = false;  // its normal is reversed (two_sided, seen from behind)
     bool operator==(const ShadingPoint&) const = default;
 };
 
-/// The lit points that pixels share (Gouraud, flat), among all points of a scene that could be lit: the
-/// objects one after the other, each item twice, with its normal as it is and reversed.
+/// The lit points that pixels share (Gouraud, flat), among all points of a scene that could be lit: object by
+/// object, each item twice, with its own and with its reversed normal.
 struct LitPoints {
     std::vector<std::size_t> first;            // #objects + 1, into seen and point
     std::vector<std::uint8_t> seen;            // 1: some pixel shows it
     std::vector<std::uint32_t> point;          // the lit point's number, or no_index
-    std::vector<ShadingPoint> shading_points;  // of each lit point, 16 a block; unused ones have no_index
+    std::vector<ShadingPoint> shading_points;  // of each lit point, 16 per block; unused ones have no_index
 
     [[nodiscard]] std::size_t number(const ShadingPoint& s) const {
         return first[s.object] + 2 * std::size_t{s.item} + (s.turned ? 1 : 0);
     }
 };
 
-// What each kind of surface keeps beside the lit points.
+// The data of each kind of surface in addition to the lit points.
 
 struct PerPixel {
     std::vector<InterpolateJob> jobs;  // one an object
 };
 struct PerVertex {
     LitPoints lit;
-    // What each pixel blends; entry k of lane i of a group is at Surface::corner_ref(group, k) + i.
+    // The points that each pixel blends; entry k of lane i of a group is at Surface::corner_ref(group, k) +
+    // i.
     PixelVector<std::uint32_t> ref_point;  // numbers of lit points
     PixelVector<float> ref_weight;         // 0: nothing to blend
     std::vector<InterpolateJob> jobs;      // one an object
 };
 struct PerFace {
     LitPoints lit;
-    PixelVector<FaceRefs> refs;  // one a group
+    PixelVector<FaceRefs> refs;  // one per group
 };
 
 /// Counts the indices from `first` on, and before `end`, for which `value` is that of the first: at least 1.
@@ -156,13 +157,13 @@ template <class Value>
 struct Surface {
     SurfaceChoice choice;
     std::vector<ObjectNormals> normals;
-    std::vector<PixelGroup> groups;                   // those of one group of 16 pixels lie together
-    std::vector<GroupSamples> group_samples;          // one a group; empty with one sample a pixel
-    std::vector<RowGroups> row_groups;                // #rows + 1, with one sample a pixel
+    std::vector<PixelGroup> groups;                   // those of 16 consecutive pixels are adjacent
+    std::vector<GroupSamples> group_samples;          // one per group; empty with one sample per pixel
+    std::vector<RowGroups> row_groups;                // #rows + 1, with one sample per pixel
     std::vector<SampledRow> sampled_rows;             // #rows, with several
     PixelVector<PointBlock> points;                   // lit points; Pixels: points[i] belongs to groups[i]
     std::vector<std::uint32_t> point_object;          // #points: the object whose material each block has
-    std::variant<PerPixel, PerVertex, PerFace> kept;  // as choice.kind says
+    std::variant<PerPixel, PerVertex, PerFace> kept;  // according to choice.kind
     std::uint64_t pixel_count = 0;                    // that show a surface
     std::uint64_t point_count = 0;                    // lit
 
@@ -192,7 +193,7 @@ struct Surface {
     }
 };
 
-/// Runs the stage again if anything it reads differs; returns whether it did.
+/// Runs the stage again if any of its inputs differ; returns whether it did.
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 
@@ -204,11 +205,12 @@ struct SurfaceInputs {
     SurfaceInputs(const Surface& s) : choice(s.choice), normals(s.normals) {}  // NOLINT: one for the other
 };
 
-/// Returns what lane `lane` of group `group` shows, without `weights` and `p`: locate_on_face() fills them
+/// Returns the face at lane `lane` of group `group`, without `weights` and `p`, which locate_on_face() fills
 /// in.
 [[nodiscard]] SampleFace face_of_lane(const Surface& surface, const Geometry& geometry,
                                       const Visibility& visibility, std::size_t group, unsigned lane);
-/// Returns what pixel (x, y) shows at its centre. Precondition: one sample a pixel, and it shows a surface.
+/// Returns the face at the centre of pixel (x, y). Precondition: one sample per pixel, and it shows a
+/// surface.
 [[nodiscard]] SampleFace sample_face(const SurfaceChoice& choice, const Geometry& geometry,
                                      const Visibility& visibility, int x, int y);
 
@@ -225,16 +227,15 @@ struct PositionNormal {
         block.nz[lane] = n.z;
     }
 };
-/// Position and normal of the pixel's own point: what is lit under Pixels, and for information under the
-/// other kinds.
+/// Position and normal of the pixel's own point, which is lit for Pixels and only informative for the other
+/// kinds.
 [[nodiscard]] PositionNormal pixel_point(const SurfaceInputs& surface, const Geometry& geometry,
                                          const SampleFace& face);
 /// Position and normal of a shading point on a vertex or face (Gouraud, flat).
 [[nodiscard]] PositionNormal lit_point(const SurfaceInputs& surface, const Geometry& geometry,
                                        const ShadingPoint& source);
 
-/// The shading points that a sample blends under Corners (weights in the same order), or shows under Faces
-/// (one).
+/// The shading points that a sample blends for Corners (weights in the same order), or shows for Faces (one).
 struct BlendedPoints {
     int count = 0;
     std::array<ShadingPoint, CornerWeights::max_count> point;
@@ -245,23 +246,23 @@ struct BlendedPoints {
 
 // The steps that fill a surface.
 
-/// With several samples a pixel: fills groups, group_samples and pixel_count from all planes of the
+/// With several samples per pixel: fills groups, group_samples and pixel_count from all planes of the
 /// visibility, in reading order (multisample.cpp).
 void find_sampled_groups(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
-/// What the kernels read of each object to interpolate over its faces. Fills `jobs`: one an object.
+/// Fills `jobs` with the kernels' input for interpolation over each object's faces, one per object.
 void prepare_interpolation(std::vector<InterpolateJob>& jobs, const Surface& surface,
                            const Geometry& geometry, const Visibility& visibility);
 
-/// Groups that a kernel takes in one call.
+/// Groups per call of a kernel.
 inline constexpr std::size_t max_together = 64;
 
 /// Phong and facet shading: fills points, point_object and point_count with the position and normal of every
 /// visible pixel (interpolate_pixels.cpp). Precondition: the groups are found.
 void interpolate_pixels(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
-/// Gouraud and flat shading light only the corners and faces that are seen, each once: fills points,
-/// point_object, and the refs of every group (lit_points.cpp). Precondition: the groups are found.
+/// Gouraud and flat shading light only visible corners and faces, each once: fills points, point_object, and
+/// the refs of every group (lit_points.cpp). Precondition: the groups are found.
 void collect_lit_points(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 }  // namespace glint

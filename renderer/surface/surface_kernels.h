@@ -1,12 +1,12 @@
 #pragma once
-// What goes into and comes out of the kernel of the surface: plain numbers, shared by all instruction sets.
+// The input and output of the surface kernels: plain numbers, shared by all instruction sets.
 
 #include "renderer/lighting/light_job.h"
 #include "renderer/visibility/visibility_kernels.h"
 
 namespace glint {
 
-/// A blended normal not longer than this counts as none: opposite corner normals can cancel.
+/// A blended normal not longer than this is degenerate: opposite corner normals can cancel.
 inline constexpr float shortest_normal = 1e-6f;
 
 /// Up to 16 neighbouring pixels of one row that show the same object.
@@ -16,27 +16,27 @@ struct PixelGroup {
     std::uint16_t mask = 0;  // bit i: pixel first_pixel + i
 };
 
-/// The arrays of one object in which a pixel looks up the corners of its triangle.
+/// The arrays of one object for looking up the corners of a pixel's triangle.
 struct InterpolateJob {
     const TransformedVertex* vertices = nullptr;
     const CameraNormal* normals = nullptr;
-    const std::uint32_t* triangle_vertices = nullptr;  // three a triangle
-    // Null unless the mesh has more than one normal a vertex: each triangle's corners (four numbers, the
+    const std::uint32_t* triangle_vertices = nullptr;  // three per triangle
+    // Null unless the mesh has more than one normal per vertex: each triangle's corners (four numbers, the
     // last unused) and the index of each corner's normal.
     const std::uint32_t* triangle_corners = nullptr;
     const std::uint32_t* corner_normal = nullptr;
     std::uint32_t first_triangle = 0;     // global number of the object's first
     float width = 0, height = 0;          // of the picture
     const std::uint32_t* seen = nullptr;  // seen_code of each of its pixels, row by row
-    std::uint32_t clipped_bits = 0;       // a vertex with one of these in `outside` needs doubles
-    bool two_sided = false;               // a triangle seen from behind has its normals turned round
+    std::uint32_t clipped_bits = 0;       // a vertex with one of these in `outside` requires doubles
+    bool two_sided = false;               // reverses the normals of a triangle seen from behind
 };
 
 /// The kernels of one instruction set.
 struct SurfaceKernels {
-    /// Positions and normals of the pixels of `count` groups of one object, a block a group.
+    /// Positions and normals of the pixels of `count` groups of one object, one block per group.
     /// on_fast_path[i] = 0 if group i shows a clipped triangle or a degenerate normal; out[i] is then
-    /// undefined, and the caller finds it by doubles. Else 1.
+    /// undefined, and the caller computes it in doubles. Else 1.
     void (*interpolate)(const InterpolateJob& job, const PixelGroup* groups, std::size_t count,
                         PointBlock* out, std::uint8_t* on_fast_path);
     /// Perspective-correct weights of the three corners of the triangle that each pixel shows: 16 of the
@@ -46,7 +46,7 @@ struct SurfaceKernels {
                   std::uint8_t* on_fast_path);
 };
 
-/// The kernels of the instruction set that is in use (instruction_set.h).
+/// The kernels of the current instruction set (instruction_set.h).
 const SurfaceKernels& surface_kernels();
 
 }  // namespace glint
