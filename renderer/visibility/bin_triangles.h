@@ -1,5 +1,5 @@
 #pragma once
-// Finds which tiles each of many triangles may touch, and which of them have to be clipped first.
+// Finds the tiles that each of many triangles may touch, and the triangles that must be clipped first.
 
 #include "renderer/simd/int_lanes.h"
 #include "renderer/simd/transpose.h"
@@ -7,7 +7,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// -1 where some of the bits are set, else 0; the bits below 2^31.
+/// -1 where any of the bits is set, else 0; bits are below 2^31.
 template <class I> I mask_of_bits(I a) { return negative(0 - a); }
 
 /// A corner on the grid, relative to the triangle's first.

@@ -1,4 +1,4 @@
-// Sorts triangles into the tiles of the picture that they touch, after clipping and culling: each tile is
+// Sorts triangles into the tiles of the picture that they touch, after clipping and culling. Each tile is
 // then drawn by one thread.
 #include "renderer/visibility/binning.h"
 
@@ -14,17 +14,18 @@
 namespace glint {
 namespace {
 
-constexpr std::uint32_t chunk_size = 8192;                // triangles that one task sorts
+constexpr std::uint32_t chunk_size = 8192;                // triangles per task
 constexpr std::size_t max_pieces = std::size_t{1} << 30;  // their vertices' numbers are 4 i, 4 i + 1, ...
 
-/// One chunk more, at the back, without parts.
+/// Appends a chunk without parts.
 BinnedChunk& add_chunk(TileLists& lists, std::size_t& count) {
-    if (count == lists.chunks.size()) lists.chunks.emplace_back();  // else in the memory of the frame before
+    if (count == lists.chunks.size())
+        lists.chunks.emplace_back();  // otherwise reuses the last frame's memory
     lists.chunks[count].parts.clear();
     return lists.chunks[count++];
 }
 
-/// `like`: what is the same for all of the picture.
+/// `like`: the values that are the same for the entire picture.
 BinJob sort_job(const ObjectGeometry& object, const BinJob& like, Cull cull) {
     BinJob job = like;
     job.triangle_vertices = object.triangle_vertices.data();
@@ -36,11 +37,11 @@ BinJob sort_job(const ObjectGeometry& object, const BinJob& like, Cull cull) {
     return job;
 }
 
-/// Divides the triangles into chunks, one per task. A task has a number for each cell, so small objects share
-/// one: with a task each there would be objects x cells numbers.
+/// Divides the triangles into chunks, one per task. A task has a counter for each cell, so small objects
+/// share one: with a task per object there would be objects x cells counters.
 void lay_out_chunks(TileLists& lists, const Geometry& g, const BinJob& like, Cull cull) {
     std::size_t count = 0;
-    std::uint32_t room = 0;  // triangles that the last chunk has room for
+    std::uint32_t room = 0;  // number of triangles that still fit the last chunk
     for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
         if (!g.objects[o].visible) continue;
         const auto triangles = static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size());
@@ -58,12 +59,12 @@ void lay_out_chunks(TileLists& lists, const Geometry& g, const BinJob& like, Cul
     lists.chunks.resize(count);
 }
 
-/// How many tiles a box meets.
+/// The number of tiles that a box overlaps.
 std::uint64_t tiles_of(const TriangleBox& box) {
     return std::uint64_t{box.x1() - box.x0() + 1} * (box.y1() - box.y0() + 1);
 }
 
-/// The finest level on which a box meets few enough cells.
+/// The finest level on which a box overlaps few enough cells.
 std::uint32_t level_of(std::uint32_t x0, std::uint32_t y0, std::uint32_t x1, std::uint32_t y1) {
     std::uint32_t level = 0;
     while ((x1 >> level) - (x0 >> level) >= CellGrid::widest ||
@@ -86,7 +87,8 @@ void visit_cells(const CellGrid& grid, const BinnedChunk& chunk, std::size_t beg
     }
 }
 
-/// Removes hidden triangles from what a part of a chunk added to `out`. `before`: `out` before that.
+/// Removes hidden triangles from the entries that a part of a chunk added to `out`. `before`: `out` before
+/// that.
 void leave_out_hidden(const std::vector<std::uint8_t>& hidden, const ChunkPart& part,
                       const BinnedTriangles& before, BinnedTriangles& out) {
     const std::uint32_t first = part.job.first_triangle;
@@ -98,7 +100,7 @@ void leave_out_hidden(const std::vector<std::uint8_t>& hidden, const ChunkPart& 
     out.to_clip_count = static_cast<std::size_t>(clip_end - out.to_clip);
 }
 
-/// Finds a chunk's boxes, and how many of them each cell lists. `hidden`: as in Visibility.
+/// Finds a chunk's boxes, and counts the entries of each cell. `hidden`: as in Visibility.
 void bin_chunk(const CellGrid& grid, BinnedChunk& chunk, const std::vector<std::uint8_t>& hidden) {
     std::size_t room = 1;
     for (const ChunkPart& part : chunk.parts) room += part.end - part.begin;
@@ -123,13 +125,13 @@ void bin_chunk(const CellGrid& grid, BinnedChunk& chunk, const std::vector<std::
                 });
 }
 
-/// Cuts a triangle, which crosses the near or far plane or leaves the guard band, into pieces that do not.
+/// Clips a triangle that crosses the near or far plane or leaves the guard band into pieces that do not.
 void clip_triangle(TileLists& lists, const Geometry& g, const ObjectGeometry& object, std::uint32_t t) {
     std::vector<glm::dvec4>& polygon = lists.polygon;
     polygon.clear();
     for (std::size_t k = 0; k < 3; ++k) {
         const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
-        // In two steps, as the kernels take them (transform_lanes.h), so that no crack opens.
+        // In the same two steps as the kernels (transform_lanes.h), so that there is no crack.
         polygon.push_back(g.clip_from_view * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
     }
     clip_polygon(polygon, lists.spare_polygon);
@@ -156,8 +158,8 @@ void clip_triangles(TileLists& lists, const Geometry& g) {
     }
 }
 
-/// The clipped pieces as one more chunk, the last. To the kernel they are an object whose every triangle has
-/// vertices of its own, four records apart; which of them are culled is found where they are drawn.
+/// Adds the clipped pieces as the last chunk. For the kernel they are an object in which every triangle has
+/// its own vertices, four records apart; they are culled when they are drawn.
 void bin_pieces(TileLists& lists, const Geometry& g, const BinJob& like) {
     static_assert(sizeof(ClippedTriangle) == 4 * sizeof(ScreenVertex));
     const auto count = static_cast<std::uint32_t>(lists.clipped.size());
@@ -179,8 +181,8 @@ void refuse_too_many_tiles(std::uint64_t met) {
              fmt::format("at most {}: fewer or smaller triangles, or a smaller picture", max_met_tiles)});
 }
 
-/// Turns each chunk's counts into where its entries begin in their cells, so that the order never depends on
-/// threads. The entries of one cell are fewer than 2^31; all together may be more than 2^32.
+/// Converts each chunk's counts to the offsets of its entries in their cells, so that the order never depends
+/// on threads. The entries of one cell are fewer than 2^31; all together may be more than 2^32.
 void number_places(TileLists& lists) {
     std::uint32_t levels = lists.pieces.levels;
     for (const BinnedChunk& chunk : lists.chunks) levels |= chunk.levels;

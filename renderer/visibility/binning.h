@@ -1,6 +1,6 @@
 #pragma once
-// Lists which triangles may be seen in which tile of the screen: those in view, clipped where they must be,
-// without the ones that are culled or have no area.
+// Lists the triangles that may be visible in each tile of the screen: those in view, clipped if necessary,
+// without culled ones or ones without an area.
 
 #include <array>
 
@@ -10,8 +10,8 @@
 namespace glint {
 
 /// The picture's tiles, and larger cells over them: a cell of level L is 2^L x 2^L tiles. A triangle is
-/// listed in cells of the finest level on which its bounding box meets at most `widest` a side, so that it
-/// has at most 16 entries however large it is, and all but the largest are listed in the tiles themselves.
+/// listed in cells of the finest level on which its bounding box overlaps at most `widest` per side, so that
+/// even a large triangle has at most 16 entries, and all but the largest are listed in the tiles themselves.
 struct CellGrid {
     static constexpr std::uint32_t widest = 4;
     static constexpr std::uint32_t levels = 7;
@@ -25,7 +25,7 @@ struct CellGrid {
     [[nodiscard]] std::uint32_t row(std::uint32_t level) const { return ((tiles_x - 1) >> level) + 1; }
     [[nodiscard]] std::uint32_t tile_count() const { return tiles_x * tiles_y; }
     [[nodiscard]] std::uint32_t cell_count() const { return first[levels]; }
-    /// The cell of a level that holds the tile (x, y).
+    /// The cell of a level that contains the tile (x, y).
     [[nodiscard]] std::uint32_t cell_at(std::uint32_t level, std::uint32_t x, std::uint32_t y) const {
         return first[level] + (y >> level) * row(level) + (x >> level);
     }
@@ -35,17 +35,17 @@ struct CellGrid {
 struct ChunkPart {
     std::uint32_t object = 0, begin = 0, end = 0;  // triangles, numbers within the object
     BinJob job;
-    std::size_t box_end = 0, clip_end = 0;  // where its boxes and clipped triangles end in the chunk's
+    std::size_t box_end = 0, clip_end = 0;  // ends of its boxes and clipped triangles in the chunk's
 };
 
 /// Neighbouring triangles that one task bins: of one object, or of several small ones.
 struct BinnedChunk {
     std::vector<ChunkPart> parts;
-    std::vector<TriangleBox> boxes;      // of those that may be seen, rising
+    std::vector<TriangleBox> boxes;      // of those that may be visible, rising
     std::vector<std::uint32_t> to_clip;  // numbers within their objects, rising
-    std::vector<std::uint32_t> next;     // #cells: the place of its next entry in the cell (first: how many)
-    std::uint32_t levels = 0;            // bit L: some entry is in a cell of level L
-    std::uint64_t met = 0;               // tiles that the boxes meet, of all together
+    std::vector<std::uint32_t> next;  // #cells: the index of its next entry in the cell (at first: the count)
+    std::uint32_t levels = 0;         // bit L: some entry is in a cell of level L
+    std::uint64_t met = 0;            // total number of tiles that the boxes overlap
 };
 
 struct TileLists {
@@ -53,7 +53,7 @@ struct TileLists {
     std::vector<std::size_t> cell_first;   // #cells + 1, into entries
     std::vector<TileEntry> entries;        // numbers rising within a cell
     std::vector<ClippedTriangle> clipped;  // numbered Geometry::triangle_count and on in the entries
-    // Intermediate results, kept for their memory:
+    // Scratch, kept to avoid allocations:
     std::vector<BinnedChunk> chunks;                 // of all triangles, in rising order
     BinnedChunk pieces;                              // of the clipped ones: binned as one more object, with
     std::vector<std::uint32_t> clipped_vertices;     // three vertices each of their own
@@ -64,13 +64,13 @@ struct TileLists {
     }
 };
 
-/// The most tiles that all triangles together may meet: each is a step of drawing, and this many take
-/// minutes.
+/// The maximum number of tiles that all triangles together may overlap: each is a step of drawing, and this
+/// many take minutes.
 inline constexpr std::uint64_t max_met_tiles = std::uint64_t{1} << 30;
 
-/// Makes the lists again, reusing their memory. `multisampled`: for samples anywhere in their pixels, not at
-/// the centres alone. `hidden`: as in Visibility. Throws LimitExceeded when the triangles meet more
-/// than max_met_tiles.
+/// Rebuilds the lists, reusing their memory. `multisampled`: for samples anywhere in their pixels, not only
+/// at the centres. `hidden`: as in Visibility. Throws LimitExceeded if the triangles overlap more than
+/// max_met_tiles.
 void bin_into_tiles(TileLists& lists, const Geometry& geometry, Cull cull, bool multisampled,
                     const std::vector<std::uint8_t>& hidden = {});
 

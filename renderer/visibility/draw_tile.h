@@ -1,13 +1,13 @@
 #pragma once
-// Draws all triangles of one tile: they are made ready several at once (triangle_lanes.h), then drawn one
-// after the other.
+// Draws all triangles of one tile: sets up several at once (triangle_lanes.h), then draws them one after the
+// other.
 
 #include "renderer/visibility/fill_triangle.h"
 #include "renderer/visibility/triangle_lanes.h"
 
 namespace glint::inline GLINT_ISA {
 
-/// Neighbours in the tile's list that belong to one object, or are clipped pieces.
+/// Consecutive entries of the tile's list that belong to one object or are clipped pieces.
 struct TileRun {
     const TileEntry* entries;
     unsigned count;
@@ -17,7 +17,7 @@ struct TileRun {
     bool mirrored;
 };
 
-/// The corners of the triangles i .. i + N - 1 of a run, those past its end repeating the last.
+/// The corners of the triangles i .. i + N - 1 of a run, with the last repeated past its end.
 template <Number F> CornerLanes<F> corner_lanes(const TileJob& job, const TileRun& run, unsigned i) {
     constexpr unsigned width = NumberTraits<F>::width;
     unsigned at[width], vertex[3][width];
@@ -37,12 +37,12 @@ template <Number F> CornerLanes<F> corner_lanes(const TileJob& job, const TileRu
     return corners;
 }
 
-/// Draws one lane; `number`: its triangle's, global.
+/// Draws one lane; `number`: the triangle's global number.
 template <Number F, unsigned N>
 void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane, std::uint32_t number,
                bool mirrored, TilePixels& tile) {
     const long long area = lanes.small[lane] ? lanes.area[lane] : doubled_area(triangle_of_lane(lanes, lane));
-    // Clockwise as seen is the back, unless the transform turned it over.
+    // Clockwise on the screen is the back, unless the transform mirrors the object.
     const bool back = (area > 0) != mirrored;
     if (area == 0 || !(back ? job.draw_back : job.draw_front)) return;
     const int code = static_cast<int>(seen_code(number, std::uint32_t{back}));
@@ -57,8 +57,8 @@ void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane,
     fill_large_triangle<F>(large, tile);
 }
 
-/// Draws those of the first `count` lanes that are tiny, all together. Returns as bits the lanes that are
-/// left to be drawn one by one. All lanes belong to one object.
+/// Draws the tiny triangles among the first `count` lanes together. Returns the other lanes as bits, to be
+/// drawn one by one. All lanes belong to one object.
 template <Number F>
 unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::width>& lanes, unsigned count,
                    bool mirrored, TilePixels& tile) {
@@ -77,7 +77,7 @@ unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::widt
     return mask_bits(not_equal(drawable & inverted(tiny), broadcast<I>(0)));
 }
 
-/// Prefetches the vertices of the triangles begin .. end - 1 of a run, which lie anywhere in memory.
+/// Prefetches the vertices of the triangles begin .. end - 1 of a run, which are scattered in memory.
 inline void prefetch(const TileRun& run, unsigned begin, unsigned end) {
     for (unsigned i = begin; i < end && i < run.count; ++i)
         for (const std::uint32_t vertex : run.entries[i].vertex) __builtin_prefetch(run.screen + vertex);
@@ -133,7 +133,7 @@ template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
     }
 }
 
-/// Tells which pixels of a patch show a triangle: bit i the pixel i.
+/// Returns the pixels of a patch that show a triangle: bit i is pixel i.
 template <Number F> unsigned covered_of_patch(const std::int32_t* seen) {
     unsigned bits = 0;
     for (int i = 0; i < patch_pixels; i += NumberTraits<F>::width)
@@ -144,7 +144,7 @@ template <Number F> unsigned covered_of_patch(const std::int32_t* seen) {
 /// The rows of a line of patches, from `y` on.
 template <Number F> void take_patches(const TilePixels& tile, int y, const TileRows& out) {
     const std::ptrdiff_t first = std::ptrdiff_t{y / patch_side} * patches_a_row * patch_pixels;
-    std::uint64_t covered[patch_side] = {};  // of each row: bit i the pixel i
+    std::uint64_t covered[patch_side] = {};  // of each row: bit i is pixel i
     for (int p = 0; p < patches_a_row && p * patch_side < out.width; ++p) {
         const std::int32_t* patch = tile.seen + first + std::ptrdiff_t{p} * patch_pixels;
         const int x = p * patch_side, within = min(out.width - x, patch_side);

@@ -12,15 +12,15 @@ struct TileCorner {
     float inv_w;
 };
 
-/// A triangle as it is drawn: turned so that it runs clockwise as seen (y down).
+/// A triangle ready for drawing, reordered to be clockwise on the screen (y down).
 struct TileTriangle {
     TileCorner corner[3];
     long long area;      // doubled
-    int x0, y0, x1, y1;  // the pixels of the tile whose samples its bounding box holds, inclusive
-    int code;            // what its pixels hold when it is seen (seen_code)
+    int x0, y0, x1, y1;  // the pixels of the tile whose samples its bounding box contains, inclusive
+    int code;            // the value of its visible pixels (seen_code)
 };
 
-/// Positive when the corners run clockwise.
+/// Positive if the corners are clockwise.
 inline long long doubled_area(const TileTriangle& t) {
     const TileCorner *a = t.corner, *b = a + 1, *c = a + 2;
     return doubled_area<long long>(b->x - a->x, b->y - a->y, c->x - a->x, c->y - a->y);
@@ -41,7 +41,7 @@ template <class D> struct DepthPlane { D value, step_x, step_y; };
 template <class D> struct PlaneCorner { D x, y, inv_w; };
 template <class D> struct TilePixel { D x0, y0; };
 
-/// `area`: doubled, positive when the corners run clockwise; either way round gives the same plane.
+/// `area`: doubled, positive if the corners are clockwise; both windings give the same plane.
 template <class D>
 DepthPlane<D> depth_plane(const PlaneCorner<D> (&corner)[3], D area, const TilePixel<D>& pixel) {
     const auto& [a, b, c] = corner;
@@ -52,10 +52,10 @@ DepthPlane<D> depth_plane(const PlaneCorner<D> (&corner)[3], D area, const TileP
     return {value, per_x * D(subpixels), per_y * D(subpixels)};
 }
 
-/// Depth and code that a triangle writes into the pixels where it is seen.
+/// Depth and code that a triangle writes to its visible pixels.
 struct TilePlane {
     DepthPlane<float> inv_w;
-    TilePixel<int> from;  // where its value is
+    TilePixel<int> from;  // position of its value
     int code;             // seen_code
 };
 
@@ -73,7 +73,7 @@ inline TilePlane plane_of(const TileTriangle& t) {
 }
 
 /// Patches of a tile (TilePixels), columns x0..x1 and rows y0..y1, and the three edges as functions of the
-/// pixel (EdgeFunction): values at the first patch's first pixel, steps a pixel.
+/// pixel (EdgeFunction): values at the first patch's first pixel, steps per pixel.
 struct PatchEdges {
     int x0, y0, x1, y1;
     int value[3], step_x[3], step_y[3];
@@ -91,7 +91,7 @@ template <Number F> DepthPlane<F> broadcast(const DepthPlane<float>& plane) {
     return {F(plane.value), F(plane.step_x), F(plane.step_y)};
 }
 
-/// The depth test, for lanes of a patch: keeps the nearer of the stored surface and the triangle.
+/// The depth test for lanes of a patch: keeps the nearer of the stored surface and the triangle.
 template <Number F>
 void keep_nearer(MaskOf<F> inside, F inv_w, int triangle_code, float* nearest, std::int32_t* seen) {
     const F before = load<F>(nearest);
@@ -101,7 +101,7 @@ void keep_nearer(MaskOf<F> inside, F inv_w, int triangle_code, float* nearest, s
     store_ints(seen, select(wins, code, shown));
 }
 
-/// Draws what lies in the patches.
+/// Draws the triangle in the patches.
 template <Number F> void fill_patches(const PatchEdges& e, const TilePlane& plane, TilePixels& tile) {
     constexpr int width = NumberTraits<F>::width, steps = patch_pixels / width;
     using I = IntOf<F>;
@@ -125,7 +125,7 @@ template <Number F> void fill_patches(const PatchEdges& e, const TilePlane& plan
                 const std::ptrdiff_t at = first + std::ptrdiff_t{s} * width;
                 keep_nearer<F>(inside, inv_w, plane.code, tile.inv_w + at, tile.seen + at);
             }
-            if (px == e.x1) break;  // before a step that may leave 32 bits
+            if (px == e.x1) break;  // before a step that may overflow 32 bits
             for (int k = 0; k < 3; ++k)
                 for (int s = 0; s < steps; ++s) edge[k][s] = edge[k][s] + patch_side * e.step_x[k];
         }
@@ -165,7 +165,7 @@ inline Fit fit_edge(const LongEdge& edge, PatchEdges& out, int k) {
     return Fit::Fits;
 }
 
-/// Draws the patches x0..x1, y0..y1. False, and nothing is drawn, when an edge does not fit.
+/// Draws the patches x0..x1, y0..y1. Returns false, and draws nothing, if an edge does not fit.
 template <Number F>
 bool fill_long_edges(const TilePlane& plane, const LongEdge (&edges)[3], int x0, int y0, int x1, int y1,
                      TilePixels& tile) {

@@ -1,6 +1,6 @@
 #pragma once
-// Sets up several triangles side by side: boxes, areas and edges by the formulas of fill_rule.h, with the
-// same results as for one triangle, where they fit 32 bits.
+// Sets up several triangles at once: boxes, areas and edges by the formulas of fill_rule.h, with the same
+// results as for one triangle if they fit 32 bits.
 
 #include "renderer/simd/transpose.h"
 #include "renderer/visibility/fill_triangle.h"
@@ -14,16 +14,16 @@ template <Number F> struct CornerLanes {
     F inv_w[3];
 };
 
-/// N triangles made ready for drawing into one tile. Flags are -1 (true) or 0.
+/// N triangles ready for drawing into one tile. Flags are -1 (true) or 0.
 template <unsigned N> struct TriangleLanes {
     int number[N];
     int x[3][N], y[3][N];
     float inv_w[3][N];
     int x0[N], y0[N], x1[N], y1[N];  // as in TileTriangle
-    int empty[N];                    // -1: the box holds no sample of the tile
-    int small[N];                    // -1: what follows has been found, else it may not fit
+    int empty[N];                    // -1: the box contains no sample of the tile
+    int small[N];                    // -1: the members below are valid, else they may not fit
     int area[N];
-    int value[3][N], step_x[3][N], step_y[3][N];  // as in PatchEdges, of the triangle turned clockwise
+    int value[3][N], step_x[3][N], step_y[3][N];  // as in PatchEdges, of the triangle reordered clockwise
     DepthPlane<float[N]> plane;                   // at pixel (x0, y0)
 };
 
@@ -55,7 +55,7 @@ template <Number F> void make_ready(const CornerLanes<F>& in, TriangleLanes<Numb
     const I(&x)[3] = in.x;
     const I(&y)[3] = in.y;
     const auto [x0, y0, x1, y1, small] = sample_box(x, y, 0, 0, tile_size - 1, tile_size - 1);
-    I sx[3], sy[3];  // zeros where the products below would not fit
+    I sx[3], sy[3];  // zeros if the products below would not fit
     for (int k = 0; k < 3; ++k) {
         sx[k] = small & x[k];
         sy[k] = small & y[k];
@@ -118,18 +118,18 @@ template <unsigned N> PatchEdges edges_of_lane(const TriangleLanes<N>& lanes, un
     return e;
 }
 
-// Triangles of a few pixels, one per lane: all step through their boxes together and list the pixels that
-// they cover, which are then depth-tested against the tile one by one.
+// Triangles of a few pixels, one per lane: all lanes step through their boxes together and list the covered
+// pixels, which are then depth-tested against the tile one by one.
 
-/// A triangle whose box has a longer side than this, in pixels, is drawn faster alone, patch by patch.
+/// A triangle whose box has a longer side than this, in pixels, is drawn faster on its own, patch by patch.
 inline constexpr int tiny_side = 6;
 
-/// The pixels of N triangles' boxes, one of each at every step, with depths; and the list of covered ones.
+/// The pixels of N triangles' boxes, one per triangle and step, with depths; and the list of covered ones.
 template <unsigned N> struct Fragments {
     static constexpr unsigned most = N * tiny_side * tiny_side;
-    int at[most];  // where in the tile (TilePixels)
+    int at[most];  // indices in the tile (TilePixels)
     float inv_w[most];
-    int code[N];  // what is seen of each triangle
+    int code[N];  // seen_code of each triangle
     int covered[most + N];
     unsigned covered_count = 0;
 };
@@ -146,7 +146,7 @@ template <unsigned N> void keep_nearer(const Fragments<N>& fragments, TilePixels
     }
 }
 
-/// Draws the lanes of `chosen` (-1; others 0), whose boxes are tiny; `code`: what their pixels get.
+/// Draws the lanes of `chosen` (-1; others 0), whose boxes are tiny; `code`: the value of their pixels.
 template <Number F>
 void fill_tiny(const TriangleLanes<NumberTraits<F>::width>& lanes, IntOf<F> chosen, IntOf<F> code,
                TilePixels& tile) {

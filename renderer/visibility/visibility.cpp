@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-/// A tile's place in one sample's plane of the picture; at the right and lower border it may reach beyond.
+/// A tile's part of one sample's plane of the picture; at the right and lower border it may extend beyond.
 TileRows tile_rows(const TileJob& job, PictureSize size, int sample, Visibility& out) {
     const auto x = static_cast<std::size_t>(job.x0), y = static_cast<std::size_t>(job.y0);
     TileRows rows;
@@ -29,7 +29,7 @@ void list_objects(const Geometry& g, std::vector<DrawnObject>& drawn) {
                          static_cast<std::uint32_t>(o.mesh->triangles.size()), o.mirrored});
 }
 
-/// The lists of what a tile may show: those of the cells that hold it, on every level.
+/// The lists of a tile's triangles: those of the cells that contain it, on every level.
 class CellLists {
   public:
     CellLists(const TileLists& lists, std::uint32_t tile) : lists_(lists) {
@@ -62,7 +62,8 @@ void rasterize_tiles(const Geometry& g, Visibility& out) {
     list_objects(g, out.objects);
     tbb::parallel_for(std::uint32_t{0}, out.tiles.grid.tile_count(), [&](std::uint32_t number) {
         const CellLists lists(out.tiles, number);
-        if (lists.empty() && !out.tile_drawn[number]) return;  // background before and now
+        if (lists.empty() && !out.tile_drawn[number])
+            return;  // background in the last picture and in this one
         out.tile_drawn[number] = !lists.empty();
         TileJob job;
         job.objects = out.objects.data();

@@ -1,6 +1,6 @@
 #pragma once
-// Stage 2. Finds which triangle each sample shows: triangles are clipped, culled and sorted into tiles, then
-// drawn by an exact fill rule on integers. The nearest wins; ties go to the lower object and then the lower
+// Stage 2. Finds the triangle that each sample shows: clips and culls triangles, sorts them into tiles, and
+// draws them by an exact integer fill rule. The nearest wins; ties go to the lower object and then the lower
 // face. Inputs: the geometry and `cull`.
 
 #include <cstdint>
@@ -13,34 +13,35 @@ namespace glint {
 
 struct Visibility {
     Cull cull = Cull::None;
-    std::vector<std::uint8_t> hidden;  // #triangles, 1: not drawn; empty: none is hidden
-    PictureSize size{0, 0};            // of the picture that `seen`, `covered` and `tile_drawn` are of
-    int samples = 1;                   // a pixel: 1, 2, 4 or 8; each has a plane of width x height of its own
+    std::vector<std::uint8_t> hidden;  // #triangles, 1: not drawn; empty: all are drawn
+    PictureSize size{0, 0};            // the picture of `seen`, `covered` and `tile_drawn`
+    int samples = 1;                   // per pixel: 1, 2, 4 or 8; each has its own plane of width x height
     TileLists tiles;
     std::vector<DrawnObject> objects;
     std::size_t plane = 0;            // width x height
     PixelVector<std::uint32_t> seen;  // samples planes: seen_code of the nearest triangle; 0: none
-    // With one sample a pixel: which pixels of each group of 16 in a row show a triangle, groups_a_row a row.
+    // With one sample per pixel: which pixels of each group of 16 in a row show a triangle, groups_a_row per
+    // row.
     std::vector<std::uint16_t> covered;
     std::size_t groups_a_row = 0;
-    std::vector<std::uint8_t> tile_drawn;  // 0: the tile is empty, and `seen` and `covered` say so
+    std::vector<std::uint8_t> tile_drawn;  // 0: the tile is empty, in `seen` and `covered` too
 
     [[nodiscard]] std::uint32_t triangle_at(std::size_t pixel) const {
         return seen[pixel] ? triangle_of_code(seen[pixel]) : no_triangle;
     }
-    /// True when the triangle seen is wound clockwise on the screen.
+    /// Whether the visible triangle is clockwise on the screen.
     [[nodiscard]] bool back_at(std::size_t pixel) const { return seen[pixel] && back_of_code(seen[pixel]); }
 };
 
-/// The place of sample `which` of `samples` in its pixel, in 1/256 pixel from the centre. One sample is the
-/// centre; the others are the usual rotated grids, so that nearly horizontal and vertical edges get as many
-/// steps as samples.
+/// The position of sample `which` of `samples` in its pixel, in 1/256 pixel from the centre. One sample is
+/// the centre; the others are the usual rotated grids, so that nearly horizontal and vertical edges get as
+/// many steps as samples.
 struct SampleOffset {
     int x = 0, y = 0;
 };
 [[nodiscard]] SampleOffset sample_offset(int samples, int which);
 
-/// Runs the stage again if the geometry was redone or `cull`, `samples` or `hidden` differ; returns whether
+/// Runs the stage again if the geometry has changed or `cull`, `samples` or `hidden` differ; returns whether
 /// it did. `hidden`: as in Visibility.
 bool update_visibility(Visibility& kept, const Geometry& geometry, Cull cull, int samples,
                        bool geometry_redone, const std::vector<std::uint8_t>& hidden = {});

@@ -1,5 +1,5 @@
 #pragma once
-// What goes into and comes out of the kernels of visibility: plain numbers, shared by all instruction sets.
+// The input and output of the visibility kernels: plain numbers, shared by all instruction sets.
 
 #include "renderer/geometry/geometry_kernels.h"
 
@@ -8,29 +8,29 @@ namespace glint {
 inline constexpr int tile_bits = 6;
 inline constexpr int tile_size = 1 << tile_bits;  // pixels a side
 
-/// A piece of a triangle that had to be clipped.
+/// A piece of a clipped triangle.
 struct ClippedTriangle {
     ScreenVertex corner[3];
     std::uint32_t triangle = 0;  // global number of the triangle it came from
-    bool mirrored = false;       // as its object is (DrawnObject)
+    bool mirrored = false;       // from its object (DrawnObject)
 };
 
 // Which tiles a triangle may touch.
 
 struct BinJob {
-    const std::uint32_t* triangle_vertices = nullptr;  // three a triangle
+    const std::uint32_t* triangle_vertices = nullptr;  // three per triangle
     const ScreenVertex* screen = nullptr;
     std::uint32_t first_triangle = 0;  // global number of the object's first
     int width = 0, height = 0;         // of the picture
-    int margin = 0;                    // 1/256 pixel, by which boxes are made larger on every side
-    std::uint32_t clipped_bits = 0;    // a triangle with one of these at some corner has to be clipped
+    int margin = 0;                    // 1/256 pixel; boxes are enlarged by it on every side
+    std::uint32_t clipped_bits = 0;    // a triangle with one of these at some corner must be clipped
     std::uint32_t beyond_bits = 0;     // with one of these at all corners it is out of view
-    // Culling. Only triangles less than a tile wide and high are culled here, as their areas fit 32 bits;
-    // larger ones are culled when they are drawn.
+    // Culling. Only triangles less than a tile wide and high are culled here, because their areas fit 32
+    // bits; larger ones are culled when they are drawn.
     bool drop_clockwise = false, drop_counterclockwise = false;
 };
 
-/// The tiles x0..x1, y0..y1 (inclusive) that a triangle's bounding box meets.
+/// The tiles x0..x1, y0..y1 (inclusive) that a triangle's bounding box overlaps.
 struct TriangleBox {
     std::uint32_t number;  // global
     std::uint32_t tiles;   // x0, y0, x1, y1, eight bits each, x0 the lowest
@@ -45,7 +45,7 @@ struct TriangleBox {
     [[nodiscard]] std::uint32_t y1() const { return tiles >> 24; }
 };
 
-/// The output of binning; each array has room for one entry per triangle, and one more.
+/// The output of binning; each array has room for one more entry than there are triangles.
 struct BinnedTriangles {
     TriangleBox* boxes = nullptr;
     std::size_t box_count = 0;
@@ -53,11 +53,11 @@ struct BinnedTriangles {
     std::size_t to_clip_count = 0;
 };
 
-// Which triangle is seen at each pixel of a tile.
+// The visible triangle at each pixel of a tile.
 
-/// The code that a pixel holds where it shows a triangle; 0 shows none. Larger for lower numbers, so that at
-/// equal depth the lower object and then the lower face wins by being larger. Numbers below 2^30; `back`: 1
-/// where the triangle is wound clockwise as seen, else 0. I: an integer, or as many as there are lanes.
+/// The code of a pixel that shows a triangle; 0: none. Lower numbers have larger codes, so that at equal
+/// depth the lower object and then the lower face wins. Numbers are below 2^30; `back`: 1 if the triangle is
+/// clockwise on the screen, else 0. I: an integer, or as many as there are lanes.
 template <class I> [[nodiscard]] constexpr I seen_code(I triangle, I back) {
     return 0x7fffffff - ((triangle << 1) + back);
 }
@@ -69,17 +69,17 @@ inline constexpr int patch_side = 1 << patch_bits;  // pixels
 inline constexpr int patch_pixels = patch_side * patch_side;
 inline constexpr int patches_a_row = tile_size / patch_side;
 
-/// A tile while it is drawn, in patches of 4 x 4 pixels, so that what a small triangle covers lies together:
-/// patch (px, py) begins at (16 py + px) 16, its pixels in reading order.
+/// A tile while it is drawn, in patches of 4 x 4 pixels, so that a small triangle's pixels are close in
+/// memory: patch (px, py) begins at (16 py + px) 16, its pixels in reading order.
 struct alignas(64) TilePixels {
     float inv_w[tile_size * tile_size];
     std::int32_t seen[tile_size * tile_size];  // seen_code
 };
 
-/// A triangle in a tile's list: four numbers, read at once. With its vertices, because looking them up in the
-/// object's list would wait for memory once for each tile.
+/// A triangle in a tile's list: four numbers, loaded together. Includes its vertices, because a lookup in the
+/// object's list would cause a cache miss per tile.
 struct alignas(16) TileEntry {
-    std::uint32_t number;  // global; from Geometry::triangle_count on that of a clipped piece
+    std::uint32_t number;  // global; from Geometry::triangle_count on a clipped piece
     std::uint32_t vertex[3];
 };
 
@@ -87,15 +87,15 @@ struct alignas(16) TileEntry {
 /// `covered`, a mask for each 16 pixels (bit i: pixel i shows a triangle).
 struct TileRows {
     std::uint32_t* seen = nullptr;          // of the tile's first pixel
-    std::uint16_t* covered = nullptr;       // of its first 16; null: not wanted
-    std::size_t row = 0, groups_a_row = 0;  // from one row to the next in either
-    int width = 0, height = 0;              // of what lies within the picture
+    std::uint16_t* covered = nullptr;       // of its first 16; null: not needed
+    std::size_t row = 0, groups_a_row = 0;  // distance between rows of either
+    int width = 0, height = 0;              // of the part inside the picture
 };
 
 struct DrawnObject {
     const ScreenVertex* screen = nullptr;
     std::uint32_t first_triangle = 0, triangle_count = 0;
-    bool mirrored = false;  // the transform turns the winding over
+    bool mirrored = false;  // the transform reverses the winding
 };
 
 struct TileJob {
@@ -107,19 +107,19 @@ struct TileJob {
     int x0 = 0, y0 = 0;              // the tile's first pixel
     int offset_x = 0, offset_y = 0;  // of the sample from the pixel's centre, in 1/256 pixel
     bool draw_front = true, draw_back = true;
-    bool keep = false;  // what the tile shows already stays, else it is cleared first
+    bool keep = false;  // do not clear the tile first
 };
 
 /// The kernels of one instruction set.
 struct VisibilityKernels {
     /// Adds the triangles begin .. end - 1 of one object.
     void (*bin)(const BinJob& job, std::uint32_t begin, std::uint32_t end, BinnedTriangles& out);
-    /// Draws all of the job's triangles; what a tile shows in the end does not depend on their order.
+    /// Draws all of the job's triangles; the result does not depend on their order.
     void (*draw)(const TileJob& job, TilePixels& tile);
     void (*take_rows)(const TilePixels& tile, const TileRows& out);
 };
 
-/// The kernels of the instruction set that is in use (instruction_set.h).
+/// The kernels of the current instruction set (instruction_set.h).
 const VisibilityKernels& visibility_kernels();
 
 }  // namespace glint
