@@ -1,5 +1,5 @@
 #pragma once
-// What comes out: the framebuffer, as plain arrays.
+// The output: a framebuffer as plain arrays.
 
 #include <algorithm>
 #include <cstddef>
@@ -14,10 +14,10 @@ namespace glint {
 
 struct Picture {
     PictureSize size;
-    std::vector<std::uint8_t> rgba;  // 4 bytes a pixel, first row at the top, alpha 255; what is displayed
+    std::vector<std::uint8_t> rgba;  // 4 bytes per pixel, top row first, alpha 255; the displayed colours
     std::vector<float> linear;  // 3 floats a pixel, same order: linear colour before exposure, unclamped;
-                                // empty unless asked for
-    int samples = 1;            // a pixel, with which it was drawn
+                                // empty unless requested
+    int samples = 1;            // per pixel
 
     [[nodiscard]] std::size_t pixel(int x, int y) const { return size.index(x, y); }
     [[nodiscard]] glm::vec3 linear_at(int x, int y) const {
@@ -26,7 +26,7 @@ struct Picture {
     }
 };
 
-/// A component of a linear colour as a linear file holds it: times the exposure, held where floats end.
+/// A component of a linear colour as a linear file stores it: times the exposure, clamped to the float range.
 [[nodiscard]] inline float exposed(float linear, float exposure) {
     constexpr float most = std::numeric_limits<float>::max();
     return std::clamp(linear * exposure, -most, most);

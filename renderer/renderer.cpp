@@ -37,7 +37,7 @@ struct Renderer::Kept {
     Warnings warnings;
     bool drawn = false;
 
-    /// Gives all memory back; the next picture is drawn like the first one.
+    /// Releases all memory; the next picture is drawn from scratch.
     void forget() {
         const bool follow = stages.lighting.moving_light.allowed;
         stages = KeptStages{};
@@ -109,7 +109,7 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     if (const auto problem = too_large(scene, size, samples)) throw LimitExceeded(*problem);
     try {
         k.draw(scene, size, linear, samples);
-    } catch (...) {  // some stages are of this scene, others of the one before
+    } catch (...) {  // some stages have this scene's results, others the previous one's
         k.forget();
         throw;
     }

@@ -11,7 +11,7 @@
 namespace glint {
 
 struct KeptStages {
-    Scene scene;  // as drawn last
+    Scene scene;  // drawn last
     Geometry geometry;
     Visibility visibility;
     Surface surface;

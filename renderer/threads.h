@@ -1,11 +1,11 @@
 #pragma once
-// How many threads work is spread over.
+// The number of threads.
 
 namespace glint {
 
-/// Returns the threads of a tbb::task_arena: `threads`, 256 at most, or one a core for 0; fewer where their
-/// stacks would take more than a quarter of the address space (RLIMIT_AS), 1 at least. From the first call on
-/// the library may start so many.
+/// Returns the number of threads for a tbb::task_arena, 1 to 256: `threads`, or one per core for 0; fewer if
+/// their stacks would take more than a quarter of the address space (RLIMIT_AS). Allows the library to start
+/// this many.
 [[nodiscard]] int arena_threads(int threads);
 
 }  // namespace glint
