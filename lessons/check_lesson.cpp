@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// Nothing where it holds, else why it does not.
+/// Nothing if it holds, else the reason why it does not.
 using Shortfall = std::optional<std::string>;
 
 Shortfall text_of(const Problem* problem) {
@@ -32,7 +32,7 @@ class Checker {
         return {};
     }
 
-    /// A task after a reveal begins with the scene that the reveal leaves, as in the window.
+    /// A task after a reveal starts with the reveal's scene, as in the window.
     void follow(const Reveal& reveal) {
         Result<SceneDocument> shown = LessonRunner::with(document_, reveal.set, lesson_, reveal.line);
         if (problem_of(shown) == nullptr) tried_on_ = std::get<SceneDocument>(std::move(shown));
@@ -76,20 +76,20 @@ class Checker {
         return "the tolerance is " + json_line(tolerance) + "; expected more than 0";
     }
 
-    /// How many values of an exercise are tried: as many as its runs leave time for.
+    /// The number of values of an exercise to try, limited by the time of its runs.
     [[nodiscard]] std::size_t most_tries(const Exercise& exercise) const {
         constexpr std::size_t fewest = 8, most = 500, pixels = 4'000'000;
         std::vector<double> first;
         for (const Exercise::Variable& variable : exercise.variables)
             first.push_back(variable.values.front());
         const Result<ExerciseInstance> made = exercise_with(exercise, first, lesson_.path);
-        if (problem_of(made) != nullptr) return fewest;  // posing it says what is wrong
+        if (problem_of(made) != nullptr) return fewest;  // posing it reports the problem
         std::size_t drawn = 1;
         for (const LessonRun& run : std::get<ExerciseInstance>(made).runs) drawn += pixels_worth(run);
         return std::clamp(pixels / drawn, fewest, most);
     }
 
-    /// How many pixels are drawn in the time that the run takes, roughly.
+    /// The approximate cost of a run, in pixels drawn in the same time.
     [[nodiscard]] std::size_t pixels_worth(const LessonRun& run) const {
         constexpr std::size_t of_ray = 100;
         return run.kind == RunKind::Microfacets ? of_ray * static_cast<std::size_t>(run.rays + run.facets)
@@ -128,7 +128,7 @@ class Checker {
         return {};
     }
 
-    /// Checks that the run of `explain` on which the answer stands has the field to which a window leads.
+    /// Checks that the answer's run of `explain` has the field that the window links to.
     Shortfall wrong_term(const Prediction& p) {
         const auto explains = [](const LessonRun& run) { return run.kind == RunKind::Explain; };
         const auto run = std::find_if(p.runs.begin(), p.runs.end(), explains);
@@ -143,7 +143,7 @@ class Checker {
         return {};
     }
 
-    /// Checks that there is something to move behind each pointer.
+    /// Checks that each pointer refers to something that can be moved.
     static Shortfall wrong_control(const Task& task, const Scene& scene) {
         const std::vector<SceneNumber> numbers = numbers_of(scene);
         for (const std::string& control : task.controls) {
@@ -159,7 +159,7 @@ class Checker {
     SceneDocument document_, tried_on_;
 };
 
-/// The kind, the line and the words of a part that is checked. Nothing for text and reveals.
+/// The kind, the line and the text of a part that is checked. Nothing for text and reveals.
 std::optional<Checked> described(const LessonPart& part) {
     if (const auto* claim = std::get_if<Claim>(&part))
         return Checked{CheckedKind::Claim, claim->line, claim->says, false, {}};
@@ -172,7 +172,7 @@ std::optional<Checked> described(const LessonPart& part) {
     return {};
 }
 
-/// A reveal has to be something that can be set.
+/// The assignments of a reveal must be valid.
 std::optional<Problem> wrong_reveal(const Lesson& lesson, const LessonStep& step,
                                     const SceneDocument& document) {
     for (const LessonPart& part : step.parts) {

@@ -1,6 +1,6 @@
 #pragma once
-// Runs what a lesson says: every claim, the answer of every prediction, the solution of every task, and a few
-// of every exercise.
+// Checks a lesson by running it: every claim, the answer of every prediction, the solution of every task, and
+// some values of every exercise.
 
 #include <string>
 #include <vector>
@@ -17,13 +17,13 @@ enum class CheckedKind { Prediction, Task, Claim, Exercise };
 struct Checked {
     CheckedKind kind = CheckedKind::Claim;
     int line = 0;      // in the lesson's file
-    std::string says;  // the claim, the question, what is to be dragged
+    std::string says;  // the claim, the question or the task
     bool holds = false;
-    std::string why;  // what falls short, with its numbers; empty where it holds
+    std::string why;  // the failure, with its numbers; empty if it holds
 };
 
-/// Checks everything of a lesson in its order, or its claims only. A problem where its scene does not open or
-/// a step cannot be set.
+/// Checks all parts of a lesson in order, or only its claims. A problem if its scene fails to open or a step
+/// cannot be applied.
 [[nodiscard]] Result<std::vector<Checked>> check_lesson(LessonRunner& runner, const Lesson& lesson,
                                                         bool claims_only = false);
 

@@ -43,7 +43,7 @@ std::string decimal_text(double value) {
     return fmt::format("{:.10g}", std::abs(value) < 1e-12 ? 0.0 : value);
 }
 
-/// The number that stands for what is between two braces.
+/// The value of the expression between two braces.
 std::string number_of(const std::string& text, const NamedValues& values, int line) {
     const Result<Expression> parsed = Expression::parse(text);
     if (const Problem* problem = problem_of(parsed)) fail_at(line, problem->what, problem->expected);
@@ -52,8 +52,8 @@ std::string number_of(const std::string& text, const NamedValues& values, int li
     return decimal_text(std::get<double>(number));
 }
 
-/// Replaces {angle} and {sin(angle)} by numbers. Braces with a quote in them are a JSON object, in which
-/// others may stand.
+/// Replaces {angle} and {sin(angle)} by numbers. Braces with a quote in them are a JSON object, which may
+/// contain other braces.
 std::string replaced(const std::string& text, const NamedValues& values, int line) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {

@@ -24,14 +24,14 @@ std::string number_of(const PosedQuestion& q, double number) {
     return fmt::format("{:.{}f}", std::abs(number) < 1e-12 ? 0 : number, std::min(std::max(digits, 0), 9));
 }
 
-/// The answer by the formula, where there is one, since what is measured at a pixel has fewer digits; by both
-/// where one of them is wrong.
+/// The answer by the formula, if there is one, because values measured at a pixel have fewer digits. Both
+/// answers if they disagree.
 std::string answer_text(const PosedQuestion& q) {
     const std::string text = number_of(q, q.closed.value_or(q.answer)) + (q.unit.empty() ? "" : " ") + q.unit;
     return agrees(q) ? text : text + " by the formula, but " + number_of(q, q.answer) + " by the engine";
 }
 
-/// k_d, escaped, with its index set low: of one letter each.
+/// Escapes a name such as k_d and subscripts the index (one letter each).
 std::string with_indices(std::string_view text) {
     constexpr std::string_view underline = "\\_";
     const auto is_letter = [&text](std::size_t i) {
@@ -50,7 +50,7 @@ std::string with_indices(std::string_view text) {
     return set += text.substr(done);
 }
 
-/// Letters and signs which LaTeX's first font encoding lacks.
+/// Letters and signs that LaTeX's T1 encoding lacks.
 std::string latex_text(std::string_view text) {
     constexpr std::array<std::array<std::string_view, 2>, 45> signs{{{"°", "\\textdegree{}"},
                                                                      {"·", "\\textperiodcentered{}"},
@@ -198,7 +198,7 @@ std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>
             "\\begin{{enumerate}}\n",
             title, sheet.seed);
         for (const PosedQuestion& q : sheet.questions)
-            // The empty group {} keeps LaTeX from taking a question that begins with "[" as a label in place
+            // Without the empty group {}, LaTeX would take a question that begins with "[" as a label instead
             // of its number.
             tex += fmt::format("\\item {{}}{}\\par\\vspace{{2cm}}Answer: \\underline{{\\hspace{{4cm}}}} {}\n",
                                latex_text(q.question), latex_text(q.unit));
@@ -216,7 +216,7 @@ std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>
 }
 
 std::string unset_letters(std::string_view tex) {
-    constexpr std::string_view last_set = "\u017F";  // of the letters that T1 has
+    constexpr std::string_view last_set = "\u017F";  // of the letters in T1
     constexpr std::string_view marks = "\u2013\u2014\u2018\u2019\u201C\u201D\u201E";
     constexpr std::size_t most_told = 20;
     std::set<std::string_view> unset;

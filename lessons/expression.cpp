@@ -16,8 +16,8 @@ constexpr std::size_t max_listed_values = 1'000'000;
 using Node = ExpressionNode;
 using Kind = ExpressionKind;
 
-/// Points to a value among the names or in the expression, or holds one that was computed. So an explanation
-/// is not copied to read one number of it.
+/// Points to a value among the names or in the expression, or owns a computed one. So an explanation need not
+/// be copied to read one of its numbers.
 struct Found {
     const Json* stored = nullptr;
     Json made;
@@ -27,7 +27,7 @@ struct Found {
         if (stored != nullptr) return *stored;
         return std::move(made);
     }
-    /// `part`, which is within this value.
+    /// `part`, which is inside this value.
     [[nodiscard]] Found only(const Json& part) const {
         return stored != nullptr ? Found{&part, {}} : Found{nullptr, part};
     }
@@ -52,7 +52,7 @@ const Json& member_of(const Json& object, const std::string& name) {
                             members.empty() ? "an object with it" : in_quotes(nearest(name, members))};
 }
 
-/// The list of the members of a list's elements, which may be lists themselves.
+/// Collects a member of each element of a list, which may contain lists.
 Json members_of(const Json& list, const std::string& name) {
     Json::array_t results;
     for (const Json& element : elements_of(list))
@@ -99,7 +99,8 @@ Json arithmetic_of(char symbol, const Json& a, const Json& b) {
     }
 }
 
-/// Whether a comparison of numbers holds for all elements; a number beside a list counts for each of them.
+/// Whether a comparison of numbers holds for all elements. A number and a list: compares the number with each
+/// element.
 bool all_hold(const std::string& symbol, const Json& a, const Json& b, double tolerance) {
     if (a.is_array() || b.is_array()) {
         const std::size_t size = a.is_array() ? elements_of(a).size() : elements_of(b).size();
@@ -121,7 +122,7 @@ bool all_hold(const std::string& symbol, const Json& a, const Json& b, double to
     return x >= y;
 }
 
-/// Whether any element differs by more than `tolerance`; NaN differs from nothing.
+/// Whether any element differs by more than `tolerance`; NaN never differs.
 bool differ(const Json& a, const Json& b, double tolerance) {
     const Json differences = combined(a, b, [](double x, double y) { return std::abs(x - y); });
     const auto is_more = [tolerance](const auto& self, const Json& value) -> bool {
@@ -133,7 +134,7 @@ bool differ(const Json& a, const Json& b, double tolerance) {
     return is_more(is_more, differences);
 }
 
-/// What stands after "within"; 0 where nothing does.
+/// The tolerance after "within"; 0 without one.
 double tolerance_of(const Node& comparison, const NamedValues& names) {
     if (comparison.parts.size() < 3) return 0;
     const double tolerance = as_number(found_by(comparison.parts[2], names).value());
@@ -183,7 +184,7 @@ std::size_t count_values(const Json& json) {
     return count;
 }
 
-/// The values of the parts, copied. They may name a long answer many times.
+/// The values of the parts, copied. They may refer to a long answer many times.
 std::vector<Json> part_values(const std::vector<Node>& parts, const NamedValues& names) {
     std::vector<Json> values;
     std::size_t count = 0;
@@ -232,7 +233,7 @@ void collect_names(const Node& node, std::vector<std::string>& names) {
     for (const Node& part : node.parts) collect_names(part, names);
 }
 
-/// The part of a condition that is false and holds no other condition that is.
+/// The innermost false part of a condition.
 const Node& first_false(const Node& node, const NamedValues& names) {
     if (node.kind == Kind::And)
         for (const Node& part : node.parts)

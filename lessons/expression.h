@@ -1,6 +1,6 @@
 #pragma once
-// Small expressions over the JSON that Glint's commands answer: what a lesson claims, asks for and waits for.
-// docs/lessons.md describes them. Anyone may have written the text.
+// Small expressions over the JSON of Glint's commands, for the claims, questions and tasks of lessons.
+// docs/lessons.md describes them. The text is untrusted.
 
 #include <map>
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace glint {
 
-/// What the names of an expression stand for.
+/// The values of the names in an expression.
 using NamedValues = std::map<std::string, Json, std::less<>>;
 
 struct ExpressionNode;
@@ -24,16 +24,16 @@ class Expression {
   public:
     Expression() = default;  // the text "", which has no value
 
-    /// Parses at most 1000 bytes, with at most 32 brackets and signs inside each other.
+    /// Parses at most 1000 bytes, with at most 32 nested brackets and signs.
     [[nodiscard]] static Result<Expression> parse(std::string_view text);
 
-    /// A problem where a name is not among `names`, a member is missing, or an operation does not fit what it
-    /// is given, or where there is not enough memory for the lists that it makes. A division by zero and the
-    /// like give NaN, for which every comparison is false.
+    /// A problem if a name is not among `names`, a member is missing, an operation does not fit its operands,
+    /// or memory does not suffice for the resulting lists. Division by zero and the like give NaN, for which
+    /// every comparison is false.
     [[nodiscard]] Result<Json> value(const NamedValues& names) const;
-    /// The value of a condition; a problem where it is neither true nor false.
+    /// The value of a condition; a problem if it is not true or false.
     [[nodiscard]] Result<bool> holds(const NamedValues& names) const;
-    /// The value of an expression that has to be a number, or a list of numbers.
+    /// The value of an expression that must be a number, or a list of numbers.
     [[nodiscard]] Result<double> number(const NamedValues& names) const;
     [[nodiscard]] Result<std::vector<double>> numbers(const NamedValues& names) const;
 

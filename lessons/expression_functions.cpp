@@ -76,7 +76,7 @@ Json mul(const Json& matrix, const Json& vector) {
     return Json(std::move(rows));
 }
 
-/// Where in the list the number stands before which no other goes; NaN goes nowhere.
+/// The index of the first element in the order `before`; skips NaN.
 Json place_of(const Json& list, bool (*before)(double, double)) {
     const Json::array_t& elements = as_list(list);
     std::size_t best = elements.size();

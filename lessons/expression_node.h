@@ -30,24 +30,24 @@ struct ExpressionNode {
     std::vector<ExpressionNode> parts;
 };
 
-/// What is wrong with an expression or with what it is given; caught before a function of Expression returns.
+/// A problem in an expression or its operands; caught before a function of Expression returns.
 struct ExpressionProblem {
     std::string what, expected;
 };
 
-/// Throws ExpressionProblem where a tolerance that depends on no name is below 0 or not a number.
+/// Throws ExpressionProblem if a tolerance that depends on no name is below 0 or not a number.
 void require_tolerances(const ExpressionNode& node);
 
-/// A function's value. Throws ExpressionProblem; `known` is asked while parsing.
+/// A function's value. Throws ExpressionProblem. The parser calls `known`.
 [[nodiscard]] Json call_function(const std::string& name, const std::vector<Json>& arguments);
 [[nodiscard]] bool known_function(std::string_view name);
 [[nodiscard]] std::vector<std::string> function_names();
 
-/// op(a, b), element by element where one or both are lists. Throws ExpressionProblem.
+/// op(a, b), element by element if one or both are lists. Throws ExpressionProblem.
 [[nodiscard]] Json combined(const Json& a, const Json& b, double (*op)(double, double));
-/// The number; throws ExpressionProblem for anything but a number and null, which is not a number (NaN).
+/// The number; NaN for null. Throws ExpressionProblem for anything else.
 [[nodiscard]] double as_number(const Json& value);
-/// The value as a message writes it: JSON has no number beyond the finite ones.
+/// The value for a message: JSON has only finite numbers.
 [[nodiscard]] std::string in_words(const Json& value);
 
 }  // namespace glint

@@ -36,7 +36,7 @@ std::string answer_text(const Prediction& p, const RightAnswer& right) {
     return {};  // not reached
 }
 
-/// Axes to draw on, 600 x 160; with `values` their curve.
+/// Empty axes, 600 x 160; with `values`, their curve.
 std::string axes_svg(const Json::array_t& values) {
     std::string svg =
         "<svg width=\"620\" height=\"170\" viewBox=\"0 0 620 170\"><path d=\"M10 5V160H615\" fill=\"none\" "
@@ -75,7 +75,7 @@ class Handout {
     }
 
   private:
-    /// False where there is a problem.
+    /// False if there is a problem.
     template <class T> bool had(const Result<T>& result) {
         if (const Problem* problem = problem_of(result)) problem_ = *problem;
         return !problem_;
@@ -166,7 +166,7 @@ class Handout {
     LessonRunner& runner_;
     const Lesson& lesson_;
     bool key_;
-    bool told_ = true;  // whether the text that follows may be read before the answer
+    bool told_ = true;  // whether the next text may be read before the answer
     std::string html_;
     SceneDocument document_;
     std::optional<Scene> shown_;

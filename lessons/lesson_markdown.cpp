@@ -1,4 +1,4 @@
-// Markdown -> headings, text and blocks, by md4c, which calls back for each thing it meets.
+// Markdown -> headings, text and blocks, by md4c, which calls back for each element.
 #include <md4c.h>
 
 #include <algorithm>
@@ -12,10 +12,10 @@ namespace glint {
 namespace {
 
 constexpr int max_nesting = 16;
-// Each stretch of a link's text holds the address, and a reference gives one to as many links as there are.
+// Each run of a link's text contains the address, and one reference can serve any number of links.
 constexpr std::size_t max_address = 2048, max_addresses = std::size_t{4} << 20;
 
-/// Decodes the HTML entities that people write in lessons; others stay as they are.
+/// Decodes the HTML entities that people write in lessons; leaves others unchanged.
 std::string entity_text(std::string_view entity) {
     constexpr std::array<std::array<std::string_view, 2>, 5> known{
         {{"&amp;", "&"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&nbsp;", "\u00a0"}}};
@@ -115,7 +115,7 @@ class Collector {
                 style_.link =
                     text_of(static_cast<const MD_SPAN_A_DETAIL*>(detail)->href).substr(0, max_address + 1);
             break;
-        default:  // a picture is its words
+        default:  // a picture becomes its description
             break;
         }
     }
@@ -142,7 +142,7 @@ class Collector {
     std::vector<SourcePart> take() && { return std::move(parts_); }
 
   private:
-    /// Remembers in which line a piece of the file stands; md4c's own words stand in none.
+    /// Records the line of a piece of the file; md4c's own strings have none.
     void note(const char* piece) {
         const char* const begin = text_.data();
         if (piece < begin || piece > begin + text_.size()) return;
@@ -211,7 +211,7 @@ class Collector {
     std::vector<SourcePart> parts_;
 };
 
-/// Calls from C: what is thrown waits until the parser has ended.
+/// Callbacks from C: an exception is stored until the parser has ended.
 struct Calls {
     Collector collector;
     std::exception_ptr thrown;
@@ -223,7 +223,7 @@ struct Calls {
             return 0;
         } catch (...) {
             calls.thrown = std::current_exception();
-            return -1;  // md4c goes on after anything above 0
+            return -1;  // md4c continues after a positive value
         }
     }
 };
@@ -251,7 +251,7 @@ std::vector<SourcePart> lesson_source(std::string_view text) {
     };
     const int ended = md_parse(text.data(), static_cast<MD_SIZE>(text.size()), &parser, &calls);
     if (calls.thrown) std::rethrow_exception(calls.thrown);
-    if (ended != 0) throw std::bad_alloc();  // what else md4c can fail at is thrown above
+    if (ended != 0) throw std::bad_alloc();  // other failures of md4c are thrown above
     return std::move(calls.collector).take();
 }
 

@@ -1,4 +1,4 @@
-// The runs of a block: commands in the words of the command line.
+// The runs of a block: commands in the syntax of the command line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 struct RunWord {
     std::string_view word;
     RunKind kind;
-    std::vector<std::string> options;  // beside --set and --size
+    std::vector<std::string> options;  // in addition to --set and --size
 };
 
 const std::array<RunWord, 7>& kinds() {

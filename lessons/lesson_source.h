@@ -1,7 +1,6 @@
 #pragma once
-// A lesson's file taken apart, before anything in it is understood: headings, text, and fenced blocks of
-// `key: value` lines. Inside models/lesson only. Functions here throw ProblemFound
-// (models/problem.h) without a file.
+// The syntax of a lesson's file: headings, text, and fenced blocks of `key: value` lines. Only for lessons/.
+// Functions here throw ProblemFound (models/problem.h) without a file.
 
 #include <functional>
 #include <optional>
@@ -13,7 +12,7 @@
 
 namespace glint {
 
-/// `key: value`, or `name = run`, with the lines that are indented behind it.
+/// `key: value`, or `name = run`, with the indented lines after it.
 struct BlockLine {
     std::string key, value;
     int line = 0;  // in the file, from 1
@@ -26,10 +25,9 @@ struct SourceBlock {
     std::vector<BlockLine> lines;
     int line = 0;  // of its fence
 
-    /// Throws where a line's key is none of these, where nothing stands behind it, or where there are runs
-    /// and none may be.
+    /// Throws if a line's key is not one of these or has no value, or if there are runs and none are allowed.
     void allow(const std::vector<std::string>& keys, bool runs) const;
-    /// The only line of that key, or null; throws where there are several.
+    /// The only line of that key, or null; throws if there are several.
     [[nodiscard]] const BlockLine* find(std::string_view key) const;
     [[nodiscard]] const BlockLine& require(std::string_view key) const;
     [[nodiscard]] std::vector<const BlockLine*> all(std::string_view key) const;
@@ -48,14 +46,13 @@ using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
 /// The first words of the fenced blocks that a lesson may have.
 [[nodiscard]] const std::vector<std::string>& lesson_block_words();
 
-/// Parses the lines of a block. `texts` are its lines as they stand in the file, the first one at `line`.
+/// Parses the lines of a block. `texts` are its lines in the file, the first one at `line`.
 [[nodiscard]] std::vector<BlockLine> block_lines(const std::vector<std::string>& texts, int line);
 
-/// Says what is wrong in a line. Does not return.
+/// Throws the problem of a line. Does not return.
 [[noreturn]] void fail_at(int line, std::string what, std::string expected);
 
-/// Two whole numbers with a comma between them: a pixel. The second form throws where it is outside the
-/// picture.
+/// Two integers separated by a comma: a pixel. The second form throws if it is outside the picture.
 [[nodiscard]] glm::ivec2 read_place(std::string_view text, int line);
 [[nodiscard]] glm::ivec2 read_place(std::string_view text, int line, PictureSize picture);
 [[nodiscard]] double read_decimal(std::string_view text, int line);
@@ -66,16 +63,16 @@ using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
 [[nodiscard]] Assignment read_set(const BlockLine& line);
 [[nodiscard]] Expression read_expression(const BlockLine& line, const std::vector<LessonRun>& runs,
                                          const std::vector<std::string>& variables = {});
-/// The words of a text, split at blanks.
+/// The words of a text, split at spaces.
 [[nodiscard]] std::vector<std::string> words_of(std::string_view text);
 
-/// Reads the runs of a block. Each has a name of its own; compare names runs of render above it.
+/// Reads the runs of a block. Each has its own name; compare names earlier runs of render.
 [[nodiscard]] std::vector<LessonRun> read_runs(const std::vector<BlockLine>& lines);
 
 /// Reads all lines of that key.
 [[nodiscard]] std::vector<Assignment> read_sets(const SourceBlock& block, std::string_view key);
 
-/// Reads a block that is neither "lesson" nor "scene". `picture`: the lesson's, in which pixels are counted.
+/// Reads a block other than "lesson" and "scene". `picture`: the lesson's, for the range of pixels.
 [[nodiscard]] LessonPart read_part(const SourceBlock& block, PictureSize picture);
 
 /// Reads an exercise's block, and tries it with the first value of each variable.

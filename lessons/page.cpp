@@ -30,7 +30,7 @@ constexpr std::string_view style =
 std::string span_html(const ProseSpan& span) {
     std::string html;
     std::string_view rest = span.text;
-    while (true) {  // a line that ends on purpose
+    while (true) {  // a deliberate line break
         const std::size_t end = std::min(rest.find('\n'), rest.size());
         html += html_escaped(rest.substr(0, end));
         if (end == rest.size()) break;
@@ -40,7 +40,7 @@ std::string span_html(const ProseSpan& span) {
     if (span.code) html = "<code>" + html + "</code>";
     if (span.emphasis) html = "<em>" + html + "</em>";
     if (span.strong) html = "<strong>" + html + "</strong>";
-    // Other links could run something, or lead nowhere from a page that was moved.
+    // Other links could run code, or break when the page is moved.
     if (span.link.starts_with("https://") || span.link.starts_with("http://"))
         html = fmt::format("<a href=\"{}\">{}</a>", html_escaped(span.link), html);
     return html;
@@ -65,7 +65,7 @@ std::string code_html(const ProseBlock& block) {
     return "<pre><code>" + html + "</code></pre>\n";
 }
 
-/// Opens and closes lists as items come and go.
+/// Opens and closes lists around items.
 class Lists {
   public:
     void close_to(std::string& html, std::size_t depth) {
@@ -87,7 +87,7 @@ class Lists {
     }
 
   private:
-    std::vector<bool> open_;  // whether it is numbered
+    std::vector<bool> open_;  // whether each is numbered
 };
 
 }  // namespace
@@ -98,7 +98,7 @@ std::string page_html(std::string_view title, std::string_view body) {
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\"><title>{}</title><style>{}</style></head>\n<body>\n",
         html_escaped(title), style);
-    page.reserve(page.size() + body.size() + end.size());  // it may be large: it is copied once
+    page.reserve(page.size() + body.size() + end.size());  // avoids copies of a large page
     return page.append(body).append(end);
 }
 

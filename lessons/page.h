@@ -1,5 +1,5 @@
 #pragma once
-// Pages that lessons are printed on: HTML that needs nothing else, for a screen and for paper.
+// Self-contained HTML pages of lessons, for a screen and for paper.
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace glint {
 
-/// A whole page. `body` is HTML, `title` is text.
+/// A complete page. `body` is HTML, `title` is text.
 [[nodiscard]] std::string page_html(std::string_view title, std::string_view body);
 
 /// Text of a lesson as HTML.

@@ -31,7 +31,7 @@ std::vector<double> drawn_values(const Exercise& exercise, std::uint64_t seed) {
     return drawn;
 }
 
-/// All choices of one value for each variable, or as many of them.
+/// All combinations of one value for each variable, up to that number.
 std::vector<std::vector<double>> choices(const std::vector<Exercise::Variable>& variables, std::size_t most) {
     std::vector<std::vector<double>> all{{}};
     for (const Exercise::Variable& variable : variables) {

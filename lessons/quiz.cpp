@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-/// A question with the scene that it is asked of.
+/// A question and its scene.
 struct Posed {
     const LessonStep* step = nullptr;
     const Prediction* question = nullptr;
@@ -41,7 +41,7 @@ Result<std::size_t> key_of(LessonRunner& runner, const Lesson& lesson, const Pos
     return static_cast<std::size_t>(std::get<RightAnswer>(right).value.get<double>());
 }
 
-/// What saves the answers: a file of JSON, made in the page itself.
+/// The script that saves the answers as a JSON file, created in the page itself.
 constexpr std::string_view saving = R"JS(
 <p><label><input type="radio" name="when" value="before" checked> before the lessons</label>
 <label><input type="radio" name="when" value="after"> after them</label></p>
@@ -82,7 +82,7 @@ std::string options_html(const Prediction& p, std::size_t number, std::optional<
     return html + "</fieldset>\n";
 }
 
-/// Whether it is the title as a browser tells it of the page, which makes one blank of several.
+/// Whether this is the page's title as a browser reports it, with white space collapsed.
 bool is_title(const Json& told, const std::string& title) {
     const auto words = [](const std::string& text) {
         std::istringstream in(text);
@@ -91,13 +91,13 @@ bool is_title(const Json& told, const std::string& title) {
     return told.is_string() && words(told.get_ref<const std::string&>()) == words(title);
 }
 
-/// Null where nobody was asked.
+/// Null if nobody answered.
 Json share_of(std::size_t part, std::size_t whole) {
     if (whole == 0) return {};
     return static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// How often each option was taken, by those before or those after.
+/// How often each option was chosen, before or after the lessons.
 std::vector<std::size_t> taken(const std::vector<QuizAnswers>& all, std::size_t question, std::size_t options,
                                bool after) {
     std::vector<std::size_t> counts(options, 0);
@@ -218,7 +218,7 @@ Result<Json> quiz_statistics(LessonRunner& runner, const Lesson& lesson,
     }
     const Json before = share_of(right_answers[0], people[0] * questions.size()),
                after = share_of(right_answers[1], people[1] * questions.size());
-    Json gain;  // null where there is nothing to compare, or to gain
+    Json gain;  // null if there is nothing to compare or to gain
     if (before.is_number() && after.is_number() && before.get<double>() < 1)
         gain = (after.get<double>() - before.get<double>()) / (1 - before.get<double>());
     return Json{{"quiz", lesson.title},

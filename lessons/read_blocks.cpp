@@ -1,4 +1,4 @@
-// What the blocks of a lesson mean.
+// Interprets the blocks of a lesson.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// Two pixels with a blank between them.
+/// Two pixels separated by a space.
 std::pair<glm::ivec2, glm::ivec2> read_ends(const BlockLine& line, PictureSize picture) {
     const std::vector<std::string> words = words_of(line.value);
     if (words.size() != 2)
@@ -31,7 +31,7 @@ void require_mistake(const std::string& name, int line) {
         fail_at(line, in_quotes(name) + " is not a mistake", in_quotes(nearest(name, known)));
 }
 
-/// Takes what an option has once.
+/// Reads a line that an option may have once.
 void take_once(const BlockLine& line, std::string& value) {
     if (!value.empty()) fail_at(line.line, in_quotes(line.key) + " stands twice", "one line of it");
     value = line.value;
@@ -73,7 +73,7 @@ std::vector<std::string> keys_of(PredictionKind kind) {
     return keys;
 }
 
-/// Throws where a line has no part in a prediction of that kind, and where it has none in any.
+/// Throws if a line's key is invalid in a prediction of that kind, or in any prediction.
 void allow_keys(const SourceBlock& block, PredictionKind kind) {
     const auto has = [](const std::vector<std::string>& keys, const std::string& key) {
         return std::find(keys.begin(), keys.end(), key) != keys.end();

@@ -1,4 +1,4 @@
-// A lesson from the parts of its file, and files of lessons.
+// Builds a lesson from the parts of its file, and lists files of lessons.
 #include <algorithm>
 #include <filesystem>
 
@@ -34,7 +34,7 @@ void read_head(const SourceBlock& block, Lesson& lesson) {
     if (const BlockLine* answers = block.find("answers")) lesson.questions = read_numbers(*answers);
 }
 
-/// Puts a lesson together from the parts of its file.
+/// Builds a lesson from the parts of its file.
 class Builder {
   public:
     explicit Builder(const std::string& path) {
@@ -91,7 +91,7 @@ class Builder {
         if (!has_head_) fail_at(line, "the block \"lesson\" is missing above", "its topic and its scene");
     }
     void begin_step(const std::string& title) {
-        // What stands before the first heading is a step only where there is anything.
+        // The part before the first heading is a step only if it is not empty.
         if (lesson_.steps.size() > 1 || !lesson_.steps[0].parts.empty() || has_scene_)
             lesson_.steps.emplace_back();
         lesson_.steps.back().title = title;

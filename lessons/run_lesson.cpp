@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-/// A problem in words of the command line, told as one of the lesson's line.
+/// Converts a problem of the command line to one of the lesson's line.
 Problem in_lesson(Problem problem, const Lesson& lesson, int line) {
     if (problem.file.empty() || problem.file == "--set") {
         problem.file = lesson.path;
@@ -32,7 +32,7 @@ bool is_inside(glm::ivec2 p, PictureSize size) {
     return p.x >= 0 && p.y >= 0 && p.x < size.width && p.y < size.height;
 }
 
-/// Whether the run names a place that its picture does not have.
+/// Whether the run names a pixel outside its picture.
 std::optional<Problem> outside(const Lesson& lesson, const LessonRun& run, PictureSize size) {
     const bool asks = run.kind == RunKind::Explain || run.kind == RunKind::Profile;
     if (!asks || (is_inside(run.from, size) && (run.kind == RunKind::Explain || is_inside(run.to, size))))
@@ -165,7 +165,7 @@ Result<Picture> LessonRunner::picture(const SceneDocument& document, const Lesso
 
 namespace {
 
-/// What the answer to a question of this kind has to be, where `value` is not that.
+/// The expected form of the answer to a question of this kind, if `value` differs from it.
 std::optional<std::string> form_missed(const Prediction& p, const Json& value, PictureSize size) {
     const auto is_number = [](const Json& v) { return v.is_number() && std::isfinite(v.get<double>()); };
     if (p.kind == PredictionKind::Number) return is_number(value) ? std::nullopt : std::optional("a number");

@@ -1,7 +1,6 @@
 #pragma once
-// Executes the runs of a lesson: returns the JSON that the commands of the same names print, made by the same
-// code (docs/command_line.md). `glint lessons` uses it, and so does a window, for the scene that a student is
-// working on.
+// Executes the runs of a lesson: returns the JSON of the commands of the same names, by the same code
+// (docs/command_line.md). Used by `glint lessons`, and by the window for the student's current scene.
 
 #include <map>
 #include <string>
@@ -21,11 +20,10 @@ class LessonRunner {
     /// `threads`: as for Renderer.
     explicit LessonRunner(int threads = 0) : renderer_(threads) {}
 
-    /// From now on these are set last on every scene: a test switches a mistake on and sees which claims
-    /// fall.
+    /// Applies these last to every later scene: a test switches a mistake on and finds the claims that fail.
     void set_always(std::vector<Assignment> assignments) { always_ = std::move(assignments); }
 
-    /// Opens a lesson's scene with its meshes; the last scene is kept from call to call.
+    /// Opens a lesson's scene with its meshes; caches the last scene.
     [[nodiscard]] Result<SceneDocument> open(const Lesson& lesson);
 
     /// Returns the document with the assignments applied. A problem with one is reported at `line` of the
@@ -35,24 +33,24 @@ class LessonRunner {
                                                     int line);
 
     /// The scene of a step's picture on paper: unless it is for the `key`, the step's `picture` assignments
-    /// hide what would tell the answer. `document` is the step's scene.
+    /// hide the answer. `document` is the step's scene.
     [[nodiscard]] static Result<SceneDocument> for_paper(const SceneDocument& document,
                                                          const LessonStep& step, const Lesson& lesson,
                                                          bool key);
 
-    /// The answers of the runs on that scene, by their names. A problem has the lesson's file and the line of
-    /// the run.
+    /// The answers of the runs on that scene, by name. A problem has the lesson's file and the line of the
+    /// run.
     [[nodiscard]] Result<NamedValues> answers(const SceneDocument& document, const Lesson& lesson,
                                               const std::vector<LessonRun>& runs);
 
-    /// The scene as a picture, `always` set on it too.
+    /// The scene as a picture, with `always` applied.
     [[nodiscard]] Result<Picture> picture(const SceneDocument& document, const Lesson& lesson,
                                           PictureSize size, int samples);
 
   private:
     Result<Json> answer(const SceneDocument& document, const Lesson& lesson, const LessonRun& run,
                         NamedPictures& pictures);
-    /// Many rays, which know nothing of a scene: answers are kept.
+    /// Many rays, independent of the scene: caches answers.
     const Json& microfacets_answer(const MicrofacetOptions& options);
 
     std::vector<Assignment> always_;
@@ -74,9 +72,9 @@ struct RightAnswer {
 [[nodiscard]] Result<RightAnswer> right_answer(LessonRunner& runner, const SceneDocument& document,
                                                const Lesson& lesson, const Prediction& prediction);
 
-/// How far `given` is from the right answer, both of the same kind: the difference of two numbers; 0 or 1
-/// for a choice; pixels between two places; the root of the mean square for a sketch; the largest difference
-/// of a channel for a colour. It counts as right where this is at most the tolerance.
+/// The distance of `given` from the right answer, both of the same kind: the difference of two numbers; 0 or
+/// 1 for a choice; pixels between two positions; the root mean square for a sketch; the largest difference of
+/// a channel for a colour. An answer is right if this is at most the tolerance.
 /// Precondition: lists of equal length.
 [[nodiscard]] double how_far(PredictionKind kind, const Json& given, const Json& right);
 

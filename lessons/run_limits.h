@@ -1,5 +1,6 @@
 #pragma once
-// How far light and viewer of a run may lean from the normal, in degrees. At 90 a surface catches nothing.
+// Maximum angles between the normal and the light or viewer of a run, in degrees. At 90 a surface receives no
+// light.
 
 namespace glint {
 
