@@ -10,8 +10,8 @@
 
 namespace glint {
 
-/// What a variable of the program stands for: `count` numbers of the scene at `key`, below the pointer of a
-/// light or an object; or only `text`, where `count` is 0.
+/// The meaning of a variable of the program: `count` numbers of the scene at `key`, below the pointer of a
+/// light or an object; or only `text`, if `count` is 0.
 struct Variable {
     std::string_view name;
     std::string_view key;
@@ -22,13 +22,12 @@ struct Variable {
 /// The numbers of a scene by their pointers.
 using NumbersByPointer = std::map<std::string, float, std::less<>>;
 
-/// The call without a comment or a line's end: "glEnable(light);". Empty where the line is not a call.
+/// The call without a comment or a line's end: "glEnable(light);". Empty if the line is not a call.
 [[nodiscard]] std::string_view statement_of(std::string_view line);
 
-/// Returns `statement` with each variable replaced; of several that fit, the longest is taken. `rgb(factor, `
-/// becomes `factor * rgb(`, and a factor of 1 is left out. `below`: the pointer that the variables' keys
-/// follow. Precondition: the numbers of all variables that occur are known (a test writes the calls of every
-/// scene).
+/// Returns `statement` with each variable replaced; the longest match wins. `rgb(factor, ` becomes `factor *
+/// rgb(`, and a factor of 1 is omitted. `below`: the pointer that the variables' keys follow. Precondition:
+/// the numbers of all variables that occur are known (a test writes the calls of every scene).
 [[nodiscard]] GlCall call_of(std::string_view statement, std::span<const Variable> variables,
                              const std::string& below, const NumbersByPointer& numbers);
 

@@ -79,7 +79,7 @@ GlCall remark(std::string text) {
 
 bool can_be_called(const Light& light) { return light.enabled && light.kind != LightKind::Area; }
 
-/// "GL_LIGHT2": OpenGL counts the lights that are on, and names the first eight.
+/// "GL_LIGHT2": OpenGL numbers the enabled lights, and has names for the first eight.
 std::string light_word(const Scene& scene, std::size_t index) {
     const auto end = scene.lights.begin() + static_cast<std::ptrdiff_t>(index);
     const auto number = std::count_if(scene.lights.begin(), end, can_be_called);
@@ -92,8 +92,8 @@ bool can_reflect(const Shading& shading) {
     return can.contains(fmt::format("reflection.{}", name_of(shading.reflection)));
 }
 
-/// The scene's flags, but without mistakes, and with every term whose numbers a hand may want. Meshes are not
-/// looked at: a large one would take longer than a frame has.
+/// The scene's flags, but without mistakes, and with every term whose numbers the user may want to edit.
+/// Ignores meshes: a large one would take longer than a frame.
 Flags flags_for_calls(Scene scene) {
     static const auto no_mesh = std::make_shared<const Mesh>();
     for (Object& object : scene.objects) object.mesh = no_mesh;
@@ -176,7 +176,7 @@ class CallWriter {
     }
 
   private:
-    /// The program's calls of that name.
+    /// The program's calls with that name.
     static std::vector<std::string> statements(std::string_view name, const Flags& flags) {
         const std::string text = filled(lines_of_calls(gl1_main_c, name), flags, {});
         std::vector<std::string> all;

@@ -1,9 +1,9 @@
 #pragma once
-// The calls by which fixed-function OpenGL draws a scene, as the lecture writes them, in the order that
-// matters: a light's place given before gluLookAt() stays with the camera, after it with the world. They are
-// those of the program that `glint code --language gl1` writes, read from its text, with the scene's numbers
-// in place of its variables. Knows the scene, not the renderer. Source: OpenGL 2.1, section 2.14; the OpenGL
-// utility library's gluLookAt.
+// The calls that draw a scene in fixed-function OpenGL, as in the lecture. Their order matters: a light's
+// position set before gluLookAt() moves with the camera, after it with the world. They are read from the
+// program that `glint code --language gl1` writes, with the scene's numbers instead of its variables. Depends
+// on the scene, not on the renderer. Source: OpenGL 2.1, section 2.14; the OpenGL utility library's
+// gluLookAt.
 
 #include <string>
 #include <vector>
@@ -12,39 +12,39 @@
 
 namespace glint {
 
-/// A piece of a call's text: punctuation, or a number of the scene with its place.
+/// A piece of a call's text: punctuation, or a number of the scene with its pointer.
 struct CallPiece {
     std::string text;
-    std::string pointer;  // "/lights/0/position/1"; empty: no number of the scene
+    std::string pointer;  // "/lights/0/position/1"; empty: not a number of the scene
     bool operator==(const CallPiece&) const = default;
 };
 
 struct GlCall {
     std::vector<CallPiece> pieces;
     std::string about;        // pointer of what it sets, "/lights/0", "/global_ambient"; or empty
-    int place_of_light = -1;  // the light whose place it sets: whether gluLookAt() comes before it counts
+    int place_of_light = -1;  // the light whose position it sets: its order relative to gluLookAt() matters
     bool is_look_at = false;  // gluLookAt()
-    bool is_remark = false;   // what fixed-function OpenGL cannot do, and what can
+    bool is_remark = false;   // a feature that fixed-function OpenGL lacks, and an alternative
 };
 
-/// Calls that belong together; `about` as of a call, empty where it is of several things.
+/// Calls that belong together; `about` as for a call, empty if it is about several things.
 struct GlCallGroup {
     std::string title, about;
     std::vector<GlCall> calls;
 };
 
-/// All calls for the scene's lights that are on and objects that can be seen, without its mistakes, and with
-/// them a remark where the scene asks for more than fixed-function OpenGL has: Phong shading, an area light,
-/// Phong's reflection. `rgb(r, g, b)` and its product with a number stand for arrays of four floats whose
-/// alpha is 1. Every number of a light and of a material stands there, also where the program can leave it
-/// out as it is 0 in the whole scene. Meshes are not looked at.
+/// All calls for the scene's enabled lights and visible objects, without its mistakes. Adds a remark if the
+/// scene uses a feature that fixed-function OpenGL lacks: Phong shading, an area light, Phong's reflection.
+/// `rgb(r, g, b)` and its product with a number represent arrays of four floats whose alpha is 1. Includes
+/// every number of a light and of a material, even if the program can omit it because it is 0 in the entire
+/// scene. Ignores meshes.
 [[nodiscard]] std::vector<GlCallGroup> gl_calls(const Scene& scene);
 
-/// The call as a statement of C and of C++ in one line: `rgb()`, and numbers where OpenGL takes an array, are
-/// written as an array. It may name `width`, `height` (int) and `mesh` (an array of display lists, one for
+/// The call as a one-line statement of C and C++: `rgb()`, and numbers where OpenGL takes an array, are
+/// written as an array. It may use `width`, `height` (int) and `mesh` (an array of display lists, one for
 /// each object).
 [[nodiscard]] std::string call_text(const GlCall& call);
-/// The calls as a function of C and of C++, with the headers that it needs.
+/// The calls as a function of C and C++, with the necessary headers.
 [[nodiscard]] std::string calls_text(const std::vector<GlCallGroup>& groups);
 
 }  // namespace glint

@@ -18,7 +18,7 @@ void add_vectors(std::string& text, const char* name, const std::vector<glm::vec
     for (const glm::vec3& v : vectors) fmt::format_to(out, "{} {} {}\n", v.x, v.y, v.z);
 }
 
-/// Whether corner c has a normal of the file or of a formula.
+/// Whether corner c has a normal (from the file or analytic).
 bool has_own_normal(const Object& object, std::size_t corner) {
     const Mesh& mesh = *object.mesh;
     const NormalSource source = object.normals.source;
@@ -28,7 +28,7 @@ bool has_own_normal(const Object& object, std::size_t corner) {
     return given != no_index && mesh.normals[given] != glm::vec3(0);
 }
 
-/// The normals of corner_normals(), or what a wrong program reads in their place.
+/// The normals of corner_normals(), or those that an incorrect program reads instead.
 std::vector<glm::vec3> normals_as_read(const Object& object, const CornerNormals& right,
                                        const Mistakes& mistakes) {
     std::vector<glm::vec3> normals = right.normals;
@@ -40,7 +40,7 @@ std::vector<glm::vec3> normals_as_read(const Object& object, const CornerNormals
         done[which] = true;
         const bool own = has_own_normal(object, c);
         if (mistakes.cross_reversed && !own) normals[which] = -normals[which];
-        // They keep the length that they have in the file.
+        // They keep their length in the file.
         if (mistakes.unnormalized_normals && own && mesh.given_normals == GivenNormals::File)
             normals[which] *= glm::length(mesh.normals[mesh.given_normal_of(c)]);
     }

@@ -12,14 +12,14 @@
 namespace glint {
 namespace {
 
-/// What a mistake makes of a formula.
+/// The effect of a mistake on a formula.
 struct Change {
     bool Mistakes::*flag;
     std::string_view right, wrong;
 };
 constexpr std::array<Change, 7> changes{{
     {&Mistakes::unnormalized_half, "unit(l + v)", "0.5 * (l + v)"},
-    {&Mistakes::absolute_cosine, "max(n_l, 0.0)", "abs(n_l)"},  // where both are on it is never negative
+    {&Mistakes::absolute_cosine, "max(n_l, 0.0)", "abs(n_l)"},  // with both, it is never negative
     {&Mistakes::no_clamp_of_cosine, "max(n_l, 0.0)", "n_l"},
     {&Mistakes::no_clamp_of_cosine, " power(", " unclamped_power("},
     {&Mistakes::absolute_cosine, "above_zero(n_l)", "above_zero(abs(n_l))"},
@@ -37,12 +37,12 @@ std::string_view name_of_flag(bool Mistakes::*flag) {
 struct Statement {
     bool is_vector = false;
     std::string name, expression;
-    std::vector<std::string_view> mistakes;  // made in it
+    std::vector<std::string_view> mistakes;  // applied to it
 };
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Calls visit(word, begin) for the names in an expression; numbers are not among them.
+/// Calls visit(word, begin) for the names in an expression, but not for numbers.
 template <class Visit> void for_words(const std::string& text, const Visit& visit) {
     for (std::size_t i = 0; i < text.size();) {
         std::size_t end = i + 1;
@@ -66,7 +66,7 @@ std::vector<Statement> statements_of(const char* program) {
             line.erase(0, 5);
         }
         s.name = line.substr(0, line.find(' '));
-        s.expression = line.substr(line.find("= ") + 1);  // with its leading blank
+        s.expression = line.substr(line.find("= ") + 1);  // with its leading space
         all.push_back(s);
     }
     return all;
@@ -77,7 +77,7 @@ void make_mistakes(Statement& s, const Shading& shading) {
     for (const Change& change : changes) {
         const std::size_t at = s.expression.find(change.right);
         if (!(shading.mistakes.*change.flag) || at == s.expression.npos) continue;
-        // What roughness makes of the cosine is never negative, and stays.
+        // The factor of roughness is never negative, and is unchanged.
         if (change.flag == &Mistakes::no_clamp_of_cosine && rough) continue;
         s.expression.replace(at, change.right.size(), change.wrong);
         s.mistakes.push_back(name_of_flag(change.flag));
@@ -87,7 +87,7 @@ void make_mistakes(Statement& s, const Shading& shading) {
         s.expression.replace(at, 7, " table_power(");
 }
 
-/// The statements on which a wanted result depends.
+/// The statements on which the requested results depend.
 std::vector<Statement> wanted(const std::vector<Statement>& all, Flags names) {
     std::vector<Statement> kept;
     for (auto s = all.rbegin(); s != all.rend(); ++s) {
@@ -98,7 +98,7 @@ std::vector<Statement> wanted(const std::vector<Statement>& all, Flags names) {
     return kept;
 }
 
-/// The words of the notation that a language spells otherwise.
+/// The words of the notation that a language spells differently.
 std::string spelled(const std::string& word, Language language) {
     if (word == "shininess" || word == "roughness" || word == "f0") return "m." + word;
     if (language != Language::Cpp) return word;

@@ -20,14 +20,14 @@
 namespace glint {
 namespace {
 
-/// A language's files, the program first. `most_lines`: the most lines that the program may have; 0: no
+/// A language's files, the program first. `most_lines`: the maximum number of lines of the program; 0: no
 /// limit.
 struct LanguageTexts {
     struct File {
         std::string_view name, text;
     };
     std::vector<File> files;
-    std::string_view comment;  // what begins one
+    std::string_view comment;  // starts one
     std::size_t most_lines = 0;
 };
 
@@ -49,7 +49,7 @@ LanguageTexts texts_of(Language language) {
     return {};
 }
 
-/// A language can do what one of its texts mentions. Reflection models are written from their rows.
+/// A language supports the flags that its texts mention. Reflection models come from their rows.
 bool can(Language language, const Need& need) {
     for (const LanguageTexts::File& file : texts_of(language).files) {
         if (mentioned_flags(file.text).contains(need.flag)) return true;
@@ -58,7 +58,7 @@ bool can(Language language, const Need& need) {
     return false;
 }
 
-/// The first of what the scene needs that the language cannot do.
+/// The first need of the scene that the language lacks.
 std::optional<Need> lacking_in(Language language, const Scene& scene) {
     const std::vector<Need> needs = needs_of(scene);
     const auto lacking =
@@ -66,7 +66,7 @@ std::optional<Need> lacking_in(Language language, const Scene& scene) {
     return lacking == needs.end() ? std::nullopt : std::optional(*lacking);
 }
 
-/// All words of a text, which no name of the scene may be.
+/// All words of a text, which names of the scene must not use.
 Flags words_of(std::string_view text) {
     Flags words{"Light",     "Material", "Object",   "alignas",  "and",       "asm",      "auto",
                 "bool",      "break",    "case",     "catch",    "char",      "class",    "const",
@@ -94,13 +94,13 @@ Flags words_of(std::string_view text) {
     return words;
 }
 
-/// The mesh files of shown() objects: objects of one mesh and one kind of normals share a file.
+/// The mesh files of shown() objects: objects with the same mesh and kind of normals share a file.
 struct MeshFiles {
     std::vector<ProgramMesh> files;
     std::vector<std::string> of_object;
 };
 MeshFiles mesh_files(const Scene& scene) {
-    constexpr std::size_t longest_stem = 60;  // a file's name may have 255 bytes, and gets more letters
+    constexpr std::size_t longest_stem = 60;  // a file's name may have 255 bytes, and a suffix follows
     std::map<NormalsKey, std::string> known;
     Identifiers names({});
     MeshFiles out;
@@ -134,7 +134,7 @@ std::string wrapped(const std::vector<ProgramMesh>& files, const std::string& co
     return text.empty() ? "(no mesh)" : text;
 }
 
-/// What the picture is cleared to: the background as the display shows it, which no shader sees.
+/// The clear colour: the background in displayed colours, because it does not pass through a shader.
 std::string clear_call(const Display& display, const Flags& flags) {
     std::string text = "glClearColor(";
     for (int c = 0; c < 3; ++c) {
@@ -151,7 +151,7 @@ std::string clear_call(const Display& display, const Flags& flags) {
     return text + "1);  // the background";
 }
 
-/// What follows from the scene and the size for all files of the program.
+/// The values that all files of the program derive from the scene and the size.
 Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
     const Scene& s = of.scene;
     const auto vector = [language](const glm::vec3& v) { return vector_in_program(v, language); };
@@ -169,7 +169,7 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
                                                 : vector(s.npr.warm)},
             {"alpha", number_in_program(s.npr.alpha)},
             {"beta", number_in_program(s.npr.beta)},
-            // What is 1 or never changes is not written.
+            // Factors that are 1 or never change are omitted.
             {"clear_color", clear_call(s.display, flags)},
             {"window_title", in_letters(of.name, "scene")},
             {"const_n", flags.contains("wrong.no_normals_given") || flags.contains("wrong.some_faces_flipped")
@@ -185,18 +185,18 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"const_v", flags.contains("wrong.view_reversed") ? "" : "const "}};
 }
 
-/// The program, of however many lines. Precondition: the language lacks nothing that the scene needs.
+/// The program, with any number of lines. Precondition: the language lacks nothing that the scene needs.
 Program program_of(const ProgramOf& of, Language language) {
     const LanguageTexts texts = texts_of(language);
     Flags flags = flags_of(of.scene);
     const ModelText model = model_text(of.scene.shading, flags.contains("terms.diffuse"), language, "    ");
     flags.insert(model.uses.begin(), model.uses.end());
-    // A highlight is tested for its side.
+    // A highlight requires a test for the side.
     if (flags.contains("uses.S") && flags.contains("clamped_highlight") &&
         !flags.contains("wrong.specular_behind_surface"))
         flags.insert("uses.n_l");
     if (language == Language::Glsl)
-        flags.insert("shader");  // which takes the samples of an area light itself
+        flags.insert("shader");  // which computes the samples of an area light itself
     for (const char* of_light : {"uses.l", "uses.n_l", "uses.l_v", "uses.S", "light.spot", "light.area"})
         if (flags.contains(of_light)) flags.insert("needs.l");
     MeshFiles meshes = mesh_files(of.scene);
@@ -216,7 +216,7 @@ Program program_of(const ProgramOf& of, Language language) {
     return program;
 }
 
-/// How many lines the program has, where they are more than the language may have.
+/// The program's number of lines if it exceeds the language's maximum.
 std::optional<std::size_t> too_many_lines(const Program& program, Language language) {
     const std::string& text = program.texts.front().text;
     const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
@@ -224,7 +224,7 @@ std::optional<std::size_t> too_many_lines(const Program& program, Language langu
     return most > 0 && lines > most ? std::optional(lines) : std::nullopt;
 }
 
-/// "--language cpp or python": languages_for(); empty where there is none.
+/// "--language cpp or python": languages_for(); empty if there is none.
 std::string able_words(const ProgramOf& of) {
     std::string able;
     for (const Language language : languages_for(of))
@@ -234,7 +234,7 @@ std::string able_words(const ProgramOf& of) {
 
 constexpr const char* smaller_scene = "fewer lights and objects";
 
-/// What to do where a language lacks what the scene needs.
+/// The advice if a language lacks something that the scene needs.
 std::string ways_around(const ProgramOf& of, const Need& need) {
     if (std::string able = able_words(of); !able.empty()) return able;
     std::string in_part;  // a language that has this, but lacks something else

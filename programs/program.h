@@ -1,7 +1,7 @@
 #pragma once
-// A scene as a program that draws it: text for people who learn to write such a program, and the meshes that
-// it reads. Knows the scene, not the renderer. The programs stand in assets/programs as programs with all
-// that they may need; what a scene does not need is left out (template.h says how).
+// Writes a program that draws a scene: text for people who learn to write such a program, and the meshes that
+// it reads. Depends on the scene, not on the renderer. The templates in assets/programs are complete
+// programs; template.h omits the parts that a scene does not need.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ namespace glint {
 
 enum class Language { Gl1, Glsl, Cpp, Python };
 
-/// One row a language: the word of the command line, and what stands behind it.
+/// One row per language: its name on the command line and its title.
 constexpr Choice choice_of(Language language) {
     switch (language) {
     case Language::Gl1:
@@ -34,7 +34,7 @@ struct ProgramFile {
     std::string text;
 };
 
-/// A mesh that the program reads: mesh_text() of the object under the scene's mistakes, which can be long.
+/// A mesh that the program reads: mesh_text() of the object with the scene's mistakes, which can be long.
 struct ProgramMesh {
     std::string name;  // of its file
     Object object;
@@ -45,20 +45,20 @@ struct Program {
     std::vector<ProgramMesh> meshes;
 };
 
-/// What the program is of: the scene with its meshes loaded, the picture's size, and the scene's name for the
-/// program's first line.
+/// The input of the program: the scene with its meshes loaded, the picture's size, and the scene's name for
+/// the program's first line.
 struct ProgramOf {
     const Scene& scene;
     PictureSize size;
     std::string name;
 };
 
-/// The languages in which it can be written.
+/// The languages in which the program can be written.
 [[nodiscard]] std::vector<Language> languages_for(const ProgramOf& of);
 
-/// The files of a program that draws the scene. Compiled or run as its first comment says, it gives the
-/// picture of `glint render`. Problem (without a file): what the language cannot do, or that the program
-/// would be too long; `expected` names the languages that can.
+/// The files of a program that draws the scene. Compiled or run according to its first comment, it draws the
+/// picture of `glint render`. Problem (without a file): the language lacks a feature, or the program would be
+/// too long; `expected` names suitable languages.
 [[nodiscard]] Result<Program> write_program(const ProgramOf& of, Language language);
 
 }  // namespace glint

@@ -14,9 +14,9 @@ namespace glint {
 namespace {
 
 constexpr float fixed_function_most = 128;  // OpenGL 2.1: shininess and a spot's exponent
-constexpr std::size_t fixed_function_lights = 8, shader_lights = 32;  // of those that are taken one by one
+constexpr std::size_t fixed_function_lights = 8, shader_lights = 32;  // of those that are listed one by one
 
-/// Properties of a scene that are needed often enough to be found once.
+/// Properties of a scene that are computed once because they are used often.
 struct Facts {
     const Scene& scene;
     std::vector<Light> lights = shining(scene);
@@ -27,7 +27,7 @@ struct Facts {
     [[nodiscard]] bool is_lit() const { return shading.reflection != Reflection::None; }
     [[nodiscard]] bool lit_in(ShadingMode mode) const { return is_lit() && shading.mode == mode; }
     [[nodiscard]] bool provoking() const { return flat_at_provoking_corner(shading); }
-    /// Colours of corners are interpolated.
+    /// Whether colours of corners are interpolated.
     [[nodiscard]] bool blends_corners() const {
         return shading.mode != ShadingMode::Flat && (!is_lit() || shading.mode == ShadingMode::Gouraud);
     }
@@ -52,9 +52,9 @@ struct Facts {
                    return test(o.material.shininess);
                });
     }
-    /// Where the normals of corners are zero, a point takes the facet's.
+    /// Where the corners' normals are zero, a point uses the facet's.
     [[nodiscard]] bool any_normal_missing() const {
-        std::set<NormalsKey> looked_at;  // once each: many objects may show one large mesh
+        std::set<NormalsKey> looked_at;  // once each: many objects may share one large mesh
         return std::any_of(objects.begin(), objects.end(), [&looked_at](const Object& o) {
             if (!looked_at.insert(normals_key(o)).second) return false;
             const std::vector<glm::vec3> normals = corner_normals(*o.mesh, o.normals).normals;
@@ -84,7 +84,7 @@ bool is_capped(const Facts& f) {
            f.any_shininess([](float s) { return s > fixed_function_most; });
 }
 
-/// Whether something reaches behind the near plane, where it has no place on the screen.
+/// Whether something extends behind the near plane, where it has no position on the screen.
 bool near_plane_cuts(const Facts& f) {
     if (!blends_screen(f) && !blends_scanline(f)) return false;
     const glm::dmat4 clip_from_world =
@@ -98,17 +98,17 @@ bool near_plane_cuts(const Facts& f) {
         const auto any_behind = [&is_behind](const auto& places) {
             return std::any_of(places.begin(), places.end(), is_behind);
         };
-        // What lies in a box of which no corner is behind the plane is not behind it.
+        // A mesh is not behind the plane if no corner of its bounding box is.
         return any_behind(corners_of(o.mesh->bounds)) && any_behind(o.mesh->positions);
     });
 }
 
-/// Without a reflection model a mistake of lighting changes nothing, and no program makes it.
+/// Without a reflection model, mistakes of lighting have no effect, and programs omit them.
 bool shows(const MistakeName& mistake, const Facts& f) {
     return f.is_lit() || mistake.stage == MistakeStage::Faces || mistake.stage == MistakeStage::Display;
 }
 
-/// What some language may lack.
+/// The features that a language may lack.
 constexpr std::array need_rows{
     NeedRow{"mode.phong", "/shading/mode", "normals are interpolated and lit at each pixel",
             [](const Facts& f) { return f.lit_in(ShadingMode::Phong); }},

@@ -1,6 +1,6 @@
 #pragma once
-// Finds the properties of a scene that decide which lines its program has. A language may lack some of them:
-// each such property is one row, and a language has it where its text mentions the row's flag.
+// Finds the properties of a scene that determine the lines of its program. A language may lack some of them:
+// each such property is one row, and a language supports it if its text mentions the row's flag.
 
 #include <optional>
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace glint {
 
-/// Something that a scene asks of a program.
+/// A feature that a scene needs from a program.
 struct Need {
     std::string flag, pointer, what;  // what: "Phong shading lights each pixel"
 };
 
-/// The enabled lights and the visible objects, which are all that a program draws. A spot without a cone is a
+/// Only the enabled lights and the visible objects, which a program draws. A spot without a cone becomes a
 /// point light.
 [[nodiscard]] std::vector<Light> shining(const Scene& scene);
 [[nodiscard]] std::vector<Object> shown(const Scene& scene);
@@ -24,7 +24,7 @@ struct Need {
 /// All needs of the scene.
 [[nodiscard]] std::vector<Need> needs_of(const Scene& scene);
 
-/// The needs' flags, and those that follow from the scene and that every language knows.
+/// The needs' flags, and flags of the scene that every language supports.
 [[nodiscard]] Flags flags_of(const Scene& scene);
 
 }  // namespace glint

@@ -23,7 +23,7 @@ struct Column {
 };
 using Row = std::vector<Column>;
 
-/// Joins parts by commas; a line that would grow beyond the columns is broken.
+/// Joins parts by commas, and breaks lines that would be too long.
 std::string joined(const std::vector<std::string>& parts, std::size_t start, const std::string& indent) {
     std::string text;
     std::size_t at = start;
@@ -52,7 +52,7 @@ std::string definition(const std::string& type, const std::string& name, const R
     return start + joined(parts, start.size(), "    ") + "};\n";
 }
 
-/// The names of a row's columns, where the language has no text for them.
+/// The names of a row's columns, if the language has no text for them.
 std::string columns_of(const std::string& type, const Row& row) {
     std::vector<std::string> names;
     for (const Column& c : row) names.push_back(c.name);
@@ -116,7 +116,7 @@ std::string camera_text(const Camera& camera, Language language) {
                            {"far", far}});
 }
 
-/// Directional lights and area lights have none, but by a mistake.
+/// Directional lights and area lights have none, except by a mistake.
 bool has_falloff(const Light& light, const Flags& flags) {
     if (light.kind == LightKind::Directional) return flags.contains("wrong.falloff_of_directional");
     return light.kind != LightKind::Area;
@@ -163,7 +163,7 @@ Row material_row(const Material& m, Language language, const Flags& flags) {
     return row;
 }
 
-/// The material as a value, on lines of its own.
+/// The material as a value, on separate lines.
 std::string material_text(const Row& row, Language language) {
     std::vector<std::string> parts;
     for (const Column& c : row) parts.push_back(c.value);
@@ -223,8 +223,8 @@ std::string lights_text(const std::vector<Light>& lights, Language language, con
     return text + list_of("Light", "lights", names, language);
 }
 
-/// Whether a library that the program includes may have a function or a macro of that name: those are written
-/// in small letters (free), in capitals (NULL, RAND_MAX), or begin as OpenGL's and C's mixed ones do (M_PIf).
+/// Whether the name could clash with a function or macro of an included library: those are in small letters
+/// (free), in capitals (NULL, RAND_MAX), or have a prefix of OpenGL or C (M_PIf).
 bool may_be_a_library_name(const std::string& name) {
     const auto is_in = [](char low, char high) {
         return [low, high](char c) { return c >= low && c <= high; };
@@ -276,8 +276,8 @@ std::string Identifiers::once(const std::string& base) {
 }
 
 std::string number_in_program(float x) {
-    // The program reads the number as a double. Above 2^24, the shortest text of a float may be another whole
-    // number as a double, which matters for an angle. With an exponent the text is not an integer literal,
+    // The program reads the number as a double. Above 2^24, the shortest text of a float may be a different
+    // integer as a double, which matters for an angle. With an exponent the text is not an integer literal,
     // whose size some languages limit.
     constexpr float last_whole = 1 << 24;
     if (std::abs(x) > last_whole) return fmt::format("{:.16e}", x);

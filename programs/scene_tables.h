@@ -1,6 +1,6 @@
 #pragma once
-// The scene's numbers as a program's text: camera, lights and objects under the names of the scene file, made
-// into identifiers of the language.
+// The scene's numbers as a program's text: camera, lights and objects under their names in the scene file,
+// converted to identifiers of the language.
 
 #include <map>
 #include <string>
@@ -11,20 +11,20 @@
 
 namespace glint {
 
-/// Names for a comment of any language: no control characters, no sign that continues a line or ends a
-/// comment.
+/// A name for a comment in any language: no control characters, and no sequence that continues a line or ends
+/// a comment.
 [[nodiscard]] std::string for_comment(const std::string& text);
 
 /// ASCII letters, digits and single underscores, beginning with a letter: "Left lamp" is Left_lamp.
 [[nodiscard]] std::string in_letters(const std::string& name, const std::string& otherwise);
 
-/// Identifiers for names of a scene, each used once and none of the words in `taken` (a program's own).
+/// Unique identifiers for names of a scene, different from the words in `taken` (the program's own).
 class Identifiers {
   public:
     explicit Identifiers(Flags taken) : taken_(std::move(taken)) {}
-    /// in_letters(). What a library may have defined ends in `otherwise`: "log" is log_light.
+    /// in_letters(). A name that a library may define gets the suffix `otherwise`: "log" is log_light.
     [[nodiscard]] std::string of(const std::string& name, const std::string& otherwise);
-    /// `base`, or base_2 and so on where it was used.
+    /// `base`, or base_2 and so on if it is used.
     [[nodiscard]] std::string once(const std::string& base);
 
   private:
@@ -37,7 +37,7 @@ class Identifiers {
 [[nodiscard]] std::string vector_in_program(const glm::vec3& v, Language language);
 
 /// The lines that define camera, lights and objects, and lists of their names. `mesh_files`: of each object
-/// of shown(). `flags` say which columns there are. `words`: the program's own.
+/// of shown(). `flags` select the columns. `words`: the program's own.
 struct SceneTables {
     std::string camera, lights, objects;
 };

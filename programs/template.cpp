@@ -22,10 +22,10 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     }
 }
 
-/// A line of a text: what stands before its directive, the directive's word, and what follows it.
+/// A line of a text: the text before its directive, the directive's word, and the rest.
 struct Line {
     std::string_view indent, comment;  // comment: "//" or "#"
-    std::string_view word, rest;       // word: empty where the line is not a directive
+    std::string_view word, rest;       // word: empty if the line is not a directive
 };
 
 Line parsed(std::string_view line) {
@@ -70,7 +70,7 @@ std::vector<std::string_view> terms_of(std::string_view condition) {
     return all;
 }
 
-/// The line with its values. A value of several lines is indented like its place.
+/// The line with its values. A value of several lines is indented like its placeholder.
 std::string with_values(std::string_view line, const Values& values) {
     std::string out;
     while (true) {
@@ -144,7 +144,7 @@ std::string filled(std::string_view text, const Flags& on, const Values& values)
             shown.pop_back();
         } else if (all_shown()) {
             const std::string whole = with_values(raw, values);
-            if (whole.empty() && !raw.empty()) return;  // a value that is empty leaves no line
+            if (whole.empty() && !raw.empty()) return;  // an empty value leaves no line
             out.append(whole).append("\n");
         }
     });

@@ -1,14 +1,15 @@
 #pragma once
-// Programs are written from programs: texts that hold all variants, each marked by a directive that is a
-// comment of their language (`//@...`, in Python `#@...`), alone on its line.
+// The templates are programs: texts that contain all variants, each marked by a directive that is a comment
+// of their language (`//@...`, in Python `#@...`), alone on its line.
 //
 //   //@if COND, //@else, //@end   a condition of flags: `a`, `!a`, `a&b`, `a|b` (first all |, of these all &)
-//   //@can FLAG...                what needs no text of its own
-//   //@calls NAME                 from here on the lines are calls of that name, which gl_calls.h reads;
+//   //@can FLAG...                features that need no separate text
+//   //@calls NAME                 from here on the lines are calls with that name, which gl_calls.h reads;
 //                                 `//@calls` alone ends them
 //   @name@                        a value; alone on its line it may have several lines
 //
-// Where a condition names a mistake (`wrong.NAME`) that is on, the line before it says so as a comment.
+// If a condition names an active mistake (`wrong.NAME`), a comment on the line before it describes the
+// mistake.
 
 #include <functional>
 #include <map>
@@ -21,18 +22,18 @@ namespace glint {
 using Flags = std::set<std::string, std::less<>>;
 using Values = std::map<std::string, std::string, std::less<>>;
 
-/// All flags that a text mentions: what it cannot do is what it does not mention.
+/// All flags that a text mentions: the features that it supports.
 [[nodiscard]] Flags mentioned_flags(std::string_view text);
 
-/// The lines between `//@calls name` and the next `//@calls`, as they are. Precondition: there are such, and
+/// The unchanged lines between `//@calls name` and the next `//@calls`. Precondition: they exist, and
 /// conditions are balanced in them (a test reads each).
 [[nodiscard]] std::string_view lines_of_calls(std::string_view text, std::string_view name);
 
-/// The comment for a mistake that is on, without the sign that begins a comment.
+/// The comment for an active mistake, without the comment sign.
 [[nodiscard]] std::string mistake_comment(std::string_view name);
 
-/// Returns the lines of the text whose conditions hold, with its values filled in. Precondition: directives
-/// are balanced and every value is given (a test fills each text).
+/// Returns the lines of the text whose conditions hold, with values filled in. Precondition: directives are
+/// balanced and every value is given (a test fills each text).
 [[nodiscard]] std::string filled(std::string_view text, const Flags& on, const Values& values);
 
 }  // namespace glint
