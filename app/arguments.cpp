@@ -20,7 +20,7 @@ namespace {
 
 constexpr int max_threads = 1024;
 
-/// All of `text` as a whole number: digits, with a minus before them or not; nothing otherwise.
+/// The entire `text` as an integer: digits with an optional minus; nothing otherwise.
 std::optional<int> whole_number(std::string_view text) {
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -28,7 +28,7 @@ std::optional<int> whole_number(std::string_view text) {
     return value;
 }
 
-/// Says whether it is a whole number, also one that is too large for an int.
+/// Whether it is an integer, even one that is too large for an int.
 bool are_digits(std::string_view text) {
     if (text.starts_with('-')) text.remove_prefix(1);
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -183,7 +183,7 @@ void require_png_file(const std::string& out) {
 SceneDocument open_scene(const SceneArguments& arguments) {
     require_file(arguments);
     SceneDocument document = take(open_document(arguments.file, arguments.assignments));
-    // A scene read from a picture is drawn with the projection that the picture shows.
+    // A scene read from a picture is drawn with the picture's projection.
     Projection& projection = document.scene.camera.projection;
     if (document.fitted_to) projection = fitted(projection, *document.fitted_to);
     return document;
@@ -221,7 +221,7 @@ std::string asset_places(const std::string& relative) {
 
 namespace {
 
-/// "05-lambert" is named by itself, by "lambert", "05" and "5".
+/// The names of "05-lambert" are "05-lambert", "lambert", "05" and "5".
 bool is_named(const std::string& file, const std::string& word) {
     const std::string name = fs::path(file).stem().string();
     const std::size_t dash = std::min(name.find('-'), name.size());

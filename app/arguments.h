@@ -1,6 +1,6 @@
 #pragma once
 // Reads the arguments that commands share: scenes, lessons, sizes, pixels, counts. Reading is strict: "640x"
-// and "0x5" are errors and never guessed at.
+// and "0x5" are errors.
 
 #include <limits>
 #include <optional>
@@ -19,28 +19,28 @@ struct Pixel {
     int x = 0, y = 0;  // from the top left
 };
 
-/// Reads "640x480", each side 1 to 16384. All these readers throw Failure with `option` in place of a file.
+/// Reads "640x480", each side 1 to 16384. All these readers throw Failure with `option` instead of a file.
 [[nodiscard]] PictureSize read_size(const std::string& option, std::string_view text);
 /// Reads "900,20", two whole numbers; require_inside() checks that the pixel is in the picture.
 [[nodiscard]] Pixel read_pixel(const std::string& option, std::string_view text);
 void require_inside(const std::string& option, Pixel pixel, PictureSize size);
-/// A whole number of decimal digits within [least, most].
+/// An integer of decimal digits in [least, most].
 [[nodiscard]] int read_count(const std::string& option, std::string_view text, int least, int most);
-/// A finite number within [0, most].
+/// A finite number in [0, most].
 [[nodiscard]] double read_amount(const std::string& option, std::string_view text,
                                  double most = std::numeric_limits<double>::infinity());
-/// One of `words`, as it stands there; its index.
+/// The index of an exact match in `words`.
 [[nodiscard]] std::size_t read_word(const std::string& option, std::string_view text,
                                     const std::vector<std::string>& words);
 
-/// What every command that draws is given.
+/// The arguments of every command that draws.
 struct SceneArguments {
     std::string file;  // a scene, a picture that carries one, a mesh, or "-"
     std::vector<Assignment> assignments;
     int threads = 0;  // 0: all cores
 };
 
-/// An option whose text is its value, at most once.
+/// An option whose value is its text, at most once.
 void add_text(Options& options, const std::string& names, const std::string& value_name,
               const std::string& help, std::string& value);
 /// FILE, --set, --threads and --memory. `arguments` must live as long as `options`.
@@ -50,48 +50,49 @@ void add_memory(Options& options);
 void add_size(Options& options, std::optional<PictureSize>& size);
 void add_samples(Options& options, std::optional<int>& samples);
 
-/// The scene with its meshes, everything checked. Throws Failure.
+/// The scene with its meshes, completely checked. Throws Failure.
 [[nodiscard]] SceneDocument open_scene(const SceneArguments& arguments);
 
-/// What was given, or else what the picture has that carries the scene; 1280x720 and one sample for others.
+/// The given size and samples, or else those of the picture that contains the scene; 1280x720 and one sample
+/// for other scenes.
 [[nodiscard]] PictureSize size_to_draw(const std::optional<PictureSize>& given,
                                        const SceneDocument& document);
 [[nodiscard]] int samples_to_draw(const std::optional<int>& given, const SceneDocument& document);
-/// Warns that numbers of one sample a pixel are not those of a picture that has several.
+/// Warns that results for one sample per pixel differ from a picture that has several.
 void warn_of_samples(const SceneDocument& document, Warnings& warnings);
 
-/// Throws the Failure of a command that was given no OUT, FILE or the like.
+/// Throws the Failure of a missing OUT, FILE or similar argument.
 void require_given(const std::string& value, const std::string& option, const std::string& expected);
 void require_file(const SceneArguments& arguments);
 
-/// Throws the Failure of an output file that could not be written when the work is done; "-" can.
+/// Throws a Failure now if the output file could not be written when the work is done; "-" always can.
 void require_writable(const std::string& out);
 
-/// Throws the Failure of an output, of that option, that would replace a file which was read for it.
+/// Throws a Failure if the output of that option would replace one of its input files.
 void require_not_read(const std::string& out, const std::string& option = "-o");
 
-/// Writes what a command made to `-o`, which may not be a file that was read for it. Throws Failure.
+/// Writes a command's result to `-o`, which must not be one of its input files. Throws Failure.
 void write_output(const std::string& out, std::string_view bytes);
 
-/// True for an output that is written as PNG: "-", a name that ends in .png, and a device or pipe whose name
-/// has no extension.
+/// Whether an output is written as PNG: "-", a name that ends in .png, or a device or pipe without an
+/// extension.
 [[nodiscard]] bool takes_png(const std::string& out);
 
-/// Throws Failure if `-o` is given and is not a PNG file: standard output is taken by the answer.
+/// Throws Failure if `-o` is given and is not a PNG file: the answer goes to standard output.
 void require_png_file(const std::string& out);
 
-/// Returns the path of that file or folder of `assets`, which comes with the program: beside it, where it is
-/// installed, or in the source tree whose build/PRESET/app holds the program. Empty if there is none.
+/// Returns the path of that file or folder of `assets`: next to the program, in the installation, or in the
+/// source tree whose build/PRESET/app contains the program. Empty if there is none.
 [[nodiscard]] std::string asset_path(const std::string& relative);
-/// Where asset_path() looks for it in an installed program, for messages.
+/// The path where asset_path() expects it in an installed program, for messages.
 [[nodiscard]] std::string asset_places(const std::string& relative);
 
 /// Returns the files of the named lessons: each word is a file, a folder of lessons, or the name or number of
 /// an installed lesson ("05-lambert", "lambert", "5"). Without words: all installed lessons. Throws Failure.
 [[nodiscard]] std::vector<std::string> named_lessons(const std::vector<std::string>& words);
-/// The file of the only lesson that `word` names. Throws Failure.
+/// The file of the only lesson with the name `word`. Throws Failure.
 [[nodiscard]] std::string lesson_file(const std::string& word);
-/// The only lesson that `word` names. Throws Failure.
+/// The only lesson with the name `word`. Throws Failure.
 [[nodiscard]] Lesson open_lesson(const std::string& word);
 
 }  // namespace glint

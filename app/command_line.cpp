@@ -1,4 +1,4 @@
-// From argv to what the program does: finds the command and runs it.
+// Finds the command in argv and runs it.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -13,11 +13,11 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// Where the first word stands that is neither an option nor the value of one, so may name a command.
+/// The index of the first word that is not an option or the value of one, so that it may name a command.
 std::size_t first_word(const Arguments& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& a = arguments[i];
-        if (a == "--") break;  // from here on all are files
+        if (a == "--") break;  // the rest are files
         if (a == "-j" || a == "--threads" || a == "--set" || a == "--memory" || a == "--lesson") {
             ++i;
         } else if (a.size() < 2 || a[0] != '-') {
@@ -51,7 +51,7 @@ std::string general_help() {
     return text;
 }
 
-/// Refuses a word that is not a file and reads like a mistyped command.
+/// Rejects a word that is not a file and resembles a command.
 void refuse_unknown_command(const std::string& word) {
     if (word.empty())
         throw wrong_usage("FILE", "is empty", "a scene, a mesh, or - for a scene on standard input");

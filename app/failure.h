@@ -1,6 +1,6 @@
 #pragma once
-// The one way in which a command fails: app throws a Failure, and main() prints it as one line and exits with
-// its status. Other layers return a Result; take() converts it.
+// Errors of commands: app throws a Failure, and main() prints it as one line and exits with its status. Other
+// layers return a Result; take() converts it.
 
 #include <string>
 #include <utility>

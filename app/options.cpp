@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// CLI11's help, with the usage line that we would write by hand.
+/// CLI11's help, with our own usage line.
 class HelpFormatter : public CLI::Formatter {
   public:
     explicit HelpFormatter(std::string usage) : usage_(std::move(usage)) { column_width(24); }
@@ -34,13 +34,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-/// Stands before a word in brackets for CLI11, which takes "[a,b]" for a list of two.
+/// Prefixes a word in brackets for CLI11, which takes "[a,b]" for a list of two.
 constexpr char one_word = '\1';
 std::string as_typed(const std::string& word) { return word.starts_with(one_word) ? word.substr(1) : word; }
 
-/// What CLI11 could not place: an option that it does not know, or one word too many.
+/// The words that CLI11 could not parse: an unknown option, or an extra word.
 void refuse_extras(const CLI::App& app, const std::string& command) {
-    bool only_words = false;  // behind a "--" nothing is an option
+    bool only_words = false;  // after a "--" nothing is an option
     for (const std::string& extra : app.remaining()) {
         if (extra == "--") {
             only_words = true;
@@ -57,20 +57,20 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
     }
 }
 
-/// Throws where a value is the empty text, as of a shell's variable that is not set.
+/// Throws if a value is empty, such as an unset shell variable.
 void require_text(const std::string& option, const std::string& text, const std::string& expected) {
     if (text.empty()) throw wrong_usage(option, "is empty", expected);
 }
 
-/// Throws where the value of a short option begins with "=": CLI11 takes -o=a.png for the file "=a.png",
-/// which hardly anybody means.
+/// Throws if the value of a short option begins with "=": CLI11 takes -o=a.png for the file "=a.png", which
+/// is hardly ever intended.
 void require_no_equals(const std::string& option, const std::string& value_name, const std::string& text) {
     if (text.starts_with('='))
         throw wrong_usage(option, text + " begins with \"=\"",
                           fmt::format("a value after a space, as in {} {}", option, value_name));
 }
 
-/// CLI11's exceptions name the option somewhere in their words: "--size: 1 required WxH missing".
+/// CLI11's exceptions name the option somewhere in their text: "--size: 1 required WxH missing".
 Failure of_parse_error(const CLI::ParseError& error) {
     std::istringstream words(error.what());
     std::string option;
@@ -90,7 +90,7 @@ struct Options::Parts {
 
     CLI::Option* add(const std::string& names, const std::string& value_name, const std::string& help,
                      const CLI::callback_t& on_given) {
-        // Every value is kept, for CLI11 would have words of its own for the second.
+        // Keep every value, because CLI11 has its own message for a second one.
         return app.add_option(names, on_given, help)
             ->type_name(value_name)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

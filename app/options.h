@@ -1,6 +1,6 @@
 #pragma once
-// Reads the options of one command's line. CLI11 splits the line and writes --help; only options.cpp includes
-// it, because every file that does takes seconds to compile. Error messages are ours (docs/command_line.md).
+// Parses the options of one command. CLI11 splits the line and writes --help; only options.cpp includes it,
+// because every file that does takes seconds to compile. Error messages are our own (docs/command_line.md).
 
 #include <functional>
 #include <memory>
@@ -9,17 +9,18 @@
 
 namespace glint {
 
-/// What --help says around the list of options.
+/// The text of --help around the list of options.
 struct OptionsHelp {
-    std::string name;     // of the command as it is typed: "glint render"
-    std::string usage;    // what follows the name: "FILE -o OUT"
+    std::string name;     // of the command as typed: "glint render"
+    std::string usage;    // follows the name: "FILE -o OUT"
     std::string summary;  // one line
-    std::string example;  // a whole line to copy
+    std::string example;  // a complete line to copy
 };
 
 using ReadValue = std::function<void(const std::string& text)>;
 
-/// Declares and parses the options of a command. What its readers and flags refer to must outlive parse().
+/// Declares and parses the options of a command. Objects referenced by readers and flags must outlive
+/// parse().
 class Options {
   public:
     explicit Options(const OptionsHelp& help);
@@ -34,19 +35,19 @@ class Options {
     /// Adds an option that may be repeated: `read` gets each value in turn.
     void add_values(const std::string& names, const std::string& value_name, const std::string& help,
                     ReadValue read);
-    /// A positional, named without a dash, that takes all words that are left: `read` gets each in turn.
+    /// A positional, named without a dash, for all remaining words: `read` gets each in turn.
     void add_words(const std::string& name, const std::string& help, ReadValue read);
     /// An option without a value: `value` becomes true.
     void add_flag(const std::string& name, bool& value, const std::string& help);
-    /// `file` will hold the file that the command works on: if memory does not suffice, the error names it.
+    /// `file` will contain the command's input file: if memory does not suffice, the error names it.
     void works_on(const std::string& file) { file_ = &file; }
     [[nodiscard]] std::string file() const { return file_ ? *file_ : std::string(); }
-    /// Adds --version, which the line of a command without a name has.
+    /// Adds --version, for the command without a name.
     void add_version();
 
     enum class Asked { Work, Help, Version };
-    /// Splits the line and hands each value to the one who declared its option. Throws Failure for an option
-    /// that is not known, a value that is missing or empty, a word too many, and whatever the readers throw.
+    /// Splits the line and passes each value to its option's reader. Throws Failure for an unknown option, a
+    /// missing or empty value, and an extra word; readers may throw others.
     [[nodiscard]] Asked parse(std::vector<std::string> arguments);
     [[nodiscard]] std::string help_text() const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Shows how far long work has come, once a second, and only on a terminal.
+// Shows the progress of long work once a second, and only on a terminal.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -12,10 +12,10 @@
 
 namespace glint {
 
-/// One line on standard error that is written over, "frame 12 of 400", and is gone at the end.
+/// One line on standard error that is overwritten, "frame 12 of 400", and erased at the end.
 class Progress {
   public:
-    /// `what` is counted from 1 to `all`.
+    /// Counts `what` from 1 to `all`.
     Progress(std::string what, std::size_t all)
         : what_(std::move(what)), all_(all), watched_(isatty(STDERR_FILENO) == 1) {}
     ~Progress() {

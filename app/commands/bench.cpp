@@ -1,4 +1,4 @@
-// glint bench: how long frames take while something is dragged.
+// glint bench: measures frame times while something is dragged.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -29,7 +29,7 @@ struct BenchArguments {
     bool relight = false, table = false;
 };
 
-/// What is dragged when nobody says: a light, else (a scene may have none) the camera.
+/// What to drag; by default a light, or the camera in a scene without lights.
 Drag drag_of(const BenchArguments& arguments, const Scene& scene) {
     if (!arguments.drag) return scene.lights.empty() ? Drag::Camera : Drag::Light;
     if (*arguments.drag == Drag::Light && scene.lights.empty()) {
@@ -43,7 +43,7 @@ Drag drag_of(const BenchArguments& arguments, const Scene& scene) {
     return *arguments.drag;
 }
 
-/// The value that a share of all is not above: 0.5 is the median. Precondition: not empty.
+/// A quantile: `share` 0.5 is the median. Precondition: not empty.
 double quantile(std::vector<double> values, double share) {
     const auto last = static_cast<double>(values.size() - 1);
     const auto at = static_cast<std::ptrdiff_t>(std::lround(share * last));
@@ -54,7 +54,7 @@ double quantile(std::vector<double> values, double share) {
 struct Times {
     std::vector<double> frame;
     std::array<std::vector<double>, stage_count> stage;
-    std::array<int, stage_count> redone{};  // in how many of the frames
+    std::array<int, stage_count> redone{};  // number of frames that ran the stage
     std::vector<double> strokes;
     int strokes_redone = 0;
 };
@@ -89,7 +89,7 @@ std::uint64_t peak_bytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-/// The answer for people: the same numbers in lines and columns.
+/// The answer for people: the same numbers in rows and columns.
 std::string table_text(const Json& json) {
     const auto word = [&json](const char* key) { return json.at(key).get<std::string>(); };
     const auto count = [&json](const char* key) {

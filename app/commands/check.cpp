@@ -1,4 +1,4 @@
-// glint check: the first step in which another renderer's buffers differ from ours.
+// glint check: finds the first step in which another renderer's buffers differ from ours.
 #include "diagnose/check/check.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ struct CheckArguments {
 };
 
 /// Whether the path exists. A dangling symbolic link counts: reading it reports the problem. Throws Failure
-/// where the system does not let us look.
+/// if the system denies access.
 bool is_there(const std::string& path) {
     std::error_code failed;
     const std::filesystem::file_type type = std::filesystem::symlink_status(path, failed).type();
@@ -36,7 +36,7 @@ bool is_there(const std::string& path) {
     return type != std::filesystem::file_type::not_found;
 }
 
-/// The file of that buffer, .pfm or .exr; empty where there is none.
+/// The file of that buffer, .pfm or .exr; empty if there is none.
 std::string buffer_file(const std::string& directory, const std::string& name) {
     const std::string path = (std::filesystem::path(directory) / name).string();
     const std::string pfm = path + ".pfm";
@@ -47,10 +47,10 @@ std::string buffer_file(const std::string& directory, const std::string& name) {
     return exr;
 }
 
-/// Names in one warning the pictures in the directory that are not buffers of the scene.
+/// Lists in one warning the pictures in the directory that are not buffers of the scene.
 Warnings unknown_pictures(const std::string& directory, std::vector<std::string> known) {
     constexpr std::size_t most = 5;
-    known.emplace_back("face");  // render writes it, and nothing is compared with it
+    known.emplace_back("face");  // render writes it, but check does not compare it
     std::vector<std::string> unknown;
     std::error_code ignored;
     for (std::filesystem::directory_iterator at(directory, ignored), end; !ignored && at != end;
@@ -69,7 +69,7 @@ Warnings unknown_pictures(const std::string& directory, std::vector<std::string>
                         more > 0 ? fmt::format(" and {} more", more) : "")};
 }
 
-/// Reads those of the scene's buffers that the directory has.
+/// Reads the scene's buffers that exist in the directory.
 std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene& scene) {
     std::vector<PixelBuffer> buffers;
     const std::vector<std::string> names = checked_buffers(scene);

@@ -1,4 +1,4 @@
-// glint code: a program that draws the scene, for people who learn to write one.
+// glint code: writes a program that draws the scene, for people who learn to write one.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -24,10 +24,10 @@ struct CodeArguments {
     std::string out;  // a directory
 };
 
-/// The directory for the program's files alone. A new one is removed again if nothing is written into it.
+/// A directory for only the program's files. Removes a new directory if nothing is written to it.
 class OutDirectory {
   public:
-    /// Throws Failure if the path is anything but a new or an empty directory.
+    /// Throws Failure unless the path is a new or an empty directory.
     explicit OutDirectory(const std::string& path) : path_(path) {
         std::error_code error;
         const fs::file_status found = fs::status(path, error);
@@ -75,7 +75,7 @@ Outcome code(const CodeArguments& arguments) {
     if (auto* problem = std::get_if<Problem>(&written)) problem->file = arguments.scene.file;
     const Program program = take(std::move(written));
     for (const ProgramFile& file : program.texts) out.write(file.name, file.text);
-    for (const ProgramMesh& mesh : program.meshes)  // one at a time: they are long
+    for (const ProgramMesh& mesh : program.meshes)  // one at a time, because they are long
         out.write(mesh.name, mesh_text(mesh.object, document.scene.shading.mistakes));
     return {{}, document.warnings, ExitStatus::Done};
 }

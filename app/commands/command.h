@@ -1,5 +1,5 @@
 #pragma once
-// A command of the program: what its line looks like, and what it does once the line has been read.
+// A command of the program: its options and its action.
 
 #include <functional>
 #include <string>
@@ -15,7 +15,7 @@ class Options;
 /// The result of a command.
 struct Outcome {
     std::string output;  // for standard output
-    Warnings warnings;   // what was tolerated
+    Warnings warnings;   // tolerated problems
     ExitStatus status = ExitStatus::Done;
     std::string path = {}, bytes = {};  // a file, written after the output; no path: none
 };
@@ -25,10 +25,10 @@ using Run = std::function<Outcome()>;
 
 struct Command {
     std::string name;                  // "render"; empty for the window
-    std::string usage;                 // what follows the name: "FILE -o OUT"
+    std::string usage;                 // follows the name: "FILE -o OUT"
     std::string summary;               // one line
-    std::string example;               // a whole line to copy
-    Run (*declare)(Options& options);  // adds the command's options and returns what to do once they are read
+    std::string example;               // a complete line to copy
+    Run (*declare)(Options& options);  // adds the command's options and returns its action
 };
 
 [[nodiscard]] Command window_command();
@@ -54,8 +54,8 @@ struct Command {
 /// Returns the commands that have a name, in the order of --help.
 [[nodiscard]] std::vector<Command> named_commands();
 
-/// Runs the command that `arguments` (argv without its first) name: splits its line, and says what is wrong
-/// with it in the one-line form of docs/command_line.md. Throws Failure.
+/// Runs the command that `arguments` (argv without its first) name: parses its options, and reports errors in
+/// the one-line form of docs/command_line.md. Throws Failure.
 [[nodiscard]] Outcome run_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// glint compare: how far two pictures are apart.
+// glint compare: measures the difference of two pictures.
 #include <memory>
 #include <optional>
 
@@ -14,7 +14,7 @@ namespace {
 struct CompareArguments {
     std::string a, b, out;
     std::optional<double> max_error;
-    int threads = 0;  // taken on every line; nothing here is worth a second one
+    int threads = 0;  // accepted by every command; unused here
 };
 
 Outcome compare(const CompareArguments& arguments) {
@@ -28,7 +28,7 @@ Outcome compare(const CompareArguments& arguments) {
     Result<Comparison> compared = glint::compare(a, b);
     if (Problem* problem = std::get_if<Problem>(&compared)) problem->file = arguments.b;
     const Comparison result = take(std::move(compared));
-    // More than was allowed is an answer, not an error: it is told by the status alone.
+    // A difference above the limit is an answer, not an error: only the status reports it.
     const bool too_far = arguments.max_error && result.max_error > *arguments.max_error;
     Outcome outcome{
         json_text(comparison_json(result)), {}, too_far ? ExitStatus::Impossible : ExitStatus::Done};

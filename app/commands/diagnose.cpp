@@ -1,4 +1,4 @@
-// glint diagnose: what is wrong in a picture that another program drew of a scene.
+// glint diagnose: finds the mistakes in another program's picture of a scene.
 #include "diagnose/diagnose.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ struct DiagnoseArguments {
     std::vector<std::string> pictures;
     std::string out;
     bool pairs = false;
-    std::vector<MistakeSet> apart;  // to be told apart, without a picture
+    std::vector<MistakeSet> apart;  // to be distinguished, without a picture
     DiagnosisFormat format = DiagnosisFormat::Text;
 };
 
@@ -63,8 +63,7 @@ DiagnosedPicture unreadable_picture(const std::string& path, const Problem& prob
     return {path, std::move(diagnosis), {}, {}};
 }
 
-/// The diagnoses of all pictures, in their order; the sheet of the only one, where it is asked for, is put
-/// aside.
+/// The diagnoses of all pictures, in order; stores the sheet of a single picture if it is requested.
 std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, const SceneDocument& document,
                                            Outcome& outcome) {
     std::optional<Font> font;
@@ -144,7 +143,7 @@ std::vector<MistakeSet> read_mistakes(const std::string& option, const std::stri
     return mistakes;
 }
 
-/// Which change of the scene tells mistakes apart.
+/// Finds the change of the scene that distinguishes mistakes.
 Outcome tell_apart(const DiagnoseArguments& arguments) {
     constexpr PictureSize size{640, 480};
     if (!arguments.pictures.empty()) throw wrong_usage("--apart", "is asked of a scene alone", "no PICTURE");

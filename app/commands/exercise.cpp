@@ -1,4 +1,4 @@
-// glint exercise: sheets with numbers of their own, and their keys.
+// glint exercise: writes sheets with different numbers, and their keys.
 #include <fmt/core.h>
 
 #include <limits>

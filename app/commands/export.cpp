@@ -1,4 +1,4 @@
-// glint export: a scene in a format that other programs read.
+// glint export: writes a scene in a format that other programs read.
 #include <filesystem>
 #include <memory>
 

@@ -1,4 +1,5 @@
-// glint info: what a file holds. glint schema: what a scene file may hold, for editors and other programs.
+// glint info: describes a file. glint schema: prints the JSON schema of scene files, for editors and other
+// programs.
 #include <memory>
 #include <optional>
 

@@ -1,4 +1,4 @@
-// glint lessons: lists them, runs what they claim, prints one.
+// glint lessons: lists lessons, checks their claims, or prints one.
 #include <fmt/format.h>
 
 #include <memory>

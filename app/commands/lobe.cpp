@@ -1,4 +1,4 @@
-// glint lobe: how a surface of the scene reflects light from one direction.
+// glint lobe: measures how a surface of the scene reflects light from one direction.
 #include <memory>
 
 #include "app/arguments.h"

@@ -1,4 +1,4 @@
-// glint microfacets: a rough surface as many mirrors, and what becomes of a bundle of rays.
+// glint microfacets: simulates a rough surface as many mirrors that reflect a bundle of rays.
 #include <memory>
 #include <optional>
 
@@ -13,7 +13,7 @@ namespace {
 struct MicrofacetArguments {
     MicrofacetOptions options;
     std::optional<double> view_deg;
-    int threads = 0;  // taken on every line
+    int threads = 0;  // accepted by every command; unused here
 };
 
 Outcome microfacets(const MicrofacetArguments& arguments) {

@@ -1,4 +1,4 @@
-// glint mistakes: the catalogue of `shading.mistakes`.
+// glint mistakes: lists the catalogue of `shading.mistakes`.
 #include "models/scene/mistakes.h"
 
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-// glint profile: intensity along a line.
+// glint profile: measures intensity along a line.
 #include <memory>
 #include <optional>
 

@@ -1,4 +1,4 @@
-// glint quiz: a concept inventory as a page, and what a class has answered.
+// glint quiz: writes a concept inventory as a page, or evaluates a class's answers.
 #include "lessons/quiz.h"
 
 #include <memory>

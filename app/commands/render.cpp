@@ -1,4 +1,4 @@
-// glint render: one picture.
+// glint render: draws one picture.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -39,12 +39,12 @@ PictureFormat format_of(const std::string& out) {
     return std::get<PictureFormat>(format);
 }
 
-/// The format of the buffers that are written beside a picture of `format`.
+/// The format of the buffers for a picture of `format`.
 PictureFormat buffer_format(PictureFormat format) {
     return format == PictureFormat::Exr ? PictureFormat::Exr : PictureFormat::Pfm;
 }
 
-/// Where a buffer of that name goes.
+/// The path of the buffer with that name.
 std::string buffer_path(const RenderArguments& arguments, const std::string& name) {
     const PictureFormat format = buffer_format(format_of(arguments.out));
     return (std::filesystem::path(arguments.buffers) / (name + extension_of(format))).string();
@@ -67,11 +67,11 @@ void require_buffers_of(PictureSize size, int samples) {
         throw wrong_usage("--buffers", "the picture is too large", "at most 16777216 pixels");
 }
 
-/// Refuses a buffer in the file of the picture or of another buffer: one of the two would be lost.
+/// Rejects a buffer with the same file as the picture or another buffer: one of the two would be lost.
 void require_apart(const RenderArguments& arguments, const Scene& scene) {
     if (arguments.buffers.empty()) return;
     const std::string picture = replaced_file(arguments.out);
-    std::map<std::string, std::string> taken;  // what is replaced, and the buffer for which it is
+    std::map<std::string, std::string> taken;  // files, and the buffer in each
     for (const std::string& name : buffer_names(scene)) {
         const std::string path = buffer_path(arguments, name), replaced = replaced_file(path);
         if (replaced.empty()) continue;
@@ -86,8 +86,8 @@ void require_apart(const RenderArguments& arguments, const Scene& scene) {
     }
 }
 
-/// Refuses a picture in place of a file of its scene. One that carries the scene may replace the one that it
-/// was read from.
+/// Rejects a picture that would replace a file of its scene. A picture that contains the scene may replace
+/// the one it was read from.
 void require_scene_kept(const RenderArguments& arguments, PictureFormat format) {
     const std::string& scene = arguments.scene.file;
     const bool carries = format == PictureFormat::Png && !arguments.no_scene;

@@ -1,4 +1,4 @@
-// glint sheet: a labelled grid of pictures over two parameters.
+// glint sheet: draws a labelled grid of pictures over two parameters.
 #include "renderer/image/sheet.h"
 
 #include <fmt/format.h>
@@ -32,25 +32,25 @@ SheetAxis axis_of(const std::string& option, const std::string& text) {
     return std::get<SheetAxis>(std::move(axis));
 }
 
-/// True when setting `outer` overwrites what was set at `inner` before.
+/// Whether setting `outer` overwrites an earlier value at `inner`.
 bool overwrites(const std::string& outer, const std::string& inner) { return is_within(inner, outer); }
 
 /// Throws if the columns overwrite the rows' parameter: a column's value is set after its row's, so the row's
-/// label would name what is not drawn.
+/// label would be wrong.
 void require_two_parameters(const SheetAxis& rows, const SheetAxis& columns) {
     if (overwrites(columns.pointer, rows.pointer))
         throw Failure{ExitStatus::WrongUsage,
                       {"--cols", columns.pointer, "it overwrites what --rows sets", "another parameter"}};
 }
 
-/// The axis whose value is wrong: the rows' where the same place is wrong without the columns.
+/// The axis with the invalid value: the rows if the same pointer is invalid without the columns.
 std::string axis_at_fault(const Problem& problem, const SceneVariants& variants, const Assignment& row) {
     const Result<Scene> without_columns = variants.with({row});
     const Problem* of_row = problem_of(without_columns);
     return of_row != nullptr && of_row->pointer == problem.pointer ? "--rows" : "--cols";
 }
 
-/// The scene of one cell. What is wrong with a value is the fault of the axis that it is on.
+/// The scene of one cell. A problem with a value refers to its axis.
 Scene scene_of_cell(const SceneVariants& variants, const SheetAxis& rows, const std::string& row,
                     const SheetAxis& columns, const std::string& column) {
     const Assignment of_row{rows.pointer, row};
