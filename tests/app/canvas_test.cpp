@@ -1,5 +1,4 @@
-// Which parts of the window a frame changes: checked at points of the window, each with everything that is
-// drawn over it.
+// Tests the changed parts of a frame at points of the window, by comparing everything that covers each point.
 #include "app/window/canvas.h"
 
 #include <cstring>
@@ -52,7 +51,7 @@ Cover cover_of(const ImDrawData& data, ImVec2 p) {
     return cover;
 }
 
-/// Random points, and what covered each one in the frame before.
+/// Random points, and everything that covered each one in the last frame.
 class Watched {
   public:
     explicit Watched(ImVec2 size) {
@@ -61,7 +60,7 @@ class Watched {
         for (int i = 0; i < 400; ++i) points_.push_back({x(random), y(random)});
         covers_.resize(points_.size());
     }
-    /// Returns how many points changed. Asserts that a rectangle contains each one.
+    /// Returns the number of changed points. Asserts that a rectangle contains each one.
     int follow(const std::vector<Rect>& changed) {
         int count = 0;
         for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -90,7 +89,8 @@ float area_of(const std::vector<Rect>& rects) {
 
 }  // namespace
 
-TEST_CASE("changed rectangles contain every point that a frame draws differently", "[app][canvas][release]") {
+TEST_CASE("changed rectangles contain every point that differs from the last frame",
+          "[app][canvas][release]") {
     HeadlessWindow bench;
     FrameChanges changes;
     Watched watched({1280, 800});
@@ -112,7 +112,7 @@ TEST_CASE("changed rectangles contain every point that a frame draws differently
         (void)bench.frame(input);
         look();
     }
-    CHECK(changed_points > 300);  // menus, panels, handles and the picture's own lines came and went
+    CHECK(changed_points > 300);  // menus, panels, handles and the picture's lines appeared and disappeared
 }
 
 TEST_CASE("an equal frame has no changed rectangles", "[app][canvas]") {

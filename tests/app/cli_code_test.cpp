@@ -1,4 +1,4 @@
-// glint code, as a user runs it.
+// Tests of glint code as a user runs it.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -41,7 +41,7 @@ TEST_CASE("glint code writes the files of a program into a new or an empty direc
     }
 }
 
-TEST_CASE("a program turns an object by the scene's angle, however large", "[cli][programs]") {
+TEST_CASE("a program rotates an object by the scene's angle, even a very large one", "[cli][programs]") {
     const TemporaryDirectory folder;
     const char* const turned =
         R"({"glint": 1, "objects": [{"transform": {"rotate_deg": [0.1, 1234567, -1e7]}}]})";
@@ -53,7 +53,7 @@ TEST_CASE("a program turns an object by the scene's angle, however large", "[cli
     }
 }
 
-TEST_CASE("a program's names are the scene's, as far as the language takes them", "[cli][programs]") {
+TEST_CASE("a program's names are the scene's, made into valid identifiers", "[cli][programs]") {
     const TemporaryDirectory folder;
     REQUIRE(code(lit_ball, "cpp", folder.path("new")).status == 0);
     const std::string text = bytes_of(folder.path("new/main.cpp"));
@@ -66,7 +66,7 @@ TEST_CASE("a program's names are the scene's, as far as the language takes them"
     CHECK(text.substr(0, text.find('\n')).find('\\') == std::string::npos);
 }
 
-TEST_CASE("what glint code cannot do is one line, and leaves no file", "[cli][programs]") {
+TEST_CASE("an unsupported feature in glint code is a one-line error and leaves no file", "[cli][programs]") {
     const TemporaryDirectory folder;
     const std::string file = folder.file("file", "full");
     const auto refused = [](const Ended& ended, int status, const std::string& line) {

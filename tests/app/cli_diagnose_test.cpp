@@ -1,4 +1,4 @@
-// glint diagnose and glint check as a user runs them.
+// Tests of glint diagnose and glint check as a user runs them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ TEST_CASE("glint diagnose names a mistake in a PNG, a PFM and an EXR", "[cli][di
     }
 }
 
-TEST_CASE("glint diagnose says what it found in at most five lines", "[cli][diagnose]") {
+TEST_CASE("glint diagnose prints its result in at most five lines", "[cli][diagnose]") {
     const Files files;
     const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
     const std::string right = files.drawn("right.png", {"--set", "/display/exposure=0.8"});
@@ -73,8 +73,7 @@ TEST_CASE("glint diagnose says what it found in at most five lines", "[cli][diag
     CHECK(lines(mistake.out) <= 5);
 }
 
-TEST_CASE("glint diagnose says how two mistakes are looked for where no single one is found",
-          "[cli][diagnose]") {
+TEST_CASE("glint diagnose suggests the search for two mistakes if no single one fits", "[cli][diagnose]") {
     const Files files;
     const std::string other =
         files.drawn("other.png", {"--set", "/objects/0/material/diffuse=[0.1,0.9,0.2]"});
@@ -86,7 +85,7 @@ TEST_CASE("glint diagnose says how two mistakes are looked for where no single o
     CHECK_FALSE(run_glint({"diagnose", files.scene, files.drawn("right.png", {})}).out.ends_with(hint));
 }
 
-TEST_CASE("glint diagnose counts what differs where nothing is compared", "[cli][diagnose]") {
+TEST_CASE("glint diagnose counts differing pixels in places that it does not compare", "[cli][diagnose]") {
     const Files files;
     const TemporaryDirectory buffers;
     Picture depth, picture = std::get<Picture>(read_png(files.drawn("right.png", {})));
@@ -169,7 +168,7 @@ TEST_CASE("glint diagnose refuses bad input in one line", "[cli][diagnose][bad-i
     CHECK(std::count(corrupt.err.begin(), corrupt.err.end(), '\n') == 1);
 }
 
-TEST_CASE("glint diagnose tells of many pictures in a table", "[cli][diagnose]") {
+TEST_CASE("glint diagnose lists several pictures in a table", "[cli][diagnose]") {
     const Files files;
     const std::string right = files.drawn("right.png", {});
     const std::string wrong =
@@ -185,7 +184,8 @@ TEST_CASE("glint diagnose tells of many pictures in a table", "[cli][diagnose]")
     CHECK(text.out.find("\n\n" + on_one_line(wrong) + "\nMistake: normals_flipped.") != std::string::npos);
 }
 
-TEST_CASE("diagnose --format json is one object a line, for one picture and for several", "[cli][diagnose]") {
+TEST_CASE("diagnose --format json prints one object per line, for any number of pictures",
+          "[cli][diagnose]") {
     const Files files;
     const std::string right = files.drawn("right.png", {});
     const std::string wrong = files.drawn("wrong.png", {"--set", "/shading/mistakes/normals_flipped=true"});
@@ -204,7 +204,7 @@ TEST_CASE("diagnose --format json is one object a line, for one picture and for 
     }
 }
 
-TEST_CASE("glint diagnose answers for the other pictures when one cannot be read", "[cli][diagnose]") {
+TEST_CASE("glint diagnose still reports the other pictures if one cannot be read", "[cli][diagnose]") {
     const Files files;
     const std::string right = files.drawn("right.png", {});
     const std::string wrong = files.drawn("wrong.png", {"--set", "/shading/mistakes/normals_flipped=true"});
@@ -238,7 +238,7 @@ TEST_CASE("glint diagnose answers for the other pictures when one cannot be read
     CHECK(page.find("normals_flipped") != std::string::npos);
 }
 
-TEST_CASE("glint diagnose writes a page that needs nothing else", "[cli][diagnose]") {
+TEST_CASE("glint diagnose writes a self-contained page", "[cli][diagnose]") {
     const Files files;
     const std::string wrong = files.drawn("a<b>.png", {"--set", "/shading/mistakes/normals_flipped=true"});
     const Ended page = run_glint({"diagnose", files.scene, wrong, "--format", "html"});
@@ -247,20 +247,20 @@ TEST_CASE("glint diagnose writes a page that needs nothing else", "[cli][diagnos
     CHECK(page.out.find("a&lt;b&gt;.png") != std::string::npos);
     CHECK(page.out.find("normals_flipped") != std::string::npos);
     CHECK(page.out.find("http") == std::string::npos);
-    // A PNG in base 64 begins so: its signature's bytes are 89 50 4E 47 0D 0A 1A 0A.
+    // The beginning of a PNG in base 64: the signature is 89 50 4E 47 0D 0A 1A 0A.
     const std::string start = "src=\"data:image/png;base64,iVBORw0KGgo";
     const std::size_t first = page.out.find(start);
     REQUIRE(first != std::string::npos);
     CHECK(page.out.find(start, first + 1) != std::string::npos);
 }
 
-TEST_CASE("glint diagnose --apart says which pixel tells mistakes apart", "[cli][diagnose]") {
+TEST_CASE("glint diagnose --apart finds a pixel that distinguishes mistakes", "[cli][diagnose]") {
     const Files files;
     const std::string names[] = {"view_reversed", "viewer_at_origin_of_world"};
     const json found = json::parse(
         run_glint({"diagnose", files.scene, "--apart", names[0] + "," + names[1], "--format", "json"}).out);
     const std::string pixel = found["pixel"][0].dump() + "," + found["pixel"][1].dump();
-    for (std::size_t i = 0; i < 2; ++i) {  // what the scene shows there when it is drawn so
+    for (std::size_t i = 0; i < 2; ++i) {  // the scene's levels with this mistake
         CHECK(found["shows"][i]["name"] == names[i]);
         const Ended drawn = run_glint({"explain", files.scene, "--size", "640x480", "--pixel", pixel, "--set",
                                        found["set"][0].get<std::string>(), "--set",
@@ -300,12 +300,11 @@ TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][che
     CHECK(answer["differs"]["found"] == "ours times 2");
 }
 
-TEST_CASE("glint check refuses the buffer that does not fit beside those it has read",
-          "[cli][buffers][check]") {
+TEST_CASE("glint check reports the buffer that exceeds the memory limit", "[cli][buffers][check]") {
     const Files files;
     const TemporaryDirectory buffers;
     const std::string heading = "PF\n2048 2048\n-1.0\n";
-    for (const char* const name : {"position.pfm", "depth.pfm"}) {  // zeros that take no disk
+    for (const char* const name : {"position.pfm", "depth.pfm"}) {  // sparse zeros
         const std::string file = buffers.file(name, heading);
         std::filesystem::resize_file(file, heading.size() + 12 * 2048 * 2048);
     }
@@ -314,8 +313,7 @@ TEST_CASE("glint check refuses the buffer that does not fit beside those it has 
     CHECK(ended.err.find("depth.pfm: this needs 96.0 MiB of memory") != std::string::npos);
 }
 
-TEST_CASE("glint check says that there is nothing to compare rather than that nothing differs",
-          "[cli][buffers][check]") {
+TEST_CASE("glint check without anything to compare is an error, not a success", "[cli][buffers][check]") {
     const Files files;
     const TemporaryDirectory buffers;
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
@@ -325,13 +323,14 @@ TEST_CASE("glint check says that there is nothing to compare rather than that no
               "size\n");
 }
 
-TEST_CASE("more threads than processors search without a word on standard error", "[cli][diagnose]") {
+TEST_CASE("diagnosing with more threads than processors prints nothing on standard error",
+          "[cli][diagnose]") {
     const Files files;
     const std::string right = files.drawn("right.png", {});
     CHECK(run_glint({"diagnose", files.scene, right, "-j", "16"}).err.empty());
 }
 
-TEST_CASE("glint check reads buffers that are EXR", "[cli][buffers][check]") {
+TEST_CASE("glint check reads EXR buffers", "[cli][buffers][check]") {
     const Files files;
     const TemporaryDirectory buffers;
     (void)files.drawn("right.exr", {"--buffers", buffers.path("")});
@@ -345,7 +344,7 @@ TEST_CASE("glint check names the pictures that it does not compare", "[cli][buff
     const TemporaryDirectory buffers;
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
     const auto warning = [&] { return run_glint({"check", files.scene, buffers.path("")}).err; };
-    CHECK(warning().empty());  // face.pfm is there, and nobody expects it to be compared
+    CHECK(warning().empty());  // face.pfm exists, and is not meant to be compared
     (void)buffers.file("notes.txt", "");
     (void)buffers.file("l_99.pfm", "");
     (void)buffers.file("normals.exr", "");
@@ -381,11 +380,10 @@ TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]"
     check(buffers.path(""), 1, position + ": ");
 }
 
-TEST_CASE("glint check says of a directory in which it may not look that it may not",
-          "[cli][check][bad-input]") {
+TEST_CASE("glint check reports a directory that the system refuses to read", "[cli][check][bad-input]") {
     const Files files;
     const TemporaryDirectory folder;
-    // That the system refuses whoever asks: the names of files in it are longer than a path may be.
+    // The system refuses any user: paths of files in this directory exceed the maximum length.
     constexpr std::size_t longest_path = 4095, longest_name = 255;
     std::string deep = folder.path("d");
     while (deep.size() + 12 < longest_path)
@@ -398,8 +396,7 @@ TEST_CASE("glint check says of a directory in which it may not look that it may 
         "cannot be looked for: file name too long; expected a directory that can be read\n"));
 }
 
-TEST_CASE("glint check passes over no buffer that cannot be read and over no second one of a name",
-          "[cli][buffers][check][bad-input]") {
+TEST_CASE("glint check reports unreadable buffers and duplicate names", "[cli][buffers][check][bad-input]") {
     const Files files;
     const TemporaryDirectory buffers;
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});

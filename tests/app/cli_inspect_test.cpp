@@ -1,4 +1,4 @@
-// The commands that look into pictures and surfaces, as a user runs them: profile, sheet, lobe.
+// Tests of the commands that inspect pictures and surfaces, as a user runs them: profile, sheet, lobe.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,8 +50,7 @@ Picture opened(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("glint profile lists a line's pixels as CSV, with the values that explain gives",
-          "[cli][profile]") {
+TEST_CASE("glint profile lists a line's pixels as CSV with the values of explain", "[cli][profile]") {
     const Ended ended =
         run_glint({"profile", "-", "--from", "0,24", "--to", "63,24", "--size", "64x48"}, ball);
     REQUIRE(ended.status == 0);
@@ -69,7 +68,7 @@ TEST_CASE("glint profile lists a line's pixels as CSV, with the values that expl
     CHECK(std::stod(middle[5]) == Approx(here - before));
 }
 
-TEST_CASE("glint profile gives the columns of its CSV as lists of JSON", "[cli][profile]") {
+TEST_CASE("glint profile writes the columns of its CSV as JSON lists", "[cli][profile]") {
     const std::vector<std::string> words{"profile", "-",     "--from", "0,24",
                                          "--to",    "63,24", "--size", "64x48"};
     std::vector<std::string> as_json = words;
@@ -88,7 +87,7 @@ TEST_CASE("glint profile gives the columns of its CSV as lists of JSON", "[cli][
         }
 }
 
-TEST_CASE("glint profile says what is wrong with its ends", "[cli][profile][bad-input]") {
+TEST_CASE("glint profile reports invalid end points", "[cli][profile][bad-input]") {
     check_wrong({"profile", "-", "--to", "1,1"}, "--from: is missing; expected X,Y as in --from 0,360");
     check_wrong({"profile", "-", "--from", "1,1", "--to", "64,1", "--size", "64x48"},
                 "--to: 64,1 is outside the picture; expected 0 to 63, 0 to 47");
@@ -96,7 +95,7 @@ TEST_CASE("glint profile says what is wrong with its ends", "[cli][profile][bad-
                 "--from: a is not a pixel; expected X,Y as in 640,360");
 }
 
-TEST_CASE("glint sheet draws each cell as glint render draws it", "[cli][sheet]") {
+TEST_CASE("glint sheet draws each cell like glint render", "[cli][sheet]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("ball.json", ball), out = directory.path("sheet.png");
     const Ended ended =
@@ -118,7 +117,7 @@ TEST_CASE("glint sheet draws each cell as glint render draws it", "[cli][sheet]"
                         cell.rgba[4 * cell.pixel(x, y) + c]);
 }
 
-TEST_CASE("glint sheet names the axis whose value is wrong", "[cli][sheet][bad-input]") {
+TEST_CASE("glint sheet names the axis with an invalid value", "[cli][sheet][bad-input]") {
     const std::string rows = "/shading/mode=flat", out = "/dev/null";
     check_wrong({"sheet", "-", "--cols", "/a=1", "-o", "a.png"},
                 "--rows: is missing; expected POINTER=A,B,C, such as /objects/0/material/shininess=8,32,128");
@@ -143,9 +142,8 @@ TEST_CASE("glint sheet names the axis whose value is wrong", "[cli][sheet][bad-i
     CHECK(large.err.ends_with(" pixels large; expected at most 16384x16384\n"));
 }
 
-TEST_CASE(
-    "glint sheet names the axis whose value is wrong also where the pointers are alike or end in a list",
-    "[cli][sheet][bad-input]") {
+TEST_CASE("glint sheet names the invalid axis even if pointers are equal or end in a list",
+          "[cli][sheet][bad-input]") {
     const auto check_axes = [](const std::string& rows, const std::string& columns, const std::string& line) {
         check_wrong({"sheet", "-", "--rows", rows, "--cols", columns, "-o", "/dev/null"}, line);
     };
@@ -156,12 +154,12 @@ TEST_CASE(
                "--cols: /lights/1/intensity" + negative);
     check_axes("/lights/-/intensity=-1,2", "/lights/-/type=spot", "--rows: /lights/1/intensity" + negative);
     check_axes("/lights/-/intensity=1", "/lights/1/intensity=-1", "--cols: /lights/1/intensity" + negative);
-    // The rows' near is beyond the far of the scene, but that is not what is wrong here.
+    // The rows' near is beyond the scene's far, but that is not the problem here.
     check_axes("/camera/projection/near=200", "/camera/projection/far=-1",
                "--cols: /camera/projection/far: -1 is out of range; expected more than 0, up to 1e7");
 }
 
-TEST_CASE("glint sheet without a font says in one line what to install", "[cli][sheet][bad-input]") {
+TEST_CASE("glint sheet without a font prints one line about what to install", "[cli][sheet][bad-input]") {
     setenv("GLINT_FONT", "/nonexistent.ttf", 1);
     const Ended ended = run_glint(
         {"sheet", "-", "--rows", "/shading/mode=flat", "--cols", "/display/exposure=1", "-o", "/dev/null"},
@@ -173,7 +171,7 @@ TEST_CASE("glint sheet without a font says in one line what to install", "[cli][
           "as of the package fonts-dejavu-core, or its path in GLINT_FONT\n");
 }
 
-TEST_CASE("glint lobe tells how an object's surface reflects", "[cli][lobes]") {
+TEST_CASE("glint lobe reports how an object's surface reflects light", "[cli][lobes]") {
     const std::vector<std::string> arguments{"lobe",    "-",  "--angle", "25",
                                              "--steps", "36", "--set",   "/objects/0/material/shininess=20"};
     const Ended csv = run_glint(arguments, ball);
@@ -195,7 +193,7 @@ TEST_CASE("glint lobe tells how an object's surface reflects", "[cli][lobes]") {
     CHECK(json["specular_energy"][0].get<double>() == Approx(2 * 3.14159265 / 22 * 0.906308).epsilon(1e-3));
 }
 
-TEST_CASE("glint lobe says what is wrong with its options", "[cli][lobes][bad-input]") {
+TEST_CASE("glint lobe reports invalid options", "[cli][lobes][bad-input]") {
     check_wrong({"lobe", "-", "--object", "1"}, "--object: 1 is out of range; expected 0 to 0");
     check_wrong({"lobe", "-", "--angle", "90"}, "--angle: 90 is out of range; expected 0 to 89.9");
     check_wrong({"lobe", "-", "--angle", "-5"}, "--angle: -5 is out of range; expected 0 to 89.9");
@@ -204,7 +202,7 @@ TEST_CASE("glint lobe says what is wrong with its options", "[cli][lobes][bad-in
     check_wrong({"lobe", "-", "--format", "xml"}, "--format: xml is not known; expected csv, json");
 }
 
-TEST_CASE("glint microfacets answers in JSON, the same for the same seed", "[cli][microfacets]") {
+TEST_CASE("glint microfacets prints the same JSON for the same seed", "[cli][microfacets]") {
     const std::vector<std::string> arguments{"microfacets", "--roughness", "0.3",    "--angle", "60",
                                              "--rays",      "500",         "--seed", "9"};
     const Ended ended = run_glint(arguments);
@@ -218,7 +216,7 @@ TEST_CASE("glint microfacets answers in JSON, the same for the same seed", "[cli
         return run_glint(more).out;
     };
     CHECK(with({"--seed", "10"}) != ended.out);
-    CHECK(with({"--seed", "9", "--view", "60"}) == ended.out);  // the viewer stands at the mirror angle
+    CHECK(with({"--seed", "9", "--view", "60"}) == ended.out);  // the viewer is at the mirror angle
     CHECK(with({"--seed", "9", "--view", "0"}) != ended.out);
     CHECK(json["sigma_deg"].get<double>() == Approx(27));
     double all = 0;
@@ -251,7 +249,7 @@ TEST_CASE("glint render --stats counts the evaluations of each mode", "[cli][sta
                 "--stats: standard output is the picture's; expected a file after -o");
 }
 
-TEST_CASE("glint render --buffers writes what lies behind the pixels", "[cli][buffers]") {
+TEST_CASE("glint render --buffers writes the numbers behind the pixels", "[cli][buffers]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("a.pfm");
     REQUIRE(run_glint({"render", "-", "-o", out, "--size", "32x24", "--buffers", directory.path("")}, ball)
@@ -274,7 +272,7 @@ TEST_CASE("glint render --buffers writes what lies behind the pixels", "[cli][bu
                 "--buffers: a pixel of several samples has several surfaces; expected --samples 1");
 }
 
-TEST_CASE("glint explain --sensitivity lists what the pixel depends on", "[cli][sensitivity]") {
+TEST_CASE("glint explain --sensitivity lists the numbers that affect the pixel", "[cli][sensitivity]") {
     const std::vector<std::string> arguments{"explain", "-",     "--pixel",      "32,24",
                                              "--size",  "64x48", "--sensitivity"};
     const Ended text = run_glint(arguments, ball);
@@ -289,8 +287,7 @@ TEST_CASE("glint explain --sensitivity lists what the pixel depends on", "[cli][
     CHECK(json["no_effect"].size() > 20);
 }
 
-TEST_CASE("each channel's change is its own: a light's colours change the channel of their name alone",
-          "[cli][sensitivity]") {
+TEST_CASE("a light's red, green and blue change only the channel of the same name", "[cli][sensitivity]") {
     const auto json = nlohmann::json::parse(run_glint({"explain", "-", "--pixel", "32,24", "--size", "64x48",
                                                        "--sensitivity", "--format", "json"},
                                                       ball)

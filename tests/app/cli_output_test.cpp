@@ -1,4 +1,4 @@
-// What the program leaves in files and on a terminal when things go wrong, or when a stranger made its input.
+// Tests of the output in files and on the terminal after errors and with hostile input.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -33,7 +33,7 @@ TEST_CASE("a full disk leaves no half-written buffer and no picture", "[cli][buf
     CHECK(out.names().empty());
 }
 
-TEST_CASE("a picture that would take a buffer's place is refused, in whatever words its path is given",
+TEST_CASE("a picture that would replace a buffer is rejected, however its path is spelled",
           "[cli][buffers][bad-input]") {
     const TemporaryDirectory in, out;
     const std::string scene = in.file("scene.json", ball_text), link = in.path("link.pfm");
@@ -49,13 +49,13 @@ TEST_CASE("a picture that would take a buffer's place is refused, in whatever wo
               .status == 0);
 }
 
-TEST_CASE("where the output cannot be written is told before the work begins", "[cli][bad-input]") {
+TEST_CASE("an output path that cannot be written is reported before the work starts", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("none/a.png"), missing = directory.path("missing.json");
     const std::string line =
         "glint: error: " + out +
         ": cannot write: no such file or directory; expected a place that can be written\n";
-    // The scene is not there either: it has not even been looked for.
+    // The scene does not exist either: the program has not tried to open it.
     CHECK(run_glint({"render", missing, "-o", out}).err == line);
     CHECK(run_glint({"compare", missing, missing, "-o", out}).err == line);
     CHECK(run_glint({"sheet", missing, "--rows", "/display/exposure=1,2", "--cols",
@@ -67,13 +67,12 @@ TEST_CASE("where the output cannot be written is told before the work begins", "
     CHECK(run_glint({"code", missing, "--language", "cpp", "-o", program}).err ==
           "glint: error: " + program +
               ": cannot be made: no such file or directory; expected a new or an empty directory\n");
-    // A new directory is removed again when nothing is written into it.
+    // A new directory is removed again if nothing is written into it.
     CHECK(run_glint({"code", missing, "--language", "cpp", "-o", directory.path("new")}).status == 1);
     CHECK(directory.names().empty());
 }
 
-TEST_CASE("of a file that is not there it is said that it is not there, whatever its name",
-          "[cli][bad-input]") {
+TEST_CASE("a missing file is reported as missing, whatever its extension", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     for (const char* name : {"nope", "nope.xyz", "a.b/nope"}) {
         const std::string path = directory.path(name);
@@ -87,7 +86,7 @@ TEST_CASE("of a file that is not there it is said that it is not there, whatever
           std::string::npos);
 }
 
-TEST_CASE("the system's reason stands in lower case inside a line", "[cli][bad-input]") {
+TEST_CASE("a system error inside a line begins with a lower-case letter", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string there = directory.file("there.json", R"({"glint": 1})");
     const auto reason_for = [](const std::string& path) {
@@ -99,8 +98,7 @@ TEST_CASE("the system's reason stands in lower case inside a line", "[cli][bad-i
     CHECK(reason_for(there + "/below.json") == ": cannot read: not a directory");
 }
 
-TEST_CASE("of several files for the window one that is not there is named before it opens",
-          "[cli][bad-input]") {
+TEST_CASE("a missing file among several for the window is reported before it opens", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string there = directory.file("there.json", R"({"glint": 1})"),
                       gone = directory.path("gone.json");
@@ -112,7 +110,7 @@ TEST_CASE("of several files for the window one that is not there is named before
     CHECK(run.status == 1);
 }
 
-TEST_CASE("render --no-scene leaves the scene out of a PNG, and nothing else", "[cli]") {
+TEST_CASE("render --no-scene omits only the scene from a PNG", "[cli]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", ball_text), with = directory.path("with.png"),
                       without = directory.path("without.png");
@@ -125,7 +123,7 @@ TEST_CASE("render --no-scene leaves the scene out of a PNG, and nothing else", "
     CHECK(run_glint({"info", without}).status == 1);
 }
 
-TEST_CASE("a file's name cannot speak to the terminal, in the window's warnings neither", "[cli][window]") {
+TEST_CASE("escape sequences in file names never reach the terminal", "[cli][window]") {
     const TemporaryDirectory directory;
     const std::string name = "a\x1b]0;PWNED\x07\nglint: error: fake.obj";
     const std::string mesh = directory.file(name, "v 0 0 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -141,7 +139,7 @@ TEST_CASE("a file's name cannot speak to the terminal, in the window's warnings 
     }
 }
 
-TEST_CASE("normals that an OBJ names and lacks are told of by info and by render", "[cli]") {
+TEST_CASE("info and render warn of normals that an OBJ references but lacks", "[cli]") {
     const TemporaryDirectory directory;
     const std::string none = directory.file("none.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//0 2//5 3\n");
     const std::string some =
@@ -156,7 +154,7 @@ TEST_CASE("normals that an OBJ names and lacks are told of by info and by render
     CHECK(run_glint({"render", some, "-o", out, "--size", "8x8"}).err.find(of_some) != std::string::npos);
 }
 
-TEST_CASE("where standard output cannot be written no file is replaced", "[cli][bad-input]") {
+TEST_CASE("no file is replaced if standard output cannot be written", "[cli][bad-input]") {
     const TemporaryDirectory in, out;
     const std::string scene = in.file("scene.json", ball_text), picture = out.file("a.png", "old"),
                       right = in.path("right.png");
@@ -177,7 +175,7 @@ TEST_CASE("where standard output cannot be written no file is replaced", "[cli][
     }
 }
 
-TEST_CASE("two buffers that a link makes one file are refused before anything is drawn",
+TEST_CASE("two buffers that a link makes the same file are rejected before drawing",
           "[cli][buffers][bad-input]") {
     const TemporaryDirectory in, out;
     const std::string scene = in.file("scene.json", ball_text), face = out.file("face.pfm", "old");
@@ -190,14 +188,13 @@ TEST_CASE("two buffers that a link makes one file are refused before anything is
     CHECK(bytes_of(face) == "old");
     CHECK(out.names() == std::vector<std::string>{"face.pfm", "normal.pfm"});
     std::filesystem::remove(out.path("normal.pfm"));
-    std::filesystem::create_symlink(in.path("elsewhere.pfm"), out.path("normal.pfm"));  // which is its own
+    std::filesystem::create_symlink(in.path("elsewhere.pfm"), out.path("normal.pfm"));  // a different file
     CHECK(run_glint({"render", scene, "-o", in.path("a.png"), "--size", "8x8", "--buffers", out.path()})
               .status == 0);
     CHECK(bytes_of(in.path("elsewhere.pfm")).starts_with("PF\n8 8\n"));
 }
 
-TEST_CASE("a picture and an answer do not both go to standard output, whatever it is called",
-          "[cli][bad-input]") {
+TEST_CASE("a picture and an answer cannot both go to standard output, under any name", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", ball_text), a = directory.path("a.png");
     REQUIRE(run_glint({"render", scene, "-o", a, "--size", "8x8"}).status == 0);
@@ -207,7 +204,7 @@ TEST_CASE("a picture and an answer do not both go to standard output, whatever i
              std::vector<std::vector<std::string>>{{"render", scene, "--size", "8x8", "--stats", "-o", out},
                                                    {"compare", a, a, "-o", out},
                                                    {"diagnose", scene, a, "-o", out}}) {
-            const Ended ended = run_glint(words, {}, "| cat");  // a pipe takes a PNG, whatever its name
+            const Ended ended = run_glint(words, {}, "| cat");  // a pipe accepts a PNG under any name
             CHECK(ended.status == 2);
             CHECK(ended.out.empty());
             CHECK(ended.err.find(": standard output is the ") != std::string::npos);

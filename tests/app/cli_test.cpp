@@ -1,4 +1,4 @@
-// The commands as a user runs them: what they write, what they answer, and that one agrees with the other.
+// Tests of the commands as a user runs them: their files, their answers, and the agreement of both.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ void add(std::array<float, 3>& sum, const std::array<float, 3>& more) {
     for (std::size_t c = 0; c < 3; ++c) sum[c] += more[c];
 }
 
-/// The terms of a point added up in the order that docs/explain.md gives.
+/// The sum of a point's terms in the order of docs/explain.md.
 std::array<float, 3> sum_of_terms(const json& point) {
     std::array<float, 3> sum = rgb_of(point["emission"]);
     add(sum, rgb_of(point["global_ambient"]));
@@ -135,8 +135,7 @@ TEST_CASE("an explanation's terms add up to the pixel of the picture, to the las
     }
 }
 
-TEST_CASE("a name with line breaks and escape sequences stays one harmless line of an explanation",
-          "[cli][explain]") {
+TEST_CASE("line breaks and escape sequences in a name are escaped in an explanation", "[cli][explain]") {
     const char* const scene = R"({"glint": 1, "lights": [{"name": "a\n\u001b[31mb"}],
                                   "objects": [{"name": "ball\u0007"}]})";
     const std::string out = must({"explain", "-", "--pixel", "640,360"}, scene).out;
@@ -145,7 +144,7 @@ TEST_CASE("a name with line breaks and escape sequences stays one harmless line 
     CHECK(out.find('\x1b') == std::string::npos);
 }
 
-TEST_CASE("the picture has the same bytes for every number of threads, given anywhere", "[cli][render]") {
+TEST_CASE("the picture has the same bytes for any number of threads", "[cli][render]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights);
     const std::string a = directory.path("a.png"), b = directory.path("b.png"), c = directory.path("c.pfm");
@@ -157,10 +156,9 @@ TEST_CASE("the picture has the same bytes for every number of threads, given any
     CHECK(bytes_of(c).substr(0, 11) == "PF\n2 2\n-1.0");
 }
 
-TEST_CASE("eight samples a pixel leave the inside of a plain picture alone and soften its edge",
-          "[cli][render]") {
+TEST_CASE("eight samples per pixel change only the edges of a uniform square", "[cli][render]") {
     const TemporaryDirectory directory;
-    // White on black without a light; the edge of the turned square runs through pixels.
+    // White on black without a light; the edges of the rotated square cross pixels.
     const std::string scene =
         directory.file("scene.json", R"({"glint": 1, "display": {"background": [0, 0, 0]},
         "objects": [{"mesh": {"primitive": "plane"}, "transform": {"rotate_deg": [90, 0, 20]}}],
@@ -180,7 +178,7 @@ TEST_CASE("eight samples a pixel leave the inside of a plain picture alone and s
     CHECK(in_between("1") == 0);
     CHECK(in_between("8") > 20);
     const std::string bytes = bytes_of(directory.path("a.pfm"));
-    int odd_eighths = 0;  // which four samples do not give
+    int odd_eighths = 0;  // impossible with four samples
     for (int i = 0; i < 32 * 32; ++i) {
         const float eighths = 8 * pfm_pixel(bytes, 32, 32, i % 32, i / 32)[0];
         odd_eighths += std::abs(std::remainder(eighths - 1, 2.f)) < 0.01f ? 1 : 0;
@@ -188,7 +186,7 @@ TEST_CASE("eight samples a pixel leave the inside of a plain picture alone and s
     CHECK(odd_eighths > 5);
 }
 
-TEST_CASE("standard input and output stand for files", "[cli][render]") {
+TEST_CASE("- is standard input or output in place of a file", "[cli][render]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("a.png");
     must({"render", directory.file("scene.json", three_lights), "-o", out, "--size", "64x48"});
@@ -207,7 +205,7 @@ TEST_CASE("a picture that Glint wrote opens as its scene and gives the same pict
     CHECK(json::parse(must({"info", a}).out)["lights"] == 4);
 }
 
-TEST_CASE("a picture of another size than 1280x720 is explained pixel by pixel", "[cli][explain]") {
+TEST_CASE("explain uses the size of a picture that is not 1280x720", "[cli][explain]") {
     const TemporaryDirectory directory;
     const std::string a = directory.path("a.png");
     must({"render", directory.file("scene.json", three_lights), "-o", a, "--size", "97x61"});
@@ -227,7 +225,7 @@ TEST_CASE("a picture of another size than 1280x720 is explained pixel by pixel",
     CHECK(run_glint({"profile", a, "--from", "0,30", "--to", "97,30"}).status == 2);
 }
 
-TEST_CASE("commands draw the scene of a picture in its size, with its samples", "[cli][render]") {
+TEST_CASE("commands draw the scene of a picture with its size and samples", "[cli][render]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights), a = directory.path("a.png"),
                       b = directory.path("b.png");
@@ -273,7 +271,7 @@ TEST_CASE("a picture finds its scene's meshes again from another directory", "[c
     CHECK(bytes_of(a) == bytes_of(b));
 }
 
-TEST_CASE("an assignment by --set changes the scene as it is written", "[cli]") {
+TEST_CASE("an assignment by --set changes the scene as written", "[cli]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", R"({"glint": 1})"), pfm = directory.path("a.pfm");
     must({"render", scene, "-o", pfm, "--size", "1x1", "--set", "/display/background=[0.25,0.5,4]", "--set",
@@ -281,7 +279,7 @@ TEST_CASE("an assignment by --set changes the scene as it is written", "[cli]") 
     CHECK(pfm_pixel(bytes_of(pfm), 1, 1, 0, 0) == std::array<float, 3>{0.5f, 1, 8});
 }
 
-TEST_CASE("an output that cannot take the picture is an error of one line", "[cli][bad-input]") {
+TEST_CASE("an output that cannot be written is a one-line error", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights);
     const std::vector<std::string> render{"render", scene, "--size", "640x480", "-o"};
@@ -301,7 +299,7 @@ TEST_CASE("an output that cannot take the picture is an error of one line", "[cl
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
 }
 
-TEST_CASE("a file that may not grow any more is an error, and no part of it stays", "[cli][bad-input]") {
+TEST_CASE("a file that exceeds the size limit is an error and leaves no partial file", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights), out = directory.path("a.pfm");
     // 64 KiB at most; the picture has 900 KiB. The limit holds for the shell's children that come after it.
@@ -314,7 +312,7 @@ TEST_CASE("a file that may not grow any more is an error, and no part of it stay
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
 }
 
-TEST_CASE("a failure leaves the old picture as it was", "[cli][bad-input]") {
+TEST_CASE("a failure leaves the old picture unchanged", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string out = directory.file("a.png", "old");
     CHECK(run_glint({"render", directory.path("missing.json"), "-o", out}).status == 1);
@@ -324,7 +322,7 @@ TEST_CASE("a failure leaves the old picture as it was", "[cli][bad-input]") {
     CHECK(directory.names() == std::vector<std::string>{"a.png", "scene.json"});
 }
 
-TEST_CASE("a PNG's bytes are read as they are stored, whatever its gamma says", "[cli][compare]") {
+TEST_CASE("a PNG's bytes are read as stored, regardless of its gamma", "[cli][compare]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", R"({"glint": 1})"),
                       plain = directory.path("a.png");
@@ -339,7 +337,7 @@ TEST_CASE("a PNG's bytes are read as they are stored, whatever its gamma says", 
     CHECK(json::parse(ended.out)["max_error"] == 0);
 }
 
-TEST_CASE("a sheet, a picture, a difference or an export does not replace a file that it is made of",
+TEST_CASE("a sheet, a picture, a difference or an export never replaces one of its inputs",
           "[cli][compare][export]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file(
@@ -417,11 +415,11 @@ tolerance: 0.01
               std::string::npos);
         CHECK(bytes_of(lost) == before);
     }
-    must({"render", a, "-o", a, "--size", "32x24"});  // a picture carries its scene on
+    must({"render", a, "-o", a, "--size", "32x24"});  // a picture keeps its scene
     CHECK(run_glint({"info", a}).status == 0);
 }
 
-TEST_CASE("a scene is exported whose file's name is not UTF-8", "[cli][export]") {
+TEST_CASE("a scene with a file name that is not UTF-8 can be exported", "[cli][export]") {
     const TemporaryDirectory directory;
     const std::string mesh = directory.file("m\xff.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const std::string model = directory.path("model.glb");
@@ -429,8 +427,7 @@ TEST_CASE("a scene is exported whose file's name is not UTF-8", "[cli][export]")
     CHECK(run_glint({"info", model}).status == 0);
 }
 
-TEST_CASE("compare answers in JSON, and by its status whether the difference is too large",
-          "[cli][compare]") {
+TEST_CASE("compare prints JSON, and its status reports a difference above the limit", "[cli][compare]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", R"({"glint": 1})");
     const std::string a = directory.path("a.png"), b = directory.path("b.png"), d = directory.path("d.png");
@@ -449,7 +446,7 @@ TEST_CASE("compare answers in JSON, and by its status whether the difference is 
     CHECK(run_glint({"compare", a, b, "--max-error", "10"}).status == 0);
     CHECK(run_glint({"compare", a, b}).status == 0);
     CHECK(run_glint({"compare", a, a, "--max-error", "0"}).status == 0);
-    // The picture of the differences: (250, 0, 0) everywhere, so 250 away from black.
+    // The picture of the differences is (250, 0, 0) everywhere, which differs from black by 250.
     must({"render", scene, "-o", b, "--size", "4x2", "--set", "/display/background=[0,0,0]"});
     CHECK(json::parse(run_glint({"compare", d, b}).out)["max"] == json({250, 0, 0}));
     must({"render", scene, "-o", b, "--size", "2x4"});
@@ -457,7 +454,7 @@ TEST_CASE("compare answers in JSON, and by its status whether the difference is 
           "glint: error: " + b + ": the pictures have the sizes 4x2 and 2x4; expected two of one size\n");
 }
 
-TEST_CASE("info counts what a mesh file holds, and gives a scene's matrices", "[cli][info]") {
+TEST_CASE("info counts the contents of a mesh file, and prints a scene's matrices", "[cli][info]") {
     const TemporaryDirectory directory;
     const std::string obj = directory.file("pyramid.obj", pyramid);
     const json mesh = json::parse(must({"info", obj}).out);
@@ -473,7 +470,8 @@ TEST_CASE("info counts what a mesh file holds, and gives a scene's matrices", "[
     CHECK(scene["lights"] == 4);
     CHECK(scene["objects"][1]["name"] == "Floor");
     CHECK(scene["objects"][1]["mesh"]["quads"] == 54);
-    // The default camera stands 5 away on +z; half of 45° up: 1 / tan(22.5°) = 1 + √2, halved for 2:1.
+    // The default camera is at +z at a distance of 5; half of 45° up: 1 / tan(22.5°) = 1 + √2, halved for
+    // 2:1.
     CHECK(scene["matrices"]["view_from_world"][2] == json({0.0, 0.0, 1.0, -5.0}));
     CHECK(scene["matrices"]["clip_from_view"][1][1].get<double>() == Approx(1 + std::sqrt(2.0)));
     CHECK(scene["matrices"]["clip_from_view"][0][0].get<double>() == Approx((1 + std::sqrt(2.0)) / 2));
@@ -495,7 +493,7 @@ TEST_CASE("info names the normals that each object is drawn with", "[cli][info]"
     CHECK(normals == std::vector<std::string>{"facet", "vertex", "analytic", "vertex"});
 }
 
-TEST_CASE("what was tolerated in a mesh is one warning line, and the work is done", "[cli]") {
+TEST_CASE("a tolerated problem in a mesh is a one-line warning, and the command succeeds", "[cli]") {
     const TemporaryDirectory directory;
     const std::string obj = directory.file("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\nf 1 2 3\n");
     const Ended ended = must({"render", obj, "-o", directory.path("a.png"), "--size", "8x8"});
@@ -503,7 +501,7 @@ TEST_CASE("what was tolerated in a mesh is one warning line, and the work is don
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
-TEST_CASE("a small mesh far from the origin gets a warning that says why it looks wrong", "[cli]") {
+TEST_CASE("a small mesh far from the origin causes a warning about its distortion", "[cli]") {
     const TemporaryDirectory directory;
     const auto box = [&](const std::string& name, const std::string& x, const std::string& y) {
         std::string text;
@@ -525,7 +523,7 @@ TEST_CASE("a small mesh far from the origin gets a warning that says why it look
     CHECK(json::parse(must({"info", far}).out)["warnings"].back() == said);
 }
 
-TEST_CASE("what is missing in two meshes is told of each, and once where one mesh stands twice", "[cli]") {
+TEST_CASE("a warning names each mesh with missing normals once, even if objects share it", "[cli]") {
     const TemporaryDirectory directory;
     const char* const halves = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf 2 4 3\n";
     (void)directory.file("a.obj", halves);
@@ -552,7 +550,7 @@ TEST_CASE("a mesh whose name is not UTF-8 is drawn, and its picture opens again"
           directory.path("c.png"), "--cell", "20x20"});
 }
 
-TEST_CASE("anything to the power of 0 is 1, also a cosine of -1", "[cli][explain]") {
+TEST_CASE("anything to the power of 0 is 1, even a cosine of -1", "[cli][explain]") {
     // Light and normal point away from the eye: n.l = 1, r.v = l.v = -1, and max(-1, 0)^0 = 1.
     const char* const scene = R"({"glint": 1, "camera": {"projection": {"type": "orthographic"}},
         "lights": [{"type": "directional", "position": [0, 0, -1]}],
@@ -569,7 +567,7 @@ TEST_CASE("anything to the power of 0 is 1, also a cosine of -1", "[cli][explain
     }
 }
 
-TEST_CASE("bench measures the frames that it was asked for", "[cli][bench]") {
+TEST_CASE("bench measures the requested number of frames", "[cli][bench]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights);
     for (const std::string drag : {"light", "material", "camera", "object"}) {
@@ -597,15 +595,16 @@ TEST_CASE("bench measures the frames that it was asked for", "[cli][bench]") {
           "light\n");
 }
 
-TEST_CASE("an edge of which an eye far away leaves no number is not followed", "[cli][bench][hostile]") {
-    // As many steps as it is pixels long are not a number: undefined behaviour, which the sanitizers end.
+TEST_CASE("an edge whose length on the screen is NaN for a distant eye is skipped", "[cli][bench][hostile]") {
+    // The number of steps along the edge is NaN; converting it is undefined behaviour, which the sanitizers
+    // detect.
     const TemporaryDirectory directory;
     const std::string scene = directory.file("far.json", R"({"glint": 1, "camera": {"eye": [0, 0, 1e7]},
         "objects": [{"mesh": {"primitive": "cube"}}], "npr": {"silhouettes": true}})");
     (void)must({"bench", scene, "--frames", "1", "--size", "40x30", "--drag", "object", "-j", "1"});
 }
 
-TEST_CASE("bench --table says what the JSON says, in columns", "[cli][bench]") {
+TEST_CASE("bench --table prints the numbers of its JSON in columns", "[cli][bench]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights);
     const std::string table =
@@ -628,7 +627,7 @@ TEST_CASE("bench --table says what the JSON says, in columns", "[cli][bench]") {
     CHECK(light.find("geometry        0.000   0 of 7 frames\n") != std::string::npos);
 }
 
-TEST_CASE("an explanation in words says why a light gives nothing", "[cli][explain]") {
+TEST_CASE("an explanation as text says why a light adds nothing", "[cli][explain]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", R"({"glint": 1,
         "objects": [{"name": "Wall", "mesh": {"primitive": "plane"}, "transform": {"rotate_deg": [90, 0, 0]}}],
@@ -636,7 +635,8 @@ TEST_CASE("an explanation in words says why a light gives nothing", "[cli][expla
                    {"name": "Lamp", "type": "spot", "position": [1, 0, 1],
                     "spot": {"direction": [0, 0, -1], "cutoff_deg": 30}},
                    {"name": "Sun", "type": "directional", "position": [0, 0, 1], "diffuse": [2, 1, 1]}]})");
-    // At the middle pixel's corner nearest to the centre the Lamp sees the point at 45°, 15° outside.
+    // At the middle pixel's corner nearest to the centre, the point is at 45° from the Lamp's axis, 15°
+    // outside.
     const Ended ended = must({"explain", scene, "--pixel", "50,50", "--size", "101x101"});
     CHECK(ended.out.rfind("Pixel 50, 50: Wall, face 0, front side; phong shading, phong reflection\n", 0) ==
           0);
@@ -646,7 +646,7 @@ TEST_CASE("an explanation in words says why a light gives nothing", "[cli][expla
     CHECK(must({"explain", scene, "--pixel", "0,0"}).out.rfind("Pixel 0, 0: background\n", 0) == 0);
 }
 
-TEST_CASE("a command that runs out of memory ends in one line", "[cli][memory]") {
+TEST_CASE("a command that runs out of memory prints a one-line error", "[cli][memory]") {
     if (test::sanitized) return;
     CHECK(test::in_process_with_room(std::uint64_t{300} << 20, [] {
         const Ended ended =

@@ -1,5 +1,5 @@
-// What the command line answers to a wrong one: the exact line, the exit status, and nothing on standard
-// output. Lines are those that docs/command_line.md gives or follow its form.
+// Tests of errors for invalid command lines: the exact line, the exit status, and nothing on standard output.
+// The lines are from docs/command_line.md or follow its form.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -30,7 +30,7 @@ void check_error(const Ended& ended, int status, const std::string& line) {
 
 }  // namespace
 
-TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-input]") {
+TEST_CASE("wrong usage is a one-line error with status 2", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", sphere), out = directory.path("out.png");
     const std::string sizes = "; expected WIDTHxHEIGHT as in 1280x720, 1x1 to 16384x16384";
@@ -123,7 +123,7 @@ TEST_CASE("wrong usage is told in one line and ends with status 2", "[cli][bad-i
     CHECK(directory.names() == std::vector<std::string>{"scene.json"});
 }
 
-TEST_CASE("a file that is there is opened, though its name reads like a command", "[cli][bad-input]") {
+TEST_CASE("an existing file is opened even if its name resembles a command", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     (void)directory.file("rendr", "no scene");
     const auto before = std::filesystem::current_path();
@@ -134,19 +134,19 @@ TEST_CASE("a file that is there is opened, though its name reads like a command"
     CHECK(ended.err.rfind("glint: error: rendr: ", 0) == 0);
 }
 
-TEST_CASE("behind -- a command's name is a file's", "[cli][bad-input]") {
+TEST_CASE("after -- the name of a command is a file", "[cli][bad-input]") {
     const Ended ended = run_glint({"--", "render"});
     CHECK(ended.status == 1);
     CHECK(ended.err.rfind("glint: error: render: cannot read: no such file", 0) == 0);
 }
 
-TEST_CASE("a picture's name may be in capitals, and a pipe without a name's ending takes one", "[cli]") {
+TEST_CASE("extensions may be in capitals, and a pipe without one accepts a picture", "[cli]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", sphere), picture = directory.path("a.png");
     REQUIRE(run_glint({"render", scene, "-o", picture, "--size", "8x8"}).status == 0);
     const std::string upper = directory.path("DIFFERENCE.PNG"), pipe = directory.path("pipe");
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-    const int reader = ::open(pipe.c_str(), O_RDWR);  // so that who writes need not wait
+    const int reader = ::open(pipe.c_str(), O_RDWR);  // so that a writer need not wait
     REQUIRE(reader >= 0);
     CHECK(run_glint({"compare", picture, picture, "-o", upper}).status == 0);
     CHECK(run_glint({"compare", "-", picture}, bytes_of(picture)).status == 0);
@@ -160,7 +160,8 @@ TEST_CASE("a picture's name may be in capitals, and a pipe without a name's endi
     CHECK(bytes_of(upper).substr(0, 4) == "\x89PNG");
 }
 
-TEST_CASE("what is wrong in --set is wrong usage, with the option in place of the file", "[cli][bad-input]") {
+TEST_CASE("an invalid --set is wrong usage, reported with the option instead of the file",
+          "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", sphere);
     for (const std::string set : {"nothing", "/display/exposure", "/display/exposure=two words",
@@ -202,7 +203,7 @@ TEST_CASE("an empty picture is called empty", "[cli][bad-input]") {
                 empty + ": is empty; expected a PNG picture of 1x1 to 16384x16384");
 }
 
-TEST_CASE("an error stays one line of at most 4096 bytes, whatever the file is called", "[cli][bad-input]") {
+TEST_CASE("an error is one line of at most 4096 bytes, for any file name", "[cli][bad-input]") {
     const Ended hostile = run_glint({"info", "a\nb\x1b[31m\x07.json"});
     CHECK(hostile.status == 1);
     CHECK(std::count(hostile.err.begin(), hostile.err.end(), '\n') == 1);
@@ -213,7 +214,7 @@ TEST_CASE("an error stays one line of at most 4096 bytes, whatever the file is c
     CHECK(lengthy.err.size() <= 4096 + 1);
 }
 
-TEST_CASE("with no display the window's command names the one that needs none", "[cli]") {
+TEST_CASE("without a display the window's error names a command that needs none", "[cli]") {
     const Ended ended = run_glint({});
     CHECK(ended.status == 1);
     CHECK(ended.out.empty());
@@ -221,7 +222,7 @@ TEST_CASE("with no display the window's command names the one that needs none", 
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
-TEST_CASE("asked for --help or --version it answers on standard output, with status 0", "[cli]") {
+TEST_CASE("--help and --version print to standard output and return status 0", "[cli]") {
     const Ended help = run_glint({"--help"}), version = run_glint({"--version"});
     CHECK(help.status == 0);
     CHECK(help.err.empty());
@@ -232,11 +233,11 @@ TEST_CASE("asked for --help or --version it answers on standard output, with sta
         const Ended one = run_glint({command, "--help"});
         CHECK(one.status == 0);
         CHECK(one.out.find("Usage: glint " + command) != std::string::npos);
-        CHECK(one.out.find(command + "  [") == std::string::npos);  // no gap where there is no FILE
+        CHECK(one.out.find(command + "  [") == std::string::npos);  // no gap without a FILE
     }
 }
 
-TEST_CASE("the least and the most of a count are taken, and one beyond is refused", "[cli]") {
+TEST_CASE("the minimum and maximum of a count are accepted, and values beyond rejected", "[cli]") {
     CHECK(run_glint({"microfacets", "--rays", "1", "--facets", "4", "--seed", "2147483647"}).status == 0);
     CHECK(run_glint({"microfacets", "--rays", "0"}).err ==
           "glint: error: --rays: 0 is out of range; expected 1 to 100000\n");
@@ -245,11 +246,11 @@ TEST_CASE("the least and the most of a count are taken, and one beyond is refuse
     CHECK(run_glint({"microfacets", "--facets", "3"}).status == 2);
 }
 
-TEST_CASE("a name in brackets is one name", "[cli][bad-input]") {
+TEST_CASE("a file name in brackets is a single name", "[cli][bad-input]") {
     const Ended ended = run_glint({"quiz", "[not,there]"});
     CHECK(ended.status != 0);
     CHECK(ended.err.starts_with("glint: error: [not,there]: "));
-    // So is a value, and a word too many.
+    // So are a value and an extra word.
     CHECK(run_glint({"render", "-", "--set", "[x]"}, "{}").err.find("\"[x]\"") != std::string::npos);
     CHECK(run_glint({"render", "a.json", "[x]"}).err.find("[x]") != std::string::npos);
     for (const char* const option : {"--set", "--size", "-o"})

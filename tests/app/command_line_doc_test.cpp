@@ -1,4 +1,4 @@
-// docs/command_line.md gives each command the options that its --help lists.
+// Tests that docs/command_line.md lists the options of each command's --help.
 #include <regex>
 #include <set>
 

@@ -1,4 +1,4 @@
-// docs/lecture_map.md says what is there: every row's scene opens, its command runs, its tests exist.
+// Tests that docs/lecture_map.md is up to date: every row's scene opens, its command runs, its tests exist.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -54,7 +54,7 @@ std::vector<std::string> in_backticks(const std::string& text) {
     return names;
 }
 
-/// The names of all test cases in tests/**.cpp; a name may go on over several literals.
+/// The names of all test cases in tests/**.cpp; a name may span several literals.
 std::set<std::string> test_names() {
     std::set<std::string> names;
     const std::regex begin(R"re(TEST_CASE(?:_SIG)?\(\s*((?:"[^"]*"\s*)+))re"), part("\"([^\"]*)\"");
@@ -72,7 +72,7 @@ std::set<std::string> test_names() {
     return names;
 }
 
-/// The words behind "glint" of a row's command, with its scene where it lies and its output out of the way.
+/// The words after "glint" of a row's command, with the scene's actual path and the output elsewhere.
 std::vector<std::string> words_of(const MapRow& row, const std::string& out) {
     std::istringstream stream(row.command);
     std::string program;
@@ -90,7 +90,7 @@ std::vector<std::string> words_of(const MapRow& row, const std::string& out) {
 
 }  // namespace
 
-TEST_CASE("the lecture map has every idea once, each with a scene and tests that exist", "[docs]") {
+TEST_CASE("the lecture map lists every idea once, with an existing scene and existing tests", "[docs]") {
     const std::vector<MapRow> map = rows();
     REQUIRE(map.size() == 52);
     const std::set<std::string> tests = test_names();
@@ -118,7 +118,7 @@ TEST_CASE("every command of the lecture map runs", "[docs][program][long][releas
     }
 }
 
-TEST_CASE("docs/explain.md names every field that an explanation has", "[docs][program]") {
+TEST_CASE("docs/explain.md names every field of an explanation", "[docs][program]") {
     const std::vector<std::string> words = in_backticks(text_of(source_dir / "docs" / "explain.md"));
     const std::set<std::string> documented(words.begin(), words.end());
     const TemporaryDirectory directory;
@@ -151,7 +151,7 @@ TEST_CASE("docs/explain.md names every field that an explanation has", "[docs][p
     }
 }
 
-TEST_CASE("every picture that the documents show is there, and none is left unshown", "[docs]") {
+TEST_CASE("the documents show existing pictures, and every picture of docs", "[docs]") {
     std::set<std::string> shown, made;
     const std::regex link(R"(\]\((?:docs/)?pictures/([^)]+)\))");
     for (const char* document : {"docs/gallery.md", "docs/performance.md", "docs/diagnose.md", "README.md"}) {
@@ -172,7 +172,7 @@ TEST_CASE("every file and folder that a document names exists", "[docs]") {
         if (entry.path().extension() == ".md")
             documents.push_back(fs::path("docs") / entry.path().filename());
     const std::regex link(R"(\]\(([^)#:]+)\))");
-    // Not with a word in capitals, as in `assets/scenes/NAME.json`, nor with a star.
+    // Skips paths with a word in capitals, such as `assets/scenes/NAME.json`, or with a star.
     const std::regex path(
         R"((?:^| |\./)((?:app|ui|diagnose|lessons|programs|renderer|models|tests|cmake|assets|docs)/[a-z0-9_./-]+)(?![\w*]))");
     int named = 0;
@@ -207,7 +207,7 @@ TEST_CASE("the steps of each list in a document are numbered in order", "[docs]"
     }
 }
 
-TEST_CASE("every idea of the lecture map is programmed in the files that it names", "[docs]") {
+TEST_CASE("the files that the lecture map names implement its ideas", "[docs]") {
     REQUIRE(rows().size() == 52);
     for (const MapRow& row : rows()) {
         const std::regex source("`(\\S+)`: (\\w+)");
@@ -221,7 +221,7 @@ TEST_CASE("every idea of the lecture map is programmed in the files that it name
 
 namespace {
 
-/// The names of the lessons that have this number among their rows, or among the questions that they answer.
+/// The names of the lessons with this number among their rows, or among the questions that they answer.
 std::vector<std::string> lessons_with(int number, std::vector<int> Lesson::*numbers) {
     std::vector<std::string> names;
     const auto files = lesson_files({(source_dir / "assets" / "lessons").string()});
@@ -235,7 +235,7 @@ std::vector<std::string> lessons_with(int number, std::vector<int> Lesson::*numb
 
 }  // namespace
 
-TEST_CASE("every idea of the lecture map is touched by the lessons that it names", "[docs][lesson]") {
+TEST_CASE("the lessons that the lecture map names cover its ideas", "[docs][lesson]") {
     REQUIRE(rows().size() == 52);
     for (const MapRow& row : rows()) {
         CAPTURE(row.number);
@@ -244,8 +244,7 @@ TEST_CASE("every idea of the lecture map is touched by the lessons that it names
     }
 }
 
-TEST_CASE("each of the lecture's eleven questions is answered by the lesson that the map names",
-          "[docs][lesson]") {
+TEST_CASE("the lesson that the map names answers each of the lecture's eleven questions", "[docs][lesson]") {
     std::istringstream lines(text_of(source_dir / "docs" / "lecture_map.md"));
     const std::regex form(R"(\| (\d+) \| ([^|]+\?) \| (`[^|]+`) \|)");
     int questions = 0;

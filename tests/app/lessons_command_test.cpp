@@ -1,4 +1,4 @@
-// glint lessons and glint exercise, as a user runs them.
+// Tests of glint lessons, glint exercise and glint quiz as a user runs them.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -29,7 +29,7 @@ void check_refused(const std::vector<std::string>& arguments, const std::string&
 
 }  // namespace
 
-TEST_CASE("glint lessons lists those that come with the program, as text and as JSON", "[cli][lesson]") {
+TEST_CASE("glint lessons lists the installed lessons as text and as JSON", "[cli][lesson]") {
     const Ended text = run_glint({"lessons"}), json = run_glint({"lessons", "--format", "json"});
     REQUIRE(text.status == 0);
     REQUIRE(json.status == 0);
@@ -51,8 +51,7 @@ TEST_CASE("glint lessons lists those that come with the program, as text and as 
     CHECK(nlohmann::json::parse(first.out)["lessons"].at(0)["name"] == "00-one-point");
 }
 
-TEST_CASE("glint lessons --check ends with status 1 where a claim of one's own folder falls short",
-          "[cli][lesson]") {
+TEST_CASE("glint lessons --check returns status 1 if a claim in the given folder fails", "[cli][lesson]") {
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", ball_scene);
     const std::string good = directory.file("01-good.md", lesson_text("ball.json", "e.hit"));
@@ -103,7 +102,7 @@ TEST_CASE("glint lessons and glint exercise write pages", "[cli][lesson]") {
     CHECK(bytes_of(tex).find("\\end{document}\n") != std::string::npos);
 }
 
-TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", "[cli][lesson][bad-input]") {
+TEST_CASE("glint lessons and glint exercise report wrong usage", "[cli][lesson][bad-input]") {
     check_refused({"lessons", "lambret"},
                   "lambret: neither a file nor a lesson; expected a lesson, such as 05-lambert, or a file");
     check_refused({"lessons", "-o", "x.html"}, "-o: prints one lesson");
@@ -131,7 +130,7 @@ TEST_CASE("wrong usage of glint lessons and glint exercise says what is wrong", 
     check_refused({"exercise", "5", "-o", "x.html", "--count", "0"}, "--count: 0 is out of range");
 }
 
-TEST_CASE("what keeps a lesson from opening in the window is one line", "[cli][lesson][bad-input]") {
+TEST_CASE("a lesson that cannot open in the window is a one-line error", "[cli][lesson][bad-input]") {
     check_refused({"--lesson", "lambart"}, "such as 05-lambert");
     check_refused({"--lesson", "5", "--set", "/display/exposure=2"}, "cannot be combined with a lesson");
     check_refused({"scene.json", "--lesson", "5"}, "--lesson: cannot be combined with scene.json");
@@ -143,7 +142,7 @@ TEST_CASE("what keeps a lesson from opening in the window is one line", "[cli][l
     CHECK(wrong.err.find("wrong.md:12: \"f\" is not known") != std::string::npos);
 }
 
-TEST_CASE("glint quiz writes the inventory and counts what a class has answered", "[cli][quiz]") {
+TEST_CASE("glint quiz writes the inventory and counts a class's answers", "[cli][quiz]") {
     const TemporaryDirectory directory;
     const std::string page = directory.path("quiz.html");
     CHECK(run_glint({"quiz", "-o", page}).status == 0);
@@ -173,7 +172,7 @@ TEST_CASE("glint quiz writes the inventory and counts what a class has answered"
     check_refused({"quiz", "-o", "x.png"}, "expected a name that ends in .html, or -");
 }
 
-TEST_CASE("a pixel of a reveal or of a line outside the lesson's picture is an error with its line",
+TEST_CASE("a reveal's pixel outside the lesson's picture is an error with its line",
           "[cli][lesson][bad-input]") {
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", ball_scene);
@@ -195,8 +194,7 @@ TEST_CASE("a pixel of a reveal or of a line outside the lesson's picture is an e
           ":12: \"1 = 1 within -1\" has the tolerance -1.0; expected 0 or more\n");
 }
 
-TEST_CASE("a folder without a lesson is an error, not a folder of lessons that all hold",
-          "[cli][lesson][bad-input]") {
+TEST_CASE("a folder without lessons is an error, not a success", "[cli][lesson][bad-input]") {
     const TemporaryDirectory empty;
     const std::string line = empty.path() + ": holds no lesson; expected a folder with one";
     check_refused({"lessons", empty.path()}, line);
@@ -204,7 +202,7 @@ TEST_CASE("a folder without a lesson is an error, not a folder of lessons that a
     check_refused({"lessons", "5", empty.path(), "--format", "json"}, line);
 }
 
-TEST_CASE("a program that has lost its lessons says where it expects them", "[cli][lesson][bad-input]") {
+TEST_CASE("a program without its lessons prints the expected path", "[cli][lesson][bad-input]") {
     const TemporaryDirectory elsewhere;
     const std::string program = elsewhere.path("glint");
     std::filesystem::copy_file(glint_program, program);
@@ -218,7 +216,7 @@ TEST_CASE("a program that has lost its lessons says where it expects them", "[cl
     }
 }
 
-TEST_CASE("a lesson's words command no terminal", "[cli][lesson][bad-input]") {
+TEST_CASE("a lesson's text cannot control the terminal", "[cli][lesson][bad-input]") {
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", ball_scene);
     const std::string path = directory.file(
@@ -236,7 +234,7 @@ TEST_CASE("a lesson's words command no terminal", "[cli][lesson][bad-input]") {
             CHECK(out.find(control) == std::string::npos);
 }
 
-TEST_CASE("a lesson's run and the command of its name allow the same", "[cli][lesson][bad-input]") {
+TEST_CASE("a lesson's run accepts the same values as the command of its name", "[cli][lesson][bad-input]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("ball.json", ball_scene);
     const auto refusal = [&](std::vector<std::string> words, const std::string& option,
@@ -252,7 +250,7 @@ TEST_CASE("a lesson's run and the command of its name allow the same", "[cli][le
         const auto why = [](const std::string& err) {
             return err.substr(std::min(err.find(" is "), err.size()));
         };
-        std::string told = why(inside.err);  // the lesson quotes what the command line does not
+        std::string told = why(inside.err);  // the lesson quotes values, and the command line does not
         CHECK(told == why(direct.err));
         return told;
     };
@@ -267,7 +265,7 @@ TEST_CASE("a lesson's run and the command of its name allow the same", "[cli][le
     CHECK(refusal(microfacets, "--facets", "10.5") == " is not a whole number; expected 4 to 100000\n");
 }
 
-TEST_CASE("glint exercise prints both answers where the formula is wrong", "[cli][lesson][exercise]") {
+TEST_CASE("glint exercise prints both answers if the formula is wrong", "[cli][lesson][exercise]") {
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", ball_scene);
     const std::string lesson = directory.file(

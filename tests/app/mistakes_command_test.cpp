@@ -1,4 +1,4 @@
-// glint mistakes, as a user runs it.
+// Tests of glint mistakes as a user runs it.
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@
 
 using namespace glint;
 
-TEST_CASE("glint mistakes lists what a scene can switch on, as text and as JSON", "[cli][mistakes]") {
+TEST_CASE("glint mistakes lists the catalogue as text and as JSON", "[cli][mistakes]") {
     const Ended text = run_glint({"mistakes"}), json = run_glint({"mistakes", "--format", "json"});
     REQUIRE(text.status == 0);
     REQUIRE(json.status == 0);
@@ -23,7 +23,7 @@ TEST_CASE("glint mistakes lists what a scene can switch on, as text and as JSON"
         const std::string name = mistake["name"];
         CAPTURE(name);
         CHECK(text.out.find("\n  " + name + "\n    " + std::string(mistake["does"])) != std::string::npos);
-        for (const std::string source : mistake["sources"])  // a comma belongs to a title, not between two
+        for (const std::string source : mistake["sources"])  // a comma is part of a title, not a separator
             CHECK(text.out.find(source) != std::string::npos);
         scene += (scene.back() == '{' ? "\"" : ", \"") + name + "\": true";
     }
@@ -76,8 +76,7 @@ TEST_CASE("docs/diagnose.md shows every mistake as it is drawn now", "[cli][mist
     }
 }
 
-TEST_CASE("a pixel that is not a number is explained as JSON all the same, and black in bytes",
-          "[cli][mistakes]") {
+TEST_CASE("a NaN pixel can be explained as JSON, and is black in the picture", "[cli][mistakes]") {
     const char* const ball =
         R"({"glint": 1, "lights": [{"type": "directional", "position": [0.6, 0, 0.8, 0]}],
         "objects": [{"mesh": {"primitive": "sphere"}, "material": {"shininess": 0}}],

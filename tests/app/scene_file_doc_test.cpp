@@ -1,4 +1,4 @@
-// docs/scene_file.md: its example can be read, and it names every key and every word of a scene.
+// Tests of docs/scene_file.md: its example can be read, and it names every key and every word of a scene.
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -25,7 +25,7 @@ void collect_keys(const nlohmann::json& value, std::set<std::string>& keys) {
     }
 }
 
-/// A scene whose text has every key but those of the mistakes, which docs/diagnose.md lists.
+/// A scene whose text has every key except those of the mistakes, which docs/diagnose.md lists.
 Scene full_scene() {
     Scene scene;
     scene.lights.emplace_back();
@@ -34,7 +34,7 @@ Scene full_scene() {
     return scene;
 }
 
-/// True when `word` stands in code, alone or as the last of a path.
+/// Whether `word` is in code, alone or as the end of a path.
 bool is_documented(const std::string& text, const std::string& word) {
     return text.find("`" + word + "`") != std::string::npos ||
            text.find("/" + word + "`") != std::string::npos;
@@ -75,7 +75,7 @@ TEST_CASE("the documentation names every key of a scene", "[docs]") {
     }
 }
 
-TEST_CASE("the documentation names every word that a key takes", "[docs]") {
+TEST_CASE("the documentation names every word that a key accepts", "[docs]") {
     const std::string text = document();
     check_names<LightKind>(text);
     check_names<LightSpace>(text);
@@ -112,7 +112,7 @@ void check_table(const std::string& name, const std::string& expected) {
 
 }  // namespace
 
-TEST_CASE("the tables of the documentation are the rows of the fields", "[docs]") {
+TEST_CASE("the tables of the documentation match the rows of the fields", "[docs]") {
     check_table("camera", test::field_table(Camera{}));
     check_table("light", test::field_table(Light{}));
     check_table("object", test::field_table(Object{}));
