@@ -1,4 +1,4 @@
-// What a task and an exercise are tried on.
+// Tests of the scenes and values with which tasks and exercises are checked.
 #include "lessons/check_lesson.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* darken = "set: /lights/0/intensity=0.5\n";
 
-/// Returns the last thing that these steps check, of a ball under a light of intensity 1.
+/// Returns the last check of these steps, with a ball under a light of intensity 1.
 Checked last_checked(const std::string& steps) {
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", R"({"glint": 1, "global_ambient": [0, 0, 0],
@@ -26,7 +26,7 @@ Checked last_checked(const std::string& steps) {
     return std::get<std::vector<Checked>>(checked).back();
 }
 
-/// The light is to be dimmed to a half.
+/// A task to dim the light to a half.
 const std::string task =
     "```try\ndrag: it\ne = explain --pixel 16,16\ndone: e.sum[0] < 0.3\n"
     "solution: /lights/0/intensity=0.5\n```\n\n";
@@ -34,9 +34,7 @@ const std::string reveal = std::string("```reveal\n") + darken + "```\n\n";
 
 }  // namespace
 
-TEST_CASE(
-    "a task begins with what the reveal above it leaves, and a new step or question with the step's scene",
-    "[lesson]") {
+TEST_CASE("a task starts with the reveal's scene, and a step or question with the step's", "[lesson]") {
     const Checked alone = last_checked(task);
     INFO(alone.why);
     CHECK(alone.holds);
@@ -48,7 +46,7 @@ TEST_CASE(
     CHECK(last_checked(reveal + question + task).holds);
 }
 
-TEST_CASE("a formula is held against the engine at every value, or where they are many at their ends",
+TEST_CASE("a formula is checked at every value, or at the ends if there are many values",
           "[lesson][exercise]") {
     const auto checked = [](const std::string& vary, const std::string& closed) {
         return last_checked("```exercise\n" + vary + "question: {a}\nanswer: a\ntolerance: 1e-4\nclosed: a" +
@@ -65,8 +63,7 @@ TEST_CASE("a formula is held against the engine at every value, or where they ar
     CHECK(checked(many, " + max(3 - a - b, 0)").why.starts_with("1: the engine says 1"));
 }
 
-TEST_CASE("an exercise is tried with all values where they are few, with no more than asked where many",
-          "[lesson][exercise]") {
+TEST_CASE("an exercise is tried with all values, up to the given maximum", "[lesson][exercise]") {
     const Exercise exercise{{{"a", {1, 2, 3}}, {"b", {4, 5, 6}}}, {}, 1};
     const auto all = values_to_try(exercise, 9);
     CHECK(all.size() == 9);
@@ -81,7 +78,7 @@ TEST_CASE("an exercise is tried with all values where they are few, with no more
     CHECK(values_to_try(long_one, 16).size() == 16);
 }
 
-TEST_CASE("an exercise whose answers cannot be told from others falls short", "[lesson][exercise]") {
+TEST_CASE("an exercise with a tolerance that is not positive fails the check", "[lesson][exercise]") {
     for (const char* const tolerance : {"0", "-1", "0 / 0"}) {
         const Checked checked =
             last_checked(std::string("```exercise\nvary: a = 1, 2\nquestion: {a}\nanswer: a\ntolerance: ") +

@@ -1,4 +1,4 @@
-// Expressions of lessons: their values by hand, their errors, and text that nobody should have written.
+// Tests of expressions in lessons: values worked by hand, errors, and hostile text.
 #include "lessons/expression.h"
 
 #include <cmath>
@@ -28,7 +28,7 @@ Json value_of(const std::string& text) {
     return std::get<Json>(value);
 }
 
-/// What is wrong with it, while it is read or while it is run.
+/// The problem of an expression, while it is parsed or evaluated.
 std::string problem_with(const std::string& text) {
     const Result<Expression> parsed = Expression::parse(text);
     if (const Problem* problem = problem_of(parsed)) return problem->text();
@@ -39,7 +39,7 @@ std::string problem_with(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("an expression has the value that arithmetic gives it", "[lesson]") {
+TEST_CASE("an expression has its arithmetic value", "[lesson]") {
     const std::vector<std::pair<std::string, double>> worked{{"1 + 2 * 3", 7},
                                                              {"(1 + 2) * 3", 9},
                                                              {"10 - 4 - 3", 3},
@@ -83,7 +83,7 @@ TEST_CASE("lists are combined element by element", "[lesson]") {
     CHECK(json_line(value_of("sum([[1, 2], [3, 4]])")) == "[4.0,6.0]");
 }
 
-TEST_CASE("a condition holds where its numbers say so", "[lesson]") {
+TEST_CASE("a condition holds exactly if its comparison is true", "[lesson]") {
     for (const char* const text :
          {"1 = 1", "1 != 2", "1 < 2", "2 <= 2", "3 > 2", "3 >= 3", "0.5 = 0.51 within 0.02",
           "[1, 2] = [1, 2.001] within 0.01", "a.list > 0", "a.word = \"Ball\"", "a.word != \"ball\"",
@@ -99,7 +99,7 @@ TEST_CASE("a condition holds where its numbers say so", "[lesson]") {
     }
 }
 
-TEST_CASE("what is not a number makes every comparison false", "[lesson]") {
+TEST_CASE("comparisons with NaN are false", "[lesson]") {
     for (const char* const symbol : {"=", "!=", "<", "<=", ">", ">="}) {
         CAPTURE(symbol);
         CHECK_FALSE(value_of("a.none " + std::string(symbol) + " 1").get<bool>());
@@ -108,7 +108,7 @@ TEST_CASE("what is not a number makes every comparison false", "[lesson]") {
     }
 }
 
-TEST_CASE("an expression says what is wrong with it", "[lesson][bad-input]") {
+TEST_CASE("an invalid expression reports its problem", "[lesson][bad-input]") {
     CHECK(problem_with("") == "\"\" ends too early; expected a value");
     CHECK(problem_with("1 +") == "\"1 +\" ends too early; expected a value");
     CHECK(problem_with("(1") == "\"(1\" ends too early; expected \")\"");
@@ -139,7 +139,7 @@ TEST_CASE("an expression says what is wrong with it", "[lesson][bad-input]") {
     }
 }
 
-TEST_CASE("an expression may be nested 32 deep, each bracket, sign, power and not a level",
+TEST_CASE("an expression may be nested 32 deep: brackets, signs, powers and nots are levels",
           "[lesson][bad-input]") {
     struct Nested {
         std::string open, value, close;
@@ -166,7 +166,7 @@ TEST_CASE("an expression may be nested 32 deep, each bracket, sign, power and no
     }
 }
 
-TEST_CASE("the part of a condition that is false is shown with its values", "[lesson]") {
+TEST_CASE("the false part of a condition is shown with its values", "[lesson]") {
     const auto shown = [](const std::string& text) {
         return std::get<Expression>(Expression::parse(text)).with_values(names());
     };
@@ -178,7 +178,7 @@ TEST_CASE("the part of a condition that is false is shown with its values", "[le
     CHECK(shown("0 / 0 = 5") == "undefined = 5.0");
 }
 
-TEST_CASE("no text that anyone writes as an expression ends the program", "[lesson][fuzz]") {
+TEST_CASE("no text of an expression crashes the program", "[lesson][fuzz]") {
     const std::string good = R"(a.lights[0].l.camera + part([1, 2, 3], 0, 2) * -cos(60) ^ 2 = "x" within 1)";
     std::mt19937 random(11);
     int valid = 0;
@@ -200,7 +200,7 @@ TEST_CASE("no text that anyone writes as an expression ends the program", "[less
     CHECK(valid > 20);
 }
 
-TEST_CASE("a tolerance below 0 is refused, as it is read where it is a number, else where it is used",
+TEST_CASE("a negative tolerance is rejected: constants by the parser, others when evaluated",
           "[lesson][bad-input]") {
     CHECK(problem_with("1 = 1 within -1") ==
           "\"1 = 1 within -1\" has the tolerance -1.0; expected 0 or more");

@@ -1,5 +1,5 @@
-// The lessons that come with the program: they open, what they say holds, and each claim falls under the
-// mistakes that it names.
+// Tests of the installed lessons: they open, their claims hold, and each claim fails with the mistakes that
+// it names.
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -50,7 +50,7 @@ template <class Part> std::size_t count_of(const LessonStep& step) {
 
 }  // namespace
 
-TEST_CASE("every lesson opens, and all that it claims, predicts, sets and asks holds", "[lesson]") {
+TEST_CASE("every lesson opens, and its claims, predictions, tasks and exercises hold", "[lesson]") {
     CHECK(own_lessons().size() >= 24);
     LessonRunner runner(1);
     for (const Lesson& lesson : own_lessons())
@@ -61,7 +61,7 @@ TEST_CASE("every lesson opens, and all that it claims, predicts, sets and asks h
         }
 }
 
-TEST_CASE("every lesson asks before it shows: no step reveals what it has not asked for", "[lesson]") {
+TEST_CASE("every reveal of a lesson follows a question", "[lesson]") {
     for (const Lesson& lesson : own_lessons()) {
         CAPTURE(lesson.path);
         std::size_t claims = 0, tasks = 0, predictions = 0;
@@ -119,7 +119,7 @@ TEST_CASE("every lesson has four exercises with a formula and 40 variants or mor
     }
 }
 
-TEST_CASE("every claim of a lesson names mistakes under which it falls", "[lesson][mistakes]") {
+TEST_CASE("every claim of a lesson names mistakes with which it fails", "[lesson][mistakes]") {
     for (const Lesson& lesson : own_lessons())
         for (const Claim* claim : claims_of(lesson)) {
             INFO(lesson.path << ":" << claim->line << ": " << claim->says);
@@ -129,8 +129,8 @@ TEST_CASE("every claim of a lesson names mistakes under which it falls", "[lesso
 
 namespace {
 
-/// Under which mistakes each claim falls, a block of text for each claim. All claims that name a mistake
-/// have to be among those that fall under it.
+/// The mistakes with which each claim fails, as a block of text per claim. All claims that name a mistake
+/// must fail with it.
 std::string falls() {
     std::map<const Claim*, std::string> fallen;
     LessonRunner runner(1);
@@ -159,11 +159,11 @@ std::string falls() {
 
 }  // namespace
 
-TEST_CASE("each claim of a lesson falls under exactly the mistakes that are written down",
+TEST_CASE("each claim of a lesson fails with exactly the recorded mistakes",
           "[lesson][mistakes][long][release]") {
     const std::string path = project_file("tests/lessons/claims_that_fall.txt");
     const std::string found = falls();
     if (std::getenv("GLINT_UPDATE") != nullptr) REQUIRE(problem_of(write_file(path, found)) == nullptr);
-    INFO("GLINT_UPDATE=1 writes " << path << " anew");
+    INFO("GLINT_UPDATE=1 updates " << path);
     CHECK(std::get<std::string>(read_file(path, 1 << 20)) == found);
 }

@@ -1,5 +1,5 @@
-// The concept inventory that comes with the program: every key is computed, every wrong option stands for
-// something; its page; the statistics of a class.
+// Tests of the installed concept inventory: every key is computed, and every wrong option has a belief; its
+// page; the statistics of a class.
 #include "lessons/quiz.h"
 
 #include <algorithm>
@@ -38,8 +38,7 @@ double number(const Json& json, const char* a, const char* b) { return json.at(a
 
 }  // namespace
 
-TEST_CASE("every key of the inventory is what the engine shows, and so is every option that names a mistake",
-          "[lesson][quiz]") {
+TEST_CASE("the engine confirms the inventory's keys and the options that name a mistake", "[lesson][quiz]") {
     LessonRunner runner(1);
     const Lesson lesson = inventory();
     const Result<std::vector<Checked>> checked = check_lesson(runner, lesson);
@@ -52,8 +51,7 @@ TEST_CASE("every key of the inventory is what the engine shows, and so is every 
     }
 }
 
-TEST_CASE("each question of the inventory has four options, and each wrong one stands for a belief",
-          "[lesson][quiz]") {
+TEST_CASE("each question of the inventory has four options, each wrong one with a belief", "[lesson][quiz]") {
     std::set<std::string> mistakes;
     for (const Prediction& p : questions_of(inventory())) {
         CAPTURE(p.line, p.question);
@@ -68,7 +66,7 @@ TEST_CASE("each question of the inventory has four options, and each wrong one s
     CHECK(mistakes.size() >= 10);
 }
 
-TEST_CASE("the page of the inventory has every question and no key; the key has what options stand for",
+TEST_CASE("the inventory's page has every question and no key; the key explains the options",
           "[lesson][quiz][release]") {
     LessonRunner runner(1);
     const Lesson lesson = inventory();
@@ -86,7 +84,7 @@ TEST_CASE("the page of the inventory has every question and no key; the key has 
     CHECK(key.find("cutoff_as_full_angle") != std::string::npos);
 }
 
-TEST_CASE("answers are read as the page saves them, and nothing else is", "[lesson][quiz][bad-input]") {
+TEST_CASE("only answers in the page's format are accepted", "[lesson][quiz][bad-input]") {
     const Lesson lesson = inventory();
     std::string list = "0";
     for (int i = 1; i < 24; ++i) list += i % 2 == 0 ? ",3" : ",null";
@@ -108,7 +106,7 @@ TEST_CASE("answers are read as the page saves them, and nothing else is", "[less
     }
 }
 
-TEST_CASE("answers that the window writes read back as they were given", "[lesson][quiz]") {
+TEST_CASE("answers written by the window are read back unchanged", "[lesson][quiz]") {
     const Lesson lesson = inventory();
     QuizAnswers given{true, {}};
     for (std::size_t i = 0; i < 24; ++i)
@@ -121,7 +119,7 @@ TEST_CASE("answers that the window writes read back as they were given", "[lesso
 }
 
 TEST_CASE("a class's statistics count options and give the gain", "[lesson][quiz]") {
-    // Which option is right is read off the statistics of nobody.
+    // The statistics of an empty class contain the right options.
     const Json none = statistics({});
     std::vector<std::optional<std::size_t>> all_right, half_right;
     for (const Json& question : elements_of(*find_member(none, "questions"))) {
@@ -145,7 +143,7 @@ TEST_CASE("a class's statistics count options and give the gain", "[lesson][quiz
     CHECK(find_member(second, "right_after")->get<double>() == Approx(0.5));
 }
 
-TEST_CASE("answers to a quiz of another title are refused, and damaged ones with their line",
+TEST_CASE("answers to another quiz and damaged answers are rejected with their line",
           "[lesson][quiz][bad-input]") {
     const Lesson lesson = inventory();
     std::string list = "0";

@@ -1,4 +1,4 @@
-// Lessons from text: what each block becomes, the line of every error, files that were made to hurt.
+// Tests of parsing lessons: the result of each block, the line of every error, and hostile files.
 #include <fmt/format.h>
 
 #include <random>
@@ -118,14 +118,14 @@ std::string problem_of_text(const std::string& text) {
     return problem_of(lesson) == nullptr ? "" : problem_of(lesson)->text();
 }
 
-/// The problem of the lesson above with one place of it changed.
+/// The problem of the lesson above after one replacement.
 std::string with_edit(const std::string& from, const std::string& to) {
     return problem_of_text(replaced(every_block, from, to));
 }
 
 }  // namespace
 
-TEST_CASE("a lesson's head and steps are read", "[lesson]") {
+TEST_CASE("a lesson's header and steps are parsed", "[lesson]") {
     const Lesson lesson = read(every_block);
     CHECK(lesson.title == "Lambert's law");
     CHECK(lesson.name == "05-lambert");
@@ -186,7 +186,7 @@ TEST_CASE("each block of a lesson becomes its part", "[lesson]") {
     CHECK((claim.runs[0].roughness == 0.2 && claim.runs[0].rays == 100));
 }
 
-TEST_CASE("an exercise puts its numbers wherever their names stand", "[lesson]") {
+TEST_CASE("an exercise replaces its variables by numbers everywhere", "[lesson]") {
     const auto exercise = std::get<Exercise>(read(every_block).steps[1].parts.at(7));
     REQUIRE(exercise.variables.size() == 2);
     CHECK(exercise.variables[0].values == std::vector<double>{10, 20, 30});
@@ -249,7 +249,7 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
     CHECK(with_edit("# Lambert's law\n", "# Lambert's law\r\n").empty());
 }
 
-TEST_CASE("a run of a lesson takes whole numbers where the command line does, and an option once",
+TEST_CASE("a lesson's run accepts the command line's integers, and each option only once",
           "[lesson][bad-input]") {
     CHECK(with_edit("--object 1", "--object 0.7") ==
           "l.md:73: \"0.7\" is not a whole number; expected 0 to 9999");
@@ -270,8 +270,7 @@ TEST_CASE("a run of a lesson takes whole numbers where the command line does, an
     CHECK(with_edit("--size 64x48", "--set /display/exposure=2 --size 64x48").empty());
 }
 
-TEST_CASE("what an option of a choice has once stands once, and no line of a block is empty",
-          "[lesson][bad-input]") {
+TEST_CASE("duplicate and empty lines in a block are rejected", "[lesson][bad-input]") {
     CHECK(with_edit("option: no\n", "option: no\nthinks: a\nmistake: missing_pi\n").empty());
     CHECK(with_edit("option: no\n", "option: no\nthinks: a\nthinks: b\n") ==
           "l.md:52: \"thinks\" stands twice; expected one line of it");
@@ -285,7 +284,7 @@ TEST_CASE("what an option of a choice has once stands once, and no line of a blo
     CHECK(with_edit("answer: e.lights[0].n_dot_l", "answer:") == "l.md:28: \"answer\"" + empty);
 }
 
-TEST_CASE("a line that has no part in its kind of prediction is told", "[lesson][bad-input]") {
+TEST_CASE("a line that does not apply to its kind of prediction is rejected", "[lesson][bad-input]") {
     CHECK(
         with_edit("unit: of the light", "along: 0,9 63,9") ==
         "l.md:30: \"along\" has no part in predict number; expected question, answer, tolerance, term, unit");
@@ -304,17 +303,17 @@ TEST_CASE("a lesson that cannot be read says why", "[lesson][bad-input]") {
     CHECK(problem_of(missing)->text().find("no such file") != std::string::npos);
     const std::string path = directory.file("long.md", std::string(max_lesson_bytes + 1, 'x'));
     CHECK(problem_of(read_lesson(path)) != nullptr);
-    CHECK(problem_of(lesson_files({directory.path("nowhere/")})) == nullptr);  // a file that is not there yet
+    CHECK(problem_of(lesson_files({directory.path("nowhere/")})) == nullptr);  // does not exist yet
 }
 
-TEST_CASE("a folder's lessons come in the order of their names, and nothing else with them", "[lesson]") {
+TEST_CASE("a folder's lessons are listed by name, without other files", "[lesson]") {
     const TemporaryDirectory directory;
     for (const char* const name : {"10-b.md", "02-a.md", "notes.txt"}) (void)directory.file(name, "x");
     const auto files = std::get<std::vector<std::string>>(lesson_files({directory.path()}));
     CHECK(files == std::vector<std::string>{directory.path("02-a.md"), directory.path("10-b.md")});
 }
 
-TEST_CASE("no file that anyone makes as a lesson ends the program", "[lesson][fuzz]") {
+TEST_CASE("no lesson file crashes the program", "[lesson][fuzz]") {
     CHECK(problem_of_text("# T\n" + std::string(60000, '>')).find("nested too deep") != std::string::npos);
     std::string deep = "# T\n";
     for (int i = 0; i < 100; ++i) deep += std::string(static_cast<std::size_t>(i) * 2, ' ') + "- x\n";
@@ -351,8 +350,7 @@ TEST_CASE("no file that anyone makes as a lesson ends the program", "[lesson][fu
     CHECK(read_well > 20);
 }
 
-TEST_CASE("the address of a link has a length, and so have those of all links together",
-          "[lesson][bad-input]") {
+TEST_CASE("the addresses of links have a maximum length, each and in total", "[lesson][bad-input]") {
     const std::string head = "# T\n\n```lesson\ntopic: x\nscene: s.json\n```\n\nSome *text*.\n\n";
     const auto problem_with_link = [&](const std::string& text) {
         const Result<Lesson> lesson = parse_lesson(head + text, "l.md");

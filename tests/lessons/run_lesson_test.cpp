@@ -1,4 +1,4 @@
-// What a lesson's runs answer, what a prediction is judged by, hand-outs and exercises.
+// Tests of the answers of a lesson's runs, of judging predictions, of handouts and of exercises.
 #include "lessons/run_lesson.h"
 
 #include "lessons/check_lesson.h"
@@ -11,7 +11,7 @@ using namespace glint;
 
 namespace {
 
-/// A plate that faces the eye, and a sun from 60 degrees: n·l is a half. `rest` are the lesson's steps.
+/// A plate that faces the eye, and a sun at 60 degrees: n·l is a half. `rest` contains the lesson's steps.
 struct Bench {
     explicit Bench(const std::string& rest) {
         scene = directory.file("plate.json", R"({"glint": 1, "global_ambient": [0, 0, 0],
@@ -54,7 +54,7 @@ constexpr const char* half =
 
 }  // namespace
 
-TEST_CASE("a claim holds by the engine's own numbers and falls under a mistake", "[lesson]") {
+TEST_CASE("a claim holds with the engine's numbers and fails with a mistake", "[lesson]") {
     const Bench bench(half);
     REQUIRE(bench.checked().size() == 1);
     CHECK(bench.checked()[0].holds);
@@ -64,7 +64,7 @@ TEST_CASE("a claim holds by the engine's own numbers and falls under a mistake",
     CHECK(fallen.why.find("e.sum = 0.25 within 1e-5 is false: [0.0795") == 0);
 }
 
-TEST_CASE("each kind of run answers as its command does", "[lesson]") {
+TEST_CASE("each kind of run gives its command's answer", "[lesson]") {
     const Bench bench(R"(```claim
 says: All of them.
 e = explain --pixel 16,16 --set /lights/0/position=[0,0,1]
@@ -89,7 +89,7 @@ check: c.max = [64, 0, 0] within 1
     CHECK(item.holds);
 }
 
-TEST_CASE("a step begins with the lesson's scene, whatever went before", "[lesson]") {
+TEST_CASE("a step starts with the lesson's scene, independent of earlier steps", "[lesson]") {
     const Bench bench(
         std::string("## One\n\n```scene\nset: /lights/0/position=[0,0,1]\n```\n\n"
                     "```claim\nsays: One.\ne = explain --pixel 16,16\ncheck: e.sum = 0.5 within 1e-5\n"
@@ -98,7 +98,7 @@ TEST_CASE("a step begins with the lesson's scene, whatever went before", "[lesso
     for (const Checked& item : bench.checked()) CHECK(item.holds);
 }
 
-TEST_CASE("what falls short of a prediction, a task and an exercise is told", "[lesson][bad-input]") {
+TEST_CASE("failures of predictions, tasks and exercises are reported", "[lesson][bad-input]") {
     const auto why = [](const std::string& block) {
         return Bench("```" + block + "\n```\n").checked().at(0).why;
     };
@@ -148,9 +148,7 @@ TEST_CASE("what falls short of a prediction, a task and an exercise is told", "[
     CHECK(why("claim\nsays: ?\nl = lobe --object 3\ncheck: true").find("no object 3") != std::string::npos);
 }
 
-TEST_CASE(
-    "an answer of another kind than its question is told with its line, in whatever is made of the lesson",
-    "[lesson][bad-input]") {
+TEST_CASE("an answer that does not fit its question is a problem with its line", "[lesson][bad-input]") {
     for (const char* const block :
          {"predict number\nquestion: ?\nanswer: [1, 2]\ntolerance: 1",
           "predict number\nquestion: ?\nanswer: true\ntolerance: 1",
@@ -169,7 +167,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a scene that cannot be set is a problem with the lesson's line", "[lesson][bad-input]") {
+TEST_CASE("an invalid assignment to the scene is a problem with the lesson's line", "[lesson][bad-input]") {
     const Bench step("## S\n\n```scene\nset: /lights/0/intensity=many\n```\n\n" + std::string(half));
     CHECK(step.problem().find("01-plate.md:11: /lights/0/intensity: ") != std::string::npos);
     const Bench reveal(std::string(half) + "\n```reveal\nplay: /camera/eye 1 to 2\n```\n");
@@ -179,7 +177,7 @@ TEST_CASE("a scene that cannot be set is a problem with the lesson's line", "[le
     CHECK(missing.problem().find("no such file") != std::string::npos);
 }
 
-TEST_CASE("how far a prediction is off is measured as its kind is read", "[lesson]") {
+TEST_CASE("each kind of prediction has its own measure of the error", "[lesson]") {
     CHECK(how_far(PredictionKind::Number, 0.5, 0.75) == Approx(0.25));
     CHECK(how_far(PredictionKind::Choice, 1, 1) == 0);
     CHECK(how_far(PredictionKind::Choice, 0, 1) == 1);
@@ -188,7 +186,7 @@ TEST_CASE("how far a prediction is off is measured as its kind is read", "[lesso
     CHECK(how_far(PredictionKind::Sketch, {0, 0, 0, 0}, {2, 0, 0, 0}) == Approx(1));
 }
 
-TEST_CASE("a hand-out keeps answers, revealed text and claims for its key", "[lesson][handout]") {
+TEST_CASE("a handout shows answers, revealed text and claims only in its key", "[lesson][handout]") {
     const Bench bench(R"(Read *this* & <that>.
 
 ## Ask
@@ -244,11 +242,10 @@ done: true
         return count;
     };
     CHECK(pictures(without) == 1);  // the step's scene is the lesson's
-    CHECK(pictures(with) == 2);     // and what is revealed
+    CHECK(pictures(with) == 2);     // and the reveal's
 }
 
-TEST_CASE("the same seed is the same sheet, another is another, and the engine makes the key",
-          "[lesson][exercise]") {
+TEST_CASE("a seed determines the sheet, and the engine computes the key", "[lesson][exercise]") {
     const Bench bench(R"(```exercise
 vary: k = 0.1 to 0.9 step 0.05
 question: k_d is {k} & n·l a half. How bright?
@@ -286,7 +283,7 @@ closed: k / 2
     CHECK(html.find("Keys: A plate") != std::string::npos);
 }
 
-TEST_CASE("a key does not hide that the formula and the engine disagree", "[lesson][exercise]") {
+TEST_CASE("a key shows both answers if the formula and the engine disagree", "[lesson][exercise]") {
     const Bench bench(R"(```exercise
 vary: k = 0.25, 0.5
 question: How much is {k}?
@@ -314,7 +311,7 @@ closed: max(k, 0.4)
     }
 }
 
-TEST_CASE("letters that LaTeX's usual fonts lack are commands, and the rest is told", "[lesson][exercise]") {
+TEST_CASE("letters that LaTeX's usual fonts lack become commands or a warning", "[lesson][exercise]") {
     const Bench bench("");
     PosedQuestion question;
     question.question = "Is α₂ → ∞, or é “ſ” 漢漢 Ж?";
@@ -324,14 +321,14 @@ TEST_CASE("letters that LaTeX's usual fonts lack are commands, and the rest is t
             "Is \\ensuremath{\\alpha}\\ensuremath{_2} \\ensuremath{\\to} \\ensuremath{\\infty}, or é “ſ”") !=
         std::string::npos);
     CHECK(unset_letters(tex) == "漢Ж");
-    question.question = "[3 points] How much?";  // which \\item takes for a label in place of its number
+    question.question = "[3 points] How much?";  // \\item would take this for a label instead of its number
     CHECK(exercises_tex(bench.lesson, {{1, {question}}}).find("\\item {}[3 points] How much?") !=
           std::string::npos);
     const std::string alphabet = "абвгдежзийклмнопрстуфхцчшщъыьэюя";
     CHECK(unset_letters(alphabet + alphabet) == "абвгдежзийклмнопрсту and 12 more");
 }
 
-TEST_CASE("a lesson without exercises says so", "[lesson][exercise][bad-input]") {
+TEST_CASE("a lesson without exercises is an error", "[lesson][exercise][bad-input]") {
     const Bench bench(half);
     LessonRunner runner(1);
     const auto sheets = exercise_sheets(runner, bench.lesson, 1, 1);
@@ -339,7 +336,7 @@ TEST_CASE("a lesson without exercises says so", "[lesson][exercise][bad-input]")
     CHECK(problem_of(sheets)->text().find("the lesson has no exercises") != std::string::npos);
 }
 
-TEST_CASE("a picture on paper does not tell the answer, the one for the key does", "[lesson][handout]") {
+TEST_CASE("the answer is visible only in the key's picture, not in the handout's", "[lesson][handout]") {
     const Bench bench(
         "## Dark\n\n```scene\nset: /display/exposure=2\npicture: /lights/0/enabled=false\n```\n");
     const Bench lit("## Lit\n\n```scene\nset: /display/exposure=2\n```\n");
