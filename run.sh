@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds Glint where that is needed and starts it: ./run.sh [ARGS] is `glint ARGS`. Installs missing packages first.
+# Builds Glint if necessary and starts it: ./run.sh [ARGS] is `glint ARGS`. Installs missing packages first.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/cmake/prepare.sh"
 

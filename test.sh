@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds Glint and runs every test, or with ./test.sh NAME those whose name contains NAME (in any case).
-# Installs missing packages first. GLINT_PRESET picks another preset of CMakePresets.json than `release`.
+# Builds Glint and runs every test, or with ./test.sh NAME those whose names contain NAME (in any case).
+# Installs missing packages first. GLINT_PRESET selects a preset of CMakePresets.json instead of `release`.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/cmake/prepare.sh"
 
@@ -11,12 +11,12 @@ fi
 preset=${GLINT_PRESET:-release}
 filter=()
 if [ -n "${1:-}" ]; then
-    # CTest takes a regular expression; ours finds NAME as it is written, in any case.
+    # CTest expects a regular expression; this one matches NAME literally, in any case.
     filter=(-R "$(printf %s "$1" | sed -e 's/[][\\.^$*+?(){}|]/\\&/g' -e 's/[a-zA-Z]/[\L&\U&]/g')")
 fi
 
 install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-test.txt"
 build "$preset" ON
 cd "$glint_root/build/$preset"
-# One more than there are processors, as tests of the window sleep.
+# One more than there are processors, because tests of the window sleep.
 exec ctest --output-on-failure --no-tests=error --timeout 300 -j"$(($(nproc) + 1))" ${filter[@]+"${filter[@]}"}

@@ -1,7 +1,7 @@
 #!/bin/sh
-# compile.sh COMMAND...: compiles with ccache. Beside a precompiled header goes a digest of all files that it was made of, which
-# ccache takes in its place (CCACHE_PCH_EXTSUM): its own bytes are others each time, and what was compiled with it names only the
-# files that it includes beside it.
+# compile.sh COMMAND...: compiles with ccache. Writes a digest of all source files next to a precompiled header, and ccache uses
+# it instead of the header (CCACHE_PCH_EXTSUM): the header's bytes differ each time, and dependency files list only the files
+# outside of it.
 ccache "$@" || exit
 for argument; do
     case $before in

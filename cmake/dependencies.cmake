@@ -1,5 +1,5 @@
-# Every dependency is a package of the system. When one is missing, one line says which to install.
-# Nothing is downloaded. Why each is there: docs/architecture.md.
+# Every dependency is a package of the system. If one is missing, a one-line error says which to install. Nothing is downloaded.
+# docs/architecture.md explains why each is needed.
 macro(glint_find_package name debian_package)
   find_package(${name} QUIET ${ARGN})
   if(NOT ${name}_FOUND)
@@ -20,7 +20,7 @@ glint_find_package(glfw3 libglfw3-dev)
 glint_find_package(X11 libx11-dev)
 glint_find_package(Freetype libfreetype-dev)
 glint_find_package(PkgConfig pkg-config)
-pkg_check_modules(md4c QUIET IMPORTED_TARGET md4c)  # the package's own CMake file asks for more than it installs
+pkg_check_modules(md4c QUIET IMPORTED_TARGET md4c)  # the package's own CMake file requires files that it does not install
 if(NOT md4c_FOUND)
   message(FATAL_ERROR "glint: md4c was not found; on Debian or Ubuntu: apt-get install libmd4c-dev")
 endif()
@@ -36,7 +36,7 @@ pkg_check_modules(imgui QUIET IMPORTED_TARGET imgui)
 if(NOT imgui_FOUND)
   message(FATAL_ERROR "glint: Dear ImGui was not found; on Debian or Ubuntu: apt-get install libimgui-dev")
 endif()
-# Debian's archive was built with FreeType and does not say so: a target of its own puts the one behind the other.
+# Debian's archive needs FreeType but does not declare it: a separate target links them in the right order.
 list(POP_FRONT imgui_LINK_LIBRARIES imgui_archive)
 add_library(imgui_archive STATIC IMPORTED)
 set_target_properties(imgui_archive PROPERTIES IMPORTED_LOCATION "${imgui_archive}")
@@ -47,5 +47,5 @@ if(NOT TARGET glm::glm)  # glm 0.9.9.8 of Debian 12 names its target without a n
 endif()
 if(GLINT_TESTS)
   glint_find_package(Catch2 catch2)
-  pkg_check_modules(webpdemux REQUIRED QUIET IMPORTED_TARGET libwebpdemux)  # of libwebp-dev, too
+  pkg_check_modules(webpdemux REQUIRED QUIET IMPORTED_TARGET libwebpdemux)  # part of libwebp-dev
 endif()

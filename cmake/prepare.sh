@@ -1,8 +1,8 @@
 # shellcheck shell=bash
-# Sourced by run.sh, test.sh and .ci/run: installs what is missing, configures and builds. Says nothing when nothing
-# is to do. Expects `set -eu`.
+# Sourced by run.sh, test.sh and .ci/run: installs missing packages, configures and builds. Prints nothing if everything is up to
+# date. Expects `set -eu`.
 
-# Where the project is, whatever the caller's directory.
+# The root of the project, independent of the current directory.
 glint_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 fail() {
@@ -10,18 +10,18 @@ fail() {
     exit 1
 }
 
-# The names of the packages in the given lists that are not installed. One question to dpkg for all of them.
+# The names of the packages in the given lists that are not installed, by a single call of dpkg-query.
 missing_packages() {
     local wanted
     wanted=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@" | sort -u)
-    # shellcheck disable=SC2086,SC2016  # one argument a package; dpkg-query expands the ${}
+    # shellcheck disable=SC2086,SC2016  # one argument per package; dpkg-query expands the ${}
     { dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' $wanted 2>/dev/null || true; } |
         sed -n 's/^installed //p' | sort -u | comm -23 <(echo "$wanted") -
 }
 
-# Installs what the given lists name and the machine lacks. Asks the network only then.
+# Installs missing packages of the given lists. Uses the network only if there are any.
 install_packages() {
-    command -v dpkg-query >/dev/null || return 0 # no Debian: CMake says what it does not find
+    command -v dpkg-query >/dev/null || return 0 # not Debian: CMake reports missing packages
     local missing as_root="" log
     missing=$(missing_packages "$@" | tr '\n' ' ')
     missing=${missing% }
@@ -30,13 +30,13 @@ install_packages() {
     if [ "$(id -u)" -ne 0 ]; then
         by_hand="sudo $by_hand"
         as_root="sudo"
-        [ -t 0 ] || as_root="sudo -n" # nobody there to type a password
+        [ -t 0 ] || as_root="sudo -n" # nobody can type a password
         command -v sudo >/dev/null && $as_root true 2>/dev/null ||
             fail "packages are missing and only root can install them; run: $by_hand"
     fi
     echo "glint: installing $missing" >&2
     log=$(mktemp)
-    # shellcheck disable=SC2086  # one argument a package
+    # shellcheck disable=SC2086  # one argument per package
     if ! (
         set -o pipefail
         { { $as_root apt-get update -q || true; } &&
@@ -54,7 +54,7 @@ install_packages() {
 # counted DOING: reads what apt-get or Ninja print and says every 15 seconds how far they are, also while they print
 # nothing: "glint: building 120 of 231".
 counted() {
-    local line="" steps=0 of=0 said=$((SECONDS - 10)) # the first line comes sooner
+    local line="" steps=0 of=0 said=$((SECONDS - 10)) # the first line is earlier
     while true; do
         if IFS= read -r -t 5 line; then
             case $line in
@@ -64,7 +64,7 @@ counted() {
             "Setting up "*) steps=$((steps + 1)) ;;
             esac
         elif [ $? -le 128 ]; then
-            return 0 # the end; more than 128 is the time that ran out
+            return 0 # end of input; more than 128 is a timeout
         fi
         [ $((SECONDS - said)) -ge 15 ] || continue
         said=$SECONDS

@@ -1,4 +1,4 @@
-"""Writes completion for bash and zsh from what --help lists: completions.py GLINT SHARE"""
+"""Writes completions for bash and zsh from --help: completions.py GLINT SHARE"""
 import re
 import subprocess
 import sys
@@ -12,11 +12,11 @@ def help_of(*words):
 
 
 def options_of(text):
-    """[(names, what it does)] of the list under "Options:"."""
+    """[(names, description)] of the list under "Options:"."""
     return [(names.split(","), words) for names, words in re.findall(r"^  (-\S+)(?: \S+)?\s{2,}(.+)$", text, re.M)]
 
 
-commands = {}  # name -> (what it does, options)
+commands = {}  # name -> (summary, options)
 for name in dict.fromkeys(re.findall(r"^  glint ([a-z]+)", help_of(), re.M)):
     text = help_of(name)
     commands[name] = (text.split("\n")[0], options_of(text))

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Writes what a package has beside the program: what --help says as man pages and as completion for bash and zsh, and
-# Debian's changelog: texts.sh GLINT SHARE MAINTAINER
-# SHARE is the folder that becomes /usr/share.
+# Writes a package's texts: man pages and completions for bash and zsh from --help, and Debian's changelog: texts.sh GLINT SHARE
+# MAINTAINER
+# SHARE is the folder that is installed as /usr/share.
 set -eu
 glint=$(realpath "$1") share=$2 maintainer=$3
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -13,7 +13,7 @@ version=$("$glint" --version | cut -d ' ' -f 2)
 man_page() { # PAGE SUMMARY HELP-COMMAND...
     local page=$1 summary=$2
     shift 2
-    # help2man asks one program for --help and --version; a command of ours is a program and a word.
+    # help2man runs a program with --help and --version; our commands are a program and a word.
     printf '#!/bin/sh\n[ "$1" = --version ] && echo "%s %s" || exec %s --help\n' "$page" "$version" "$*" >"$work/$page"
     chmod +x "$work/$page"
     help2man --no-info --section 1 --name "$summary" "$work/$page" | gzip -9n >"$share/man/man1/$page.1.gz"
