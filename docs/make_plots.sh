@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures how the cost of a light drag grows, for docs/performance.md: docs/make_plots.sh [GLINT]
-# Three plots into docs/pictures/cost-*.svg: over the lights, over the pixels covered, over the triangles. Every frame lights
-# all lights again. Each point is the median of three runs' medians, taken in turn, so that a busy moment hits all points alike.
+# Writes three plots to docs/pictures/cost-*.svg: over the lights, the covered pixels and the triangles. Every frame recomputes
+# all lights. Each point is the median of three runs' medians, taken in turn, so that a busy moment affects all points equally.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 glint=${1:-build/release/app/glint}
@@ -33,8 +33,8 @@ points() { sort -g -k1,1 -k2,2 "$1" | awk '
     { ms[++n] = $2 }
     END { print x, ms[int((n + 1) / 2)] }'; }
 
-# plot NAME TITLE SCALE: reads "x ms" lines; SCALE is linear or log (of x). The dashed line is what the plot should be: through
-# the origin and the last point on a linear scale, level through the median on a logarithmic one.
+# plot NAME TITLE SCALE: reads "x ms" lines; SCALE is linear or log (of x). The dashed line is the expected plot: through the
+# origin and the last point on a linear scale, level through the median on a logarithmic one.
 plot() {
     awk -v title="$2" -v scale="$3" '
         function at(v) { return scale == "log" ? log(v) : v }

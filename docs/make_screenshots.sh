@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Pictures of the window in ten states, into docs/pictures/window-*.png: under a display in memory (Xvfb), with a real
-# mouse (xdotool). Usage: docs/make_screenshots.sh [PROGRAM] [NAME...]; without names, all of them.
+# Takes pictures of the window in ten states, docs/pictures/window-*.png: on a display in memory (Xvfb), with a real mouse
+# (xdotool). Usage: docs/make_screenshots.sh [PROGRAM] [NAME...]; without names, all of them.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 program=${1:-$root/build/release/app/glint}
@@ -34,7 +34,7 @@ drag() { # FROM_X FROM_Y TO_X TO_Y, the button stays down
     sleep 0.4
 }
 
-shot() { # NAME WxH SCENE: what is on standard input is done first
+shot() { # NAME WxH SCENE: first runs the commands on standard input
     local name=$1 size=$2 scene=$3 number
     local steps
     steps=$(cat)
