@@ -1,7 +1,7 @@
 #pragma once
-// The closed sets of a scene, each member in one row: its word in the scene file, its label in the window,
-// and what it means. Reader, writer, JSON Schema, panels, palette and documentation read these rows. A row is
-// a case of a switch, so that the compiler names the enumerator that has none.
+// The closed sets of a scene: each member is one row with its word in the scene file, its label in the
+// window, and its meaning. Reader, writer, JSON Schema, panels, palette and documentation use these rows. A
+// row is a case of a switch, so that the compiler reports an enumerator without a row.
 
 #include <array>
 #include <cstddef>
@@ -137,7 +137,7 @@ template <class E> constexpr std::size_t count_of() {
     return count;
 }
 
-/// All rows of E; the place of a row is the number of its enumerator.
+/// All rows of E, indexed by enumerator.
 template <class E>
 inline constexpr auto choices = [] {
     std::array<Choice, count_of<E>()> rows;
@@ -153,8 +153,7 @@ inline constexpr auto enumerators = [] {
     return all;
 }();
 
-/// The word in the scene file: "directional", "blinn-phong", ...; empty for a number that is not an
-/// enumerator.
+/// The word in the scene file: "directional", "blinn-phong", ...; empty if the number is not an enumerator.
 template <class E> [[nodiscard]] constexpr std::string_view name_of(E value) { return choice_of(value).word; }
 
 /// The enumerator with that word in the scene file, if there is one.
@@ -172,7 +171,7 @@ template <class E> [[nodiscard]] std::vector<std::string> names_of() {
     return names;
 }
 
-/// What warnings call a mesh: its file's path as the scene gives it, or the word of the primitive.
+/// The name of a mesh in warnings: its file's path as the scene gives it, or the word of the primitive.
 [[nodiscard]] std::string source_name(const MeshSource& source);
 
 }  // namespace glint

@@ -1,6 +1,6 @@
 #pragma once
-// What a field of a scene can be: its words (Row) and its kind (a number, a colour, one of a set, ...). The
-// fields themselves: scene_fields.h.
+// What a field of a scene can be: its texts (Row) and its kind (a number, a colour, one of a set, ...). The
+// fields themselves are in scene_fields.h.
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +13,15 @@
 
 namespace glint {
 
-/// What one member of a struct is called.
+/// The names and texts of one member of a struct.
 struct Row {
     std::string_view key;    // in the scene file
     const char* label = "";  // in a panel
     const char* help = "";   // one line: for tooltips, the documentation and the JSON Schema
-    const char* undo = "";   // what a step of undo that changes it is called; {} is the item's name
-    bool applies = true;     // false: without effect at the moment, as the cone of a light that is not a spot
-    bool omit_default = false;  // written only where it is not the default
-    bool moves_faces = true;    // false: it and its members decide how a pixel is lit, never which face shows
+    const char* undo = "";   // the name of the undo step that changes it; {} is the item's name
+    bool applies = true;     // false: no effect at the moment, such as the cone of a light that is not a spot
+    bool omit_default = false;  // written only if it differs from the default
+    bool moves_faces = true;    // false: it affects how a pixel is lit, but never which face is visible
 
     [[nodiscard]] constexpr Row undone_as(const char* words) const { return with(&Row::undo, words); }
     [[nodiscard]] constexpr Row when(bool has_effect) const { return with(&Row::applies, has_effect); }
@@ -46,9 +46,9 @@ struct Real {
     const char* format = "%.3f";
     float usual_max = 0;       // above 0: values rarely leave [low end of the range, usual_max]
     bool logarithmic = false;  // drags multiply
-    const char* zero = "";     // what a panel shows for 0 where that means more than a number; empty: "0"
+    const char* zero = "";     // what a panel shows for 0 if 0 has a special meaning; empty: "0"
 };
-/// Linear RGB, each from 0; 1 is full intensity.
+/// Linear RGB; each channel is at least 0, and 1 is full intensity.
 struct Colour {};
 /// Three floats.
 struct Vector {
@@ -57,14 +57,14 @@ struct Vector {
     float step = 0.01f;
     const char* format = "%.2f";
 };
-/// (x, y, z, w) of a light: the direction towards it where w = 0, else a position, divided by w.
+/// (x, y, z, w) of a light: if w = 0 the direction towards it, else a position, divided by w.
 struct Homogeneous {
     LightKind kind;
     [[nodiscard]] constexpr bool is_direction() const { return kind == LightKind::Directional; }
 };
 struct Switch {};
 struct Text {
-    std::size_t max_characters = 0;  // 0: as many as the text of a scene may have
+    std::size_t max_characters = 0;  // 0: the limit of a scene's texts
 };
 /// A path of a mesh file, as written in the scene file.
 struct Path {};
@@ -74,7 +74,7 @@ struct OneOf {};
 struct Count {
     int low, high;
     bool (*is_allowed)(int) = nullptr;  // null: every number from low to high
-    std::string_view words = {};        // for "expected ..."; empty: said by low and high
+    std::string_view words = {};        // for "expected ..."; empty: derived from low and high
     const char* zero = "";              // as Real::zero
 
     /// Returns true when x is whole, within low and high, and allowed.
@@ -82,7 +82,7 @@ struct Count {
         return x >= low && x <= high && x == static_cast<int>(x) &&
                (is_allowed == nullptr || is_allowed(static_cast<int>(x)));
     }
-    /// The number nearest to x that it contains; of two equally near the larger. Precondition: x is not NaN.
+    /// The allowed number nearest to x; of two equally near the larger. Precondition: x is not NaN.
     [[nodiscard]] int nearest(double x) const {
         const int middle = static_cast<int>(std::lround(std::clamp(x, double(low), double(high))));
         for (int away = 0; away <= high - low; ++away)
@@ -91,16 +91,16 @@ struct Count {
         return middle;
     }
 };
-/// Words for "expected ...": "1, 4, 9", "a whole number from 1 to 8", or "1" if that is the only value.
+/// The text after "expected": "1, 4, 9", "a whole number from 1 to 8", or "1" if that is the only value.
 [[nodiscard]] std::string words_of(const Count& count);
 /// A struct with fields of its own.
 struct Group {};
-/// Any number of structs, up to `max`.
+/// A list of structs, at most `max`.
 struct List {
     std::size_t max;
     std::string_view plural;
 };
-/// One of the projections; its `type` stands beside its fields.
+/// One of the projections; its `type` is in the same object as its fields.
 struct OneProjection {};
 /// A primitive or a file.
 struct OneMesh {};

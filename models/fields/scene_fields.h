@@ -1,9 +1,9 @@
 #pragma once
-// Every value of a scene, once: its key in the scene file, its words, what it may be. `fields(light, visit)`
-// calls visit(row, kind, member) for each member in the order of the file; the default is that of `Light{}`.
-// Visitors of it read, write and document scenes, draw panels, find numbers to animate or to differentiate,
-// and name the steps of undo: whoever adds a member adds one row here, and its effect in the renderer.
-// Conditions between members: scene_rules.h.
+// Every value of a scene, once: its key in the scene file, its texts, its range. `fields(light, visit)` calls
+// visit(row, kind, member) for each member in the order of the file; the default is that of `Light{}`.
+// Visitors read, write and document scenes, draw panels, find numbers to animate or to differentiate, and
+// name the undo steps. A new member needs one row here, and its effect in the renderer. Conditions between
+// members are in scene_rules.h.
 
 #include <concepts>
 #include <string>
@@ -21,7 +21,7 @@ namespace glint {
 template <class T, class Struct>
 concept Of = std::same_as<std::remove_const_t<T>, Struct>;
 
-// One function a struct.
+// One function per struct.
 
 template <Of<Falloff> F, class Visit> void fields(F& f, Visit&& visit) {
     const Real share{.range = at_least_zero, .step = 0.004f, .usual_max = 2};

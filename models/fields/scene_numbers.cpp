@@ -28,15 +28,15 @@ Tokens tokens_of(std::string_view pointer) {
     return tokens;
 }
 
-/// The number that a token is, or -1.
+/// The token's value as a number, or -1.
 int index_of(std::string_view token) {
     int index = -1;
     const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), index);
     return error == std::errc() && end == token.data() + token.size() ? index : -1;
 }
 
-/// Returns a label as it stands in a sentence: "cutoff" for "Cutoff", "falloff" for "Falloff  1 / (…)";
-/// symbols such as F0 or cosˢ stay.
+/// Returns a label as used within a sentence: "cutoff" for "Cutoff", "falloff" for "Falloff  1 / (…)".
+/// Symbols such as F0 or cosˢ stay.
 std::string in_a_sentence(std::string_view label) {
     std::string words(label.substr(0, label.find("  ")));
     const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
@@ -44,8 +44,7 @@ std::string in_a_sentence(std::string_view label) {
     return words;
 }
 
-/// Calls visit(SceneNumber, kind, member) for every float and int of a scene, or for the one that
-/// `only` leads to.
+/// Calls visit(SceneNumber, kind, member) for every float and int of a scene, or only for the one at `only`.
 template <class Visit> class NumberWalk {
   public:
     NumberWalk(Visit& visit, const Tokens* only) : visit_(visit), only_(only) {}
@@ -77,7 +76,7 @@ template <class Visit> class NumberWalk {
     static constexpr bool is_group =
         std::same_as<std::remove_cvref_t<Kind>, Group> || std::same_as<std::remove_cvref_t<Kind>, List>;
 
-    /// The scene's own groups are owners; material, transform and projection are said by what follows.
+    /// The scene's own groups are owners; the text omits material, transform and projection.
     void name(const Row& row, bool is_group_row) {
         const bool is_owner = depth_ == 1 && is_group_row;
         if (is_owner || row.key == "material" || row.key == "transform" || row.key == "projection") return;
@@ -158,7 +157,8 @@ template <class AnyScene, class Visit> void walk(AnyScene& scene, const Tokens* 
     NumberWalk<Visit>(visit, only).members(scene);
 }
 
-/// Sets a number unless its kind forbids the value. What is a float is within an end that is rounded to one.
+/// Sets a number unless its kind forbids the value. A float may exceed a limit by the rounding of that limit
+/// to a float.
 std::optional<Problem> assign(const Real& kind, float& to, double value) {
     const auto rounded = static_cast<float>(value);
     const bool contained = kind.range.contains(rounded) && (value == rounded || kind.range.contains(value));
@@ -227,7 +227,7 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
 
 std::string words_of_pointer(const Scene& scene, const std::string& pointer) {
     if (const auto number = number_at(scene, pointer)) return number->words;
-    // A vector is called as its first number is, without the name of the component.
+    // The text of a vector is that of its first number without the component.
     if (const auto first = number_at(scene, pointer + "/0"))
         return first->words.substr(0, first->words.rfind(' '));
     std::string keys;

@@ -25,7 +25,7 @@ std::optional<Problem> violation_of(const Projection& projection) {
     return std::nullopt;
 }
 
-/// Nothing when edge_u and edge_v span a parallelogram whose area a float can hold.
+/// Returns nothing if edge_u and edge_v span a parallelogram whose area a float can represent.
 std::optional<Problem> violation_of(const AreaShape& area) {
     const glm::dvec3 u(area.edge_u), v(area.edge_v);
     const double quarter = glm::length(glm::cross(u, v));
@@ -39,8 +39,7 @@ std::optional<Problem> below(std::string at, std::optional<Problem> violation) {
     return violation;
 }
 
-/// Finds the first number of a struct, and of those in it, that its kind does not allow. Lists are passed
-/// over.
+/// Finds the first number of a struct, nested structs included, that its kind does not allow. Skips lists.
 class RangeSearch {
   public:
     template <class T> static std::optional<Problem> in(const T& value) {
@@ -88,7 +87,7 @@ template <class T> std::optional<Problem> any_violation_of(const T& value) {
     return violation_of_ranges(value);
 }
 
-/// In a scene in memory a position has been divided by its w.
+/// In memory, a scene's positions are divided by w.
 std::optional<Problem> any_violation_of(const Light& light) {
     if (auto found = any_violation_of<Light>(light)) return found;
     if (light.position.w == 0 || light.position.w == 1) return std::nullopt;
@@ -96,7 +95,7 @@ std::optional<Problem> any_violation_of(const Light& light) {
                    "1, the position divided by it"};
 }
 
-/// What is wrong in an item that is new or another than before.
+/// Returns the first violation in a new or changed item.
 template <class Item>
 std::optional<Problem> violation_in(const char* list, const std::vector<Item>& valid,
                                     const std::vector<Item>& now) {
@@ -115,7 +114,7 @@ std::optional<Problem> violation_of(const Camera& camera) {
     if (camera.eye == camera.target)
         return Problem{"", "", "eye and target are the same point", "two points that differ"};
     if (up == glm::dvec3(0)) return Problem{"", "", "up is zero", "a direction"};
-    // Without these an orthonormal frame at the eye cannot be made (view_from_world).
+    // Without these conditions the eye has no orthonormal frame (view_from_world).
     if (!(glm::length(glm::cross(up, back)) > parallel_sine * glm::length(up) * glm::length(back)))
         return Problem{"", "", "up is parallel to the view direction",
                        "an up that is not along the line from eye to target"};
