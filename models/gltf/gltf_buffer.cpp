@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-// GL's numbers.
+// OpenGL's constants.
 constexpr int vertex_data = 34962, index_data = 34963, of_floats = 5126, of_unsigned_ints = 5125;
 
 void append(std::string& bytes, std::uint32_t bits) {
@@ -84,7 +84,7 @@ int GltfBuffer::add_indices(const std::vector<std::uint32_t>& indices) {
 Json GltfBuffer::add(const Object& object) {
     const Mesh& mesh = *object.mesh;
     const CornerNormals normals = corner_normals(mesh, object.normals);
-    // A vertex is a place with a normal.
+    // A vertex is a position with a normal.
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;
     std::vector<glm::vec3> places, directions;
     std::vector<std::uint32_t> indices;

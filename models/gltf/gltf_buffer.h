@@ -1,5 +1,5 @@
 #pragma once
-// What the writer of .glb files is made of: its binary chunk, cameras and lights. Inside models/gltf/ only.
+// Parts of the writer of .glb files: the binary chunk, cameras and lights. Inside models/gltf/ only.
 
 #include <cstdint>
 #include <string>
@@ -15,14 +15,14 @@ namespace glint {
 
 [[nodiscard]] Json numbers_json(const glm::vec3& v);
 
-/// A .glb file of its two chunks; together below 4 GiB.
+/// Builds a .glb file from its two chunks, together below 4 GiB.
 [[nodiscard]] std::string glb_container(std::string_view json, std::string_view bin);
 
 /// Identifies the numbers of an object's mesh in the file: objects with equal keys share them.
 using GltfMeshKey = std::pair<NormalsKey, bool>;  // and NormalOptions::flip
 [[nodiscard]] GltfMeshKey mesh_key(const Object& object);
 
-/// Collects the numbers of meshes, with the buffer views and accessors that say where they lie.
+/// Collects the numbers of meshes, with the buffer views and accessors that locate them.
 class GltfBuffer {
   public:
     /// Adds the object's mesh with the normals that it is drawn with (`flip` reverses them). Returns the
@@ -46,11 +46,11 @@ class GltfBuffer {
 
 /// An element of "cameras".
 [[nodiscard]] Json camera_json(const Projection& projection, GltfUnsaid& unsaid);
-/// What places a node where the camera stands.
+/// The members that place a node at the camera.
 [[nodiscard]] Json camera_matrix(const Camera& camera);
 
-/// An element of "lights". Precondition: it is not an area light. Throws ProblemFound with `pointer`, the
-/// light's, where its intensity is beyond what is read.
+/// An element of "lights". Precondition: it is not an area light. Throws ProblemFound with `pointer`, that of
+/// the light, if its intensity exceeds the reader's limit.
 [[nodiscard]] Json light_json(const Light& light, const Camera& camera, const std::string& pointer,
                               GltfUnsaid& unsaid);
 /// The node of light number `index`, in the light's space.

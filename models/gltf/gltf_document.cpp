@@ -98,7 +98,7 @@ std::string unescaped_uri(const Node& node, const std::string& uri) {
             path += uri[i];
         }
     }
-    // A stranger's file must not hand on what stands elsewhere on this machine.
+    // A downloaded file must not read files elsewhere on this machine.
     const fs::path file(path);
     const bool leads_away = file.is_absolute() || std::any_of(file.begin(), file.end(),
                                                               [](const fs::path& p) { return p == ".."; });
@@ -123,7 +123,7 @@ std::string bytes_of_file(const Node& node, const std::string& file, std::size_t
     return std::get<std::string>(std::move(read));
 }
 
-/// Reads the buffers that the root lists. A file that several of them name is read and held once.
+/// Reads the buffers that the root lists. A file that several of them name is read and kept once.
 class BufferReader {
   public:
     BufferReader(GltfDocument& document, const Chunks& chunks) : document_(document), chunks_(chunks) {}
@@ -138,7 +138,7 @@ class BufferReader {
     }
 
   private:
-    /// Where a buffer's bytes are; `document_.own` moves while it grows.
+    /// Locates a buffer's bytes; `document_.own` may reallocate while it grows.
     struct Place {
         std::optional<std::size_t> own;  // its index; none: in the binary chunk
         std::uint64_t length = 0;
@@ -196,7 +196,7 @@ bool is_quantized(const Node& root) {
     return is_named;
 }
 
-/// Extensions without which the shapes would be others.
+/// Extensions that change the shapes.
 void check_extensions(const Node& root) {
     constexpr std::array<std::string_view, 2> read{"KHR_lights_punctual", "KHR_mesh_quantization"};
     root.with("extensionsRequired", [&](const Node& list) {
@@ -240,7 +240,8 @@ Result<GltfFile> GltfFile::read(const std::string& path) {
 
 namespace {
 
-/// Returns the list of that key, empty where there is none. What is malformed is left to where it is read.
+/// Returns the list with that key, or an empty one. Malformed values are reported by the code that reads
+/// them.
 const Json& list_of(const Json& value, const char* key) {
     static const Json none = Json::array();
     const auto found = value.is_object() ? value.find(key) : value.end();
@@ -254,7 +255,7 @@ std::vector<std::size_t> first_parts_of(const Json& root) {
     return first;
 }
 
-/// The key of a primitive's vertices; none where they are malformed.
+/// The key of a primitive's vertices; nothing if they are malformed.
 std::optional<GltfVertexKey> sound_key_of(const GltfDocument& document, const Node& root,
                                           const Node& attributes) {
     try {
@@ -264,8 +265,8 @@ std::optional<GltfVertexKey> sound_key_of(const GltfDocument& document, const No
     }
 }
 
-/// Finds which vertices several primitives name. Fails where overlapping accessors name many times more
-/// vertices than the buffers hold: reading them would take long.
+/// Finds the vertices that several primitives use. Fails if overlapping accessors name many times more
+/// vertices than the buffers contain, because reading them would take long.
 std::set<GltfVertexKey> shared_vertices_of(const GltfDocument& document) {
     constexpr std::uint64_t most_times = 64;
     std::uint64_t bytes_there = document.bytes.size(), bytes_named = 0;

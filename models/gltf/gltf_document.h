@@ -1,6 +1,6 @@
 #pragma once
-// What the readers of glTF share: the document, its checked members, and the numbers of an accessor. What is
-// wrong is thrown as ProblemFound with its pointer. Inside models/gltf/ only.
+// The parts that all glTF readers share: the document, its checked members, and the numbers of an accessor.
+// Errors are thrown as ProblemFound with their pointer. Inside models/gltf/ only.
 
 #include <fmt/core.h>
 
@@ -18,29 +18,29 @@
 
 namespace glint {
 
-/// GL's numbers of component types.
+/// OpenGL's constants for component types.
 inline constexpr int gltf_unsigned_byte = 5121, gltf_unsigned_short = 5123, gltf_unsigned_int = 5125,
                      gltf_floats = 5126;
 
-/// The numbers of an accessor, read as floats: normalized integers become 0 to 1, or -1 to 1 if signed.
-/// Equal: the same numbers, whichever accessors say so.
+/// The numbers of an accessor, read as floats: normalized integers become 0 to 1, or -1 to 1 if signed. Equal
+/// keys mean equal numbers, even from different accessors.
 struct GltfNumbers {
     std::size_t count = 0, components = 0;
-    int type = 0;  // GL's number of the component type: gltf_floats, ...
+    int type = 0;  // OpenGL's constant for the component type: gltf_floats, ...
     bool normalized = false;
     const char* data = nullptr;
     std::size_t stride = 0;
 
     [[nodiscard]] double at(std::size_t i, std::size_t component) const;
     [[nodiscard]] glm::vec3 vector_at(std::size_t i) const;
-    /// Returns the bytes of the numbers alone, without what lies between them.
+    /// Returns the size of the numbers alone, without the gaps between them.
     [[nodiscard]] std::uint64_t bytes() const;
     auto operator<=>(const GltfNumbers&) const = default;
 };
 
-/// The numbers of the positions, and of the normals; the second without any where there are none.
+/// The numbers of the positions and of the normals; the second is empty if there are none.
 using GltfVertexKey = std::pair<GltfNumbers, GltfNumbers>;
-/// The vertices of a key; those at one point share a place.
+/// The vertices of a key; those at the same point share a position.
 struct GltfVertices {
     std::vector<glm::vec3> places, normals;
     std::vector<std::uint32_t> place_of;  // of each vertex, in `places`
@@ -48,32 +48,33 @@ struct GltfVertices {
 
 struct GltfDocument {
     GltfDocument() = default;
-    GltfDocument(const GltfDocument&) = delete;  // its buffers lie in it
+    GltfDocument(const GltfDocument&) = delete;  // its buffers point into it
     GltfDocument& operator=(const GltfDocument&) = delete;
 
     std::string path;
     std::string bytes;             // of the file
-    std::vector<std::string> own;  // buffers that are not in it
+    std::vector<std::string> own;  // buffers outside the file
     std::vector<std::string_view> buffers;
     Json root;
     bool is_quantized = false;  // it names KHR_mesh_quantization
-    // #meshes + 1: the number of each mesh's first primitive, counted through all, and how many there are.
+    // Entry i is the number of the first primitive of mesh i, counted through all meshes; the last is the
+    // total.
     std::vector<std::size_t> first_parts;
-    // What several primitives name is read once, with the first of them: not by two threads at a time.
+    // Vertices that several primitives use are read once, with the first of them. Not thread-safe.
     std::set<GltfVertexKey> shared_vertices;
     mutable std::map<GltfVertexKey, GltfVertices> kept_vertices;
 };
 
-/// Returns the whole number of a key, from 0 to `most`, or `otherwise` where the key is missing. Fails for
-/// any other value, and for a missing key if `otherwise` is negative.
+/// Returns the whole number of a key, from 0 to `most`, or `otherwise` if the key is missing. Fails for any
+/// other value, and for a missing key if `otherwise` is negative.
 [[nodiscard]] std::uint64_t whole(const Node& object, std::string_view key, double most,
                                   double otherwise = -1);
 
 /// Fails unless the value is an object.
 void require_object(const Node& node);
 
-/// Calls f(Node) with one element of a list at the root ("meshes"): `key` of `from` holds its index. Fails
-/// where there is no such element.
+/// Calls f(Node) with one element of a list at the root ("meshes"): `key` of `from` is its index. Fails if
+/// the element does not exist.
 template <class F>
 void follow(const Node& root, const Node& from, std::string_view key, std::string_view list, F f) {
     const Json& lists = root.value();
@@ -87,8 +88,8 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
     root.with(list, [&](const Node& all) { f(Node(all.value()[index], all, index)); });
 }
 
-/// Returns the accessor whose index `key` of `from` holds; its numbers lie within its buffer view. Fails
-/// where it is not of that `type` ("VEC3"), or has no buffer view.
+/// Returns the accessor whose index is at `key` of `from`; its numbers are within its buffer view. Fails if
+/// it is not of that `type` ("VEC3"), or has no buffer view.
 [[nodiscard]] GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Node& from,
                                      std::string_view key, std::string_view type);
 /// Returns the numbers of a primitive's vertices. Fails as numbers_of() does.
@@ -96,7 +97,7 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
                                           const Node& attributes);
 [[nodiscard]] bool is_sparse(const Node& root, const Node& from, std::string_view key);
 
-/// How the vertices of a primitive follow one another; None: it has no triangles.
+/// How vertices form triangles; None: there are none.
 enum class PrimitiveMode { None, Triangles, Strip, Fan };
 /// Precondition: the primitive is an object.
 [[nodiscard]] PrimitiveMode mode_of(const Node& primitive);

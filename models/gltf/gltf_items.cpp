@@ -1,4 +1,4 @@
-// One material, camera, light or transform of glTF as one of ours.
+// Converts one material, camera, light or transform of glTF to ours.
 #include "models/gltf/gltf_items.h"
 
 #include <fmt/core.h>
@@ -17,13 +17,13 @@ namespace glint {
 namespace {
 
 constexpr double sheared_from = 1e-4;  // the cosine between two axes
-constexpr double half_way = 0.25;      // glTF's brightness half way between the cosines of its two cones
+constexpr double half_way = 0.25;      // glTF's brightness half-way between the cosines of its two cones
 constexpr double sharp_below = 0.001;  // radians between them
-constexpr float least_near = 1e-3f;    // of a camera whose near plane lies at the eye
+constexpr float least_near = 1e-3f;    // for a camera whose near plane is at the eye
 
 template <class P> void read_planes(const Node& node, P& p) {
     read(node, "znear", p.near, at_least_zero);
-    p.far = std::max(p.near, least_near) * 1e5f;  // without one it is infinite
+    p.far = std::max(p.near, least_near) * 1e5f;  // without "zfar" it is infinite
     read(node, "zfar", p.far, above_zero);
     if (p.near == 0) p.near = std::min(least_near, p.far / 2);
     if (!(p.far > p.near)) node.fail("zfar is not above znear", "a zfar above znear");
@@ -38,7 +38,7 @@ void read_cone(const Node& node, SpotCone& cone) {
         const Range angles{0, std::numbers::pi / 2 + 1e-6, "0 to pi/2"};
         read(spot, "innerConeAngle", inner, angles);
         read(spot, "outerConeAngle", outer, angles);
-        if (inner > outer)  // equal: an even cone
+        if (inner > outer)  // equal: a cone of even brightness
             spot.fail("innerConeAngle is above outerConeAngle", "an inner cone within the outer one");
     });
     cone.cutoff_deg = std::min(glm::degrees(outer), 90.0f);
@@ -56,7 +56,7 @@ Material material_from(const glm::vec3& base, float metal, float roughness) {
     m.specular = glm::vec3(1);
     m.roughness = roughness;
     const float a = std::max(roughness * roughness, 0.03f);
-    m.shininess = std::clamp(2 / (a * a) - 2, 1.0f, 2000.0f);  // Blinn's highlight of that width
+    m.shininess = std::clamp(2 / (a * a) - 2, 1.0f, 2000.0f);  // a Blinn highlight of that width
     return m;
 }
 
@@ -184,7 +184,7 @@ GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world
                   "axes that have a length, at a place within 1e7");
     const glm::dvec3 right = glm::normalize(glm::cross(up, back));
     const glm::dmat3 world_from_view(right, glm::cross(back, right), back);
-    // Both begin at the eye, however far away that is.
+    // Both start at the eye, however far from the origin that is.
     return {camera, -back, glm::dmat4(glm::transpose(world_from_view) * glm::dmat3(world))};
 }
 
@@ -203,10 +203,10 @@ Light light_from(const Node& node, const std::string& name, const glm::dmat4& pl
     glm::vec3 colour(1);
     float intensity = 1;
     read(node, "color", colour, at_least_zero);
-    // In candela or lux; darken_lights() divides what is too bright.
+    // In candela or lux; darken_lights() scales down bright lights.
     read(node, "intensity", intensity, {0, 1e30, "0 to 1e30"});
     light.diffuse = light.specular = colour;
-    // Lambert's term is here not divided by pi.
+    // Lambert's term is not divided by pi here.
     light.intensity = static_cast<float>(static_cast<double>(intensity) / std::numbers::pi);
     light.space = space;
     const glm::vec3 back(unit_or_zero(glm::dvec3(placed[2])));  // it shines along -z
@@ -236,8 +236,8 @@ std::optional<GltfMetal> metal_of(const Material& m) {
         const glm::vec3 off = glm::max(glm::abs(diffuse - m.diffuse), glm::abs(f0 - m.f0));
         return std::max({off.x, off.y, off.z}) < close;
     };
-    // diffuse + f0 = base + 0.04 (1 - metal): with base = diffuse/(1 - metal), a square equation in 1 - metal
-    // for the sum of the channels.
+    // diffuse + f0 = base + 0.04 (1 - metal): with base = diffuse/(1 - metal), a quadratic equation in 1 -
+    // metal for the sum of the channels.
     const double d = m.diffuse.x + m.diffuse.y + m.diffuse.z, f = m.f0.x + m.f0.y + m.f0.z;
     const double half = (d + f) / 0.24;  // 0.12 k^2 - (d + f) k + d = 0, k = 1 - metal
     const double root = half * half - d / 0.12;

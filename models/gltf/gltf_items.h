@@ -13,30 +13,30 @@
 
 namespace glint {
 
-/// Whether an axis of the matrix has no length that a float can hold.
+/// Whether an axis of the matrix has a length that a float cannot represent.
 [[nodiscard]] bool is_flat(const glm::dmat4& m);
-/// Splits a matrix into T R S; returns nothing where it is flat, or has a number that a scene cannot have.
-/// Sets `sheared` where its axes are not at right angles, which T R S cannot express.
+/// Splits a matrix into T R S; returns nothing if it is flat, or has a number that a scene cannot have. Sets
+/// `sheared` if its axes are not at right angles, which T R S cannot express.
 [[nodiscard]] std::optional<Transform> transform_of(const glm::dmat4& m, bool& sheared);
 
 struct GltfMaterial {
     Material material;  // for cook-torrance, with a shininess whose highlight is as wide
     bool has_textures = false, is_transparent = false, is_double_sided = false;
 };
-/// Reads a metallic-roughness material. A primitive without a material has that of an empty JSON object.
+/// Reads a metallic-roughness material. A primitive without a material uses an empty JSON object.
 [[nodiscard]] GltfMaterial material_of(const Node& node);
 
-/// The inverse: the base colour and the metalness that give the material's diffuse colour and f0; nothing
-/// where none do.
+/// The inverse: the base colour and the metalness that give the material's diffuse colour and f0; nothing if
+/// no such pair exists.
 struct GltfMetal {
     glm::vec3 base;
     float metal;  // 0 to 1
 };
 [[nodiscard]] std::optional<GltfMetal> metal_of(const Material& material);
 
-/// A spot's cone as glTF's two angles, in radians: brightness is even within the inner one and 0 at the outer
-/// one. `is_alike`: reading them again gives the spot's exponent. An exponent that is very small or very
-/// large for its cutoff has no such pair; the spot then becomes even up to its edge.
+/// A spot's cone as glTF's two angles, in radians: brightness is constant within the inner one and 0 from the
+/// outer one on. `is_alike`: reading them again gives the spot's exponent. If the exponent is very small or
+/// very large for its cutoff no such pair exists, and the spot gets constant brightness up to its edge.
 struct GltfCone {
     double inner, outer;
     bool is_alike;
@@ -48,37 +48,37 @@ struct GltfCamera {
     glm::dvec3 ahead;
     glm::dmat4 view_from_node;
 };
-/// Converts the camera of a node; an infinite far distance becomes 100,000 times near. Fails at the node
-/// where a scene can have no such camera.
+/// Converts the camera of a node; an infinite far distance becomes 100,000 times near. Fails at the node if a
+/// scene cannot have such a camera.
 [[nodiscard]] GltfCamera camera_from(const Node& node, const Node& camera, const glm::dmat4& world_from_node);
-/// A point so far ahead of the eye, or further where floats could not tell its direction.
+/// A point at that distance from the eye, or further if floats could not represent its direction.
 [[nodiscard]] glm::vec3 target_of(const glm::vec3& eye, const glm::dvec3& ahead, double distance);
 
 /// Converts a light. `placed` transforms the node's coordinates to those of `space`.
 [[nodiscard]] Light light_from(const Node& light, const std::string& name, const glm::dmat4& placed,
                                LightSpace space);
 
-// What a scene cannot hold of a glTF file, and a glTF file of a scene.
+// Features of a glTF file that a scene cannot express, and the other way round.
 
-/// How many things of each kind were met and left out.
+/// Counts the things of each kind that were left out.
 struct GltfLeftOut {
     std::size_t textures = 0, blended = 0, skins = 0, animations = 0, morphs = 0, lines = 0, sparse = 0,
                 colours = 0;
     std::size_t cameras = 0, sheared = 0, flat = 0, far = 0, lights = 0, ranges = 0;
 };
-/// Returns one warning, with its count, for each kind of object that was met.
+/// Returns one warning, with its count, for each kind of missing object.
 [[nodiscard]] Warnings said_objects(const GltfLeftOut& left);
-/// Returns one for each kind of anything, objects among them.
+/// Returns one for every kind, objects included.
 [[nodiscard]] Warnings said(const GltfLeftOut& left);
 
-/// What glTF cannot say of a scene.
+/// Features of a scene that glTF cannot express.
 struct GltfUnsaid {
     bool frustum = false, mirroring = false, angle = false;  // of the camera
     std::size_t invisible = 0, empty = 0;                    // objects
     std::size_t materials = 0, bright = 0;
     std::size_t off = 0, areas = 0, falloffs = 0, cones = 0, ambients = 0, speculars = 0;  // lights
 };
-/// Returns one warning, with its count, for each kind, and for each that is of the scene as a whole.
+/// Returns one warning, with its count, for each kind, and one for each lost feature of the scene itself.
 [[nodiscard]] Warnings said(const GltfUnsaid& unsaid, const Scene& scene);
 
 }  // namespace glint

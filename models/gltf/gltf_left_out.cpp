@@ -22,7 +22,7 @@ void say_whole(const Scene& scene, Warnings& w) {
         w.emplace_back("the ambient light is left out, which glTF does not have");
 }
 
-/// What decides how faces are drawn and lit, but for the model, and has no words in glTF.
+/// Settings other than the model that affect how faces are drawn and lit, and that glTF cannot express.
 void say_shading(const Scene& scene, Warnings& w) {
     const Shading &now = scene.shading, read;
     std::string names;

@@ -1,4 +1,4 @@
-// A primitive of a mesh as a mesh of ours.
+// Converts a primitive of a glTF mesh to a mesh of ours.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void require_type(const Node& from, std::string_view key, int type, std::initial
                   [&](const Node& at) { at.fail(fmt::format("its componentType is {}", type), expected); });
 }
 
-/// The numbers of the vertices around each triangle, in the order in which the mode strings them together.
+/// The vertex numbers of each triangle, in the order that the mode defines.
 class Triangles {
   public:
     Triangles(const GltfDocument& document, const Node& root, const Node& primitive, std::size_t vertices)
@@ -67,7 +67,7 @@ class Triangles {
     GltfNumbers indices_;
 };
 
-/// An attribute of the vertices: floats, or small integers where the file names the extension for them.
+/// A vertex attribute: floats, or small integers if the file names the extension for them.
 std::vector<glm::vec3> vectors(const GltfDocument& document, const GltfNumbers& numbers,
                                const Node& attributes, const char* what) {
     if (numbers.type == gltf_unsigned_int)
@@ -103,8 +103,8 @@ GltfVertices read_vertices(const GltfDocument& document, const GltfVertexKey& ke
     return read;
 }
 
-/// The vertices of a primitive. What other primitives name, too, is kept in the document; else it is put into
-/// `own`.
+/// The vertices of a primitive. The document keeps vertices that other primitives use as well; all others go
+/// into `own`.
 const GltfVertices& vertices_of(const GltfDocument& document, const Node& root, const Node& attributes,
                                 GltfVertices& own) {
     const GltfVertexKey key = vertex_key_of(document, root, attributes);
@@ -176,7 +176,7 @@ Result<Mesh> GltfFile::mesh(int part) const {
                 "", "/part", fmt::format("the file has no part {}", part),
                 first.back() == 0 ? "a file with a mesh" : fmt::format("0 to {}", first.back() - 1)};
         const auto number = static_cast<std::size_t>(part);
-        // The last mesh that begins there or before: those without primitives begin where the next does.
+        // The last mesh that begins there or before: an empty mesh begins where the next one does.
         const auto in_mesh = static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), number) -
                                                       first.begin() - 1);
         root.with("meshes", [&](const Node& meshes) {

@@ -1,5 +1,5 @@
 #pragma once
-// The nodes of a glTF file, and what they name. Inside models/gltf/ only.
+// The nodes of a glTF file and the items that they refer to. Inside models/gltf/ only.
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -9,20 +9,20 @@
 
 namespace glint {
 
-/// How many elements a list at the root ("meshes") has; 0 where there is none.
+/// The number of elements of a list at the root ("meshes"); 0 if there is no such list.
 [[nodiscard]] std::size_t count_of(const Node& root, std::string_view list);
 
-/// The number that an element of a list of nodes holds; it may be of no node.
+/// The number in a list of nodes; the node may not exist.
 [[nodiscard]] std::uint64_t node_number(const Node& at);
 
-/// Reads what the file calls a node, a mesh or a light, of as many characters as a scene's names may have.
+/// Reads the name of a node, a mesh or a light. It may be as long as a scene's names.
 void read_name(const Node& named, std::string& to);
 
-/// The matrix of a node, from its own coordinates to its parent's. Fails for what the specification forbids:
-/// a matrix beside T, R or S, another bottom row than 0 0 0 1, a quaternion of length 0.
+/// The matrix from a node's own coordinates to its parent's. Fails if the specification forbids it: a matrix
+/// together with T, R or S, a bottom row other than 0 0 0 1, a quaternion of length 0.
 [[nodiscard]] glm::dmat4 local_of(const Node& node);
 
-/// Calls f(Node) with the light that the node names, if it names one. Fails where there is no such light.
+/// Calls f(Node) with the node's light, if the node names one. Fails if that light does not exist.
 template <class F> void with_light(const Node& root, const Node& node, F f) {
     constexpr std::string_view extension = "KHR_lights_punctual";
     static const Json undeclared = Json::object();
@@ -44,8 +44,8 @@ template <class F> void with_light(const Node& root, const Node& node, F f) {
     });
 }
 
-/// Checks every node, whether a scene reaches it or not: fails where local_of() fails, or where a node names
-/// a child, a mesh, a camera or a light that is not there.
+/// Checks every node, whether a scene reaches it or not: fails if local_of() fails, or if a node names a
+/// missing child, mesh, camera or light.
 void check_nodes(const Node& root);
 
 }  // namespace glint

@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// GL's numbers of component types.
+/// OpenGL's constants for component types.
 enum ComponentType { Byte = 5120, UnsignedByte, Short, UnsignedShort, UnsignedInt = 5125, Float };
 
 std::size_t size_of(std::uint64_t type) {
@@ -30,7 +30,7 @@ std::size_t size_of(std::uint64_t type) {
     }
 }
 
-/// The bytes from one element of a buffer view to the next; 0 where it does not say.
+/// The stride of a buffer view in bytes; 0 if it does not state one.
 std::size_t stride_of(const Node& view) {
     std::size_t stride = 0;
     view.with("byteStride", [&](const Node& at) {
@@ -44,10 +44,10 @@ std::size_t stride_of(const Node& view) {
     return stride;
 }
 
-/// Where a buffer view begins, and how long it and each of its elements is.
+/// The start of a buffer view, its length, and that of each element.
 struct View {
     std::string_view bytes;
-    std::size_t stride = 0;  // 0: its elements follow one another
+    std::size_t stride = 0;  // 0: tightly packed
 };
 View view_of(const GltfDocument& document, const Node& view) {
     require_object(view);

@@ -1,4 +1,4 @@
-// The nodes of a file as objects, lights and a camera.
+// Converts the nodes of a file to objects, lights and a camera.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ class SceneReader {
                        [&](const Node& all) { begin_with(Node(all.value()[0], all, std::size_t{0})); });
         else
             begin_with_roots(waiting);
-        std::reverse(waiting.begin(), waiting.end());  // the last is taken first
+        std::reverse(waiting.begin(), waiting.end());  // the last is processed first
         while (!waiting.empty()) {
             const Placed next = waiting.back();
             waiting.pop_back();
@@ -46,8 +46,8 @@ class SceneReader {
   private:
     struct Placed {
         std::uint64_t node;
-        glm::dmat4 world;                // of its parent
-        std::optional<glm::dmat4> view;  // of its parent, from the camera, where that is above it
+        glm::dmat4 world;                // the parent's
+        std::optional<glm::dmat4> view;  // the parent's, from the camera, if that is above it
     };
 
     static void add_numbers(const Node& list, const glm::dmat4& world, const std::optional<glm::dmat4>& view,
@@ -56,7 +56,7 @@ class SceneReader {
             to.push_back({node_number(at), world, view});
         });
     }
-    /// Begins, where the file has no scene, with the nodes that are not children of another node.
+    /// Without a scene in the file, starts with the nodes that are not children of another node.
     void begin_with_roots(std::vector<Placed>& waiting) {
         std::vector<char> is_child(count_of(root_, "nodes"), 0);
         root_.with("nodes", [&](const Node& nodes) {
@@ -106,7 +106,7 @@ class SceneReader {
             read_name(mesh, mesh_name);
             auto part = static_cast<int>(first_parts_[index]);
             mesh.with("primitives", [&](const Node& primitives) {
-                // Many nodes may show a mesh of many primitives of which none becomes an object.
+                // Many nodes may use a mesh with many primitives none of which becomes an object.
                 visited_primitives_ += primitives.value().size();
                 if (visited_primitives_ > max_json_values)
                     node.fail("the nodes show too many primitives",
@@ -155,7 +155,7 @@ class SceneReader {
         return m.material;
     }
 
-    /// Sets `view` where the node holds the scene's camera.
+    /// Sets `view` if this node has the scene's camera.
     void add_camera(const Node& node, const glm::dmat4& world, std::optional<glm::dmat4>& view) {
         if (content_.has_camera) return void(++left_.cameras);
         follow(root_, node, "camera", "cameras", [&](const Node& at) {
@@ -188,7 +188,7 @@ class SceneReader {
         scene.shading.cull = any_double_sided_ ? Cull::None : Cull::Back;
         scene.shading.two_sided = any_double_sided_;
         scene.display.transfer = Transfer::Srgb;
-        scene.display.background = glm::vec3(0.01f, 0.01f, 0.013f);  // as dark as ours, once it is encoded
+        scene.display.background = glm::vec3(0.01f, 0.01f, 0.013f);  // as dark as ours, once encoded
         if (content_.has_lights || content_.is_ours) scene.global_ambient = glm::vec3(0);
         content_.warnings = said(left_);
         content_.objects_left_out = said_objects(left_);

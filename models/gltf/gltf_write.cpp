@@ -1,4 +1,4 @@
-// A scene as a .glb file.
+// Writes a scene as a .glb file.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -92,10 +92,10 @@ class Writer {
         const std::optional<GltfMetal> metal = is_physical ? metal_of(m) : std::nullopt;
         if (!metal || m.specular != glm::vec3(1)) ++unsaid_.materials;
         const glm::vec3 whole = metal ? metal->base : m.diffuse, base = glm::min(whole, glm::vec3(1));
-        // The base colour of a metal is computed, so rounding may bring it slightly above 1. Up to 1e-5
-        // above 1 is tolerated.
+        // The base colour of a metal is computed, so rounding may raise it slightly above 1. Up to 1e-5 above
+        // 1 is tolerated.
         unsaid_.bright += glm::any(glm::greaterThan(whole, glm::vec3(1 + 1e-5f))) ? 1 : 0;
-        // Blinn's highlight of that shininess, where the model has no roughness.
+        // A Blinn highlight of that shininess, if the model has no roughness.
         const float roughness = is_physical ? m.roughness : std::pow(2 / (m.shininess + 2), 0.25f);
         Json out{{"pbrMetallicRoughness",
                   {{"baseColorFactor", {number_json(base.x), number_json(base.y), number_json(base.z), 1}},
@@ -149,9 +149,9 @@ Result<GltfWritten> unchecked_glb_of(const Scene& scene, const std::string& name
     std::uint64_t bytes = 0, text = 0;
     for (const Object& object : scene.objects) {
         if (meshes.insert(mesh_key(object)).second) bytes += 100 * object.mesh->triangles.size();
-        text += 1000 + 2 * object.name.size();  // of its node and mesh
+        text += 1000 + 2 * object.name.size();  // for its node and mesh
     }
-    constexpr std::uint64_t most = 4294967295;  // what the header can say
+    constexpr std::uint64_t most = 4294967295;  // the limit of the header's field
     if (bytes + text > most)
         return Problem{"", "", "the meshes are too large for one .glb file", "less than 4 GiB"};
     return result_of("", [&] { return Writer(scene).write(name); });
