@@ -28,7 +28,7 @@
 namespace glint {
 namespace {
 
-/// A file descriptor that is closed at the end, unless it is a standard stream.
+/// A file descriptor that its destructor closes, unless it is a standard stream.
 class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
@@ -56,7 +56,7 @@ Problem cannot_read(const std::string& path, int error) {
     return cannot("read", path, error, "a regular file that can be read");
 }
 
-/// Asks for the file, links followed; returns 0 or the errno.
+/// Calls stat(), following links; returns 0 or the errno.
 int ask_status(const std::string& path, struct stat& status) {
     if (path.find('\0') != std::string::npos) return ENOENT;
     return ::stat(path.c_str(), &status) == 0 ? 0 : errno;
@@ -74,7 +74,7 @@ Problem too_long(const std::string& path, std::size_t max_bytes) {
     return {path, "", "is too long", fmt::format("at most {} bytes", max_bytes)};
 }
 
-/// `guess`: the size that the system tells, which the file may pass while it is read.
+/// `guess`: the size that the system reports; the file may grow while it is read.
 Result<std::string> read_all(int descriptor, const std::string& path, std::size_t max_bytes,
                              std::size_t guess, const CheckBlock& check) {
     if (guess > max_bytes) return too_long(path, max_bytes);
@@ -97,7 +97,7 @@ Result<std::string> read_all(int descriptor, const std::string& path, std::size_
     }
 }
 
-/// The files that this process has read, as replaced_file() names them.
+/// The files that this process has read, named as by replaced_file().
 struct FilesRead {
     std::mutex mutex;
     std::set<std::string> files;
@@ -116,7 +116,8 @@ void note_read(const std::string& path) {
 Result<std::string> read_regular(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
     struct stat status {};
     if (const int error = ask_status(path, status)) return cannot_read(path, error);
-    // Asked before opening, which would wait at a pipe and may do things to a device; and again after.
+    // Check before opening, which would block at a pipe and may have effects on a device; check again
+    // afterwards.
     if (auto problem = why_not_readable(path, status)) return *problem;
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return cannot_read(path, errno);
@@ -137,8 +138,8 @@ Problem cannot_write(const std::string& path, int error) {
     return cannot("write", path == "-" ? "standard output" : path, error, "a place that can be written");
 }
 
-/// Writing to a pipe that nobody reads sends SIGPIPE, whose default is to end the process without a word.
-/// While this lives, this thread gets EPIPE instead.
+/// Writing to a pipe without a reader sends SIGPIPE, which by default ends the process silently. During the
+/// lifetime of this object the thread gets EPIPE instead.
 class NoSigpipe {
   public:
     NoSigpipe() {
@@ -149,7 +150,7 @@ class NoSigpipe {
     ~NoSigpipe() {
         if (sigismember(&before_, SIGPIPE) == 1) return;
         const timespec now{};
-        while (sigtimedwait(&pipe_, nullptr, &now) == SIGPIPE) {  // take back what we caused
+        while (sigtimedwait(&pipe_, nullptr, &now) == SIGPIPE) {  // remove the signal that we caused
         }
         pthread_sigmask(SIG_SETMASK, &before_, nullptr);
     }
@@ -160,7 +161,7 @@ class NoSigpipe {
     sigset_t pipe_{}, before_{};
 };
 
-/// 0, or the errno of what went wrong.
+/// 0 or the errno of the failure.
 int write_all(int descriptor, std::string_view bytes) {
     const NoSigpipe no_sigpipe;
     while (!bytes.empty()) {
@@ -172,8 +173,8 @@ int write_all(int descriptor, std::string_view bytes) {
     return 0;
 }
 
-/// Returns the end of a chain of links, so that the link stays and the file that it names is replaced; the
-/// end need not exist. A chain longer than the system follows is left for the system to refuse.
+/// Returns the end of a chain of links, so that the link stays and the file that it names is replaced. The
+/// end need not exist. The system rejects a chain that is too long.
 std::string follow_links(std::string path) {
     std::array<char, PATH_MAX> target;  // NOLINT: filled by readlink
     for (int i = 0; i < 40; ++i) {
@@ -186,8 +187,8 @@ std::string follow_links(std::string path) {
     return path;
 }
 
-/// The open descriptor that a name such as /dev/stdout stands for, or -1. The file behind it is not to be
-/// replaced: whoever opened it for us still holds it.
+/// The open descriptor that a name such as /dev/stdout denotes, or -1. The file behind it must not be
+/// replaced: another process has it open.
 int descriptor_named(const std::string& path) {
     if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
     if (path == "/dev/stderr") return STDERR_FILENO;
@@ -201,12 +202,12 @@ int descriptor_named(const std::string& path) {
     return -1;
 }
 
-/// Where bytes for a path go.
+/// The destination of bytes for a path.
 struct Target {
-    int error = 0;                   // errno of what keeps them from going anywhere
+    int error = 0;                   // errno if nothing can be written
     int descriptor = -1;             // an open stream
-    bool straight = false;           // it is written through, else replaced
-    std::string path;                // links followed where it is replaced
+    bool straight = false;           // written in place; false: replaced
+    std::string path;                // links followed if the file is replaced
     std::optional<struct stat> old;  // of the file to be replaced
 };
 
@@ -226,7 +227,7 @@ Target target_of(const std::string& path) {
         target.error = EISDIR;
     } else {
         target.straight = !S_ISREG(status.st_mode);
-        // Renaming would pass over a file that is write-protected.
+        // Renaming would ignore write protection.
         if (::access(path.c_str(), W_OK) != 0) target.error = errno;
         if (!target.straight) target.old = status;
         if (!target.straight) target.path = follow_links(path);
@@ -243,9 +244,9 @@ int write_straight_through(const Target& target, std::string_view bytes) {
     return error != 0 ? error : close_error;
 }
 
-/// Gives a file the owner, group and permission bits of an older one, as far as the system lets us. If the
-/// group cannot be kept, the new group's members were among all others before, and the old group's members
-/// now are. So the new group and others may only do what the old file let both its group and others do.
+/// Gives a file the owner, group and permission bits of an older one, if the system allows it. If the group
+/// cannot be kept, members of the new group counted as "others" before, and members of the old group do now.
+/// So the new group and others get only the rights that the old file gave to both its group and others.
 int take_after(int descriptor, const struct stat& old) {
     struct stat now {};
     if (::fstat(descriptor, &now) != 0) return errno;
@@ -263,21 +264,21 @@ int take_after(int descriptor, const struct stat& old) {
     return ::fchmod(descriptor, mode) != 0 ? errno : 0;
 }
 
-/// Returns the directory of a path; "." where the path names none.
+/// Returns the directory of a path; "." if the path names none.
 std::string directory_of_target(const std::string& path) {
     const std::string directory = path.substr(0, path.rfind('/') + 1);
     return directory.empty() ? "." : directory;
 }
 
-/// Puts a directory's entries on the disk, so that a new name outlives a loss of power. Some file systems
-/// cannot do that, which is not an error: the file is in its place.
+/// Syncs a directory's entries to the disk, so that a new name survives a power failure. Some file systems
+/// cannot do that. This is not an error: the file is complete.
 void sync_directory(const std::string& directory) {
     const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened.number() >= 0) (void)::fsync(opened.number());
 }
 
 /// Calls `make` with names for a temporary file next to `target` until it does not fail with EEXIST. Returns
-/// the name of the file that it made; empty on an error, which is in `error`.
+/// the name of the created file; on failure it is empty and `error` is set.
 template <class Make> std::string new_name(const std::string& target, int& error, const Make& make) {
     static std::atomic<unsigned> counter = 0;
     const std::string directory = target.substr(0, target.rfind('/') + 1);
@@ -291,7 +292,7 @@ template <class Make> std::string new_name(const std::string& target, int& error
 }
 
 /// Writes a new file next to the target, then renames it over the target. Returns 0 or an errno. A file with
-/// O_TMPFILE gets its name when it is complete, so that a process that is killed leaves nothing behind.
+/// O_TMPFILE gets its name once it is complete, so that a killed process leaves no file behind.
 int replace(const Target& target, std::string_view bytes, bool unnamed) {
     const mode_t mode = target.old ? 0600 : 0666;  // until it has the old file's permissions
     int error = 0, number = -1;
@@ -328,13 +329,13 @@ int write_to(const Target& target, std::string_view bytes) {
     return replace(target, bytes, false);  // as on file systems without O_TMPFILE
 }
 
-/// Why a directory will not let the file be replaced: an errno, or 0.
+/// The errno that keeps a directory's file from being replaced, or 0.
 int why_not_replaceable(const Target& target) {
     const std::string directory = directory_of_target(target.path);
     if (::access(directory.c_str(), W_OK | X_OK) != 0) return errno;
     struct stat status {};
     if (!target.old || ::geteuid() == 0 || ::stat(directory.c_str(), &status) != 0) return 0;
-    // In a sticky one, such as /tmp, only the owner of the file or of the directory may (rename(2)).
+    // In a sticky directory such as /tmp only the owner of the file or of the directory may (rename(2)).
     const bool sticky = (status.st_mode & S_ISVTX) != 0;
     return sticky && target.old->st_uid != ::geteuid() && status.st_uid != ::geteuid() ? EPERM : 0;
 }
@@ -353,7 +354,7 @@ std::string reason(int error) {
         break;
     }
     std::string words = std::generic_category().message(error);
-    const bool is_acronym = words.size() > 1 && words[1] >= 'A' && words[1] <= 'Z';  // as RPC and NFS
+    const bool is_acronym = words.size() > 1 && words[1] >= 'A' && words[1] <= 'Z';  // such as RPC and NFS
     if (!words.empty() && words[0] >= 'A' && words[0] <= 'Z' && !is_acronym)
         words[0] = static_cast<char>(words[0] - 'A' + 'a');
     return words;
@@ -363,7 +364,7 @@ std::string lower_extension(const std::string& path) {
     const std::filesystem::path name = std::filesystem::path(path).filename();
     std::string extension = name.extension().string();
     if (extension.empty() && name.string().starts_with('.'))
-        extension = name.string();  // ".png" ends so, too
+        extension = name.string();  // a file named ".png" has this extension as well
     for (char& c : extension)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return extension;

@@ -31,7 +31,7 @@ std::string latex_escaped(std::string_view text) {
     std::string out;
     for (const char c : on_one_line(text)) {
         switch (c) {
-        case '<':  // in LaTeX's first font encoding these three are other characters
+        case '<':  // these three are other characters in LaTeX's first font encoding
             out += "\\textless{}";
             break;
         case '>':

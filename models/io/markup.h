@@ -1,5 +1,5 @@
 #pragma once
-// Text and bytes as they may stand in a page (HTML) or in a paper (LaTeX).
+// Encodes text and bytes for use in a page (HTML) or in a paper (LaTeX).
 
 #include <string>
 #include <string_view>

@@ -14,7 +14,7 @@ namespace glint {
 namespace {
 
 constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
-constexpr std::size_t max_png_bytes = std::size_t{4} << 30;  // 16384 x 16384 pixels that nothing compresses
+constexpr std::size_t max_png_bytes = std::size_t{4} << 30;  // 16384 x 16384 incompressible pixels
 constexpr int max_texts = 8;  // a short file may inflate to `max_bytes` for each
 
 struct PngFault {};
@@ -42,7 +42,7 @@ class ChunkReader {
     ChunkReader& operator=(const ChunkReader&) = delete;
 
     void read_before_pixels() { png_read_info(png_, info_); }
-    /// Skips the pixels: the library wants to have begun with them.
+    /// Skips the pixels. libpng requires that reading them has started.
     void read_to_end() {
         png_start_read_image(png_);
         png_read_end(png_, info_);
@@ -56,7 +56,7 @@ class ChunkReader {
             result.texts.emplace_back(texts[i].key, std::string(texts[i].text, texts[i].itxt_length));
         return result;
     }
-    /// Whether a text was passed over: damaged, too long or one too many.
+    /// Whether a text was skipped because it was damaged, too long or one too many.
     [[nodiscard]] bool has_bad_text() const { return has_bad_text_; }
 
   private:

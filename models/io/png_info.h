@@ -1,6 +1,6 @@
 #pragma once
-// What a PNG picture carries besides its pixels: Glint writes the scene of a picture into it
-// (docs/formats.md). libpng reads it.
+// The data of a PNG picture besides its pixels: Glint writes a picture's scene into it (docs/formats.md).
+// Uses libpng.
 
 #include <cstdint>
 #include <string>
@@ -20,9 +20,9 @@ struct PngInfo {
     [[nodiscard]] const std::string* text(std::string_view keyword) const;
 };
 
-/// Reads the chunks before the pixels, and those after them unless a text with that keyword is among the
-/// first. Problems, with `file`: no PNG, damaged or cut off, no text with the keyword, a text of more than
-/// `max_bytes`.
+/// Reads the chunks before the pixels. If no text with that keyword is among them, reads those after the
+/// pixels, too. Problems, with `file`: not a PNG, damaged or truncated, no text with the keyword, a text of
+/// more than `max_bytes`.
 [[nodiscard]] Result<PngInfo> png_info(std::string_view bytes, std::string_view keyword,
                                        std::size_t max_bytes, const std::string& file);
 
