@@ -1,6 +1,6 @@
 #pragma once
-// Checked access to a JSON document: every value is read with its type and range, and what is wrong is thrown
-// as a ProblemFound with the value's pointer (the file is filled in by whoever catches it).
+// Checked access to a JSON document: every value is read with its type and range. An error is thrown as a
+// ProblemFound with the value's pointer; the catching function adds the file.
 
 #include <array>
 #include <glm/vec3.hpp>
@@ -25,13 +25,13 @@ class Node {
     [[nodiscard]] const Json& value() const { return value_; }
     [[nodiscard]] std::string pointer() const;
     [[noreturn]] void fail(std::string what, std::string expected) const;
-    /// Throws that the value has another type than expected: `"abc" is a string; expected ...`.
+    /// Throws that the value has an unexpected type: `"abc" is a string; expected ...`.
     [[noreturn]] void wrong_type(std::string expected) const;
 
     /// Fails unless this is an object with no keys but these.
     void allow_keys(const std::vector<std::string>& known) const;
     [[nodiscard]] bool has(std::string_view key) const { return value_.contains(key); }
-    /// Calls f(Node) with the value of that key, if it is there. Precondition: allow_keys has passed.
+    /// Calls f(Node) with the value of that key, if it exists. Precondition: allow_keys has passed.
     template <class F> void with(std::string_view key, F f) const {
         if (const auto found = value_.find(key); found != value_.end()) f(Node(*found, *this, key));
     }
@@ -50,15 +50,16 @@ class Node {
     std::size_t index_ = 0;
 };
 
-/// The number as a float. It is checked as written and again as a float: 1e-50 is above 0, its float is not.
+/// The number as a float. Both the written number and the float are checked: 1e-50 is above 0, its float is
+/// not.
 [[nodiscard]] float number(const Node& node, const Range& range = any_number);
 /// Reads an array of `least` to `most` numbers within `range`, unrounded.
 [[nodiscard]] std::vector<double> numbers(const Node& node, std::size_t least, std::size_t most,
                                           const Range& range = any_number);
 [[nodiscard]] const std::string& text(const Node& node, std::string_view expected = "a string");
 
-/// Each of these reads the value of a key into `to`, and leaves it when the key is not there. A string fails
-/// that has more than `max_characters`; 0: there may be any number.
+/// Each of these reads the value of a key into `to`, and leaves `to` unchanged if the key is missing. A
+/// string with more than `max_characters` fails; 0: unlimited.
 void read(const Node& object, std::string_view key, bool& to);
 void read(const Node& object, std::string_view key, std::string& to, std::size_t max_characters = 0);
 void read(const Node& object, std::string_view key, float& to, const Range& range = any_number);

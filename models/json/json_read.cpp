@@ -1,4 +1,4 @@
-// Strict reading: where the library stops, and what is wrong there in our words.
+// Strict reading: finds where the library stopped, and describes the error in our own messages.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -20,21 +20,21 @@ namespace {
 
 constexpr std::string_view white_space = " \t\r\n";
 
-/// What a parser understood last.
+/// The last thing that the parser accepted.
 enum class JsonEvent { Nothing, Key, Value, OpenedObject, OpenedArray };
 enum class JsonContainer { None, Object, Array };
 
-/// Where a parser stopped.
+/// The position at which the parser stopped.
 struct JsonStop {
     std::string_view text;
-    std::size_t understood = 0;  // end of what it understood last
-    std::size_t reached = 0;     // end of what it looked at
+    std::size_t understood = 0;  // end of what it accepted
+    std::size_t reached = 0;     // end of what it read
     JsonEvent last = JsonEvent::Nothing;
-    JsonContainer container = JsonContainer::None;  // around the place
+    JsonContainer container = JsonContainer::None;  // around that position
 };
 
 struct Fault {
-    std::size_t place;  // of the first character that does not fit
+    std::size_t place;  // of the first unexpected character
     std::string_view expected;
     bool string_fits;  // a string is allowed here
 };
@@ -44,8 +44,8 @@ std::size_t skip_space(std::string_view text, std::size_t place) {
     return std::min(text.find_first_not_of(white_space, place), text.size());
 }
 
-/// A key needs a colon after it, a value in a container a comma. The fault is what the text has instead, or
-/// what follows it.
+/// A key needs a colon after it, a value in a container a comma. The fault is the character found instead, or
+/// the text after it.
 Fault fault_of(const JsonStop& stop) {
     const std::size_t next = skip_space(stop.text, stop.understood);
     const char c = next < stop.text.size() ? stop.text[next] : '\0';
@@ -68,7 +68,7 @@ Fault fault_of(const JsonStop& stop) {
     return {};  // not reached
 }
 
-/// The whole word or number that starts here, or the one character.
+/// The word or number that starts here, or a single character.
 std::string_view word_at(std::string_view text) {
     const auto in_word = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '+' ||
@@ -96,7 +96,7 @@ Problem broken_string(const JsonStop& stop, std::string_view rest) {
             "\\\", \\\\, \\/, \\b, \\f, \\n, \\r, \\t, or \\u and four hex digits, surrogates in pairs"};
 }
 
-/// Line, what is wrong and what was expected; without the file.
+/// Line, error and expected text; without the file.
 Problem syntax_problem(const JsonStop& stop) {
     const Fault fault = fault_of(stop);
     const std::string_view rest = stop.text.substr(fault.place);
@@ -110,12 +110,12 @@ Problem syntax_problem(const JsonStop& stop) {
         if (fault.string_fits) return broken_string(stop, rest);
         return {"", "", "unexpected " + in_quotes(rest.substr(1, rest.find('"', 1) - 1)), expected};
     }();
-    const std::size_t last = stop.text.find_last_not_of(white_space);  // for a text that ends too early
+    const std::size_t last = stop.text.find_last_not_of(white_space);  // for a text that ends early
     const int line = line_of(stop.text, last == std::string_view::npos ? 0 : std::min(fault.place, last));
     return {"", "", problem.what, problem.expected, line};
 }
 
-/// An iterator that reports how far it has read: the library tells its listener what it met, but not where.
+/// An iterator that reports its position: the library's events have no positions.
 struct CountingIterator {
     using iterator_category = std::input_iterator_tag;
     using value_type = char;
@@ -134,8 +134,8 @@ struct CountingIterator {
     bool operator==(const CountingIterator& o) const { return at == o.at; }
 };
 
-/// Builds the document from the parser's events and refuses what a document must not have. The names of the
-/// events are the library's.
+/// Builds the document from the parser's events and rejects what a document must not contain. The library
+/// defines the names of the events.
 class Builder {
   public:
     Builder(std::string_view text, const std::string& file)
@@ -180,8 +180,8 @@ class Builder {
     }
 
   private:
-    /// An object or an array that is not closed yet. It becomes a Json when it is complete: the library's
-    /// objects copy their members when they grow.
+    /// An object or an array that is not closed yet. It becomes a Json once complete: the library's objects
+    /// copy their members when they grow.
     struct Open {
         JsonContainer kind = JsonContainer::None;
         std::string key;  // in the object around it; unused in an array
@@ -205,7 +205,7 @@ class Builder {
         understood_ = place();
     }
 
-    /// The value belongs to the key that was read last, to the end of the innermost array, or is the root.
+    /// Adds the value to the key that was read last, appends it to the innermost array, or makes it the root.
     bool put(Json v) {
         if (++count_ > max_json_values)
             fail({"", "", "too many values", fmt::format("at most {} in a scene", max_json_values)});
@@ -221,8 +221,8 @@ class Builder {
     }
     template <class Number> bool number(Number n) {
         put(n);
-        // The parser knows the end of a number by the character after it, which it has read too, unless the
-        // text ended. Only after a 0, as in 01, can that character be a digit.
+        // The parser finds the end of a number by reading the next character, unless the text ends. Only
+        // after a 0, as in 01, can that character be a digit.
         const bool digit = std::isdigit(static_cast<unsigned char>(reached_[-1])) != 0;
         const bool after_zero = std::is_integral_v<Number> && n == 0 && place() > 1 && reached_[-2] == '0';
         if (!digit || after_zero) --understood_;
@@ -265,10 +265,10 @@ class Builder {
     const char* reached_;
     ParsedBytes parsed_;
     Json root_;
-    std::vector<Open> open_;  // around the place, outermost first
-    std::string key_;         // that was read last
+    std::vector<Open> open_;  // the enclosing ones, outermost first
+    std::string key_;         // the key read last
     JsonEvent last_ = JsonEvent::Nothing;
-    std::size_t understood_ = 0;  // where what was understood last ends
+    std::size_t understood_ = 0;  // end of what was accepted last
     std::size_t count_ = 0;
 };
 
@@ -288,7 +288,7 @@ Json parsed_json(std::string_view text, const std::string& file) {
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)  // its end to the library
         refuse("the byte 0x00", "text without it, which JSON never has", line_of(text, zero));
     Builder builder(text, file);
-    Json::sax_parse(builder.begin(), builder.end(), &builder);  // an error is thrown
+    Json::sax_parse(builder.begin(), builder.end(), &builder);  // an error throws
     return std::move(builder).take();
 }
 

@@ -1,4 +1,4 @@
-// Writing.
+// Writes JSON.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ void append_line(std::string& text, const Json& json, std::string_view comma) {
     }
 }
 
-/// Writes one entry per line after its indentation, with write(), between two brackets.
+/// Writes one entry per line with write(), indented and between two brackets.
 template <class Entries, class Write>
 void append_lines(std::string& text, const Entries& entries, std::string_view brackets, std::size_t indent,
                   Write write) {

@@ -8,7 +8,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Taylor series for |a| <= pi/4: the first term left out is below 2e-16.
+/// Taylor series for |a| <= pi/4: the first omitted term is below 2e-16.
 CosSin small_angle(double a) {
     const double q = a * a;
     double c = 0, s = 0;
@@ -19,7 +19,7 @@ CosSin small_angle(double a) {
     return {1 - c, a * (1 - s)};
 }
 
-/// Turns an angle further by that many quarters of a turn.
+/// Rotates an angle by that many quarter turns.
 CosSin turned(CosSin a, std::int64_t quarters) {
     for (std::int64_t i = quarters & 3; i > 0; --i) a = {-a.s, a.c};
     return a;
@@ -52,7 +52,7 @@ double angle_of(double x, double y) {
         base = pi / 4;
     }
     const double q = t * t;
-    double series = 0;  // t - t^3/3 + t^5/5 ..., |t| <= 0.4143: the first term left out is below 5e-10
+    double series = 0;  // t - t^3/3 + t^5/5 ..., |t| <= 0.4143: the first omitted term is below 5e-10
     for (int k = 19; k >= 1; k -= 2) series = 1.0 / k - q * series;
     double angle = base + t * series;
     if (steep) angle = pi / 2 - angle;

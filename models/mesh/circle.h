@@ -1,6 +1,6 @@
 #pragma once
-// Cosine and sine for making meshes: only + - x and integers, so that a mesh has the same bytes on every
-// machine (a C library may pick another routine for another CPU, and its last bit with it).
+// Cosine and sine for making meshes. They use only + - x and integers, so that a mesh has the same bytes on
+// every machine (a C library may use another routine on another CPU, with another last bit).
 
 #include <cstdint>
 

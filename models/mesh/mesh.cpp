@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-// A corner takes at most about a thousand steps of ear clipping: a few milliseconds from report to report.
+// A corner takes up to about a thousand steps of ear clipping: a few milliseconds between two reports.
 constexpr std::size_t corners_between_reports = 1 << 14;
 
 Bounds bounds_of_faces(const Mesh& mesh) {
@@ -40,7 +40,7 @@ std::array<glm::dvec3, 8> corners_of(const Bounds& bounds) {
 }
 
 std::optional<std::string> rounding_warning(const Bounds& bounds) {
-    constexpr float fewest_steps = 1000;  // across; of fewer, each is seen in a picture
+    constexpr float fewest_steps = 1000;  // across; with fewer, each step is visible in a picture
     float farthest = 0, across = 0;
     for (int i = 0; i < 3; ++i) {
         farthest = std::max({farthest, std::abs(bounds.min[i]), std::abs(bounds.max[i])});
@@ -95,7 +95,7 @@ void finish_mesh(Mesh& mesh) {
 
 namespace {
 
-/// The vertices of a polygon, each once, in ascending order.
+/// The vertices of a polygon in ascending order, without repetitions.
 void vertex_set(const Mesh& mesh, std::size_t face, std::vector<std::uint32_t>& set) {
     const auto corners = mesh.corners_of(face);
     set.assign(corners.begin(), corners.end());
@@ -103,14 +103,14 @@ void vertex_set(const Mesh& mesh, std::size_t face, std::vector<std::uint32_t>& 
     set.erase(std::unique(set.begin(), set.end()), set.end());
 }
 
-/// Faces that have the vertices of an earlier one. Only sets of one hash are compared.
+/// Faces that have the vertices of an earlier one. Only sets with the same hash are compared.
 std::size_t count_duplicates(const Mesh& mesh) {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> by_hash(mesh.face_count());
     std::vector<std::uint32_t> set, other;
     for (std::uint32_t f = 0; f < by_hash.size(); ++f) {
         vertex_set(mesh, f, set);
         std::uint64_t hash = 0x9E3779B97F4A7C15u;
-        for (const std::uint32_t v : set) {  // splitmix64's steps, vertex by vertex
+        for (const std::uint32_t v : set) {  // splitmix64, vertex by vertex
             hash = (hash ^ v) * 0xBF58476D1CE4E5B9u;
             hash = (hash ^ hash >> 27) * 0x94D049BB133111EBu;
             hash ^= hash >> 31;

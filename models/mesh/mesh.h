@@ -1,8 +1,7 @@
 #pragma once
-// A polygon mesh as it was given: polygons of any size are kept as polygons (for flat shading and
-// silhouettes) and cut into triangles for rasterising. Nothing is merged, dropped or reordered, so that a
-// face number means the same here, in the file and in `glint explain`. Immutable once made; shared by
-// pointer-to-const.
+// A polygon mesh as given. Polygons of any size are kept (for flat shading and silhouettes) and cut into
+// triangles for rasterization. Nothing is merged, dropped or reordered, so that a face number means the same
+// here, in the file and in `glint explain`. Immutable once made; shared by pointer-to-const.
 
 #include <array>
 #include <cstdint>
@@ -19,11 +18,11 @@ namespace glint {
 
 inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
 
-/// Where the normals that a mesh carries come from.
+/// The origin of the normals that a mesh has.
 enum class GivenNormals { None, File, Analytic };
 
-/// Three corners of one polygon, counter-clockwise seen from outside as the file gives them.
-/// Within a fan the triangle is (first, i, i + 1): its last corner is OpenGL's provoking one.
+/// Three corners of one polygon, counter-clockwise seen from outside in the file's orientation. Within a fan
+/// the triangle is (first, i, i + 1): its last corner is OpenGL's provoking one.
 struct Triangle {
     std::array<std::uint32_t, 3> corner;  // indices into Mesh::corner_position
     std::uint32_t face;
@@ -34,7 +33,7 @@ struct Bounds {
     glm::vec3 min{0}, max{0};
     bool operator==(const Bounds&) const = default;
 };
-/// Returns the corners, x changing fastest, then y.
+/// Returns the corners; x changes fastest, then y.
 [[nodiscard]] std::array<glm::dvec3, 8> corners_of(const Bounds& bounds);
 
 struct Mesh {
@@ -45,13 +44,13 @@ struct Mesh {
     std::vector<glm::vec3> normals;            // as given (a file's may not be unit), object coordinates
     std::vector<std::uint32_t> corner_normal;  // #C, indices into normals or no_index; empty: corner c has
                                                // (when normals are given) normals[corner_position[c]]
-    std::vector<glm::vec3> colors;             // #V, linear RGB; empty when the file has none
+    std::vector<glm::vec3> colors;             // #V, linear RGB; empty if the file has none
     std::vector<Triangle> triangles;           // in order of faces; degenerate polygons give none
     Bounds bounds;                             // of the positions that faces use
-    Warnings warnings;                         // what was tolerated while reading and cutting
+    Warnings warnings;                         // for input that was tolerated while reading and cutting
     double load_ms = 0;                        // time to read or make it
-    std::size_t given_triangles = 0;           // of the mesh that this one was made of, finer or coarser
-                                      // (models/mesh/resolution/resolution.h); 0: it is as it was given
+    std::size_t given_triangles = 0;           // of the original of a refined or coarsened mesh
+                                      // (models/mesh/resolution/resolution.h); 0: this is the original
 
     [[nodiscard]] std::size_t face_count() const {
         return first_corner.empty() ? 0 : first_corner.size() - 1;
@@ -68,31 +67,31 @@ struct Mesh {
 
 using MeshPtr = std::shared_ptr<const Mesh>;
 
-/// The size of a file of meshes, and of all the files that it names together.
+/// The limit of the size of a mesh file, and of all files that one mesh file names together.
 inline constexpr std::size_t max_mesh_file_bytes = std::size_t{2} << 30;
 
-/// Says that a shape is so small, and so far from the origin, that the rounding of its coordinates to floats
-/// shows; nothing of any other.
+/// Returns a warning if a shape is so small, and so far from the origin, that the rounding of its coordinates
+/// to floats is visible; otherwise nothing.
 [[nodiscard]] std::optional<std::string> rounding_warning(const Bounds& bounds);
 
 /// Fills in triangles and bounds from the polygon list: convex polygons as a fan from the first corner,
 /// others by ear clipping (above 1000 corners as a fan, with a warning). A corner that repeats the one before
-/// it is skipped, with a warning. A polygon that comes back to an earlier corner gets a warning, too, but not
-/// where a bridge joins its outline to a hole. Polygons with fewer than three distinct corners or no area
-/// keep their number, give no triangle and a warning with their count. No triangle without an area is made.
-/// Reports the load's progress; throws LoadCancelled (models/progress.h) when this thread's load shall end.
+/// it is skipped with a warning. A polygon that returns to an earlier corner gets a warning as well, unless a
+/// bridge joins its outline to a hole there. Polygons with fewer than three distinct corners or no area keep
+/// their number, give no triangle and a warning with their count. Every triangle has an area. Reports the
+/// load's progress; throws LoadCancelled (models/progress.h) when this thread's load is cancelled.
 void finish_mesh(Mesh& mesh);
 
-/// What `glint info` says of a mesh. Counts are of what the file holds, before any repair.
+/// The statistics of `glint info`. Counts refer to the file's contents, before any repair.
 struct MeshInfo {
     std::size_t vertices = 0, faces = 0, triangles = 0, quads = 0,
                 polygons = 0;            // polygons: 5 corners and more
-    std::size_t edges = 0;               // pairs of different vertices that follow one another in a polygon
-    std::size_t boundary_edges = 0;      // one polygon runs along it, once
-    std::size_t non_manifold_edges = 0;  // more than two do
-    std::size_t inconsistent_edges = 0;  // two do, in the same direction: one of them is wound the wrong way
+    std::size_t edges = 0;               // pairs of different vertices that are consecutive in a polygon
+    std::size_t boundary_edges = 0;      // belong to one polygon, once
+    std::size_t non_manifold_edges = 0;  // belong to more than two
+    std::size_t inconsistent_edges = 0;  // belong to two in the same direction: one has the wrong winding
     std::size_t degenerate_faces = 0;    // fewer than three distinct corners, or no area
-    std::size_t duplicate_faces = 0;     // the same vertices as an earlier face, whatever their order
+    std::size_t duplicate_faces = 0;     // the same vertices as an earlier face, in any order
     Bounds bounds;
     Warnings warnings;
     double load_ms = 0;

@@ -27,7 +27,7 @@ CornerNormals facet_normals(const Mesh& mesh) {
     return result;
 }
 
-/// The corners without a normal of the mesh's own, or with a zero one.
+/// The corners without a given normal, or with a zero one.
 std::vector<std::size_t> corners_without_normal(const Mesh& mesh) {
     std::vector<std::size_t> without;
     for (std::size_t c = 0; c < mesh.corner_position.size(); ++c) {
@@ -37,7 +37,7 @@ std::vector<std::size_t> corners_without_normal(const Mesh& mesh) {
     return without;
 }
 
-/// The mesh's own normals, made unit; corners without one take their vertex normal.
+/// The given normals, made unit; corners without one use their vertex normal.
 CornerNormals given_normals(const Mesh& mesh, const NormalOptions& options) {
     CornerNormals result;
     result.normals.reserve(mesh.normals.size());

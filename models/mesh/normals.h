@@ -45,51 +45,51 @@ constexpr Choice choice_of(NormalWeighting weighting) {
 struct NormalOptions {
     NormalSource source = NormalSource::Auto;
     NormalWeighting weighting = NormalWeighting::Angle;
-    float crease_deg = 180;  // 0 to 180; facets that meet at more are not averaged across; 180: no crease
-    bool flip = false;       // shading takes -n for every normal; corner_normals() does not heed it
+    float crease_deg = 180;  // 0 to 180; facets that meet at more are not averaged; 180: no crease
+    bool flip = false;       // shading uses -n for every normal; corner_normals() ignores it
     bool operator==(const NormalOptions&) const = default;
 };
 
-/// v / |v|; (0, 0, 0) stays so.
+/// v / |v|; (0, 0, 0) is returned unchanged.
 [[nodiscard]] glm::dvec3 unit_or_zero(const glm::dvec3& v);
 
 /// Unit normal of triangle a, b, c, on the side from which they run counter-clockwise.
-/// Three points in one frame, any unit of length; the result is in that frame.
-/// Degenerate (equal or collinear corners): (0, 0, 0), which lights black and is counted by `glint info`.
-/// Source: lecture, "Computing Normals": the cross product of two edges that leave one corner.
+/// Three points in the same frame, any unit of length; the result is in that frame.
+/// Degenerate (equal or collinear corners): (0, 0, 0), which is lit black and counted by `glint info`.
+/// Source: lecture, "Computing Normals": the cross product of two edges at one corner.
 [[nodiscard]] glm::vec3 facet_normal(glm::vec3 a, glm::vec3 b, glm::vec3 c);
 
-/// Unit normal of polygon f by Newell's method, object coordinates, outward; (0, 0, 0) when it has no area.
+/// Unit normal of polygon f by Newell's method, object coordinates, outward; (0, 0, 0) if it has no area.
 /// Source: M. Newell, in Sutherland, Sproull, Schumacker 1974.
 [[nodiscard]] glm::vec3 facet_normal(const Mesh& mesh, std::size_t face);
 
-/// Returns the source of the normals of corner_normals(): `asked`, or for `auto`, and for one that the mesh
-/// does not have, Vertex, File or Analytic.
+/// Returns the source that corner_normals() uses: `asked`, or Vertex, File or Analytic for `auto` and for a
+/// source that the mesh does not have.
 [[nodiscard]] NormalSource used_source(const Mesh& mesh, NormalSource asked);
 
-/// Normals of all corners, object coordinates, unit (or zero where nothing defines one).
+/// Normals of all corners, object coordinates, unit (or zero if undefined).
 struct CornerNormals {
     std::vector<glm::vec3> normals;
     std::vector<std::uint32_t>
         corner;                 // #C, indices into normals; empty: corner c has normals[corner_position[c]]
-    Warnings warnings;          // source fallen back, corners without a normal
-    std::size_t of_facets = 0;  // of `normals` the last so many: those of facets, where a sum cancels
+    Warnings warnings;          // fallback to another source, corners without a normal
+    std::size_t of_facets = 0;  // the last of `normals`, this many, are facet normals, used if a sum cancels
 };
-/// Finds the normals by the source, weighting and crease of `options`. A source that the mesh does not have
-/// falls back as `auto` does, with a warning; corners without a normal of the chosen source (or with a zero
-/// one) take their vertex normal, with a counted warning. `crease_deg` is used by vertex normals only. Never
-/// NaN. 1 million triangles: about 60 ms; with a crease below 180 degrees, which needs the topology, 300 ms.
+/// Computes the normals by the source, weighting and crease of `options`. A source that the mesh does not
+/// have falls back like `auto`, with a warning; corners without a normal of the chosen source (or with a zero
+/// one) use their vertex normal, with a counted warning. Only vertex normals use `crease_deg`. Never NaN. 1
+/// million triangles: about 60 ms; with a crease below 180 degrees, which needs the topology, 300 ms.
 [[nodiscard]] CornerNormals corner_normals(const Mesh& mesh, const NormalOptions& options);
 
-/// The warning that corner_normals() gives of corners without a normal in the mesh's own, for `glint info`.
+/// The warning of corner_normals() about corners without a given normal, for `glint info`.
 void warn_of_missing_normals(const Mesh& mesh, Warnings& warnings);
 
 // Vertex normals: facet normals averaged around each vertex (lecture: "Vertex Normals").
 // Source: G. Thürmer and C. Wüthrich, JGT 3(1), 1998 (weighting by angle).
 
-/// Groups the corners at each vertex whose facets are joined there, perhaps through other facets, across
+/// Groups the corners at each vertex whose facets are joined there, directly or through other facets, across
 /// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). An edge of exactly
-/// that angle is joined here; as a stroke (renderer/strokes/stroke_edges.h) it is drawn. Source:
+/// that angle is joined here, but drawn as a stroke (renderer/strokes/stroke_edges.h). Source:
 /// docs/scene_file.md, `normals/crease_deg`.
 struct CreaseGroups {
     std::vector<std::uint32_t> group;  // #C, numbered from 0 in the order of their first corner
@@ -97,11 +97,11 @@ struct CreaseGroups {
 };
 [[nodiscard]] CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg);
 
-/// Sums the weighted unit facet normals around each vertex (with a crease below 180 degrees, of each group of
-/// crease_groups() there) and makes the sum unit; object coordinates. Where a sum cancels (is shorter than
-/// 1e-6 of its weights), each corner takes its facet normal. Degenerate facets take no part; their corners
-/// get 0 where no other facet is averaged. The angle at a corner is the interior one, which may exceed 180
-/// degrees in a polygon that is not convex. `corner` stays empty when one normal per position is enough.
+/// Sums the weighted unit facet normals around each vertex (with a crease below 180 degrees, those of each
+/// group of crease_groups()) and normalizes the sum; object coordinates. If a sum cancels (is shorter than
+/// 1e-6 of its weights), each corner uses its facet normal. Degenerate facets are ignored; their corners get
+/// 0 if no other facet is averaged. The angle at a corner is the interior one, which may exceed 180 degrees
+/// in a polygon that is not convex. `corner` stays empty if one normal per position is enough.
 [[nodiscard]] CornerNormals vertex_normals(const Mesh& mesh, NormalWeighting weighting, float crease_deg);
 
 }  // namespace glint

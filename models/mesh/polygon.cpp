@@ -28,8 +28,8 @@ PolygonPlane polygon_plane(const Mesh& mesh, std::size_t face) {
     const auto& p = mesh.positions;
     if (corners.size() < 3) return {};
     if (corners.size() == 3) return triangle_plane(p[corners[0]], p[corners[1]], p[corners[2]]);
-    // Newell's sum equals the sum of the fan's cross products. Taken about the first corner, so that a
-    // polygon far from the origin loses nothing.
+    // Newell's sum equals the sum of the fan's cross products. It is computed relative to the first corner,
+    // so that a polygon far from the origin loses no precision.
     const glm::dvec3 origin(p[corners[0]]);
     glm::dvec3 twice_area(0), before = glm::dvec3(p[corners[1]]) - origin;
     double longest_squared = glm::dot(before, before);
@@ -52,7 +52,7 @@ void distinct_corners(const Mesh& mesh, std::size_t face, std::vector<std::uint3
 
 namespace {
 
-// Sine of a turn below which a corner counts as straight: floats that lie on a line do so to about 1e-7.
+// Sine of a turn below which a corner counts as straight: rounding turns a straight line by about 1e-7.
 constexpr double straight = 1e-6;
 
 constexpr std::size_t no_corner = static_cast<std::size_t>(-1);  // past either end of the sweep
@@ -66,21 +66,21 @@ template <class P> double cross(const P& a, const P& b, const P& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Sine of the angle at a from b to c; 0 when b or c is a.
+/// Sine of the angle at a from b to c; 0 if b or c is a.
 template <class P> double turn(const P& a, const P& b, const P& c) {
     const double bb = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
     const double cc = (c.x - a.x) * (c.x - a.x) + (c.y - a.y) * (c.y - a.y);
     return bb * cc > 0 ? cross(a, b, c) / std::sqrt(bb * cc) : 0;
 }
 
-/// The longest side of a triangle: its cross product over that is its least height.
+/// The longest side of a triangle: the cross product over it is the smallest height.
 template <class P> double longest_side(const P& a, const P& b, const P& c) {
     return std::max({std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - a.x, c.y - a.y),
                      std::hypot(c.x - b.x, c.y - b.y)});
 }
 
-/// How far a corner and the line through two others can be moved against each other by the rounding of their
-/// coordinates: each by half of a float's last bit along each axis.
+/// The largest movement of a corner relative to the line through two others that the rounding of their
+/// coordinates causes: half of a float's last bit for each point along each axis.
 double rounding_of(const Mesh& mesh, const std::vector<std::uint32_t>& corners) {
     float largest = 0;
     for (const std::uint32_t c : corners) {
@@ -95,7 +95,7 @@ double rounding_of(const Mesh& mesh, const std::vector<std::uint32_t>& corners) 
 
 void Triangulator::project(const Mesh& mesh, const std::vector<std::uint32_t>& corners,
                            const glm::dvec3& normal) {
-    // Two axes so that u x v = normal; u from the coordinate axis that lies flattest in the plane.
+    // Two axes so that u x v = normal; u from the coordinate axis that is most parallel to the plane.
     const glm::dvec3 size = glm::abs(normal);
     const glm::dvec3 axis = size.x <= size.y && size.x <= size.z   ? glm::dvec3(1, 0, 0)
                             : size.y <= size.x && size.y <= size.z ? glm::dvec3(0, 1, 0)
@@ -117,7 +117,7 @@ bool Triangulator::convex(double noise) const {
     for (std::size_t i = 0; i < n; ++i) {
         const Point &here = points_[i], &next = points_[(i + 1) % n], &then = points_[(i + 2) % n];
         if (turns_right(next, then, here)) return false;
-        // Left turns alone are not enough, as a pentagram or a spiral winds round twice: the fan's triangles
+        // Left turns alone are not enough, because a pentagram or a spiral winds twice: the fan's triangles
         // must also be counter-clockwise and stay on the left of its first edge.
         if (turns_right(points_[0], here, next)) return false;
         if (turns_right(points_[0], points_[1], here)) return false;
@@ -188,7 +188,7 @@ void Triangulator::make_sweep() {
     }
 }
 
-/// Takes a corner out of the ring and out of the sweep.
+/// Removes a corner from the ring and from the sweep.
 void Triangulator::clip(std::size_t i) {
     after_[before_[i]] = after_[i];
     before_[after_[i]] = before_[i];
@@ -196,8 +196,8 @@ void Triangulator::clip(std::size_t i) {
     if (higher_[i] != no_corner) lower_[higher_[i]] = lower_[i];
 }
 
-/// Whether corner k keeps the triangle a, b, c from being an ear: it lies within it or on its edge. A corner
-/// at the position of a, b or c does not: that is how holes are joined to the outline.
+/// Whether corner k keeps the triangle a, b, c from being an ear: it is inside or on its edge. A corner at
+/// the position of a, b or c does not, because bridges to holes have such corners.
 bool Triangulator::blocks(std::size_t k, const Point& a, const Point& b, const Point& c) const {
     const Point& p = points_[k];
     if (cross(a, b, p) < 0 || cross(b, c, p) < 0 || cross(c, a, p) < 0) return false;
@@ -222,8 +222,8 @@ void Triangulator::examine(std::size_t i) {
     is_ear_[i] = ear(i) ? 1 : 0;
 }
 
-/// Returns the first ear at or after `start` in a ring of `left` corners; where there is none (the polygon
-/// crosses itself, or only straight corners are left), the corner with the sharpest left turn.
+/// Returns the first ear at or after `start` in a ring of `left` corners. If there is none (the polygon
+/// crosses itself, or only straight corners are left), returns the corner with the sharpest left turn.
 std::size_t Triangulator::next_ear(std::size_t start, std::size_t left) const {
     std::size_t i = start, best = start;
     double best_sine = -2;
@@ -247,7 +247,7 @@ void Triangulator::clip_ears(const Mesh& mesh, std::uint32_t face, const std::ve
         const std::size_t i = next_ear(start, left), b = before_[i], a = after_[i];
         add(mesh, {{corners[b], corners[i], corners[a]}, face}, triangles);
         clip(i);
-        examine(b);  // only the neighbours can have changed
+        examine(b);  // only the neighbours can change
         examine(a);
         start = a;
     }

@@ -10,11 +10,11 @@ namespace {
 using OpenMesh::PolyConnectivity;
 using VertexHandle = OpenMesh::VertexHandle;
 
-// OpenMesh looks at every edge of a vertex when it adds a face there: a fan of a million triangles would take
-// a million times a million steps. A vertex is split after this many faces.
+// OpenMesh visits every edge of a vertex when it adds a face there: a fan of a million triangles would take a
+// million times a million steps. A vertex is split after this many faces.
 constexpr std::uint32_t max_faces_at_vertex = 256;
 
-/// A side of a polygon: the vertices it joins, the smaller first, and whose it is.
+/// A side of a polygon: the two vertices, the smaller first, and its polygon.
 struct Side {
     std::array<std::uint32_t, 2> edge;
     EdgeUse use;
@@ -24,20 +24,20 @@ std::array<std::uint32_t, 2> sorted(std::uint32_t a, std::uint32_t b) {
     return a < b ? std::array{a, b} : std::array{b, a};
 }
 
-/// OpenMesh prints every face that it refuses; we hold those in another way. It is silenced once, so that
+/// OpenMesh prints every face that it rejects; we store those separately. It is silenced once, so that
 /// threads do not race for it.
 void silence_openmesh() {
     static const bool done = (::omerr().disable(), true);
     static_cast<void>(done);
 }
 
-/// Fills an OpenMesh connectivity with the polygons of a mesh and reads the edges back.
+/// Fills OpenMesh connectivity with the polygons of a mesh and reads the edges back.
 class Builder {
   public:
     explicit Builder(const Mesh& mesh) : mesh_(mesh), split_(mesh.positions.size(), 0) {
         silence_openmesh();
-        // Reserves for the worst case: no two sides share an edge, and each corner has a vertex of its own. A
-        // list that grows exists twice for a moment; what is reserved and not written takes no memory.
+        // Reserves for the worst case: no two sides share an edge, and each corner has its own vertex. A
+        // growing vector briefly exists twice, while reserved but unwritten pages use no memory.
         const std::size_t sides = mesh.corner_position.size(), vertices = mesh.positions.size() + sides;
         connectivity_.reserve(vertices, sides, mesh.face_count());
         original_.reserve(vertices);
@@ -73,7 +73,7 @@ class Builder {
             if (vertex[c] != vertex[next_corner(mesh_, f, c)]) corners_.push_back(c);
     }
 
-    /// Whether a half-edge structure cannot hold the face: a vertex comes twice, or there are fewer than
+    /// Whether a half-edge structure cannot represent the face: it contains a vertex twice, or has fewer than
     /// three.
     bool cannot_be_held() {
         if (corners_.size() < 3) return true;
@@ -119,7 +119,7 @@ class Builder {
         return current_[v];
     }
 
-    /// The corner of our polygon at which each half-edge starts; no_index on a boundary's outer side.
+    /// The corner of our polygon at which each half-edge starts; no_index on the outer side of a boundary.
     std::vector<std::uint32_t> corners_of_halfedges() {
         std::vector<std::uint32_t> corner(connectivity_.n_halfedges(), no_index);
         for (std::uint32_t i = 0; i < face_.size(); ++i) {
@@ -165,7 +165,7 @@ class Builder {
         }
     }
 
-    /// Joins the edges that OpenMesh holds in several pieces.
+    /// Joins the edges that OpenMesh stores in several pieces.
     void read_split_edges(Topology& t) {
         std::sort(apart_.begin(), apart_.end(), [](const Side& x, const Side& y) {
             return x.edge != y.edge ? x.edge < y.edge : x.use.corner < y.use.corner;
@@ -183,9 +183,9 @@ class Builder {
     PolyConnectivity connectivity_;
     std::vector<std::uint32_t> original_;  // vertex of the mesh, by vertex of OpenMesh
     std::vector<std::uint32_t> face_;      // face of the mesh, by face of OpenMesh
-    std::vector<VertexHandle> current_;    // by vertex of the mesh: where its next face goes
+    std::vector<VertexHandle> current_;    // by vertex of the mesh: the vertex for its next face
     std::vector<std::uint32_t> faces_at_;  // by vertex of the mesh: faces at current_
-    std::vector<char> split_;  // by vertex of the mesh: more than one OpenMesh vertex stands for it
+    std::vector<char> split_;              // by vertex of the mesh: has several OpenMesh vertices
     std::vector<Side> apart_;
     std::vector<std::uint32_t> corners_, vertices_;
     std::vector<VertexHandle> handles_;

@@ -1,8 +1,8 @@
 #pragma once
-// Tells which polygons meet at which edges: built from the polygon list when somebody asks (counting,
-// creases, silhouettes), never for plain drawing. Connectivity is OpenMesh's half-edge structure; what that
-// cannot hold (an edge of three faces, two fans at one vertex, ...) is split there and joined again here, so
-// that every edge of every polygon is reported. All indices are those of the Mesh it was made from.
+// Finds the polygons that meet at each edge. Built from the polygon list on demand (for counting, creases,
+// silhouettes), never for plain drawing. Connectivity is OpenMesh's half-edge structure. Cases that it cannot
+// represent (an edge of three faces, two fans at one vertex, ...) are split there and joined again here, so
+// that every edge of every polygon is reported. All indices are those of the original Mesh.
 
 #include <array>
 #include <cstddef>
@@ -32,19 +32,19 @@ struct Topology {
 };
 
 /// Finds the edges. Degenerate polygons are included; a side from a vertex to itself is not an edge. Time:
-/// about linear (n log n in what OpenMesh cannot hold).
+/// about linear (n log n in the cases that OpenMesh cannot represent).
 [[nodiscard]] Topology make_topology(const Mesh& mesh);
 
-/// The corner after `corner` around polygon `face`; after its last one the first.
+/// The corner after `corner` around polygon `face`; after the last one the first.
 [[nodiscard]] inline std::uint32_t next_corner(const Mesh& mesh, std::uint32_t face, std::uint32_t corner) {
     return corner + 1 < mesh.first_corner[face + 1] ? corner + 1 : mesh.first_corner[face];
 }
 
 enum class EdgeKind {
-    Boundary,      // one polygon, once
+    Boundary,      // belongs to one polygon, once
     Manifold,      // two sides that run in opposite directions
     Inconsistent,  // two sides that run in the same direction: one of the polygons is wound the other way
-    NonManifold    // three sides and more
+    NonManifold    // three or more sides
 };
 [[nodiscard]] EdgeKind edge_kind(const Mesh& mesh, const Topology& topology, std::size_t edge);
 

@@ -44,7 +44,7 @@ void join_repeated_corners(const Mesh& mesh, Groups& groups) {
 CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg) {
     std::vector<glm::dvec3> normal(mesh.face_count());
     for (std::size_t f = 0; f < normal.size(); ++f) normal[f] = polygon_plane(mesh, f).normal;
-    // 1e-6: a cube's faces meet at 90 degrees whatever the last bit of its normals says.
+    // 1e-6: a cube's faces meet at 90 degrees despite the rounding of its normals.
     const double least = cos_sin(static_cast<double>(crease_deg) * std::numbers::pi / 180).c - 1e-6;
     Groups groups(mesh.corner_position.size());
     join_repeated_corners(mesh, groups);
@@ -75,7 +75,7 @@ struct Sum {
     }
 };
 
-/// What the normals are averaged over: per corner the number of a sum.
+/// The sums of normals: per corner the number of its sum.
 struct Averages {
     std::vector<std::uint32_t> group;  // #C; empty: by position
     std::vector<Sum> sums;
@@ -142,7 +142,7 @@ bool cancels(const Sum& sum) {
     return sum.weights > 0 && !(glm::dot(sum.n, sum.n) >= 1e-12 * sum.weights * sum.weights);
 }
 
-/// Gives the corners of sums that cancel the normals of their own facets.
+/// Gives the corners of cancelling sums the normals of their own facets.
 void fall_back_to_facets(const Mesh& mesh, const Averages& averages, CornerNormals& result) {
     const auto falls_back = [&](std::uint32_t corner) {
         return cancels(averages.sums[averages.sum_of(mesh, corner)]);
@@ -167,7 +167,7 @@ void fall_back_to_facets(const Mesh& mesh, const Averages& averages, CornerNorma
     }
 }
 
-/// Groups of corners joined across edges below the crease. Empty when no crease splits a vertex: then all
+/// Groups of corners joined across edges below the crease. Empty if no crease splits a vertex: then all
 /// corners at one position share one normal.
 Averages averages_below(const Mesh& mesh, float crease_deg) {
     CreaseGroups creased = crease_groups(mesh, make_topology(mesh), crease_deg);

@@ -26,7 +26,7 @@ struct Format {
 constexpr std::array<Format, 4> formats{
     {{".obj", read_obj}, {".ply", read_ply}, {".off", read_off}, {".stl", read_stl}}};
 
-/// The format of a path's extension, in any case; null when there is none.
+/// The format of a path's extension, ignoring case; null if there is none.
 const Format* format_of(const std::string& path) {
     const std::size_t dot = path.find_last_of("./");
     if (dot == std::string::npos || path[dot] == '/') return nullptr;
@@ -38,7 +38,7 @@ const Format* format_of(const std::string& path) {
     return found == formats.end() ? nullptr : found;
 }
 
-/// The beginning of a file without a byte-order mark, where it is text.
+/// The beginning of a file; a text loses its byte-order mark.
 std::string_view without_mark(std::string_view extension, const FileBlock& first) {
     const std::string_view text = without_byte_order_mark(first.bytes);
     const bool is_binary =
@@ -46,7 +46,7 @@ std::string_view without_mark(std::string_view extension, const FileBlock& first
     return is_binary ? first.bytes : text;
 }
 
-/// A channel below 0 would take light away.
+/// A channel below 0 would subtract light.
 void raise_colors_to_black(Mesh& mesh) {
     std::size_t below = 0;
     for (glm::vec3& color : mesh.colors) {
@@ -76,7 +76,7 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
     });
 }
 
-/// True where the first block cannot begin a file of the format with that extension: the reader will fail
+/// True if the first block is not a valid beginning of a file with that extension: the reader will fail
 /// within that block.
 bool begins_badly(std::string_view extension, const FileBlock& first) {
     const std::string_view bytes = without_mark(extension, first);
@@ -87,28 +87,27 @@ bool begins_badly(std::string_view extension, const FileBlock& first) {
     return word != std::string_view::npos && bytes[word] == '\0';
 }
 
-/// Whether all of a file that begins so is text.
+/// Whether a file with this beginning is entirely text.
 bool is_text_mesh(std::string_view extension, const FileBlock& first) {
     if (extension == ".ply") return first.bytes.find("format ascii") != std::string_view::npos;
     if (extension != ".stl") return true;
     return begins_as_text_stl(without_mark(extension, first)) && binary_stl_size(first.bytes) != first.size;
 }
 
-/// Whether the block holds nothing but zero bytes, as the holes of a file do, and more than a line of text
-/// might.
+/// Whether the block is all zero bytes, like the holes of a file, and longer than a line of text could be.
 bool is_hole(const FileBlock& block) {
     constexpr std::size_t shortest = 4096;
     return block.bytes.size() >= shortest && block.bytes.find_first_not_of('\0') == std::string_view::npos;
 }
 
-/// Looks at a mesh file while it comes in, so that what is not a mesh is not read to its end.
+/// Checks a mesh file block by block while it is read, so that other files are rejected early.
 class MeshCheck {
   public:
     explicit MeshCheck(const std::string& path) : path_(path) {}
 
     std::optional<Problem> operator()(const FileBlock& block) {
         const Format* format = format_of(path_);
-        if (format == nullptr) return {};  // said when it is parsed
+        if (format == nullptr) return {};  // the parser reports it
         if (block.at == 0) {
             if (begins_badly(format->extension, block)) {
                 const Result<Mesh> tried = parse_mesh(block.bytes, path_);

@@ -9,22 +9,22 @@
 
 namespace glint {
 
-/// True for a path with one of the extensions above, in any case.
+/// True for a path with one of the extensions above, ignoring case.
 [[nodiscard]] bool is_mesh_path(const std::string& path);
 
-/// Reads and finishes a mesh. Problems carry the path as given and, for text formats, the line.
+/// Reads and finishes a mesh. Problems contain the path as given and, for text formats, the line.
 /// Errors: cannot be read, a directory or a device, no faces, an index out of range, a word that is not a
-/// number or not within +-1e7, more than 2^31 - 1 corners. Tolerated with one warning a kind and its count:
-/// repeated corners, weights after an OBJ vertex, lines and points, colours of faces, ...
+/// number or not within +-1e7, more than 2^31 - 1 corners. Tolerated with one warning and its count for each
+/// kind: repeated corners, weights after an OBJ vertex, lines and points, colours of faces, ...
 ///
-/// .obj: v, vn, f with negative indices, colours after a place, continued lines. .ply: ASCII and both binary
-/// orders, properties in any order; integer colours are scaled to 0 .. 1. .off: OFF, COFF, NOFF, CNOFF,
-/// ASCII; whole-number colours of which one is above 1 count to 255. .stl: ASCII and binary; the format knows
-/// no indices, so corners at exactly one place share a position (nothing is merged by distance), and its
-/// facet normals are the file's normals.
+/// .obj: v, vn, f with negative indices, colours after a position, continued lines. .ply: ASCII and both
+/// binary byte orders, properties in any order; integer colours are scaled to 0 .. 1. .off: OFF, COFF, NOFF,
+/// CNOFF, ASCII; colours in whole numbers range to 255 if one of them is above 1. .stl: ASCII and binary; the
+/// format has no indices, so corners at exactly the same position share it (nothing is merged by distance),
+/// and its facet normals are the file's normals.
 [[nodiscard]] Result<Mesh> read_mesh(const std::string& path);
 
-/// Reads a mesh from bytes in memory; `path` names the format by its extension, and the problems.
+/// Reads a mesh from bytes in memory; `path` determines the format by its extension and is named in problems.
 [[nodiscard]] Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path);
 
 }  // namespace glint

@@ -1,4 +1,5 @@
-// Wavefront .obj. A reader of our own: OpenMesh's drops normals by corner and does not know the lines.
+// Wavefront .obj. We use our own reader, because OpenMesh's drops normals by corner and does not report
+// lines.
 // Source: Wavefront, "Advanced Visualizer" manual, appendix B1 (object files).
 #include <fmt/core.h>
 
@@ -12,13 +13,13 @@
 namespace glint {
 namespace {
 
-/// A corner that names a vertex which the file has not had yet.
+/// A corner that names a vertex not yet defined.
 struct AheadOfVertex {
     std::int64_t index;
     int line;
 };
 
-// Grouping, materials and display: they mean nothing to the shape.
+// Grouping, materials and display do not affect the shape.
 constexpr std::array<std::string_view, 14> silent{"g",        "o",          "s",         "usemtl", "mtllib",
                                                   "usemap",   "maplib",     "lod",       "bevel",  "c_interp",
                                                   "d_interp", "shadow_obj", "trace_obj", "ctech"};
@@ -83,7 +84,7 @@ class ObjReader {
         color.g = cursor_.number("a colour's green");
         color.b = cursor_.number("a colour's blue");
         cursor_.end_line("3, 4 or 6 numbers after \"v\"");
-        mesh_.colors.resize(mesh_.positions.size() - 1, glm::vec3(1));  // white, where there was none
+        mesh_.colors.resize(mesh_.positions.size() - 1, glm::vec3(1));  // white for the earlier vertices
         mesh_.colors.push_back(color);
     }
 
@@ -137,8 +138,8 @@ class ObjReader {
         mesh_.corner_position.push_back(static_cast<std::uint32_t>(from_zero));
     }
 
-    /// Adds a corner's normal. One that the file never defines leaves its corner without a normal; as it may
-    /// still be defined later, that is decided at the end.
+    /// Adds a corner's normal. If the file never defines it, the corner has no normal. It may still be
+    /// defined later, so this is decided at the end.
     void add_normal(std::int64_t index) {
         const auto count = static_cast<std::int64_t>(mesh_.normals.size());
         const std::int64_t from_zero = index < 0 ? count + index : index - 1;
@@ -172,7 +173,7 @@ class ObjReader {
                  "corners name normals, and the file has none; their vertex normals are used");
             return;
         }
-        mesh_.given_normals = GivenNormals::File;  // corner_normals() counts the corners that have none
+        mesh_.given_normals = GivenNormals::File;  // corner_normals() counts the corners without one
         mesh_.corner_normal.resize(mesh_.corner_position.size(), no_index);
         for (std::uint32_t& index : mesh_.corner_normal)
             if (index >= mesh_.normals.size()) index = no_index;
@@ -181,14 +182,14 @@ class ObjReader {
         if (by_position) mesh_.corner_normal = {};
     }
 
-    // Stands for what 64 bits do not hold.
+    // Replaces an index that exceeds 64 bits.
     static constexpr std::int64_t beyond = std::numeric_limits<std::int64_t>::max();
 
     TextCursor cursor_;
     const std::string& file_;
     Mesh mesh_;
     // Corners that name a vertex not read yet, each with a larger index than the one before. The first corner
-    // whose vertex the file never gives is always among them.
+    // whose vertex is never defined is always among them.
     std::vector<AheadOfVertex> ahead_;
     std::size_t named_normals_ = 0, slashes_ = 0, weights_ = 0, lines_ = 0, points_ = 0, free_form_ = 0;
 };

@@ -103,7 +103,7 @@ class OffReader {
         face_colors_ += cursor_.end_of_line() ? 0 : 1;
     }
 
-    /// Whole numbers of which one is above 1 count to 255; all others are shares already.
+    /// Colours of whole numbers, one of them above 1, range to 255; all others are fractions already.
     void scale_colors() {
         if (!whole_colors_ || brightest_ <= 1) return;
         for (glm::vec3& c : mesh_.colors) c /= 255.f;

@@ -15,7 +15,7 @@ namespace glint {
 namespace {
 
 /// The factor that scales colours to 0 .. 1: 1 for floats, else one over the largest number of the type. 0
-/// without colours, and for a type in which no writer gives them.
+/// without colours, and for types that no writer uses for colours.
 float color_scale(const PlyElement& vertices) {
     if (!vertices.has_three(PlyRole::Red)) return 0;
     switch (vertices.with(PlyRole::Red)->type) {
@@ -69,7 +69,7 @@ template <class Rows> class PlyBody {
                  "vertices have a part of a colour only, which is ignored");
         std::size_t beyond_type = 0;
         mesh_.positions.reserve(std::min(element.count, rows_.bytes_left() / 3));
-        std::array<float, 11> value{};  // by role
+        std::array<float, 11> value{};  // indexed by role
         const auto three = [&value](PlyRole first) {
             const auto i = static_cast<std::size_t>(first);
             return glm::vec3(value[i], value[i + 1], value[i + 2]);
@@ -128,8 +128,8 @@ template <class Rows> class PlyBody {
         read_lists(element, [this](const PlyProperty& p) { skip_list(p); });
     }
 
-    /// Reads all rows of the element: calls list(property) where a list begins, to read it, keep(property,
-    /// number) for each number, and end() after each row.
+    /// Reads all rows of the element: calls list(property) to read a list, keep(property, number) for each
+    /// number, and end() after each row.
     template <class List, class Keep, class End>
     void read_rows(const PlyElement& element, const List& list, const Keep& keep, const End& end) {
         for (std::size_t row = 0; row < element.count; ++row) {

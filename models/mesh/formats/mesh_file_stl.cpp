@@ -1,7 +1,6 @@
-// Stereolithography .stl, ASCII and binary. The format knows no indices: corners at exactly one place share a
-// position, so that a vertex has neighbours. The facet normals are the file's normals; where all are 0, as
-// some writers leave them, the file has none. Source: 3D Systems, "StereoLithography Interface
-// Specification", 1989.
+// Stereolithography .stl, ASCII and binary. The format has no indices: corners at exactly the same position
+// share it, so that a vertex has neighbours. The facet normals are the file's normals; some writers set all
+// to 0, which counts as none. Source: 3D Systems, "StereoLithography Interface Specification", 1989.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -16,7 +15,7 @@
 namespace glint {
 namespace {
 
-/// Collects facets from either kind of file.
+/// Collects the facets of either kind of file.
 class Facets {
   public:
     explicit Facets(const std::string& file) : file_(file) { mesh_.first_corner.push_back(0); }
@@ -98,8 +97,7 @@ class AsciiStl {
                           [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
     }
 
-    /// Moves to the next word, on whatever line it stands: within a solid a line's end is a blank like
-    /// others.
+    /// Moves to the next word on any line: within a solid, a line end is ordinary white space.
     bool is_at_word() { return !cursor_.end_of_line() || cursor_.next_line(); }
 
     void expect(std::string_view keyword) {
@@ -113,7 +111,7 @@ class AsciiStl {
             std::move(expected));
     }
 
-    /// Up to "endsolid"; what follows both words is a name.
+    /// Reads up to "endsolid"; the text after "solid" and "endsolid" is a name.
     void read_solid() {
         bool is_more = cursor_.next_line();
         for (; is_more; is_more = is_at_word()) {
@@ -139,8 +137,7 @@ class AsciiStl {
         facets_.close(normal, cursor_.line());
     }
 
-    /// Reads three numbers. A fourth one is refused here: read as the next keyword, it would be refused with
-    /// the wrong words.
+    /// Reads three numbers. Rejects a fourth one here: as the next keyword it would get a misleading message.
     glm::vec3 three() {
         const glm::vec3 v = cursor_.three();
         constexpr std::string_view of_numbers = "+-.0123456789";
@@ -170,7 +167,7 @@ std::size_t binary_stl_size(std::string_view bytes) {
 }
 
 Mesh read_stl(std::string_view bytes, const std::string& file) {
-    // The size decides: some binary files have spaces where others have zeros.
+    // The size decides, because some binary files have spaces instead of zeros.
     const std::size_t promised = binary_stl_size(bytes);
     if (bytes.size() == promised) return read_binary(bytes, file);
     if (begins_as_text_stl(bytes)) return AsciiStl(bytes, file).read();

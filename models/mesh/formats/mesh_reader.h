@@ -1,6 +1,6 @@
 #pragma once
-// What the readers of the mesh formats share. Each turns the bytes of a whole file into an unfinished mesh
-// (no triangles, no bounds) or throws ProblemFound. Inside models/ only.
+// Shared parts of the mesh readers. Each reader converts the bytes of a file to an unfinished mesh (no
+// triangles, no bounds) or throws ProblemFound. Inside models/ only.
 
 #include <algorithm>
 #include <bit>
@@ -23,33 +23,33 @@ namespace glint {
 
 inline constexpr std::size_t max_corners = std::numeric_limits<std::int32_t>::max();
 
-/// The number in `size` bytes, 1 to 8, the lowest first. Precondition: they are there.
+/// The number in `size` bytes, 1 to 8, lowest first. Precondition: the bytes exist.
 inline std::uint64_t little_endian(const char* at, std::size_t size) {
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < size; ++i)
         value |= std::uint64_t{static_cast<unsigned char>(at[i])} << (8 * i);
     return value;
 }
-/// The float in 4 bytes, the lowest first. Precondition: they are there.
+/// The float in 4 bytes, lowest first. Precondition: the bytes exist.
 inline float little_endian_float(const char* at) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(at, 4)));
 }
 
-// Tells binary STL files from text: files of both kinds may begin with "solid". No text has a byte 0, and the
-// header of a binary file has one, in its count of facets.
+// Distinguish binary STL files from text: files of both kinds may begin with "solid". A text has no byte 0,
+// and the header of a binary file has one, in its count of facets.
 
 inline constexpr std::size_t binary_stl_header = 84, binary_stl_facet = 50;  // bytes
 /// True when the first word is "solid", "SOLID" or "Solid" and no byte of the header is 0.
 [[nodiscard]] bool begins_as_text_stl(std::string_view bytes);
-/// Returns how many facets the header promises. Precondition: there is a whole header.
+/// Returns the number of facets in the header. Precondition: the header is complete.
 [[nodiscard]] std::size_t binary_stl_facets(std::string_view bytes);
-/// Returns how many bytes a file with this header has; 0 where there is no whole header.
+/// Returns the file size that this header implies; 0 if the header is incomplete.
 [[nodiscard]] std::size_t binary_stl_size(std::string_view bytes);
 
-/// Words for "expected ...": "0 to 7" of eight things; `things` where there are none.
+/// The text after "expected": "0 to 7" for eight items; `things` if there are none.
 [[nodiscard]] std::string numbers_of(std::size_t count, const char* things);
 
-/// Ends the polygon that the corners appended last make up.
+/// Ends the polygon of the corners that were appended last.
 void close_face(Mesh& mesh, const std::string& file, int line = 0);
 
 }  // namespace glint

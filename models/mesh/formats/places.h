@@ -1,6 +1,6 @@
 #pragma once
-// Lets corners at exactly equal positions share one index: for formats that have no indices, or repeat a
-// vertex for each of its normals. Inside models/ only.
+// Merges corners at exactly equal positions: for formats without indices, and for those that repeat a vertex
+// for each of its normals. Inside models/ only.
 
 #include <bit>
 #include <chrono>
@@ -12,8 +12,8 @@
 
 namespace glint {
 
-/// Numbers positions in the order in which they first come, by an open hash table of indices. The hash is
-/// seeded with the time, so that no file can be made to be slow; the numbers do not depend on the seed.
+/// Numbers positions in the order of their first use, with an open hash table of indices. The hash is seeded
+/// with the time, so that no file can make it slow; the numbers do not depend on the seed.
 class Places {
   public:
     std::uint32_t index_of(glm::vec3 place, std::vector<glm::vec3>& positions) {
@@ -30,7 +30,7 @@ class Places {
   private:
     [[nodiscard]] std::size_t hash(const glm::vec3& place) const {
         std::uint64_t h = seed_;
-        for (int i = 0; i < 3; ++i) {  // splitmix64's steps
+        for (int i = 0; i < 3; ++i) {  // one step of splitmix64
             h = (h ^ std::bit_cast<std::uint32_t>(place[i])) * 0xBF58476D1CE4E5B9u;
             h = (h ^ h >> 29) * 0x94D049BB133111EBu;
             h ^= h >> 32;

@@ -22,7 +22,7 @@ constexpr std::array<std::array<std::string_view, 2>, 8> type_names{{{"char", "i
                                                                      {"uint", "uint32"},
                                                                      {"float", "float32"},
                                                                      {"double", "float64"}}};
-/// What the properties of a vertex are called, in the order of PlyRole from X on.
+/// The names of a vertex's properties, in the order of PlyRole from X on.
 constexpr std::array<std::string_view, 9> vertex_roles{"x",  "y",   "z",     "nx",  "ny",
                                                        "nz", "red", "green", "blue"};
 
@@ -55,7 +55,7 @@ void check_elements(const TextCursor& cursor, const PlyHeader& header) {
     }
 }
 
-/// The characters that end the line of which `rest` is the end.
+/// The characters that end the line whose end is `rest`.
 std::string line_end_of(std::string_view rest) {
     rest.remove_prefix(std::min(rest.find_first_of("\r\n"), rest.size()));
     const bool two = rest.starts_with("\r\n") || rest.starts_with("\n\r");
@@ -97,7 +97,7 @@ class HeaderReader {
     }
 
   private:
-    /// Notes a name of an element, or of a property of the last one; fails when it was there already.
+    /// Records a name of an element, or of a property of the last one; fails if it exists already.
     void take_name(std::set<std::string_view>& names, const char* kind, std::string_view name) {
         if (!names.insert(name).second)
             cursor_.fail(fmt::format("{} {} comes twice", kind, quoted_word(name)), "one");
@@ -157,7 +157,7 @@ class HeaderReader {
 
     TextCursor& cursor_;
     PlyHeader header_;
-    std::set<std::string_view> elements_, properties_;  // ordered: no choice of names makes it slow
+    std::set<std::string_view> elements_, properties_;  // ordered: no file can make them slow
     std::size_t name_count_ = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The header of a .ply file: which elements follow, and of what. Inside models/ only.
+// The header of a .ply file: its elements and their properties. Inside models/ only.
 // Source: G. Turk, "The PLY Polygon File Format", 1994.
 
 #include <array>
@@ -15,11 +15,11 @@ namespace glint {
 enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 
-/// What a property means to us.
+/// Our meaning of a property.
 enum class PlyRole { Other, X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, Indices };
 inline constexpr std::size_t ply_role_count = 11;
 
-/// Elements and properties in a header, together. Real files have a few dozen.
+/// The limit of elements and properties in a header, together. Real files have a few dozen.
 inline constexpr std::size_t max_ply_names = 65536;
 
 struct PlyProperty {
@@ -37,17 +37,17 @@ struct PlyElement {
     int line = 0;
 
     void add(PlyProperty property);
-    /// The first property of that role; null when there is none. Precondition: the role is not Other.
+    /// The first property of that role; null if there is none. Precondition: the role is not Other.
     [[nodiscard]] const PlyProperty* with(PlyRole role) const;
-    /// True when all three of the roles that begin with `first` are there, as single values.
+    /// True if all three roles that begin with `first` exist, as single values.
     [[nodiscard]] bool has_three(PlyRole first) const;
-    /// True when some of the three are there, and others are not.
+    /// True if some of the three exist, and others do not.
     [[nodiscard]] bool has_part_of_three(PlyRole first) const;
 
   private:
     [[nodiscard]] int count_of_three(PlyRole first) const;
 
-    std::array<std::size_t, ply_role_count> number_of_{};  // of the property of a role, from 1; 0: none
+    std::array<std::size_t, ply_role_count> number_of_{};  // 1 + the index of the role's property; 0: none
 };
 
 struct PlyHeader {
@@ -56,8 +56,8 @@ struct PlyHeader {
     std::string line_end;  // of the first line: LF, CR LF or LF CR
 };
 
-/// Reads up to and including the word "end_header", in n log n of its names. Throws ProblemFound;
-/// LoadCancelled when this thread's load shall end.
+/// Reads up to and including the word "end_header", in time n log n for n names. Throws ProblemFound;
+/// LoadCancelled when this thread's load is cancelled.
 [[nodiscard]] PlyHeader read_ply_header(TextCursor& cursor);
 
 }  // namespace glint

@@ -17,7 +17,7 @@
 
 namespace glint {
 
-/// Values of an ASCII body: one row a line.
+/// Values of an ASCII body: one row per line.
 class AsciiRows {
   public:
     AsciiRows(TextCursor& cursor, const PlyHeader& /*header*/, const std::string& /*file*/)
@@ -54,8 +54,8 @@ template <bool swap> class BinaryRows {
   public:
     BinaryRows(TextCursor& cursor, const PlyHeader& header, const std::string& file)
         : file_(file), left_(cursor.rest()), bytes_(left_.size()), parsed_(bytes_) {
-        // The first byte of the body may look like part of a line end: the header's first line says how long
-        // one is. A last line that ends differently ends with CR, LF or both.
+        // The first byte of the body may look like part of a line end, so the header's first line determines
+        // the length of its line ends. A last line that ends differently ends with CR, LF or both.
         if (left_.starts_with(header.line_end)) {
             left_.remove_prefix(header.line_end.size());
             return;
@@ -91,7 +91,7 @@ template <bool swap> class BinaryRows {
     }
 
   private:
-    /// Calls visit() with a number of the machine's own type.
+    /// Calls visit() with a number of the corresponding C++ type.
     template <class Visit> static auto as_machine_type(PlyType type, const Visit& visit) {
         switch (type) {
         case PlyType::Int8:
@@ -131,7 +131,7 @@ template <bool swap> class BinaryRows {
 
     const std::string& file_;
     std::string_view left_;
-    std::size_t bytes_;  // of the whole body
+    std::size_t bytes_;  // of the entire body
     ParsedBytes parsed_;
     const PlyElement* element_ = nullptr;
     std::size_t row_ = 0;

@@ -44,7 +44,7 @@ void TextCursor::skip_rest() {
     }
 }
 
-/// At a backslash, moves to the newline that it removes; returns false when something else follows.
+/// At a backslash, moves to the newline that it removes; returns false if another character follows.
 bool TextCursor::skip_continuation() {
     const char* next = at_ + 1;
     while (next < end_ && *next == '\r') ++next;
@@ -54,8 +54,7 @@ bool TextCursor::skip_continuation() {
     return true;
 }
 
-/// Called where from_chars() alone did not do: says what is wrong, or takes what is too small for a float as
-/// 0.
+/// The slow path after from_chars(): reports the error, or returns 0 for a number too small for a float.
 float TextCursor::unusual_number() {
     const std::string_view text = word();
     const bool plus = text.starts_with('+') && !text.starts_with("+-");
@@ -72,7 +71,7 @@ float TextCursor::unusual_number() {
 }
 
 std::string quoted_word(std::string_view word) {
-    constexpr std::size_t longest = 24;  // bytes: of any number that is written without waste
+    constexpr std::size_t longest = 24;  // bytes; longer numbers have superfluous digits
     if (word.size() <= longest && on_one_line(word) == word) return fmt::format("\"{}\"", word);
     return fmt::format("a word of {} byte{}", word.size(), word.size() == 1 ? "" : "s");
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Walks through the text of a mesh file, line by line and word by word, and says where something is wrong.
-// No locale, no allocation; what a line may hold is up to its reader. Inside models/ only.
+// Moves through the text of a mesh file, line by line and word by word, and reports errors with their line.
+// Uses no locale and does not allocate; the reader determines the contents of a line. Inside models/ only.
 
 #include <array>
 #include <charconv>
@@ -17,7 +17,7 @@
 
 namespace glint {
 
-/// Tells the load's progress as it goes: every member that moves it may throw LoadCancelled.
+/// Reports the load's progress: every member that moves the cursor may throw LoadCancelled.
 class TextCursor {
   public:
     /// `file` is for messages. With `continued` a backslash before the end of a line joins it with the next.
@@ -30,7 +30,7 @@ class TextCursor {
           file_(std::move(file)),
           continued_(continued) {}
 
-    /// Moves to the next line that has a word; false when there is none.
+    /// Moves to the next line with a word; false if there is none.
     bool next_line() {
         if (started_) skip_rest();
         started_ = true;
@@ -41,14 +41,14 @@ class TextCursor {
         return true;
     }
 
-    /// True when no further word is on this line.
+    /// True if this line has no further word.
     bool end_of_line() {
         parsed_.at(static_cast<std::size_t>(at_ - begin_));
         skip_blanks();
         return at_ == end_ || *at_ == '\n' || *at_ == '#';
     }
 
-    /// The next word of this line; empty at its end.
+    /// The next word of this line; empty at the line's end.
     std::string_view word() {
         if (end_of_line()) return {};
         const char* first = at_;
@@ -56,7 +56,7 @@ class TextCursor {
         return {first, static_cast<std::size_t>(at_ - first)};
     }
 
-    /// The next word as a finite number within +-1e7. `name` says what is missing where there is none.
+    /// The next word as a finite number within +-1e7. `name` is what a message calls a missing number.
     float number(std::string_view name) {
         if (end_of_line()) fail_missing(name, "a number");
         const char* first = at_ + (*at_ == '+' && !(end_ - at_ > 1 && at_[1] == '-') ? 1 : 0);
@@ -80,20 +80,20 @@ class TextCursor {
         return value;
     }
 
-    /// Reads the next three words as numbers. `names`: what messages call them.
+    /// Reads the next three words as numbers. `names`: their names in messages.
     glm::vec3 three(const std::array<std::string_view, 3>& names = {"x", "y", "z"}) {
         const float a = number(names[0]), b = number(names[1]), c = number(names[2]);
         return {a, b, c};
     }
 
-    /// Fails unless the line ends here.
+    /// Fails unless the line has ended.
     void end_line(const char* expected) {
         if (!end_of_line()) fail_too_many(expected);
     }
 
     [[nodiscard]] int line() const { return line_; }
 
-    /// Returns what is left of the text, from here on.
+    /// Returns the remaining text.
     [[nodiscard]] std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
     [[noreturn]] void fail(std::string what, std::string expected) const {
@@ -130,8 +130,8 @@ class TextCursor {
     bool started_ = false;
 };
 
-/// A word of a file for a message: in quotes when it is a short printable one, else its length. A scene may
-/// name any file that its reader can read, and what else stands there does not belong in a message.
+/// A word of a file for a message: a short printable word in quotes, else its length. A scene may name any
+/// readable file, whose other contents must not appear in a message.
 [[nodiscard]] std::string quoted_word(std::string_view word);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// What the makers of primitives share. Inside models/ only.
+// Shared parts of the generators of primitives. Inside models/ only.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -11,8 +11,8 @@
 
 namespace glint {
 
-/// A polygon mesh under construction, in double until it has been centred. Adding to it reports the load's
-/// progress now and then and may throw LoadCancelled.
+/// A polygon mesh under construction, in double until it is centred. Adding to it reports the load's progress
+/// regularly and may throw LoadCancelled.
 struct PrimitiveBuilder {
     std::vector<glm::dvec3> positions, normals;
     std::vector<std::uint32_t> first_corner{0}, corner_position;
@@ -26,12 +26,12 @@ struct PrimitiveBuilder {
         normals.push_back(normal);
         return static_cast<std::uint32_t>(positions.size() - 1);
     }
-    /// A polygon whose corners have the normals of their positions.
+    /// A polygon whose corners use the normals of their positions.
     void face(std::initializer_list<std::uint32_t> corners) {
         corner_position.insert(corner_position.end(), corners);
         close_face();
     }
-    /// One corner of the polygon that close_face() ends; when normals are not by position.
+    /// One corner of the polygon that close_face() ends, if normals are not by position.
     void corner(std::uint32_t position, std::uint32_t normal) {
         corner_position.push_back(position);
         corner_normal.push_back(normal);
@@ -46,7 +46,7 @@ struct PrimitiveBuilder {
 };
 
 /// Adds a grid of quads that is closed in both directions, `columns` to the right by `rows` up as seen from
-/// outside: vertex (i, j) has the index i * rows + j. The vertices must be there already.
+/// outside: vertex (i, j) has the index i * rows + j. Precondition: the vertices exist.
 void add_closed_grid(PrimitiveBuilder& to, std::uint32_t columns, std::uint32_t rows);
 
 }  // namespace glint

@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// The middle of the bounds; exactly 0 where rounding alone keeps it from 0.
+/// The centre of the bounds; exactly 0 if it differs from 0 only by rounding.
 glm::dvec3 middle_of_bounds(const std::vector<glm::dvec3>& positions) {
     glm::dvec3 low = positions.front(), high = low;
     for (const glm::dvec3& p : positions) {

@@ -1,6 +1,6 @@
 #pragma once
-// The meshes that need no file (docs/scene_file.md, table of primitives). All are centred at the origin by
-// their bounds, y up, counter-clockwise outward, with analytic normals, poles included.
+// The built-in meshes (docs/scene_file.md, table of primitives). Their bounds are centred at the origin; y is
+// up, faces are counter-clockwise seen from outside, and normals are analytic, also at the poles.
 
 #include <cstdint>
 
@@ -27,7 +27,7 @@ enum class Primitive {
 
 struct PrimitiveBuilder;  // models/mesh/primitives/primitive_builder.h
 
-// The makers, of a detail d >= 1: primitives_*.cpp, teapot.cpp.
+// The generators; d >= 1 is the detail. Files: primitives_*.cpp, teapot.cpp.
 [[nodiscard]] PrimitiveBuilder make_sphere(int d);
 [[nodiscard]] PrimitiveBuilder make_bumpy_sphere(int d);
 [[nodiscard]] PrimitiveBuilder make_icosphere(int d);
@@ -41,8 +41,8 @@ struct PrimitiveBuilder;  // models/mesh/primitives/primitive_builder.h
 [[nodiscard]] PrimitiveBuilder make_skew_quad(int);
 [[nodiscard]] PrimitiveBuilder make_t_junction(int d);
 
-/// One row a primitive: its words, how finely it can be cut, and who makes it. `detail`'s maximum keeps a
-/// mesh within about 8 million triangles (icosphere: 1.3 million); `detail_meaning` says what d counts.
+/// One row per primitive: its texts, its maximum detail, and its generator. The maximum limits a mesh to
+/// about 8 million triangles (icosphere: 1.3 million); `detail_meaning` says what d counts.
 struct PrimitiveInfo {
     Choice choice;  // its meaning is the shape
     int default_detail = 1, max_detail = 1;
@@ -50,7 +50,7 @@ struct PrimitiveInfo {
     PrimitiveBuilder (*make)(int d);
 };
 
-// NOLINTNEXTLINE(readability-function-size): a table, one case a row.
+// NOLINTNEXTLINE(readability-function-size): a table, one case per row.
 constexpr PrimitiveInfo info_of(Primitive primitive) {
     switch (primitive) {
     case Primitive::Sphere:
@@ -61,7 +61,7 @@ constexpr PrimitiveInfo info_of(Primitive primitive) {
                 2800,
                 "d slices, ⌈d/2⌉ stacks",
                 make_bumpy_sphere};
-    case Primitive::Icosphere:  // 20 * 4^d triangles: 9 would be 5 million, 10 over the limit
+    case Primitive::Icosphere:  // 20 * 4^d triangles: 9 would be 5 million, 10 exceed the limit
         return {
             {"icosphere", "Icosphere", "radius 1"}, 3, 8, "d subdivisions of an icosahedron", make_icosphere};
     case Primitive::Cube:
@@ -105,12 +105,13 @@ constexpr PrimitiveInfo info_of(Primitive primitive) {
     return {};
 }
 
-/// A new mesh; `load_ms` is the time it took. Closed ones share their vertices along every seam and have one
-/// vertex at a pole. A detail too small for a solid gives the smallest one: 3 slices and 2 stacks (sphere), 3
-/// x 3 (torus), 3 slices (cylinder, cone), 12 x 3 (knot), 2 x 2 a patch (teapot). Spheres and cubes have
-/// quads with triangles at the poles; caps are one polygon; the teapot, which is open, is cut into triangles.
+/// A new mesh; `load_ms` is the time to make it. Closed meshes share their vertices along every seam and have
+/// one vertex at a pole. A detail too small for a solid gives the smallest one: 3 slices and 2 stacks
+/// (sphere), 3 x 3 (torus), 3 slices (cylinder, cone), 12 x 3 (knot), 2 x 2 per patch (teapot). Spheres and
+/// cubes have quads, with triangles at the poles; caps are one polygon; the teapot, which is open, is cut
+/// into triangles.
 /// Precondition: 1 <= detail <= info_of(primitive).max_detail.
-/// Throws LoadCancelled (models/progress.h) when this thread's load shall end.
+/// Throws LoadCancelled (models/progress.h) when this thread's load is cancelled.
 [[nodiscard]] Mesh make_primitive(Primitive primitive, int detail);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// Cube, plane, and the two worked figures of the lecture's interpolation slides.
+// Cube, plane, and the two figures of the lecture's interpolation slides.
 #include <array>
 #include <glm/vec2.hpp>
 
@@ -8,7 +8,7 @@
 namespace glint {
 namespace {
 
-/// Numbers the lattice points (i, j, k), 0 to d each, that lie on the surface of a cube of d^3 cells.
+/// Numbers the lattice points (i, j, k), 0 to d each, on the surface of a cube of d^3 cells.
 struct CubeLattice {
     std::uint32_t d;
 
@@ -18,7 +18,7 @@ struct CubeLattice {
         if (i == d) return d + j;
         return j == d ? 2 * d + (d - i) : 3 * d + (d - j);
     }
-    /// First the whole layer k = 0, then the whole layer k = d, then the rims between.
+    /// First the entire layer k = 0, then the entire layer k = d, then the rims between.
     [[nodiscard]] std::uint32_t index(const std::array<std::uint32_t, 3>& p) const {
         const std::uint32_t layer = (d + 1) * (d + 1);
         if (p[2] == 0) return p[1] * (d + 1) + p[0];

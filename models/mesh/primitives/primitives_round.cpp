@@ -13,7 +13,7 @@ namespace glint {
 namespace {
 
 /// Directions of a globe: the top pole, the rings from top to bottom, the bottom pole; slices to the right as
-/// seen from outside, from +z. Triangles at the poles, which are one vertex each, quads elsewhere.
+/// seen from outside, starting at +z. Triangles at the poles, which are one vertex each, quads elsewhere.
 PrimitiveBuilder make_globe(int detail) {
     const auto slices = static_cast<std::uint32_t>(std::max(detail, 3));
     const std::uint32_t stacks = std::max((slices + 1) / 2, 2u);
@@ -44,7 +44,7 @@ PrimitiveBuilder make_globe(int detail) {
 const double bump_frequency = std::sqrt(19.0) * std::acos(0.0);
 constexpr double bump_height = 0.05;
 
-/// Moves a point of the unit sphere along itself by the bumps and tilts its normal accordingly.
+/// Moves a point of the unit sphere along its normal by the bumps and tilts the normal accordingly.
 /// The normal of the surface r(u) u over unit u is along r u - (the part of r's gradient across u).
 void raise_bump(glm::dvec3& position, glm::dvec3& normal) {
     const glm::dvec3 u = position;
@@ -57,7 +57,8 @@ void raise_bump(glm::dvec3& position, glm::dvec3& normal) {
     normal = r * u - (gradient - glm::dot(gradient, u) * u);
 }
 
-/// Splits every triangle in four at the middles of its edges, which neighbours share, put out to the sphere.
+/// Splits every triangle in four at the midpoints of its edges, which neighbours share, and moves them onto
+/// the sphere.
 PrimitiveBuilder subdivide(PrimitiveBuilder from) {
     PrimitiveBuilder to;
     to.positions = std::move(from.positions);
@@ -86,7 +87,7 @@ PrimitiveBuilder subdivide(PrimitiveBuilder from) {
     return to;
 }
 
-/// Three golden rectangles, one in each coordinate plane; an edge of each lies across an axis.
+/// Three golden rectangles, one in each coordinate plane; each has an edge across an axis.
 PrimitiveBuilder make_icosahedron() {
     const double golden = (1 + std::sqrt(5.0)) / 2;
     PrimitiveBuilder ico;
@@ -99,7 +100,7 @@ PrimitiveBuilder make_icosahedron() {
                 p = glm::normalize(p);
                 ico.vertex(p, p);
             }
-    // Every three vertices that lie an edge apart are a face; turned so that it looks outward.
+    // Every three vertices at the distance of an edge form a face; its winding is chosen to face outward.
     const double edge = 1.2 * glm::length(ico.positions[0] - ico.positions[2]);
     const auto near = [&](std::uint32_t a, std::uint32_t b) {
         return glm::length(ico.positions[a] - ico.positions[b]) < edge;

@@ -1,4 +1,4 @@
-// Torus, knot, cylinder, cone: what turns round an axis or along a curve.
+// Torus, knot, cylinder, cone: shapes swept around an axis or along a curve.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -17,8 +17,8 @@ std::uint32_t at_least(std::uint32_t least, int detail, int divisor = 1) {
 /// A point, or a normal, on a circle around the y axis: angle 0 is at +z, counter-clockwise seen from above.
 glm::dvec3 around_y(const CosSin& a, double radius, double y) { return {radius * a.s, y, radius * a.c}; }
 
-// The knot goes twice round y on a ring of radius 0.85 and three times round that ring at 0.4, which keeps
-// its strands 0.8 apart, and its tube of 0.25 ends at 0.85 + 0.4 + 0.25 = 1.5.
+// The knot winds twice around y on a ring of radius 0.85 and three times around that ring at 0.4, which keeps
+// its strands 0.8 apart; its tube of 0.25 extends to 0.85 + 0.4 + 0.25 = 1.5.
 constexpr double knot_ring = 0.85, knot_coil = 0.4, knot_tube = 0.25;
 
 /// One point of the centre line with its tangent and a vector across it, both unit.
@@ -38,17 +38,17 @@ glm::dvec3 mirrored(const glm::dvec3& v, const glm::dvec3& across) {
     return v - 2 * glm::dot(v, across) / glm::dot(across, across) * across;
 }
 
-/// Carries `out` from one point of the curve to the next without turning about it: two mirrors.
-/// Source: W. Wang, B. Juettler, D. Zheng, Y. Liu, Computation of rotation minimizing frames, TOG 27(1),
-/// 2008.
+/// Transports `out` from one point of the curve to the next without rotating it about the curve, by two
+/// reflections. Source: W. Wang, B. Juettler, D. Zheng, Y. Liu, Computation of rotation minimizing frames,
+/// TOG 27(1), 2008.
 glm::dvec3 carried(const KnotFrame& from, const KnotFrame& to) {
     const glm::dvec3 step = to.centre - from.centre;
     const glm::dvec3 tangent = mirrored(from.tangent, step), out = mirrored(from.out, step);
     return mirrored(out, to.tangent - tangent);
 }
 
-/// Frames along the knot that turn about it as little as a closed tube can: carried along, and what is
-/// missing at the end shared out evenly.
+/// Frames along the knot that rotate as little as a closed tube permits: each is transported to the next, and
+/// the remaining angle at the end is distributed evenly.
 std::vector<KnotFrame> knot_frames(std::uint32_t n) {
     std::vector<KnotFrame> frames;
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -125,8 +125,8 @@ PrimitiveBuilder make_cone(int detail) {
     PrimitiveBuilder cone;
     for (std::uint32_t j = 0; j < n; ++j) cone.positions.push_back(around_y(on_circle(j, n), 1, -1));
     cone.positions.emplace_back(0, 1, 0);
-    // The side rises 2 over a radius of 1, so its normal leans (2, 1). The tip has none of its own: each
-    // facet's corner there takes the normal half-way between its other two.
+    // The side rises 2 over a radius of 1, so its normal is along (2, 1). The tip has no normal of its own:
+    // each facet's corner there uses the normal half-way between its other two.
     for (std::uint32_t j = 0; j < 2 * n; ++j)
         cone.normals.push_back(around_y(on_circle(j, 2 * std::int64_t{n}), 2, 1));
     cone.normals.emplace_back(0, -1, 0);

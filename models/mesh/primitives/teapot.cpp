@@ -1,5 +1,5 @@
-// The Utah teapot, d x d cells a patch, cut into triangles, welded within its parts (which touch, but are not
-// joined: the handle's lower end meets the body in a point).
+// The Utah teapot, d x d cells per patch, cut into triangles, welded within its parts. The parts touch, but
+// are not joined: the handle's lower end meets the body in a point.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,8 +13,7 @@
 namespace glint {
 
 // The Utah teapot: M. Newell's control points (1975) with the bottom added later, as 32 bicubic Bezier
-// patches in the layout that K-3D and three.js carry. Numbers only; z is up. How to evaluate them:
-// teapot.cpp.
+// patches in the layout of K-3D and three.js. Only the numbers; z is up. teapot.cpp evaluates them.
 
 struct TeapotPoint {
     double x, y, z;
@@ -146,11 +145,11 @@ SurfacePoint evaluate(const std::array<std::uint16_t, 16>& patch, const Weights&
             dudv += u.db[i] * v.db[j] * p;
         }
     const glm::dvec3 normal = glm::cross(dv, du);
-    // At a pole a whole row is one point and dS/dv = 0: there dS/dv grows from 0 along d2S/dudv.
+    // At a pole a row of control points coincides and dS/dv = 0: there dS/dv grows from 0 along d2S/dudv.
     return {s, glm::length(dv) < 1e-9 ? glm::cross(dudv, du) : normal};
 }
 
-/// Finds the vertex that another patch has put at the same place already.
+/// Finds the vertex that another patch has already put at the same position.
 class Weld {
   public:
     std::uint32_t find_or_add(const SurfacePoint& point, PrimitiveBuilder& pot) {

@@ -9,7 +9,7 @@
 #include "models/mesh/resolution/resolution.h"
 #include "models/progress.h"
 
-// This header needs OpenMesh's vectors before it.
+// This header requires OpenMesh's vectors.
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
 
 namespace glint {
@@ -21,19 +21,19 @@ using OpenMesh::Vec3d;
 using OpenMesh::VertexHandle;
 using Quadric = OpenMesh::Geometry::QuadricT<double>;
 
-// The most faces around a vertex that may be removed: it is examined again with each change around it.
+// The maximum number of faces around a vertex that may be removed: each change around it examines it again.
 constexpr unsigned most_around = 48;
 // The sine of the turn below which a boundary counts as straight at a vertex.
 constexpr double straight_boundary = 1e-6;
 // The cosine of the largest turn of a face in one step, 78 degrees, so that a flat area cannot fold over.
 constexpr double least_turn = 0.2;
-// Twice a triangle's area over the square of its longest side, below which it is a needle.
+// Twice a triangle's area over the square of its longest side; a smaller ratio is a needle.
 constexpr double least_height = 1e-3;
 constexpr std::size_t between_reports = 1024;
 
-/// Collapses vertices, each onto a neighbour, least quadric error first. OpenMesh's own decimater tests all
-/// collapses of every vertex around a change; this one tests only those of the vertex whose turn it is, which
-/// takes a fifth of the time.
+/// Collapses vertices, each onto a neighbour, smallest quadric error first. OpenMesh's own decimater tests
+/// all collapses of every vertex around a change; this one tests only those of the next vertex in the queue,
+/// which takes a fifth of the time.
 class Collapses {
   public:
     explicit Collapses(HalfEdges& mesh) : m_(mesh), quadric_(mesh.n_vertices()), turn_(mesh.n_vertices(), 0) {
@@ -48,7 +48,7 @@ class Collapses {
             if (steps % between_reports == 0) report_or_leave(LoadStage::Building, faces);
             const Waiting next = queue_.top();
             queue_.pop();
-            if (next.turn != turn_[next.vertex]) continue;  // its surroundings have changed since
+            if (next.turn != turn_[next.vertex]) continue;  // its neighbourhood has changed since
             const Step step = best(VertexHandle(static_cast<int>(next.vertex)), true);
             if (!step.way.is_valid()) continue;
             if (step.error > next.error)
@@ -63,13 +63,13 @@ class Collapses {
         double error;
         std::size_t vertex;
         std::uint32_t turn;
-        bool operator<(const Waiting& o) const {  // std::priority_queue begins with the largest
+        bool operator<(const Waiting& o) const {  // std::priority_queue starts with the largest
             return error != o.error ? error > o.error : vertex > o.vertex;
         }
     };
     struct Step {
         double error = 0;
-        HalfedgeHandle way = HalfedgeHandle();  // from the vertex that goes to the one that it goes onto
+        HalfedgeHandle way = HalfedgeHandle();  // from the removed vertex to the remaining one
     };
     static std::size_t number(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
 
@@ -87,7 +87,7 @@ class Collapses {
         for (const VertexHandle v : corner) quadric_[number(v)] += q;
     }
 
-    /// Returns the collapse of least error; if `checked`, among those that are allowed.
+    /// Returns the collapse of smallest error; if `checked`, among the allowed ones.
     Step best(VertexHandle v, bool checked) {
         ways_.clear();
         for (const auto h : m_.voh_range(v)) {
@@ -111,7 +111,7 @@ class Collapses {
         if (step.way.is_valid()) queue_.push({step.error, number(v), turn});
     }
 
-    /// Returns how many faces went.
+    /// Returns the number of removed faces.
     std::size_t take(HalfedgeHandle way) {
         const VertexHandle from = m_.from_vertex_handle(way), to = m_.to_vertex_handle(way);
         const std::size_t faces = m_.is_boundary(m_.edge_handle(way)) ? 1 : 2;
@@ -133,26 +133,26 @@ class Collapses {
             if (!m_.is_boundary(h) && h != way && spoils(h, to, there)) return false;
         return m_.is_collapse_ok(way) && !is_tetrahedron(way);
     }
-    /// Whether v lies between its two neighbours on the boundary, on a straight line.
+    /// Whether v is on a straight line between its two neighbours on the boundary.
     bool on_straight_boundary(VertexHandle v) {
-        const auto out = m_.halfedge_handle(v);  // of a vertex on a boundary it runs along it
+        const auto out = m_.halfedge_handle(v);  // at a boundary vertex it runs along the boundary
         const Vec3d a = m_.point(v) - m_.point(m_.from_vertex_handle(m_.prev_halfedge_handle(out)));
         const Vec3d b = m_.point(m_.to_vertex_handle(out)) - m_.point(v);
         return (a | b) > 0 && (a % b).norm() <= straight_boundary * a.norm() * b.norm();
     }
-    /// Whether the face of a half-edge turns over or becomes a needle once the vertex that it leaves is
+    /// Whether the face of a half-edge turns over or becomes a needle once the vertex at its start moves to
     /// `there`.
     bool spoils(HalfedgeHandle h, VertexHandle to, const Vec3d& there) {
         const VertexHandle second = m_.to_vertex_handle(h),
                            third = m_.to_vertex_handle(m_.next_halfedge_handle(h));
-        if (second == to || third == to) return false;  // it goes
+        if (second == to || third == to) return false;  // the face is removed
         const Vec3d a = m_.point(second), b = m_.point(third), here = m_.point(m_.from_vertex_handle(h));
         const Vec3d before = (a - here) % (b - here), after = (a - there) % (b - there);
         const double longest = std::max({(a - there).sqrnorm(), (b - there).sqrnorm(), (b - a).sqrnorm()});
         if (after.norm() < least_height * longest && after.norm() < before.norm()) return true;
         return (before | after) <= least_turn * before.norm() * after.norm();
     }
-    /// Whether the collapse would leave only two faces of a tetrahedron, which lie upon one another.
+    /// Whether the collapse would leave only two coincident faces of a tetrahedron.
     bool is_tetrahedron(HalfedgeHandle way) {
         const HalfedgeHandle back = m_.opposite_halfedge_handle(way);
         if (m_.is_boundary(way) || m_.is_boundary(back)) return false;
@@ -163,9 +163,9 @@ class Collapses {
 
     HalfEdges& m_;
     std::vector<Quadric> quadric_;
-    std::vector<std::uint32_t> turn_;  // raised when what surrounds the vertex changes
+    std::vector<std::uint32_t> turn_;  // increased when a vertex's neighbourhood changes
     std::priority_queue<Waiting> queue_;
-    std::vector<Step> ways_;  // kept from call to call
+    std::vector<Step> ways_;  // reused between calls
     std::vector<VertexHandle> around_;
 };
 
@@ -176,8 +176,8 @@ void request_status(HalfEdges& mesh) {
     mesh.request_face_status();
 }
 
-/// Locks the vertices that share one vertex of the mesh, or the mesh would tear there, and those with many
-/// faces.
+/// Locks the vertices that share one vertex of the mesh, because the mesh would tear there, and those with
+/// many faces.
 void lock(const Fans& fans, HalfEdges& mesh) {
     for (const auto v : mesh.vertices()) {
         const std::uint32_t position = fans.position[static_cast<std::size_t>(v.idx())];
@@ -185,7 +185,7 @@ void lock(const Fans& fans, HalfEdges& mesh) {
     }
 }
 
-/// The faces that are left, on the vertices of `mesh` from which they were made.
+/// The remaining faces, on their original vertices of `mesh`.
 Mesh what_is_left(const Mesh& mesh, const Fans& fans, const HalfEdges& half_edges) {
     Mesh out;
     out.first_corner.push_back(0);
@@ -211,7 +211,7 @@ Mesh what_is_left(const Mesh& mesh, const Fans& fans, const HalfEdges& half_edge
 Mesh decimated(const Mesh& mesh, std::size_t triangles) {
     const Mesh cut = triangles_of(mesh);
     Fans fans = fans_of(cut);
-    // Positions are moved to the origin and scaled to within 1, so that no error is too large or too small
+    // Positions are centred at the origin and scaled to within 1, so that no error is too large or too small
     // for a float.
     const glm::dvec3 middle = (glm::dvec3(mesh.bounds.min) + glm::dvec3(mesh.bounds.max)) / 2.0;
     const glm::dvec3 half = glm::dvec3(mesh.bounds.max) - middle;

@@ -9,7 +9,7 @@
 namespace glint {
 
 Fans fans_of(const Mesh& mesh) {
-    static const bool silent = (::omerr().disable(), true);  // it prints every face that it refuses
+    static const bool silent = (::omerr().disable(), true);  // it prints every face that it rejects
     static_cast<void>(silent);
     CreaseGroups groups = crease_groups(mesh, make_topology(mesh), 180);
     Fans fans;

@@ -1,7 +1,7 @@
 #pragma once
-// Converts a mesh to OpenMesh's half-edges and back, inside models/mesh/resolution/ only. Where half-edges
-// cannot hold the mesh (an edge of three faces, two fans at one vertex, ...), several of their vertices stand
-// for one of the mesh.
+// Converts a mesh to OpenMesh's half-edges and back, inside models/mesh/resolution/ only. If half-edges
+// cannot represent a vertex of the mesh (an edge of three faces, two fans at one vertex, ...), they have
+// several vertices for it.
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -20,26 +20,26 @@ struct DoublePlaces : OpenMesh::DefaultTraits {
 using TriangleHalfEdges = OpenMesh::TriMesh_ArrayKernelT<DoublePlaces>;
 using PolygonHalfEdges = OpenMesh::PolyMesh_ArrayKernelT<DoublePlaces>;
 
-/// Which vertex of the half-edges stands at each corner.
+/// The vertex of the half-edges at each corner.
 struct Fans {
     std::vector<std::uint32_t> corner;    // #C, indices into `position`
     std::vector<std::uint32_t> position;  // by vertex of the half-edges: index into Mesh::positions
-    std::vector<char> is_split;           // #V of the mesh: several vertices stand for this one
-    std::size_t split_count = 0;          // how many are
+    std::vector<char> is_split;           // #V of the mesh: has several vertices here
+    std::size_t split_count = 0;          // the number of such vertices
 };
-/// Gives each fan of faces a vertex of its own, so that only manifold edges are joined. Precondition: no
-/// polygon has fewer than three corners or a vertex twice in a row.
+/// Gives each fan of faces its own vertex, so that only manifold edges are joined. Precondition: no polygon
+/// has fewer than three corners or a vertex twice in a row.
 [[nodiscard]] Fans fans_of(const Mesh& mesh);
 
-/// The polygons that have three vertices and more, without corners that repeat the one before them.
+/// The polygons with at least three vertices, without corners that repeat the one before them.
 [[nodiscard]] Mesh without_repeated_corners(const Mesh& mesh);
-/// The mesh's triangles as polygons. Neither this mesh nor the one above is finished.
+/// The mesh's triangles as polygons. Like the mesh above, the result is unfinished.
 [[nodiscard]] Mesh triangles_of(const Mesh& mesh);
 
-/// The most faces that meet at a vertex.
+/// The maximum number of faces that meet at a vertex.
 [[nodiscard]] std::size_t most_faces_around(const Mesh& mesh);
 
-/// Adds the faces of `mesh`; a face that half-edges refuse gets vertices of its own, which are marked in
+/// Adds the faces of `mesh`; a face that half-edges reject gets vertices of its own, which are marked in
 /// `fans`. `place(v)` returns the position of the mesh's vertex v.
 template <class HalfEdges, class Place>
 void add_faces(const Mesh& mesh, Fans& fans, const Place& place, HalfEdges& to) {

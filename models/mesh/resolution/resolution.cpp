@@ -11,15 +11,15 @@
 namespace glint {
 namespace {
 
-/// The number of faces after that many steps: the first step gives as many faces as a polygon has corners (4
-/// for each triangle if all are triangles), each further step 4 for each face.
+/// The number of faces after that many steps: the first step gives one face per corner of a polygon (4 per
+/// triangle if all are triangles), each further step 4 per face.
 std::uint64_t faces_after(const Mesh& mesh, int steps) {
     const bool triangles = mesh.corner_position.size() == 3 * mesh.face_count();
     const std::uint64_t first = triangles ? 4 * mesh.face_count() : mesh.corner_position.size();
     return first << 2 * (steps - 1);
 }
 
-/// The most corners of a face: so many faces meet at one vertex where it is cut from its middle.
+/// The largest number of corners of a face: subdividing makes this many faces meet at its centre.
 std::size_t most_corners(const Mesh& mesh) {
     std::size_t most = 0;
     for (std::size_t f = 0; f < mesh.face_count(); ++f)

@@ -8,7 +8,7 @@
 #include "models/mesh/resolution/resolution.h"
 #include "models/progress.h"
 
-// These headers need a mesh of OpenMesh's before them.
+// These headers require OpenMesh's mesh.
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 
@@ -23,13 +23,13 @@ glm::vec3 float_place(const OpenMesh::Vec3d& v) { return {float(v[0]), float(v[1
 
 /// Returns the positions of the boundary vertices after one subdivision step. In both schemes a boundary is a
 /// cubic B-spline: a step moves v, with neighbours a and b on the boundary, to (a + 6 v + b) / 8. OpenMesh
-/// 9.0 does this in Loop's scheme. In Catmull's and Clark's it uses (a + 4 v + b) / 6, the limit of
+/// 9.0 does this in Loop's scheme. In the Catmull-Clark scheme it uses (a + 4 v + b) / 6, the limit of
 /// infinitely many steps.
 template <class HalfEdges> auto boundary_places(const HalfEdges& mesh) {
     std::vector<std::pair<OpenMesh::VertexHandle, OpenMesh::Vec3d>> places;
     for (const auto v : mesh.vertices()) {
         if (!mesh.is_boundary(v)) continue;
-        const auto out = mesh.halfedge_handle(v);  // of a vertex on a boundary it runs along it
+        const auto out = mesh.halfedge_handle(v);  // at a boundary vertex it runs along the boundary
         if (!out.is_valid()) continue;
         const auto a = mesh.to_vertex_handle(out),
                    b = mesh.from_vertex_handle(mesh.prev_halfedge_handle(out));
@@ -38,15 +38,15 @@ template <class HalfEdges> auto boundary_places(const HalfEdges& mesh) {
     return places;
 }
 
-/// Returns the most that a vertex has, and at least the six of a new one. OpenMesh 9.0 makes the weights of
-/// Loop's scheme for up to 49 of them beforehand, and would read what lies behind those for more.
+/// Returns the largest valence, at least the six of a new vertex. OpenMesh 9.0 precomputes the weights of
+/// Loop's scheme up to valence 49, and reads beyond its table for more.
 template <class HalfEdges> std::size_t most_neighbours(const HalfEdges& mesh) {
     std::size_t most = 6;
     for (const auto v : mesh.vertices()) most = std::max<std::size_t>(most, mesh.valence(v));
     return most;
 }
 
-/// One step at a time, as a load may be ended between two.
+/// One step at a time, because a load may be cancelled between two.
 template <class Subdivider, class HalfEdges> void subdivide(HalfEdges& mesh, int times) {
     Subdivider subdivider;
     if constexpr (requires { subdivider.init_weights(); }) subdivider.init_weights(most_neighbours(mesh) + 1);
@@ -55,7 +55,7 @@ template <class Subdivider, class HalfEdges> void subdivide(HalfEdges& mesh, int
         const auto boundary = boundary_places(mesh);
         subdivider(mesh, 1);
         for (const auto& [vertex, place] : boundary)
-            mesh.set_point(vertex, place);  // a step keeps its vertices' numbers
+            mesh.set_point(vertex, place);  // a step keeps the vertices' numbers
     }
 }
 
@@ -75,7 +75,7 @@ template <class HalfEdges> void copy_faces(const HalfEdges& from, Mesh& to) {
     }
 }
 
-/// Subdivides positions and colours alike, with the same weights.
+/// Subdivides positions and colours with the same weights.
 template <class HalfEdges, class Subdivider> Mesh subdivided_by(const Mesh& mesh, int times) {
     const Fans fans = fans_of(mesh);
     Mesh out;
