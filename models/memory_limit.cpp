@@ -19,7 +19,7 @@ constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t least_limit = std::uint64_t{1} << 20;
 constexpr const char* size_words = "bytes as in 8G, with K, M, G or T behind a whole number; 1M at least";
 
-std::atomic<std::uint64_t> limit_set{0};  // 0: nobody has
+std::atomic<std::uint64_t> limit_set{0};  // 0: not set
 
 std::uint64_t resource_limit(__rlimit_resource which) {
     rlimit limit{};
@@ -33,7 +33,7 @@ std::uint64_t machine_memory() {
     return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
 }
 
-/// The number in a file; the largest where there is no such file, or a word such as "max" in it.
+/// The number in a file; the largest number if the file is missing or contains a word such as "max".
 std::uint64_t number_in(const std::string& path) {
     std::ifstream file(path);
     std::uint64_t number = 0;
@@ -57,8 +57,8 @@ std::optional<Result<std::uint64_t>> from_environment() {
     return parse_memory_size("GLINT_MEMORY", text);
 }
 
-/// Returns the limit where set_memory_limit() was not called; neither the environment nor the machine changes
-/// while the program runs.
+/// Returns the limit if set_memory_limit() was not called. It is computed once, because neither the
+/// environment nor the machine changes while the program runs.
 std::uint64_t limit_of_surroundings() {
     static const std::uint64_t limit = [] {
         const auto named = from_environment();

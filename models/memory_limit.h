@@ -1,6 +1,6 @@
 #pragma once
-// The limits of what one scene may take: `--memory` and GLINT_MEMORY, and how work ends that exceeds a limit.
-// The estimate that is compared with them is in models/scene/scene_cost.h.
+// Limits the memory of one scene: `--memory`, GLINT_MEMORY, and the exception for work that exceeds a limit.
+// models/scene/scene_cost.h has the estimate that is compared with them.
 
 #include <cstdint>
 #include <exception>
@@ -14,7 +14,7 @@
 
 namespace glint {
 
-/// Ends work that exceeds a limit: the command or the frame of the window catches it.
+/// Thrown by work that exceeds a limit; the command or the frame of the window catches it.
 class LimitExceeded : public std::runtime_error {
   public:
     explicit LimitExceeded(const Problem& problem) : std::runtime_error(problem.text()), problem_(problem) {}
@@ -24,27 +24,27 @@ class LimitExceeded : public std::runtime_error {
     Problem problem_;
 };
 
-/// The problem to report for an exception that ended a piece of work. `file`: the file that the work was
-/// about, or empty.
+/// The problem to report for an exception that stopped an operation. `file`: the file being processed, or
+/// empty.
 [[nodiscard]] Problem problem_from(const std::exception& error, const std::string& file = {});
 
-/// Bytes that one scene and its picture may take: the value of set_memory_limit() or of the environment
+/// The bytes that one scene and its picture may use: the value of set_memory_limit() or of the environment
 /// variable GLINT_MEMORY, else default_memory_limit().
 [[nodiscard]] std::uint64_t memory_limit();
 /// Sets the limit of the process, in bytes; 0 removes it again.
 void set_memory_limit(std::uint64_t bytes);
 
-/// Three quarters of the least of: the machine's memory, that of the process's control group and of its
+/// Three quarters of the smallest of: the machine's memory, that of the process's control group and of its
 /// parents, and the limits of its address space and its data (RLIMIT_AS, RLIMIT_DATA).
 [[nodiscard]] std::uint64_t default_memory_limit();
-/// The smallest memory limit of this process's control groups, version 1 or 2; the largest number where none
-/// has one. `root` precedes /proc and /sys.
+/// The smallest memory limit of this process's control groups, version 1 or 2; the largest number if none has
+/// a limit. `root` precedes /proc and /sys.
 [[nodiscard]] std::uint64_t control_group_memory(const std::string& root);
 
-/// "16G", "512M", "1000000": a whole number of bytes, with K, M, G or T of 1024, 1024^2, ... bytes. A problem
-/// has `option` in place of a file. 1M at least.
+/// "16G", "512M", "1000000": a whole number of bytes, with K, M, G or T for 1024, 1024^2, ... bytes; at least
+/// 1M. A problem has `option` in place of a file.
 [[nodiscard]] Result<std::uint64_t> parse_memory_size(const std::string& option, std::string_view text);
-/// The problem with the value of GLINT_MEMORY; nullopt when it is valid or not set.
+/// The problem with the value of GLINT_MEMORY; nullopt if it is valid or not set.
 [[nodiscard]] std::optional<Problem> memory_limit_problem();
 
 }  // namespace glint

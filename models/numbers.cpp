@@ -7,7 +7,7 @@
 
 namespace glint {
 
-// The reader goes by way of a double, which for a few floats (7.0385307e-26 is one) rounds the shortest
+// The reader converts by way of a double. For a few floats (such as 7.0385307e-26) this rounds the shortest
 // decimals of the float to its neighbour: those get more digits.
 std::string number_text(float x) {
     if (x == 0 && std::signbit(x)) return "-0.0";  // "-0" is a whole number, which has no sign

@@ -12,9 +12,9 @@
 namespace glint {
 namespace {
 
-// A line on standard error is at most 4096 bytes with `glint: warning: ` before it and a newline after it.
+// A line on standard error has at most 4096 bytes, including `glint: warning: ` and the newline.
 constexpr std::size_t text_limit = 4096 - 32;
-// No part is cut below this, so that a hostile file name cannot push out what was expected.
+// No part is truncated to less than this, so that a hostile file name cannot hide the expected text.
 constexpr std::size_t part_minimum = text_limit / 4 - 8;
 constexpr std::string_view ellipsis = "…";
 
@@ -42,7 +42,7 @@ std::string printable(std::string_view raw, std::size_t limit) {
     return text;
 }
 
-/// The parts, each printable, together at most `limit` bytes: the first are cut first.
+/// The parts, each printable, together at most `limit` bytes: the first ones are truncated first.
 template <std::size_t N> void shorten(std::array<std::string*, N> parts, std::size_t limit) {
     std::size_t total = 0;
     for (std::string* part : parts) total += (*part = printable(*part, text_limit)).size();
@@ -54,8 +54,8 @@ template <std::size_t N> void shorten(std::array<std::string*, N> parts, std::si
     }
 }
 
-/// Edits (insert, drop, replace, swap two neighbours) that make b of a; a character costs what `differ` says.
-/// Source: optimal string alignment, after F. Damerau, CACM 7(3), 1964.
+/// The cost of the edits (insert, drop, replace, swap two neighbours) that change a to b; `differ` gives the
+/// cost of a character. Source: optimal string alignment, after F. Damerau, CACM 7(3), 1964.
 template <class Differ> std::size_t edits(std::string_view a, std::string_view b, Differ differ) {
     std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -98,17 +98,18 @@ std::string with_expected(const std::string& what, const std::string& expected) 
 }
 
 std::string on_one_line(std::string_view raw) {
-    return printable(raw, 4 * raw.size());  // no escape is longer than four characters a byte
+    return printable(raw, 4 * raw.size());  // no escape is longer than four characters per byte
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
-    word = word.substr(0, 64);  // longer than any name of ours: the rest only costs time
+    word = word.substr(0, 64);  // longer than any of our names; the rest only costs time
     std::string best;
     auto least = std::pair(std::string::npos, std::string::npos);
     for (const std::string& candidate : candidates) {
         std::pair distance(edits(word, candidate, [](char a, char b) { return lower(a) != lower(b); }),
                            edits(word, candidate, [](char a, char b) { return a != b; }));
-        // The beginning of a long name means that name, however many letters are missing: one edit at most.
+        // The beginning of a long name counts as that name, regardless of how many letters are missing: one
+        // edit at most.
         if (!word.empty() && candidate.starts_with(word))
             distance.first = std::min(distance.first, std::size_t{1});
         if (distance < least) {

@@ -1,6 +1,6 @@
 #pragma once
-// Reports the progress of a load to another thread, which may ask for the load to end early. Loading reports
-// to the LoadProgress of its own thread, if that has one; without one nothing is said and nothing ends.
+// Reports the progress of a load to another thread, which may cancel the load. Loading reports to the
+// LoadProgress of its own thread; without one nothing is reported or cancelled.
 
 #include <atomic>
 #include <cstddef>
@@ -14,11 +14,11 @@ enum class LoadStage { Reading, Parsing, Building };
 
 struct LoadProgress {
     std::atomic<LoadStage> stage{LoadStage::Reading};
-    std::atomic<std::uint64_t> done{0}, total{0};  // bytes; Building: faces; total is 0 when not known
+    std::atomic<std::uint64_t> done{0}, total{0};  // bytes; Building: faces; total is 0 if unknown
     std::atomic<bool> cancelled{false};
 };
 
-/// While it lives, loads on this thread report to `progress`, which must outlive it. Scopes do not nest.
+/// During its lifetime, loads on this thread report to `progress`, which must outlive it. Scopes do not nest.
 class ProgressScope {
   public:
     explicit ProgressScope(LoadProgress& progress);
@@ -27,8 +27,8 @@ class ProgressScope {
     ProgressScope& operator=(const ProgressScope&) = delete;
 };
 
-/// While it lives, loads on this thread tell nothing, but end when they shall: they are parts of what counts
-/// something else, such as frames. They do not nest.
+/// During its lifetime, loads on this thread report nothing but can be cancelled: they are part of an
+/// operation with its own progress, such as rendering frames. Does not nest.
 class PartOfProgress {
   public:
     PartOfProgress();
@@ -37,29 +37,29 @@ class PartOfProgress {
     PartOfProgress& operator=(const PartOfProgress&) = delete;
 };
 
-/// Tells how far this thread's load has come. False when it shall end: then give up with cancelled_words.
+/// Reports the progress of this thread's load. Returns false if it was cancelled: then return
+/// cancelled_words.
 [[nodiscard]] bool report_progress(LoadStage stage, std::uint64_t done, std::uint64_t total = 0);
 
-/// Problem::what of a load that was ended early.
+/// Problem::what of a cancelled load.
 inline constexpr const char* cancelled_words = "loading was cancelled";
 
-/// Ends a load early from deep inside.
+/// Thrown to leave a cancelled load.
 struct LoadCancelled : ProblemFound {
     LoadCancelled() : ProblemFound({"", "", cancelled_words, ""}) {}
 };
 
-/// report_progress(), but throws LoadCancelled when the load shall end.
+/// Like report_progress(), but throws LoadCancelled if the load was cancelled.
 void report_or_leave(LoadStage stage, std::uint64_t done, std::uint64_t total = 0);
 
-/// True when this thread's load shall end; for steps that have nothing to tell.
+/// True if this thread's load was cancelled; for steps without progress of their own.
 [[nodiscard]] bool load_cancelled();
 
-/// Reports how many bytes of a file have been parsed, after every 64 KiB: cheap enough to be told of each
-/// word.
+/// Reports the number of parsed bytes of a file after every 64 KiB: cheap enough to be called for each word.
 class ParsedBytes {
   public:
     explicit ParsedBytes(std::size_t total) : total_(total) {}
-    /// Throws LoadCancelled when the load shall end.
+    /// Throws LoadCancelled if the load was cancelled.
     void at(std::size_t done) {
         if (done >= next_) report(done);
     }

@@ -1,14 +1,14 @@
 #pragma once
-// Which values a number or a word of a scene may have: the reader refuses others, the window offers no
-// others, the documentation and the JSON Schema print them.
+// The allowed values of a number or a word of a scene: the reader rejects others, the window offers no
+// others, and the documentation and the JSON Schema print them.
 
 #include <optional>
 #include <string_view>
 
 namespace glint {
 
-/// No number of a scene or a mesh is further from 0 (docs/limits.md). Then no product in the lighting
-/// equation (max_factor in renderer/lighting/light_job.h) and no squared distance overflows a float.
+/// The largest magnitude of a number of a scene or a mesh (docs/limits.md). It keeps products in the lighting
+/// equation (max_factor in renderer/lighting/light_job.h) and squared distances within a float.
 inline constexpr double max_number = 1e7;
 
 /// The numbers from `low` to `high`, ends included unless they are open, and the number `also` if it is set.
@@ -18,7 +18,7 @@ struct Range {
     bool low_open = false, high_open = false;
     std::optional<double> also = std::nullopt;
 
-    /// Compares in the precision of x: a number that has to be above 0 must be so as a float too.
+    /// Compares in the precision of x: a number that must be above 0 must also be above 0 as a float.
     template <class Real> [[nodiscard]] constexpr bool contains(Real x) const {
         const auto from = static_cast<Real>(low), to = static_cast<Real>(high);
         const bool above = low_open ? x > from : x >= from;
@@ -33,9 +33,9 @@ inline constexpr Range above_zero{0, max_number, "more than 0, up to 1e7", true}
 inline constexpr Range zero_to_one{0, 1, "0 to 1"};
 inline constexpr Range half_turn_deg{0, 180, "0 to 180"};
 
-/// One member of a closed set, with the text that people see.
+/// One member of a closed set, with its texts for users.
 struct Choice {
-    std::string_view word;     // in the scene file; ends with '\0', as all literals
+    std::string_view word;     // in the scene file; ends with '\0', like all literals
     const char* label = "";    // in the window
     const char* meaning = "";  // for tooltips, the documentation and the JSON Schema
 };

@@ -5,7 +5,7 @@
 namespace glint {
 namespace {
 
-/// Bytes of a character and the bounds of its second byte; the later ones are 80 to BF. Length 0: no lead
+/// Bytes of a character and the bounds of its second byte; the later ones are 80 to BF. Length 0: not a lead
 /// byte.
 struct Lead {
     std::size_t length;

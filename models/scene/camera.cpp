@@ -20,7 +20,7 @@ Axes camera_axes(const Camera& camera) {
     return {u, glm::cross(w, u), w};
 }
 
-/// The window on the near plane that a projection sees.
+/// The window on the near plane that a projection shows.
 struct Window {
     double left, right, bottom, top, near, far;
 };

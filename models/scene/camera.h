@@ -1,5 +1,5 @@
 #pragma once
-// The camera: where the eye stands, and how the view volume is projected (lecture: "Viewing", "Perspective
+// The camera: the position of the eye and the projection of the view volume (lecture: "Viewing", "Perspective
 // Derivation"). Right-handed; in its own coordinates the camera looks down -z, x right, y up.
 
 #include <cassert>
@@ -20,7 +20,7 @@ struct Orthographic {
     float near = 0.1f, far = 100;
     bool operator==(const Orthographic&) const = default;
 };
-/// Asymmetric perspective: the window on the near plane. Stretched to the picture, as OpenGL does.
+/// Asymmetric perspective: the window on the near plane. Stretched to the picture, as in OpenGL.
 struct Frustum {
     float left = -0.05f, right = 0.05f, bottom = -0.05f, top = 0.05f;
     float near = 0.1f, far = 100;
@@ -39,40 +39,40 @@ inline constexpr int max_picture_side = 16384;
 /// Width and height of a picture in pixels, 1 to max_picture_side each.
 struct PictureSize {
     int width = 1280, height = 720;
-    bool keeps_width = false;  // narrower than 16:9 it shows as much from side to side: fitted()
+    bool keeps_width = false;  // below 16:9 the horizontal field stays the same: fitted()
     bool operator==(const PictureSize&) const = default;
 
     [[nodiscard]] std::size_t pixels() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     }
-    /// Pixels are numbered row by row from the upper left corner. Precondition: (x, y) lies inside.
+    /// Pixels are numbered row by row from the upper left corner. Precondition: (x, y) is inside.
     [[nodiscard]] std::size_t index(int x, int y) const {
         assert(x >= 0 && y >= 0 && x < width && y < height);
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
 };
 
-/// Camera coordinates from world coordinates: rows (u, -u.eye), (v, -v.eye), (w, -w.eye), (0 0 0 1), with
-/// w = (eye - target)/|eye - target|, u = up x w / |up x w|, v = w x u. (The slide "Correction: W2V vs. V2W"
-/// writes M_V2W on this matrix; it takes the eye to the origin.) In double, so that an eye and an object that
-/// are both far away do not lose the difference.
+/// Camera coordinates from world coordinates: rows (u, -u.eye), (v, -v.eye), (w, -w.eye), (0 0 0 1), with w =
+/// (eye - target)/|eye - target|, u = up x w / |up x w|, v = w x u. (The slide "Correction: W2V vs. V2W"
+/// labels this matrix M_V2W; it maps the eye to the origin.) In double, so that an eye and an object that are
+/// both far away keep a precise difference.
 /// Precondition: eye != target and up not parallel to the view direction (the scene file checks it).
 [[nodiscard]] glm::dmat4 view_from_world(const Camera& camera);
 /// World coordinates from camera coordinates: the inverse of view_from_world(), with the axes u, v, w as
 /// columns and the same precondition.
 [[nodiscard]] glm::dmat4 world_from_view(const Camera& camera);
 
-/// Width by height of the picture that a scene is composed for.
+/// Width by height of the picture for which a scene is composed.
 inline constexpr double composed_aspect = 16.0 / 9;
 
-/// Whether the field is wider there than the projection says.
+/// Whether the vertical field is larger than that of the projection.
 [[nodiscard]] constexpr bool is_widened(PictureSize size) {
     return size.keeps_width && 9LL * size.width < 16LL * size.height;
 }
 
-/// The projection of a picture of this size: `projection`, whose field of view is vertical. Where the size
-/// keeps its width and is narrower than 16:9, the field is as wide as at 16:9, and so higher. A frustum stays
-/// as it is, stretched to the picture.
+/// The projection of a picture of this size: `projection`, whose field of view is vertical. If the size keeps
+/// its width and is narrower than 16:9, the horizontal field is that of 16:9, so the vertical one is larger.
+/// A frustum stays unchanged, stretched to the picture.
 [[nodiscard]] Projection fitted(const Projection& projection, PictureSize size);
 
 /// Clip coordinates from camera coordinates, of fitted(projection, size), OpenGL's: rows (E 0 A 0) (0 F B 0)

@@ -1,6 +1,6 @@
 #pragma once
-// A light as the scene file describes it (docs/scene_file.md, "Lights"; lecture: "Light Sources").
-// Plain data; what it does to a point is in renderer/lighting.
+// A light as the scene file describes it (docs/scene_file.md, "Lights"; lecture: "Light Sources"). Plain
+// data; renderer/lighting computes its effect.
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -38,12 +38,12 @@ struct Light {
     std::string name = "Light";
     LightKind kind = LightKind::Point;
     LightSpace space = LightSpace::World;
-    glm::vec4 position{0, 2, 2, 1};  // w = 0: the direction towards the light; w > 0: a place, divided by w
+    glm::vec4 position{0, 2, 2, 1};  // w = 0: the direction towards the light; w > 0: a point, divided by w
     glm::vec3 ambient{0}, diffuse{1}, specular{1};  // linear RGB, >= 0, 1 is full intensity
     float intensity = 1;                            // multiplies all three, >= 0
     bool enabled = true;
     Falloff falloff;  // point and spot only
-    SpotCone spot;    // kept, without effect, when the kind is another
+    SpotCone spot;    // kept but ignored for other kinds
     AreaShape area;   // likewise
     bool operator==(const Light&) const = default;
 };

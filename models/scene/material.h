@@ -1,5 +1,5 @@
 #pragma once
-// What a surface does with light (docs/scene_file.md; lecture: "Lighting in OpenGL").
+// The reflection properties of a surface (docs/scene_file.md; lecture: "Lighting in OpenGL").
 
 #include <glm/vec3.hpp>
 #include <span>
@@ -8,7 +8,7 @@
 namespace glint {
 
 struct Material {
-    glm::vec3 ambient{0.2f}, diffuse{0.8f}, specular{1};  // k_a, k_d, k_s: linear RGB, share reflected
+    glm::vec3 ambient{0.2f}, diffuse{0.8f}, specular{1};  // k_a, k_d, k_s: linear RGB, reflected fraction
     glm::vec3 emission{0};                                // linear RGB
     float shininess = 32;                                 // exponent n_shiny, 0 to 10,000
     float roughness = 0.5f;                               // 0 to 1; oren-nayar and cook-torrance

@@ -12,7 +12,7 @@ glm::vec3 color(const Json& numbers) {
     return {numbers[0].get<float>(), numbers[1].get<float>(), numbers[2].get<float>()};
 }
 
-/// Alpha is left out: nothing here is drawn through.
+/// Alpha is ignored: transparency is not supported.
 MaterialPreset preset_of(const Json& entry) {
     Material m;
     m.ambient = color(entry["ambient"]);
@@ -25,7 +25,7 @@ MaterialPreset preset_of(const Json& entry) {
 }  // namespace
 
 std::span<const MaterialPreset> material_presets() {
-    static const Json document = parsed_json(material_presets_text, "materials.json");  // holds the names
+    static const Json document = parsed_json(material_presets_text, "materials.json");  // owns the names
     static const std::vector<MaterialPreset> presets = [] {
         std::vector<MaterialPreset> made;
         for (const Json& entry : document["materials"]) made.push_back(preset_of(entry));

@@ -1,6 +1,6 @@
 #pragma once
-// The catalogue of mistakes: what each is called in the scene file (`/shading/mistakes/NAME`), what the wrong
-// program does, how one recognises it, and where people asked about it.
+// The catalogue of mistakes: the name of each in the scene file (`/shading/mistakes/NAME`), what the wrong
+// program does, how to recognize it, and where people asked about it.
 
 #include <span>
 #include <string_view>
@@ -9,10 +9,11 @@
 
 namespace glint {
 
-/// The step of drawing that a mistake changes. Its code is where its flag is read: `git grep -w NAME renderer`.
+/// The step of drawing that a mistake changes. Its code is at the uses of its flag: `git grep -w NAME
+/// renderer`.
 enum class MistakeStage { Equation, Viewer, Lights, Materials, Normals, Faces, Display };
 
-/// What one sees first.
+/// The first visible symptom.
 enum class SeenAs {
     MovesWithCamera,
     WrongSide,
@@ -33,10 +34,10 @@ struct MistakeName {
     bool Mistakes::*flag;
     MistakeStage stage;
     SeenAs seen_as;
-    std::string_view what;         // what the wrong program does: for tooltips and documents
-    std::string_view looks;        // how one recognises it in a picture
-    std::string_view look_alikes;  // names of mistakes that look much the same, separated by spaces
-    std::string_view sources;      // threads that ask about it, separated by "; "; empty: none is noted
+    std::string_view what;         // the behaviour of the wrong program: for tooltips and documents
+    std::string_view looks;        // how to recognize it in a picture
+    std::string_view look_alikes;  // names of mistakes that look similar, separated by spaces
+    std::string_view sources;      // threads that ask about it, separated by "; "; may be empty
 };
 
 /// All of them, in the order of struct Mistakes.

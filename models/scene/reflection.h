@@ -1,8 +1,8 @@
 #pragma once
-// What each reflection model is, one row a model: its words, its formula, which vectors and which numbers of
-// the material it uses, and whether its factors are bounded. What it computes is in renderer/lighting, one
-// file a model. The lighting kernels of every instruction set read the rows: as data, so that nothing of the
-// standard library is compiled into them.
+// The reflection models, one row per model: its texts, its formula, the vectors and material numbers that it
+// uses, and whether its factors are bounded. Its computation is in renderer/lighting, one file per model. The
+// lighting kernels of every instruction set read the rows. They are data, so that no standard library code is
+// compiled into the kernels.
 
 #include "models/range.h"
 
@@ -13,12 +13,12 @@ enum class Reflection { None, Lambert, Phong, BlinnPhong, Retro, OrenNayar, Cook
 /// The cosine that a model's highlight raises to the shininess.
 enum class HighlightCosine { None, RV, NH, LV };
 
-/// Where a smooth highlight is brightest: at the light mirrored at n, or back at the light itself.
+/// The position of a smooth highlight: where the light is mirrored at n, or where it returns to the light.
 enum class HighlightPeak { Mirror, Light };
 
 struct ReflectionInfo {
     Choice choice;
-    const char* highlight = "";        // S as text; the power stands as (a·b)^n
+    const char* highlight = "";        // S as text, with (a·b)^n for the power
     const char* highlight_latex = "";  // the same, in LaTeX
     HighlightCosine cosine = HighlightCosine::None;
     bool is_lit = true;           // false: the mesh's own colours, no equation
@@ -26,7 +26,7 @@ struct ReflectionInfo {
     bool uses_h = false;          // the half vector
     bool uses_roughness = false;  // Material::roughness
     bool uses_f0 = false;         // Material::f0
-    bool rough_diffuse = false;   // the diffuse term has a factor beside n·l
+    bool rough_diffuse = false;   // the diffuse term has a factor besides n·l
     HighlightPeak peak = HighlightPeak::Mirror;
     bool is_bounded =
         true;  // the diffuse factor stays within max_diffuse_factor, S within max_specular_factor
@@ -36,12 +36,12 @@ struct ReflectionInfo {
     [[nodiscard]] constexpr bool uses_r() const { return cosine == HighlightCosine::RV; }
 };
 
-/// Upper bounds of the factors of every model that is bounded, rounding included: Oren-Nayar's diffuse factor
-/// stays below 1.45, the others' and every power of a cosine at or below 1. The grid to which shares are
-/// rounded follows from them (renderer/lighting/rounding.h).
+/// Upper bounds of the factors of every bounded model, rounding included: Oren-Nayar's diffuse factor stays
+/// below 1.45, the others' and every power of a cosine at or below 1. They determine the grid to which shares
+/// are rounded (renderer/lighting/rounding.h).
 inline constexpr double max_diffuse_factor = 1.5, max_specular_factor = 1.01;
 
-/// The rows, one case a model, so that the compiler names the enumerator that has none.
+/// The rows, one case per model, so that the compiler reports an enumerator without a row.
 constexpr ReflectionInfo row_of(Reflection reflection) {
     switch (reflection) {
     case Reflection::None:
@@ -135,7 +135,7 @@ static constexpr ReflectionTable reflection_table = [] {
     return table;
 }();
 
-/// Precondition: an enumerator. Static, as the table: no weak name that the kernels of two sets share.
+/// Precondition: an enumerator. Static, like the table, so that the kernels of two sets share no weak symbol.
 [[gnu::always_inline]] static constexpr const ReflectionInfo& info_of(Reflection reflection) {
     return reflection_table.rows[static_cast<int>(reflection)];
 }

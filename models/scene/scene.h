@@ -1,7 +1,6 @@
 #pragma once
-// What a scene is: a value. Copyable, equality-comparable, no callbacks, no globals. Undo is a list of
-// scenes; a test is a scene and a picture. Names and defaults are those of the scene file
-// (docs/scene_file.md).
+// A scene as a value: copyable, equality-comparable, no callbacks, no globals. Undo is a list of scenes; a
+// test is a scene and a picture. Names and defaults are those of the scene file (docs/scene_file.md).
 
 #include <algorithm>
 #include <string>
@@ -21,15 +20,15 @@
 
 namespace glint {
 
-/// Triangles that the objects of a scene may have together; the renderer's numbers for them have 30 bits.
+/// The limit of triangles of all objects of a scene; the renderer numbers them with 30 bits.
 inline constexpr std::size_t max_scene_triangles = std::size_t{1} << 30;
 
-/// Meshes that one file may hold.
+/// The limit of meshes in one file.
 inline constexpr int max_parts = 100'000;
 
 struct MeshFile {
     std::string path;                 // as written in the scene file: relative to it, or absolute
-    int part = 0;                     // which of the meshes that the file holds
+    int part = 0;                     // index of the mesh in the file
     int decimate = 0, subdivide = 0;  // of MeshResolution
     bool operator==(const MeshFile&) const = default;
 };
@@ -39,13 +38,13 @@ struct PrimitiveMesh {
     int decimate = 0, subdivide = 0;  // of MeshResolution
     bool operator==(const PrimitiveMesh&) const = default;
 };
-/// As finely cut as where a scene says no detail.
+/// The detail if a scene does not state one.
 [[nodiscard]] constexpr PrimitiveMesh default_mesh(Primitive primitive) {
     return {primitive, info_of(primitive).default_detail};
 }
 using MeshSource = std::variant<PrimitiveMesh, MeshFile>;
 
-/// The decimation and subdivision that a source asks for, and the same source without them.
+/// The decimation and subdivision of a source, and the same source without them.
 [[nodiscard]] inline MeshResolution resolution_of(const MeshSource& source) {
     return std::visit([](const auto& s) { return MeshResolution{s.decimate, s.subdivide}; }, source);
 }
@@ -61,13 +60,14 @@ struct Object {
     Transform transform;
     NormalOptions normals;
     Material material;
-    MeshPtr mesh;  // what `source` stands for once loaded, else null
+    MeshPtr mesh;  // the loaded mesh of `source`; null before
     /// Compares meshes by pointer: an equal mesh that was loaded again makes a different object, which is
     /// drawn again.
     bool operator==(const Object&) const = default;
 };
 
-/// Identifies the corner normals of an object: objects with equal keys have the same ones, except for `flip`.
+/// Identifies the corner normals of an object: objects with equal keys have the same normals, except for
+/// `flip`.
 using NormalsKey = std::tuple<const Mesh*, NormalSource, NormalWeighting, float>;
 [[nodiscard]] inline NormalsKey normals_key(const Object& object) {
     const NormalOptions& n = object.normals;
@@ -95,10 +95,10 @@ struct Display {
     bool operator==(const Display&) const = default;
 };
 
-/// The most lights and objects of a scene file.
+/// The limits of lights and objects in a scene file.
 inline constexpr std::size_t max_lights = 4096, max_objects = 10'000;
-/// The most characters of the name of a light or an object. Explanations, programs and parts of a glTF file
-/// repeat names many times.
+/// The maximum number of characters in the name of a light or an object. Explanations, programs and parts of
+/// a glTF file repeat names many times.
 inline constexpr std::size_t max_name_characters = 1000;
 
 struct Scene {
@@ -113,8 +113,8 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Whether a scene file would describe both alike, whatever meshes are loaded. Saving, the steps of undo and
-/// reading back use this.
+/// Whether both have the same scene file, ignoring loaded meshes. Saving, undo steps and reading back use
+/// this.
 [[nodiscard]] inline bool same_description(const Object& a, const Object& b) {
     return a.name == b.name && a.visible == b.visible && a.source == b.source && a.transform == b.transform &&
            a.normals == b.normals && a.material == b.material;

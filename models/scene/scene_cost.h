@@ -1,6 +1,5 @@
 #pragma once
-// One estimate of the memory that a scene and its picture take, compared with the limit before anything is
-// drawn.
+// Estimates the memory of a scene and its picture. The estimate is compared with the limit before drawing.
 
 #include <cstdint>
 #include <optional>
@@ -10,15 +9,15 @@
 
 namespace glint {
 
-/// Samples that a picture may have: its pixels times the samples of each.
+/// The limit of samples in a picture: its pixels times the samples per pixel.
 inline constexpr std::uint64_t max_picture_samples = std::uint64_t{1} << 30;
 
 /// Bytes of a mesh's lists.
 [[nodiscard]] std::uint64_t mesh_bytes(const Mesh& mesh);
 
-/// Estimated bytes. Objects whose mesh is not loaded count as empty.
+/// Estimated bytes. Objects without a loaded mesh count as empty.
 struct SceneCost {
-    std::uint64_t meshes = 0;   // each once
+    std::uint64_t meshes = 0;   // each counted once
     std::uint64_t objects = 0;  // transformed vertices, normals, triangles in tiles
     std::uint64_t picture = 0;
 };
@@ -27,7 +26,7 @@ struct SceneCost {
 [[nodiscard]] std::optional<Problem> too_much_memory(const SceneCost& cost);
 
 /// The problem with a scene that exceeds a limit: too many triangles, too many samples, or more memory than
-/// memory_limit(). Without `size`, of the scene alone.
+/// memory_limit(). Without `size`, checks only the scene.
 [[nodiscard]] std::optional<Problem> too_large(const Scene& scene, PictureSize size = {0, 0},
                                                int samples = 1);
 

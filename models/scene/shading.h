@@ -1,7 +1,7 @@
 #pragma once
-// How points are lit and how the lit points fill the picture: two choices that never mix (lecture: "Lighting
-// vs. Shading"). Plain enums and switches, included by the lighting kernels of every instruction set: keep it
-// free of the standard library.
+// The lighting of points, and the filling of the picture with lit points: two independent choices (lecture:
+// "Lighting vs. Shading"). Plain enums and switches, included by the lighting kernels of every instruction
+// set: do not use the standard library here.
 
 #include "models/scene/reflection.h"
 
@@ -18,8 +18,8 @@ struct Terms {
     bool operator==(const Terms&) const = default;
 };
 
-/// Mistakes that students really make, each a switch: what goes wrong can then be seen. Names and what each
-/// one does: models/scene/mistakes.h.
+/// Common mistakes of students, each a switch that makes its effect visible. Names and effects:
+/// models/scene/mistakes.h.
 struct Mistakes {
     // In the equation.
     bool unnormalized_light = false, unnormalized_half = false, specular_behind_surface = false;
@@ -27,7 +27,7 @@ struct Mistakes {
     bool ambient_per_light_added_twice = false, clamp_each_light = false, shininess_as_fraction = false;
     bool missing_pi = false, absolute_cosine = false, reflect_sign = false, reflect_of_difference = false;
     bool power_zero_is_nan = false;
-    // In what the lights and the viewer are.
+    // In lights and viewer.
     bool light_in_wrong_space = false, light_moved_twice = false, falloff_of_directional = false;
     bool falloff_without_constant = false, degrees_for_radians = false, cutoff_as_full_angle = false;
     bool viewer_at_origin_of_world = false, lit_after_projection = false;
@@ -43,7 +43,7 @@ struct Mistakes {
     bool normals_left_in_object = false, normals_left_in_world = false, normals_as_points = false;
     bool some_faces_flipped = false, cross_reversed = false, mirror_turns_inside_out = false;
     bool flipped_by_view = false, flipped_twice = false;
-    // In which faces are drawn, and in the bytes.
+    // In the choice of faces, and in the bytes.
     bool culled_by_light = false, encoded_twice = false, bytes_wrap = false;
     bool operator==(const Mistakes&) const = default;
 };
@@ -58,12 +58,12 @@ struct Shading {
     Cull cull = Cull::None;
     Rules rules = Rules::Lecture;
     Terms terms;
-    int power_table = 0;  // entries of a table that cosines are raised by, 2 to 65,536; 0: no table
+    int power_table = 0;  // entries of a table for powers of cosines, 2 to 65,536; 0: no table
     Mistakes mistakes;
     bool operator==(const Shading&) const = default;
 };
 
-/// Whether flat shading lights each triangle at its provoking corner, instead of each polygon at its centroid.
+/// Whether flat shading lights each triangle at its provoking corner instead of each polygon at its centroid.
 constexpr bool flat_at_provoking_corner(const Shading& shading) {
     return shading.flat_point == FlatPoint::Provoking || shading.rules == Rules::OpenGL2;
 }

@@ -8,7 +8,7 @@
 namespace glint {
 namespace {
 
-/// The matrix of one step alone, rotation or scale, without the translation.
+/// The matrix of a single step, rotation or scale, without the translation.
 glm::dmat3 linear_part(const Transform& written, TransformStep step) {
     Transform alone;
     if (step == TransformStep::Rotate) alone.rotate_deg = written.rotate_deg;

@@ -1,5 +1,5 @@
 #pragma once
-// Where an object stands in the world: M = T Rz Ry Rx S (docs/scene_file.md, "Objects").
+// The transform of an object: M = T Rz Ry Rx S (docs/scene_file.md, "Objects").
 
 #include <array>
 #include <glm/mat4x4.hpp>
@@ -18,8 +18,8 @@ struct Transform {
 /// World coordinates from object coordinates, in double (see view_from_world).
 [[nodiscard]] glm::dmat4 world_from_object(const Transform& transform);
 
-// The three steps written in another order than a scene file has them. Lecture: "Transformations" (the last
-// one that is written is the first one that happens).
+// The three steps in a different order from that of a scene file. Lecture: "Transformations" (the last one
+// written is applied first).
 
 enum class TransformStep { Translate, Rotate, Scale };
 
@@ -29,7 +29,7 @@ inline constexpr TransformOrder file_order{TransformStep::Translate, TransformSt
                                            TransformStep::Scale};
 
 /// Returns the transform in file order that has the same matrix as `written` in `order`, with the rotation
-/// and the scale of `written`. Nothing where a scale is written before a rotation with which it does not
+/// and the scale of `written`. Returns nothing if a scale is written before a rotation with which it does not
 /// commute: that shears or scales along other axes, which a scene file cannot express with these numbers.
 [[nodiscard]] std::optional<Transform> in_file_order(const Transform& written, const TransformOrder& order);
 

@@ -1,4 +1,4 @@
-// Cameras that show all of something, and the scene that a mesh alone is shown in.
+// Cameras that frame objects, and the scene that shows a single mesh.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -22,7 +22,7 @@ struct Sphere {
     double radius = 0;
 };
 
-/// f(place in the world) of every corner of the objects that are shown, or of one.
+/// Calls f(world position) for every corner of all visible objects, or of one object.
 template <class F> void each_corner(const Scene& scene, int object, F f) {
     const bool all = object < 0 || static_cast<std::size_t>(object) >= scene.objects.size();
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -34,8 +34,7 @@ template <class F> void each_corner(const Scene& scene, int object, F f) {
     }
 }
 
-/// A sphere around the centre of the bounds: not the smallest one, but at most a seventh larger in the worst
-/// of ordinary cases.
+/// A sphere around the centre of the bounds: not the smallest one, but usually at most a seventh larger.
 std::optional<Sphere> bounding_sphere(const Scene& scene, int object) {
     glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
     bool any = false;
@@ -48,15 +47,15 @@ std::optional<Sphere> bounding_sphere(const Scene& scene, int object) {
     Sphere s{(low + high) / 2.0, 0};
     each_corner(scene, object,
                 [&](glm::dvec3 p) { s.radius = std::max(s.radius, glm::distance(p, s.center)); });
-    // A point has no size to fill the picture with; far from the origin, floats cannot tell eye and target
-    // apart.
+    // A point has no size that could fill the picture; far from the origin, floats cannot distinguish eye and
+    // target.
     const double far_off = std::max({std::abs(s.center.x), std::abs(s.center.y), std::abs(s.center.z)});
     s.radius = s.radius > 0 ? std::max(s.radius, 1e-5 * far_off) : std::max(1.0, 1e-5 * far_off);
     return s;
 }
 
-/// Tangent of the narrowest angle between the axis and the window's edges; of half the window where the axis
-/// is outside it.
+/// Tangent of the smallest angle between the axis and the window's edges; of half the window if the axis is
+/// outside it.
 double narrowest_tangent(const Frustum& f) {
     const double left = std::min(f.left, f.right), right = std::max(f.left, f.right);
     const double bottom = std::min(f.bottom, f.top), top = std::max(f.bottom, f.top);
@@ -64,22 +63,22 @@ double narrowest_tangent(const Frustum& f) {
     return (inside > 0 ? inside : std::min(right - left, top - bottom) / 2) / f.near;
 }
 
-/// Distance of the eye from a sphere's centre so that it fits the narrower side of a picture from 1:1 to
+/// The distance of the eye from a sphere's centre at which it fits the narrower side of a picture from 1:1 to
 /// 16:9, which is the height: a cone of half angle a touches it at radius / sin a.
 double fitting_distance(const Projection& projection, double radius) {
     if (const auto* p = std::get_if<Perspective>(&projection))
         return margin * radius / std::sin(p->fov_y_deg * std::numbers::pi / 360);
     if (const auto* p = std::get_if<Frustum>(&projection))
         return margin * radius / std::sin(std::atan(narrowest_tangent(*p)));
-    return 4 * radius;  // any: the size in the picture does not depend on it
+    return 4 * radius;  // arbitrary: the size in the picture does not depend on it
 }
 
-/// Returns the projection with new clipping planes: near well in front of the sphere, far well behind it, and
-/// near not so small compared with far that depth loses its digits.
+/// Returns the projection with new clipping planes: near well in front of the sphere, far well behind it,
+/// with a ratio that keeps the precision of depth.
 Projection with_planes(Projection projection, double distance, double radius) {
     const auto near = static_cast<float>(distance / 50), far = static_cast<float>(distance + 20 * radius);
     if (auto* f = std::get_if<Frustum>(&projection)) {
-        const float scale = near / f->near;  // the window lies on the near plane
+        const float scale = near / f->near;  // the window is on the near plane
         f->left *= scale, f->right *= scale, f->bottom *= scale, f->top *= scale;
     }
     if (auto* o = std::get_if<Orthographic>(&projection)) o->height = static_cast<float>(2 * margin * radius);
@@ -114,7 +113,7 @@ std::vector<Light> default_lights() {
     fill.space = LightSpace::Camera;
     fill.position = {0, 0, 0, 1};
     fill.diffuse = glm::vec3(0.3f);
-    fill.specular = glm::vec3(0);  // a highlight at the eye would follow the viewer about
+    fill.specular = glm::vec3(0);  // a highlight at the eye would follow the viewer
     return {key, fill};
 }
 

@@ -26,16 +26,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Identifies a mesh as it is given: by a primitive's name and detail, or by the file itself (whatever path
-/// leads to it), its part, and the extension by which it is read.
+/// Identifies an original mesh: by a primitive's name and detail, or by the file itself (independent of its
+/// path), its part, and the extension that selects the reader.
 using GivenKey = std::tuple<std::string, int, dev_t, ino_t>;
-/// Identifies a mesh with how much finer or coarser it is made.
+/// Identifies a mesh together with its resolution.
 using MeshKey = std::tuple<GivenKey, int, int>;
 
-/// Files of many parts, each read once; by the key of part 0.
+/// Files with several parts, each read once; the key is that of part 0.
 using GltfFiles = std::map<GivenKey, GltfFile>;
 
-/// `key`: of the part.
+/// `key`: that of the part.
 Result<Mesh> part_of(const std::string& path, GivenKey key, GltfFiles& files) {
     const int part = std::exchange(std::get<int>(key), 0);
     auto found = files.find(key);
@@ -62,7 +62,7 @@ Result<MeshPtr> load(const MeshSource& source, const GivenKey& key, const std::s
     });
 }
 
-/// Returns `given` made finer or coarser as wanted; `given` itself when it is fine as it is.
+/// Returns `given` refined or coarsened; `given` itself if nothing changes.
 Result<MeshPtr> refined(const MeshPtr& given, const MeshResolution& wanted) {
     if (has_resolution(*given, wanted)) return given;
     Result<Mesh> made = with_resolution(*given, wanted);
@@ -76,12 +76,12 @@ GivenKey key_of_file(const std::string& path) {
     return {lower_extension(path), 0, status.st_dev, status.st_ino};
 }
 
-/// Meshes by what they come from, so that each is loaded once.
+/// Meshes by their source, so that each is loaded once.
 class Loader {
   public:
     Loader(const std::string& file, const std::string& mesh_dir) : file_(file), mesh_dir_(mesh_dir) {}
 
-    /// The object's mesh; a problem is about its place in the scene, or in the mesh file.
+    /// The object's mesh; a problem refers to its pointer in the scene, or to the mesh file.
     Result<MeshPtr> mesh_of(const Object& object, std::size_t index) {
         const std::string pointer = fmt::format("/objects/{}/mesh", index);
         const auto* named = std::get_if<MeshFile>(&object.source);
@@ -103,7 +103,7 @@ class Loader {
         return known;
     }
 
-    /// A mesh that the scene holds already need not be loaded again.
+    /// Registers a mesh that the scene has already loaded.
     void remember(const Object& object) {
         if (object.mesh) known_[key_of(object.source)] = object.mesh;
     }
@@ -111,7 +111,7 @@ class Loader {
     Warnings take_warnings() { return warnings_.take(); }
 
   private:
-    /// The mesh as it is read or made.
+    /// The original mesh, read or generated.
     Result<MeshPtr> given_mesh(const MeshSource& source, const std::string& pointer) {
         const auto* named = std::get_if<MeshFile>(&source);
         MeshPtr& known = known_[key_of(as_given(source))];
@@ -154,7 +154,7 @@ class Loader {
     const std::string& mesh_dir_;
     GltfFiles gltf_files_;
     std::map<MeshKey, MeshPtr> known_;
-    std::map<std::string, GivenKey> key_of_path_;  // each is asked for once
+    std::map<std::string, GivenKey> key_of_path_;  // each file is queried once
     SceneCost cost_;
     WarningList warnings_;
 };

@@ -20,7 +20,7 @@ struct Box {
     [[nodiscard]] glm::dvec3 middle() const { return (low + high) / 2.0; }
 };
 
-/// Bounds all objects, world coordinates. Precondition: there is one.
+/// Bounds all objects, world coordinates. Precondition: there is at least one.
 Box bounds_of(const Scene& scene) {
     Box box;
     for (const Object& object : scene.objects) {
@@ -34,7 +34,7 @@ Box bounds_of(const Scene& scene) {
     return box;
 }
 
-/// Warns where nodes take small shapes so far from the origin that rounding shows, as meshes do of their own.
+/// Warns if nodes move small shapes so far from the origin that rounding is visible, as for a single mesh.
 void warn_of_rounding(const Scene& scene, const Box& box, Warnings& warnings) {
     const auto is_told = [](const Object& o) { return rounding_warning(o.mesh->bounds).has_value(); };
     if (std::any_of(scene.objects.begin(), scene.objects.end(), is_told)) return;
@@ -42,7 +42,7 @@ void warn_of_rounding(const Scene& scene, const Box& box, Warnings& warnings) {
         warnings.push_back(std::move(*warning));
 }
 
-// A light that gives so many times full brightness was not meant for a display.
+// A light that exceeds full brightness this many times was not meant for a display.
 constexpr double far_too_bright = 4;
 
 void darken_lights(Scene& scene, const glm::dvec3& middle, Warnings& warnings) {
@@ -119,7 +119,7 @@ Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& pa
         const glm::dvec3 middle = bounds.middle();
         warn_of_rounding(scene, bounds, content.warnings);
         if (content.has_camera) {
-            // The target is moved to the objects' distance, so that turning the camera turns it round them.
+            // The target is moved to the objects' distance, so that orbiting the camera turns it around them.
             const double distance = glm::dot(middle - glm::dvec3(scene.camera.eye), content.ahead);
             if (distance > 0) scene.camera.target = target_of(scene.camera.eye, content.ahead, distance);
         } else {
@@ -128,7 +128,7 @@ Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& pa
         }
         if (!content.has_lights && !content.is_ours) scene.lights = default_lights();
         if (!content.is_ours && content.has_lights) darken_lights(scene, middle, content.warnings);
-        // What is opened can be saved, and opens again.
+        // An opened scene must be saveable and open again.
         const Result<Scene> read_back = parse_scene(scene_text(scene), path);
         if (const Problem* problem = problem_of(read_back)) return *problem;
         return GltfOpened{std::move(scene), std::move(content.warnings)};

@@ -1,6 +1,6 @@
 #pragma once
-// A scene from a JSON document, by its fields (models/fields/scene_fields.h), and assignments to the document
-// before that. Inside models/ only.
+// Reads a scene from a JSON document, by its fields (models/fields/scene_fields.h), and applies assignments
+// to the document first. Inside models/ only.
 
 #include <optional>
 
@@ -10,8 +10,8 @@
 
 namespace glint {
 
-/// The scene of a document of version 1. Throws ProblemFound, without a file, where it breaks a rule; a key
-/// that is not there keeps its default.
+/// The scene of a document of version 1. Throws ProblemFound, without a file, if it breaks a rule; a missing
+/// key keeps its default.
 [[nodiscard]] Scene read_scene(const Node& root);
 
 /// The keys of a projection of that type, `type` first.
@@ -23,12 +23,12 @@ namespace glint {
 // `--set /pointer=JSON`: assignments to a document before it is checked (docs/command_line.md, "Changing a
 // scene").
 
-/// Applies all assignments in order. Missing parents are made: lists and the numbers of a vector where a
-/// scene has them, else objects. A light's `type` set alone brings its own w, a projection's `type` drops the
-/// keys of the other projections. Throws ProblemFound with file "--set".
+/// Applies all assignments in order. Missing parents are created: lists and vectors where a scene has them,
+/// else objects. A light's `type` set alone sets its own w, a projection's `type` drops the keys of the other
+/// projections. Throws ProblemFound with file "--set".
 void apply_assignments(Json& document, const std::vector<Assignment>& assignments);
 
-/// A scene's text, read once: parse_scene() of it, with any assignments and as often as wanted.
+/// A scene's text, read once: parse_scene() of it, with any assignments and any number of times.
 class SceneJson {
   public:
     SceneJson(std::string_view text, std::string file);
@@ -39,7 +39,7 @@ class SceneJson {
     Result<Json> json_;
 };
 
-/// True when an assignment sets the value at `pointer` or one around it.
+/// True if an assignment sets the value at `pointer` or one that contains it.
 [[nodiscard]] bool is_assigned(const std::string& pointer, const std::vector<Assignment>& assignments);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// Scenes from files and into files.
+// Reads scenes from files and writes them.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -21,19 +21,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Meshes that are loaded are shared where their source stays.
+/// Objects with an unchanged source share the loaded meshes.
 void take_meshes(Scene& scene, const std::vector<Object>& loaded) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         Object& object = scene.objects[i];
         const auto has_it = [&](const Object& o) { return o.source == object.source; };
-        const auto same = i < loaded.size() && has_it(loaded[i])  // as nearly always
+        const auto same = i < loaded.size() && has_it(loaded[i])  // the usual case
                               ? loaded.begin() + static_cast<std::ptrdiff_t>(i)
                               : std::find_if(loaded.begin(), loaded.end(), has_it);
         if (same != loaded.end()) object.mesh = same->mesh;
     }
 }
 
-/// Blames a problem with a mesh on --set if an assignment put the mesh there or changed a number of it.
+/// Attributes a problem with a mesh to --set if an assignment put the mesh there or changed a number of it.
 Problem blamed(Problem problem, const std::vector<Assignment>& assignments) {
     const auto changed_it = [&](const Assignment& a) { return is_within(a.pointer, problem.pointer); };
     if (problem.pointer.empty()) return problem;
@@ -43,7 +43,7 @@ Problem blamed(Problem problem, const std::vector<Assignment>& assignments) {
     return problem;
 }
 
-/// The variant of the document's scene with its meshes: those of the document where it names the same.
+/// The parsed variant with its meshes, sharing those of the document with the same source.
 Result<Scene> with_meshes(Result<Scene> parsed, const SceneDocument& document,
                           const std::vector<Assignment>& assignments) {
     if (problem_of(parsed)) return parsed;
@@ -54,7 +54,7 @@ Result<Scene> with_meshes(Result<Scene> parsed, const SceneDocument& document,
     return scene;
 }
 
-/// Checks, then loads what the checked scene names. What an assignment put there is the assignment's fault.
+/// Checks the scene, then loads its meshes. Problems with assigned values are attributed to the assignment.
 Result<SceneDocument> document_of(std::string_view text, const std::string& path,
                                   const std::vector<Assignment>& assignments,
                                   const std::vector<Object>& loaded = {}) {
@@ -74,7 +74,7 @@ Result<SceneDocument> open_scene(const std::string& path, const std::vector<Assi
     return document_of(std::get<std::string>(text), path, assignments);
 }
 
-/// "640x716"; nothing where it is anything else.
+/// "640x716"; nothing for any other text.
 std::optional<PictureSize> fitted_size_of(const std::string& words) {
     PictureSize size{0, 0, true};
     const char* end = words.data() + words.size();
@@ -87,8 +87,8 @@ std::optional<PictureSize> fitted_size_of(const std::string& words) {
     return size;
 }
 
-/// Notes how the picture was drawn: its size, its samples, and the size to which its scene is fitted, if it
-/// is.
+/// Records how the picture was drawn: its size, its samples, and the size to which its scene is fitted, if
+/// any.
 void take_picture(SceneDocument& document, const PngInfo& png) {
     const auto ignore = [&document](std::string_view what, const char* kind) {
         document.warnings.push_back(
@@ -162,14 +162,14 @@ Result<SceneDocument> open_by_extension(const std::string& path, const std::vect
     if (is_gltf_path(path)) return open_gltf_scene(path, assignments);
     if (is_mesh_path(path)) return open_mesh(path, assignments);
     if (!path.empty())
-        if (auto problem = why_not_there(path, opened_files)) return *problem;  // not that its name is wrong
+        if (auto problem = why_not_there(path, opened_files)) return *problem;  // before a wrong extension
     std::error_code error;
     if (fs::is_directory(path, error)) return Problem{path, "", "is a directory", opened_files};
     return Problem{path, "", extension.empty() ? "has no extension" : "has another extension", opened_files};
 }
 
-/// The directory without links and dots, as far as it exists; the working directory when it is empty. Where
-/// the system does not let us look for links, without dots.
+/// The directory without links and dots in its existing part; the working directory if it is empty. If the
+/// system does not permit resolving links, only without dots.
 fs::path canonical_directory(const fs::path& directory) {
     std::error_code error;
     const fs::path given = directory.empty() ? "." : directory;
@@ -177,8 +177,8 @@ fs::path canonical_directory(const fs::path& directory) {
     return error ? fs::absolute(given, error).lexically_normal() : path;
 }
 
-/// Whether the path is a link to a file in another directory. The file opens under both paths, but relative
-/// paths in it lead to different places.
+/// Whether the path is a link to a file in another directory. The file opens under both paths, but its
+/// relative paths resolve differently.
 bool leads_elsewhere(const std::string& path) {
     const fs::path replaced = replaced_file(path);
     return !replaced.empty() &&
@@ -230,7 +230,7 @@ std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
 }
 
 Result<SceneDocument> open_document(const std::string& path, const std::vector<Assignment>& assignments) {
-    // Before reading: what is written meanwhile counts as a change.
+    // Before reading, so that a write during the read counts as a change.
     const FileStamp stamp = path == "-" ? FileStamp{} : file_stamp(path);
     Result<SceneDocument> opened = open_by_extension(path, assignments);
     if (auto* document = std::get_if<SceneDocument>(&opened))

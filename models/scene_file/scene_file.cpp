@@ -10,14 +10,14 @@
 namespace glint {
 namespace {
 
-/// The scene of a document with assignments. Throws ProblemFound; one without a file is about the scene.
+/// The scene of a document with assignments. Throws ProblemFound; one without a file refers to the scene.
 Scene read_assigned(Json& document, const std::vector<Assignment>& assignments) {
     if (document.is_object()) apply_assignments(document, assignments);
     return read_scene(Node(document));
 }
 
-/// A problem without a file is the assignments' when it lies in what they set, or when the text is right
-/// without them, as `is_right()` says; else the file's.
+/// Attributes a problem without a file: to the assignments if its pointer is within an assigned value, or if
+/// the text is valid without them (`is_right()`); else to the file.
 template <class Read, class IsRight>
 Result<Scene> scene_of(const Read& read, const std::string& file, const std::vector<Assignment>& assignments,
                        const IsRight& is_right) {

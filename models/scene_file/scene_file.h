@@ -1,6 +1,5 @@
 #pragma once
-// The scene file, version 1 (docs/scene_file.md): read, checked and written. What is written reads back
-// equal.
+// Reads, checks and writes the scene file, version 1 (docs/scene_file.md). A written scene reads back equal.
 
 #include <cstdint>
 #include <memory>
@@ -16,12 +15,12 @@
 
 namespace glint {
 
-/// The keyword of the PNG text chunk (iTXt) in which a picture carries its scene.
+/// The keyword of the PNG text chunk (iTXt) that contains a picture's scene.
 inline constexpr std::string_view png_scene_keyword = "glint-scene";
-/// The keyword of the chunk that stands beside it where the picture shows the scene as fitted() to its size
-/// (PictureSize::keeps_width): that size, "640x716".
+/// The keyword of an additional chunk with a size such as "640x716", if the picture shows the scene as
+/// fitted() to that size (PictureSize::keeps_width).
 inline constexpr std::string_view png_field_keyword = "glint-field";
-/// The keyword of the chunk with the picture's samples a pixel, where it has several: "4".
+/// The keyword of the chunk with the picture's samples per pixel, if more than one: "4".
 inline constexpr std::string_view png_samples_keyword = "glint-samples";
 
 /// One `--set /pointer=JSON`.
@@ -31,77 +30,76 @@ struct Assignment {
     bool operator==(const Assignment&) const = default;
 };
 
-/// A scene with what is needed to load and save it.
+/// A scene with the data to load and save it.
 struct SceneDocument {
     Scene scene;           // meshes loaded
     std::string path;      // of the scene or mesh file; "-" for standard input; empty for a new scene
-    std::string mesh_dir;  // what relative mesh paths are relative to
+    std::string mesh_dir;  // the base of relative mesh paths
     Warnings warnings;
-    FileStamp stamp = {};  // of the file at `path` when it was read or written; none for a new scene
-    std::optional<PictureSize> fitted_to = {};  // of a picture that shows the scene so
-    // Of the picture that carries the scene: its own size, and its samples a pixel.
+    FileStamp stamp = {};  // of the file at `path` when it was read or written; default for a new scene
+    std::optional<PictureSize> fitted_to = {};  // of a picture that shows the scene fitted to a size
+    // The size and the samples per pixel of the picture that contains the scene.
     std::optional<PictureSize> picture_size = {};
     int picture_samples = 1;
-    std::vector<Assignment> assignments = {};  // that were applied to what the file holds
+    std::vector<Assignment> assignments = {};  // applied to the file's contents
 };
 
-/// Splits "POINTER=JSON"; a problem (file "--set") when there is no '=' or the pointer does not begin with
-/// '/'.
+/// Splits "POINTER=JSON". A problem has the file "--set": the '=' is missing, or the pointer does not begin
+/// with '/'.
 [[nodiscard]] Result<Assignment> parse_assignment(std::string_view text);
 
-/// Text -> scene, without its meshes (Object::mesh stays null). `file` is only for messages. Assignments are
-/// applied to the JSON as written, in order, making missing parents; the whole is checked once, after the
-/// last. What is wrong in an assignment has the file "--set".
+/// Reads a scene without its meshes (Object::mesh stays null). `file` is only used in messages. Assignments
+/// are applied in order to the JSON as written, creating missing parents; the result is checked once, after
+/// the last. A problem with an assignment has the file "--set".
 [[nodiscard]] Result<Scene> parse_scene(std::string_view text, const std::string& file,
                                         const std::vector<Assignment>& assignments = {});
 
-/// JSON text of a scene: every key (of mistakes only those made), floats in the shortest form that reads back
-/// equal, ends with a newline.
+/// The JSON text of a scene: every key (of mistakes only the active ones), floats in the shortest form that
+/// reads back equal, ending with a newline.
 [[nodiscard]] std::string scene_text(const Scene& scene);
 
 /// Loads the mesh of every object whose `mesh` is null. A mesh named twice is loaded once. Paths are relative
-/// to `mesh_dir`. `file` and the object's pointer stand in messages about paths that cannot be read; what
-/// is wrong inside a mesh file has that file and its line. On a problem the scene is left as it was.
+/// to `mesh_dir`. Messages about unreadable paths contain `file` and the object's pointer; messages about the
+/// contents of a mesh file contain that file and its line. On a problem the scene is unchanged.
 [[nodiscard]] Result<Warnings> load_meshes(Scene& scene, const std::string& file,
                                            const std::string& mesh_dir);
 
-/// Why no mesh can be read at `path`: "no such file"; nothing if a file is there.
+/// Returns why no mesh can be read at `path`: "no such file"; nothing if a file exists.
 [[nodiscard]] std::optional<Problem> why_no_mesh_file(const std::string& path);
 
-/// What open_document() opens, for "expected ...".
+/// The types that open_document() accepts, for "expected ...".
 inline constexpr const char* opened_files =
     "a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl)";
 
-/// Anything `glint FILE` takes: a scene (.json), a picture that Glint wrote (.png), a mesh (.obj .ply .off
-/// .stl; framed, with two default lights, one in world, one in camera coordinates), or "-" (a scene on
+/// Opens any argument of `glint FILE`: a scene (.json), a picture that Glint wrote (.png), a mesh (.obj .ply
+/// .off .stl; framed, with two default lights, one in world, one in camera coordinates), or "-" (a scene on
 /// standard input). Meshes are loaded.
 [[nodiscard]] Result<SceneDocument> open_document(const std::string& path,
                                                   const std::vector<Assignment>& assignments = {});
 
-/// Returns what a file's relative mesh paths are relative to: its directory; empty for the working directory,
-/// and for "-".
+/// Returns the base of a file's relative mesh paths: its directory; empty for the working directory, and for
+/// "-".
 [[nodiscard]] std::string directory_of(const std::string& path);
 
 /// Returns `path`, which is relative to `mesh_dir`, with `mesh_dir` in front. An absolute `path` is returned
 /// unchanged.
 [[nodiscard]] std::string path_from(const std::string& mesh_dir, const std::string& path);
 
-/// Returns the scene with relative mesh paths that lead from the new directory where they led from the old
-/// one.
+/// Returns the scene with its relative mesh paths rebased from the old directory to the new one.
 [[nodiscard]] Scene with_mesh_paths_from(Scene scene, const std::string& old_directory,
                                          const std::string& new_directory);
 
-/// The scene's text as a picture at `picture_path` carries it: mesh paths relative to `mesh_dir` become
-/// relative to the picture's directory, or whole where `picture_path` is a link into another directory.
+/// The text of a scene embedded in a picture at `picture_path`: mesh paths relative to `mesh_dir` become
+/// relative to the picture's directory, or absolute if `picture_path` is a link into another directory.
 [[nodiscard]] std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
                                              const std::string& picture_path);
 
-/// Whether the file is a PNG that carries a scene.
+/// Whether the file is a PNG with an embedded scene.
 [[nodiscard]] bool carries_scene(const std::string& path);
 
-/// Writes the scene as .json beside its target and renames it into place ("-" is standard output). Mesh paths
-/// are made relative to the new place, or whole where that is a link into another directory. Problems:
-/// another extension, what cannot be written, a scene that would not read back equal.
+/// Writes the scene as .json next to its target and renames it ("-" is standard output). Mesh paths become
+/// relative to the new file, or absolute if that is a link into another directory. Problems: another
+/// extension, a failed write, a scene that would not read back equal.
 [[nodiscard]] Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path);
 
 /// Returns a directional light in world coordinates and a dimmer point light at the viewer.
@@ -110,27 +108,27 @@ inline constexpr const char* opened_files =
 /// A scene of one mesh, framed, with two default lights. Precondition: the mesh has a face.
 [[nodiscard]] Scene scene_of_mesh(MeshPtr mesh, const std::string& path);
 
-/// The eye of a scene without a camera of its own before it is framed: from the front, a little above.
+/// The eye of a scene without a camera of its own before it is framed: in front, slightly above.
 inline constexpr glm::vec3 eye_before_framing{0.5f, 0.35f, 1};
 
-/// Moves the camera, direction, up and angles kept, so that a sphere around all objects (or one, when
-/// `object` >= 0) fits a picture from 1:1 to 16:9; near, far and an orthographic height follow. Returns
-/// false, and nothing changes, when there is no loaded mesh, or no such camera within the numbers of a scene
-/// file. Precondition: the camera is valid.
+/// Moves the camera so that a sphere around all objects (or one, if `object` >= 0) fits a picture from 1:1 to
+/// 16:9. Direction, up and angles stay; near, far and an orthographic height follow. Returns false and
+/// changes nothing if no mesh is loaded, or if such a camera exceeds the range of a scene file. Precondition:
+/// the camera is valid.
 bool frame_camera(Scene& scene, int object = -1);
 
-/// The scene with the assignments applied, as `--set` would, to its text with every key written out. Meshes
-/// that the document has loaded are shared where their source stays; others are loaded. What is wrong in an
-/// assignment has the file "--set".
+/// The scene with the assignments applied, like `--set`, to its text with every key written out. Objects with
+/// an unchanged source share the document's meshes; others are loaded. A problem with an assignment has the
+/// file "--set".
 [[nodiscard]] Result<Scene> scene_variant(const SceneDocument& document,
                                           const std::vector<Assignment>& assignments);
 
 class SceneJson;
 
-/// Many variants of one scene, each as scene_variant() makes it: the scene's text is written and read once.
+/// Many variants of one scene, each like scene_variant(): the scene's text is written and read once.
 class SceneVariants {
   public:
-    /// Precondition: `document` lives as long as this.
+    /// Precondition: `document` outlives this object.
     explicit SceneVariants(const SceneDocument& document);
     ~SceneVariants();
     SceneVariants(const SceneVariants&) = delete;
@@ -142,27 +140,27 @@ class SceneVariants {
     std::unique_ptr<const SceneJson> json_;
 };
 
-// A glTF file as a scene that can be drawn, and a scene as a glTF file.
+// Converts a glTF file to a scene that can be drawn, and a scene to a glTF file.
 
 struct GltfOpened {
     Scene scene;  // meshes loaded
     Warnings warnings;
 };
-/// Reads the file and adds what a picture needs: a camera that shows all objects and two default lights,
-/// where the file has none; but a file of ours without lights is dark. Lights that are far too bright, as
-/// candela and lux can be, are all divided by one factor, which a warning gives.
+/// Reads the file and adds missing parts of a picture: a camera that shows all objects, and two default
+/// lights. A file written by Glint without lights stays dark. Lights that are far too bright, because they
+/// are in candela and lux, are all divided by one factor, which a warning states.
 [[nodiscard]] Result<GltfOpened> open_gltf(const std::string& path);
-/// Does the same with a file that was read already.
+/// Does the same with a file that was already read.
 [[nodiscard]] Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& path);
 
-/// A scene as a .glb file (unchecked_glb_of) that can be opened: a scene of which that is not so is refused,
-/// with the pointer of its value. Precondition: meshes are loaded.
+/// A scene as a .glb file (unchecked_glb_of) that is known to open again. Otherwise a problem with the
+/// pointer of the offending value. Precondition: meshes are loaded.
 [[nodiscard]] Result<GltfWritten> glb_of(const Scene& scene, const std::string& name);
 
-/// JSON Schema, draft 2020-12, of the scene file: keys, types, ranges, words, defaults. Made of the rows of
-/// models/fields/scene_fields.h. It accepts every valid scene. Conditions between numbers (near < far, an
-/// area that is not zero; models/fields/scene_rules.h) are beyond it: what it accepts may still be refused by
-/// the reader. Ends with a newline.
+/// JSON Schema, draft 2020-12, of the scene file: keys, types, ranges, words, defaults, generated from the
+/// rows of models/fields/scene_fields.h. It accepts every valid scene. It cannot express conditions between
+/// numbers (near < far, an area that is not zero; models/fields/scene_rules.h), so the reader may reject a
+/// file that it accepts. Ends with a newline.
 [[nodiscard]] std::string scene_schema();
 
 }  // namespace glint

@@ -59,7 +59,7 @@ Json value_of(const Assignment& a) {
     }
 }
 
-/// What a missing parent starts as: an empty list, the default numbers of a vector, or an empty object.
+/// The initial value of a missing parent: an empty list, the default numbers of a vector, or an empty object.
 class MissingParent {
   public:
     explicit MissingParent(const Tokens& path) : path_(path) {}
@@ -77,17 +77,17 @@ class MissingParent {
             if (row.key == path_[step]) at(kind, member, step + 1, found);
         });
     }
-    /// The member that the first `step` tokens lead to.
+    /// The member at the first `step` tokens.
     template <class Kind> void at(const Kind&, const glm::vec3& v, std::size_t step, Json& found) const {
         if (step == path_.size()) found = Json::array({v.x, v.y, v.z});
     }
-    /// Leaves w out, which belongs to the light's type.
+    /// Omits w, which the light's type determines.
     void at(const Homogeneous& kind, const glm::vec4& v, std::size_t step, Json& found) const {
         at(kind, glm::vec3(v), step, found);
     }
     template <class T> void at(const List&, const std::vector<T>&, std::size_t step, Json& found) const {
         if (step == path_.size()) found = Json::array();
-        if (step + 1 < path_.size()) descend(T{}, step + 1, found);  // past the element's number
+        if (step + 1 < path_.size()) descend(T{}, step + 1, found);  // skip the element's number
     }
     template <class T> void at(const Group&, const T& value, std::size_t step, Json& found) const {
         if (step < path_.size()) descend(value, step, found);
@@ -97,7 +97,7 @@ class MissingParent {
     const Tokens& path_;
 };
 
-/// The number of an element, or the one past the last, for which "-" stands too.
+/// The number of an element, or the one past the last, which may also be written "-".
 std::size_t index_of(const std::string& token, const Json& array, const std::string& pointer) {
     std::size_t index = 0;
     if (token == "-") return array.size();
@@ -114,7 +114,7 @@ std::size_t index_of(const std::string& token, const Json& array, const std::str
                        : fmt::format("0 to {0}; {0} and - are a new one at the end", array.size()));
 }
 
-/// The value under `token`, made if there is none.
+/// The value under `token`, created if missing.
 Json& child_of(Json& parent, const std::string& token, const Json& made, const std::string& pointer) {
     if (parent.is_object()) return parent.emplace(token, Json(made)).first.value();
     if (!parent.is_array())
@@ -141,20 +141,20 @@ bool is_set(const std::string& pointer, const std::vector<Assignment>& assignmen
                        [&](const Assignment& a) { return a.pointer == pointer; });
 }
 
-/// Removes w from a light's position after dividing x, y and z by it, unless it is 0. Used when an assignment
+/// Removes w from a light's position after dividing x, y and z by it, unless it is 0. Used if an assignment
 /// sets the light's type but not its position: the old w may contradict the new type. A negative w stays.
 void drop_w(Json& light) {
     const auto position = light.find("position");
     if (position == light.end() || !position->is_array() || position->size() != 4) return;
     if (!std::all_of(position->begin(), position->end(), [](const Json& x) { return x.is_number(); })) return;
     const double w = (*position)[3].get<double>();
-    if (w < 0) return;  // wrong under every type
+    if (w < 0) return;  // invalid for every type
     position->erase(3);
     if (w == 0 || w == 1) return;
     for (Json& x : *position) x = x.get<double>() / w;
 }
 
-/// A projection whose type is set keeps no keys of the other types, unless they are set too.
+/// A projection with a newly set type drops the keys of the other types, unless they are set too.
 void drop_other_projections(Json& projection, const std::string& type,
                             const std::vector<Assignment>& assignments) {
     const std::optional<ProjectionKind> kind = from_name<ProjectionKind>(type);

@@ -21,7 +21,7 @@ Json array_of(const Json& each, std::size_t least, std::size_t most) {
 
 template <class T> Json schema_of(const T& value);
 
-// A member's schema without its words, and its default. Groups and lists do not have a default of their own.
+// A member's schema without its texts, and its default. Groups and lists have no default of their own.
 struct Described {
     Json schema, initial = nullptr;
 };
@@ -54,7 +54,7 @@ Described described(const Homogeneous&, const glm::vec4& v) {
 Described described(const Count& kind, int n) {
     if (kind.is_allowed == nullptr)
         return {{{"type", "number"}, {"multipleOf", 1}, {"minimum", kind.low}, {"maximum", kind.high}}, n};
-    if (kind.high > 64) {  // too many to list: those between the ends, and those that are not allowed
+    if (kind.high > 64) {  // too many to list: the range, and the forbidden values
         Json refused = Json::array();
         for (int i = kind.low; i <= kind.high; ++i)
             if (!kind.contains(i)) refused.push_back(i);
@@ -88,14 +88,14 @@ Described described(const OneProjection&, const Projection&) {
         Json schema = schema_of(default_projection(kind));
         schema["description"] = row.meaning;
         schema["properties"]["type"] = {{"const", std::string(row.word)}};
-        // The first is meant where no type stands; a frustum needs all of its numbers.
+        // Without a type the first one applies; a frustum needs all of its numbers.
         if (kind != ProjectionKind::Perspective) schema["required"] = {"type"};
         if (kind == ProjectionKind::Frustum) schema["required"] = projection_keys(kind);
         any.push_back(schema);
     }
     return {{{"oneOf", any}}};
 }
-/// A primitive of each name, since how finely it can be cut depends on it; or a file.
+/// One schema per primitive, because its maximum detail differs; and one for a file.
 Described described(const OneMesh&, const MeshSource&) {
     Json any = Json::array();
     for (const Primitive primitive : enumerators<Primitive>) {

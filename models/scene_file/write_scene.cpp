@@ -1,4 +1,4 @@
-// A scene as text, by its fields, laid out as a person would: one line for what belongs together.
+// Writes a scene as text, by its fields, with related values on one line.
 #include <fmt/format.h>
 
 #include <array>
@@ -12,13 +12,13 @@
 namespace glint {
 namespace {
 
-/// Where an object's text breaks into lines.
+/// Where an object's text is broken into lines.
 struct Layout {
     std::string_view open = "{", new_line = "", close = "}";
-    std::array<std::string_view, 7> break_before = {};  // keys that begin a line
+    std::array<std::string_view, 7> break_before = {};  // keys that start a line
 };
 
-// A struct that is not named here is one line.
+// Structs not listed here are written on one line.
 template <class T> constexpr Layout layout_of(const T&) { return {}; }
 constexpr Layout layout_of(const Camera&) { return {"{\n    ", "\n    ", "\n  }", {"projection"}}; }
 constexpr Layout layout_of(const Light&) {
@@ -63,7 +63,7 @@ std::string text_of_value(const OneProjection&, const Projection& p) {
 std::string text_of_value(const OneMesh&, const MeshSource& m) {
     return std::visit([](const auto& one) { return text_of(one); }, m);
 }
-/// One element a line.
+/// One element per line.
 template <class T> std::string text_of_value(const List&, const std::vector<T>& elements) {
     if (elements.empty()) return "[]";
     std::string text;
@@ -74,7 +74,7 @@ template <class T> std::string text_of_value(const List&, const std::vector<T>& 
 template <class T> std::string text_of(const T& value) {
     const Layout layout = layout_of(value);
     std::string text;
-    // A line also begins where the key at which it should begin is left out.
+    // A new line also starts if the key that should start it is omitted.
     bool breaks = false;
     fields_with_defaults(value,
                          [&](const Row& row, const auto& kind, const auto& member, const auto& initial) {
