@@ -1,4 +1,4 @@
-// Files that somebody broke on purpose, and files that chance broke.
+// Files that were broken on purpose, and randomly damaged files.
 #include <fmt/format.h>
 
 #include <cstring>
@@ -14,7 +14,7 @@
 using namespace glint;
 using namespace glint::gltf_triangle;
 
-TEST_CASE("a hostile glTF file is one line that says where and what", "[gltf]") {
+TEST_CASE("a hostile glTF file is reported in one line with the place and the error", "[gltf]") {
     REQUIRE(error_of(triangle).empty());
     const auto check = [](const std::string& from, const std::string& to, const std::string& line) {
         CHECK(error_of(changed(from, to)) == line);
@@ -83,7 +83,7 @@ TEST_CASE("a hostile glTF file is one line that says where and what", "[gltf]") 
     CHECK(error_of(std::string(100'000, '[')).starts_with("t.gltf:1: "));
 }
 
-TEST_CASE("a .glb whose header gives another length than the file has is one line", "[gltf]") {
+TEST_CASE("a .glb whose header and file differ in length is reported in one line", "[gltf]") {
     std::string whole = triangle_glb();
     const std::size_t size = whole.size();
     const auto with_length = [&](std::size_t length) {
@@ -97,7 +97,7 @@ TEST_CASE("a .glb whose header gives another length than the file has is one lin
             fmt::format("t.glb: the header says {} bytes, the file has {}; expected {}", length, size, size));
 }
 
-TEST_CASE("a .glb that ends early is one line, wherever it ends", "[gltf]") {
+TEST_CASE("a truncated .glb is reported in one line, wherever it ends", "[gltf]") {
     const std::string whole = triangle_glb();
     REQUIRE(error_of(whole, "t.glb").empty());
     for (std::size_t size = 0; size < whole.size(); size += 3) {
@@ -148,8 +148,7 @@ TEST_CASE("a damaged glTF file is a scene or a problem, never a crash", "[gltf][
     CHECK(problems > 50);
 }
 
-TEST_CASE("a file that many buffers of a glTF file name is read and held once, by whatever paths",
-          "[gltf][memory]") {
+TEST_CASE("a buffer file that is named many times, by any path, is read and kept once", "[gltf][memory]") {
     const TemporaryDirectory folder;
     const auto whole = std::get<SceneDocument>(open_document(folder.file("whole.gltf", triangle)));
     std::string bytes(1 << 20, '\0');

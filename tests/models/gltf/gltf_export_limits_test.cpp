@@ -1,4 +1,4 @@
-// Scenes at the edge of what glTF can say: they read back, or one line says which value is the cause.
+// Scenes at the limits of glTF: they read back, or one line names the offending value.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -15,7 +15,7 @@ using namespace glint;
 
 namespace {
 
-/// What glTF can say without a warning.
+/// Everything that glTF can express without a warning.
 constexpr const char* plain = R"({"glint": 1, "global_ambient": [0, 0, 0],
  "camera": {"eye": [0, 0, 6], "target": [0, 0, 0]},
  "lights": [{"type": "point", "position": [0, 3, 3], "intensity": 9,
@@ -49,7 +49,7 @@ constexpr const char* frustum_of = R"(/camera/projection={{"type": "frustum", "l
 
 }  // namespace
 
-TEST_CASE("a camera far from the origin, and its light, are written and read back", "[gltf]") {
+TEST_CASE("a camera far from the origin and its light read back from a .glb", "[gltf]") {
     for (const char* eye : {"1e5", "1e7"}) {
         CAPTURE(eye);
         const float z = std::stof(eye);
@@ -65,7 +65,7 @@ TEST_CASE("a camera far from the origin, and its light, are written and read bac
     }
 }
 
-TEST_CASE("numbers that are as large or as small as a scene has them read back from a .glb", "[gltf]") {
+TEST_CASE("the largest and the smallest numbers of a scene read back from a .glb", "[gltf]") {
     const Exported thin = exported({"/objects/0/transform/scale=[1, 1e-38, 1]"});
     REQUIRE(thin.ended.status == 0);
     CHECK(thin.scene.objects.at(0).transform.scale == glm::vec3(1, 1e-38f, 1));
@@ -84,7 +84,7 @@ TEST_CASE("numbers that are as large or as small as a scene has them read back f
     CHECK(std::get<Perspective>(wide.scene.camera.projection).fov_y_deg == Approx(179.99).epsilon(1e-6));
 }
 
-TEST_CASE("a frustum's mirroring and height beyond what glTF has are one line each", "[gltf]") {
+TEST_CASE("a .glb warns once each of a frustum's mirroring and of its height limit", "[gltf]") {
     const std::string straight =
         "glint: warning: the frustum is written as a view whose middle is straight ahead\n";
     const std::string mirrored =
@@ -102,7 +102,7 @@ TEST_CASE("a frustum's mirroring and height beyond what glTF has are one line ea
     CHECK(std::get<Perspective>(tall.scene.camera.projection).fov_y_deg > 179.99f);
 }
 
-TEST_CASE("a spot without a cone is written as the point light that it is", "[gltf]") {
+TEST_CASE("a spot without a cone is written to a .glb as a point light", "[gltf]") {
     const Exported out = exported({"/lights/0/type=spot", "/lights/0/spot/cutoff_deg=180"});
     CHECK(out.ended.err.empty());
     REQUIRE(out.scene.lights.size() == 1);
@@ -136,7 +136,7 @@ TEST_CASE("colours above 1 keep their hue in a .glb", "[gltf]") {
           "glint: warning: 1 material reflects more light than it gets: its colour is clamped to 1\n");
 }
 
-TEST_CASE("a scene that glTF cannot hold is one line that names the value, and no file", "[gltf]") {
+TEST_CASE("a scene that glTF cannot express is one line that names the value, and no file", "[gltf]") {
     const auto check = [](const std::string& setting, const std::string& line) {
         CAPTURE(setting);
         const Exported out = exported({setting});
@@ -155,7 +155,7 @@ TEST_CASE("a scene that glTF cannot hold is one line that names the value, and n
           "dimmer, or nearer to the camera's target");
 }
 
-TEST_CASE("what is invisible is left out of a .glb, and that is said", "[gltf]") {
+TEST_CASE("invisible objects are left out of a .glb with a warning", "[gltf]") {
     const Exported out =
         exported({"/objects/1={\"visible\": false, \"mesh\": {\"primitive\": \"sphere\", \"detail\": 8}}"});
     REQUIRE(out.ended.status == 0);
@@ -163,7 +163,7 @@ TEST_CASE("what is invisible is left out of a .glb, and that is said", "[gltf]")
     CHECK(out.scene.objects.size() == 1);
 }
 
-TEST_CASE("whatever numbers a scene has, its .glb opens again or is refused", "[gltf][property]") {
+TEST_CASE("a .glb of a scene with any numbers opens again or is refused", "[gltf][property]") {
     const TemporaryDirectory folder;
     const auto document = std::get<SceneDocument>(open_document(folder.file("scene.json", plain)));
     std::mt19937 random(11);
@@ -206,7 +206,7 @@ TEST_CASE("whatever numbers a scene has, its .glb opens again or is refused", "[
         const Result<GltfWritten> made = glb_of(std::get<Scene>(scene), "m");
         if (const Problem* problem = problem_of(made)) {
             CAPTURE(problem->text());
-            CHECK(problem->pointer.starts_with("/"));  // which value is the cause
+            CHECK(problem->pointer.starts_with("/"));  // the offending value
             ++refused;
             continue;
         }
@@ -220,7 +220,7 @@ TEST_CASE("whatever numbers a scene has, its .glb opens again or is refused", "[
     CHECK(refused > 20);
 }
 
-TEST_CASE("objects of one mesh and material are written, and read back, as one mesh", "[gltf]") {
+TEST_CASE("objects of one mesh and material are written and read back as one mesh", "[gltf]") {
     Scene scene;
     scene.objects.assign(1, test::object_of(test::primitive(Primitive::Sphere, 40), ""));
     const Result<GltfWritten> alone = glb_of(scene, "m");
@@ -240,11 +240,11 @@ TEST_CASE("objects of one mesh and material are written, and read back, as one m
     REQUIRE(objects.size() == 4);
     CHECK(objects[0].mesh == objects[1].mesh);
     CHECK(objects[1].name == "Second");
-    CHECK(objects[2].name == "Object 3");  // and not by the name of the mesh that it shares
+    CHECK(objects[2].name == "Object 3");  // and not the name of the shared mesh
     CHECK(objects[3].material.diffuse == glm::vec3(1, 0, 0));
 }
 
-TEST_CASE("as large as one .glb may be is what it holds once, however many objects show it", "[gltf]") {
+TEST_CASE("the size limit of a .glb counts shared data once", "[gltf]") {
     Scene scene;
     const MeshPtr ball = test::primitive(Primitive::Sphere, 100);
     scene.objects.assign(4294967295 / (100 * ball->triangles.size()) + 1, test::object_of(ball));

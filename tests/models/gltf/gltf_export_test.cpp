@@ -1,4 +1,4 @@
-// What we write, read back by us and by assimp.
+// Exported files, read back by us and by assimp.
 #include <cstdlib>
 
 #include "models/gltf/gltf.h"
@@ -12,7 +12,8 @@ using namespace glint;
 
 namespace {
 
-/// All that glTF can say: metal and roughness, lights that fall off with the square, one that rides along.
+/// Everything that glTF can express: metal and roughness, lights with quadratic falloff, one that moves with
+/// the camera.
 constexpr const char* sayable = R"({"glint": 1, "global_ambient": [0, 0, 0],
  "camera": {"eye": [1, 2, 6], "target": [0, 0, 0], "projection": {"type": "perspective",
    "fov_y_deg": 40, "near": 0.5, "far": 40}},
@@ -46,7 +47,7 @@ std::vector<std::uint8_t> drawn(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("what glTF can say reads back to the same picture", "[gltf]") {
+TEST_CASE("a scene that glTF can express reads back to the same picture", "[gltf]") {
     const TemporaryDirectory folder;
     const std::string scene = folder.file("scene.json", sayable), glb = folder.path("scene.glb");
     const Ended ended = run_glint({"export", scene, "-o", glb});
@@ -68,13 +69,13 @@ TEST_CASE("what glTF can say reads back to the same picture", "[gltf]") {
     CHECK(std::count_if(a.begin(), a.end(), [](std::uint8_t x) { return x > 100; }) > 5000);
 }
 
-TEST_CASE("a spot's exponent is written as the cone that reads back to it, where there is one", "[gltf]") {
+TEST_CASE("a spot's exponent is written as the cone that reads back to it, if there is one", "[gltf]") {
     const TemporaryDirectory folder;
     struct Case {
         const char* exponent;
         bool is_said;
     };
-    // Between the cosines 1 and cos 30 degrees 1/4 lies half way from 0.866 (exponent 9.6) to 0.933 (20).
+    // Between the cosines 1 and cos 30 degrees 1/4 is half-way from 0.866 (exponent 9.6) to 0.933 (20).
     for (const Case& c : {Case{"12", true}, {"19.9", true}, {"20.5", false}, {"2", false}, {"0", true}}) {
         CAPTURE(c.exponent);
         const std::string glb = folder.path("spot.glb");
@@ -93,7 +94,7 @@ TEST_CASE("a spot's exponent is written as the cone that reads back to it, where
     }
 }
 
-TEST_CASE("what glTF cannot say is one line a kind", "[gltf]") {
+TEST_CASE("exporting glTF warns once per kind of feature that it cannot express", "[gltf]") {
     const TemporaryDirectory folder;
     const std::string glb = folder.path("out.glb");
     const Ended ended = run_glint({"export", project_file("assets/scenes/default.json"), "-o", glb});
@@ -106,8 +107,7 @@ TEST_CASE("what glTF cannot say is one line a kind", "[gltf]") {
     CHECK(wrong.err == "glint: error: -o: x.obj has another extension; expected .glb\n");
 }
 
-TEST_CASE("of whatever setting reads back as another picture it is said that glTF has no words for it",
-          "[gltf]") {
+TEST_CASE("every setting that glTF cannot express is named in a warning", "[gltf]") {
     const TemporaryDirectory folder;
     const std::string file = folder.file("scene.json", sayable), glb = folder.path("out.glb");
     const SceneDocument given = std::get<SceneDocument>(open_document(file));
@@ -136,7 +136,7 @@ TEST_CASE("of whatever setting reads back as another picture it is said that glT
     CHECK(quiet.front() == "/about=\"\"");
 }
 
-TEST_CASE("another program reads what we write", "[gltf]") {
+TEST_CASE("another program reads our glTF files", "[gltf]") {
     const TemporaryDirectory folder;
     const std::string scene = folder.file("scene.json", sayable), glb = folder.path("scene.glb");
     REQUIRE(run_glint({"export", scene, "-o", glb}).status == 0);

@@ -1,4 +1,4 @@
-// Files that break a rule of the glTF 2.0 specification, or leave nothing to draw or to look from.
+// Files that break a rule of the glTF 2.0 specification, or contain nothing to draw or no usable view.
 #include <fmt/format.h>
 
 #include "tests/support/catch.h"
@@ -7,7 +7,7 @@
 using namespace glint;
 using namespace glint::gltf_triangle;
 
-TEST_CASE("what the glTF specification forbids is one line that says where and what", "[gltf]") {
+TEST_CASE("a violation of the glTF specification is one line with the place and the error", "[gltf]") {
     const auto check = [](const std::string& from, const std::string& to, const std::string& line) {
         CHECK(error_of(changed(from, to)) == line);
     };
@@ -95,7 +95,7 @@ TEST_CASE("what the glTF specification forbids is one line that says where and w
           "\"BLEND\"");
 }
 
-TEST_CASE("nodes of glTF that no scene reaches are checked too", "[gltf]") {
+TEST_CASE("glTF nodes outside the scene are checked too", "[gltf]") {
     const auto check = [](const std::string& node, const std::string& line) {
         CHECK(error_of(changed("[{\"mesh\": 0}]", "[{\"mesh\": 0}, " + node + "]")) ==
               "t.gltf: /nodes/1" + line);
@@ -107,7 +107,7 @@ TEST_CASE("nodes of glTF that no scene reaches are checked too", "[gltf]") {
           "/rotation: the quaternion is zero; expected a quaternion of length 1");
 }
 
-TEST_CASE("a glTF file of which nothing can be drawn says why", "[gltf]") {
+TEST_CASE("a glTF file with nothing to draw is refused with the reason", "[gltf]") {
     const auto check = [](const std::string& node, const std::string& what) {
         CHECK(error_of(changed("{\"mesh\": 0}", "{\"mesh\": 0, " + node + "}")) ==
               "t.gltf: nothing of its scene can be drawn: " + what + "; expected at least one triangle");
@@ -121,7 +121,7 @@ TEST_CASE("a glTF file of which nothing can be drawn says why", "[gltf]") {
         "least one triangle");
 }
 
-TEST_CASE("a light that its node leaves no direction is one line, unless it needs none", "[gltf]") {
+TEST_CASE("a light whose node gives it no direction is one line, unless it needs none", "[gltf]") {
     const auto error_with = [](const std::string& type) {
         return error_of(
             changed("\"nodes\": [{\"mesh\": 0}], \"scenes\": [{\"nodes\": [0]}]",
@@ -136,7 +136,7 @@ TEST_CASE("a light that its node leaves no direction is one line, unless it need
               "expected a node whose axes have a length");
 }
 
-TEST_CASE("a light's range is left out with a warning, and its inner cone lies within the outer", "[gltf]") {
+TEST_CASE("a light's range is left out with a warning, and inner <= outer cone is required", "[gltf]") {
     const auto text_with = [](const std::string& light) {
         return changed("\"nodes\": [{\"mesh\": 0}], \"scenes\": [{\"nodes\": [0]}]",
                        "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{" + light +
@@ -163,7 +163,7 @@ TEST_CASE("a light's range is left out with a warning, and its inner cone lies w
           "expected an inner cone within the outer one");
 }
 
-TEST_CASE("a camera that its node leaves no direction is one line", "[gltf]") {
+TEST_CASE("a camera whose node gives it no direction is one line", "[gltf]") {
     const std::string camera =
         "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1, \"znear\": 1}}], ";
     const auto check = [&](const std::string& node, const std::string& what) {

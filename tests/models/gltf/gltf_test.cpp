@@ -1,4 +1,4 @@
-// Files that numpy and json write by the specification (write_gltf.py), and what they must be, by hand.
+// Files that numpy and json write by the specification (write_gltf.py), compared with results worked by hand.
 #include "models/gltf/gltf.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ using namespace glint;
 
 namespace {
 
-/// The file that the script writes; Debian's own Python comes first: it is the one with numpy.
+/// The file that the script writes. Debian's own Python comes first because it has numpy.
 std::string written(const TemporaryDirectory& folder, const std::string& how) {
     const std::string command =
         fmt::format("PATH=/usr/bin:$PATH python3 {} '{}' {}", project_file("tests/models/gltf/write_gltf.py"),
@@ -39,7 +39,7 @@ void check_near(const glm::vec3& a, const glm::vec3& b) {
 
 }  // namespace
 
-TEST_CASE("a box of glTF is the same mesh, however its numbers lie", "[gltf]") {
+TEST_CASE("a glTF box is the same mesh with every layout of its numbers", "[gltf]") {
     for (const char* how : {"glb", "bytes", "glb ints", "beside", "glb interleaved", "small"}) {
         CAPTURE(how);
         const TemporaryDirectory folder;
@@ -59,25 +59,25 @@ TEST_CASE("a box of glTF is the same mesh, however its numbers lie", "[gltf]") {
     }
 }
 
-TEST_CASE("glTF without a camera is framed as a mesh file is", "[gltf][frame_camera]") {
+TEST_CASE("glTF without a camera is framed like a mesh file", "[gltf][frame_camera]") {
     const TemporaryDirectory folder;
-    // A quarter turn about x lays the triangle of the file flat: its (0, 1, 0) goes to (0, 0, 1).
+    // A quarter turn about x lays the file's triangle flat: its (0, 1, 0) becomes (0, 0, 1).
     const std::string lying = gltf_triangle::changed(
         R"({"mesh": 0})", R"({"mesh": 0, "rotation": [0.70710678, 0, 0, 0.70710678]})");
     const SceneDocument gltf = opened(folder.file("floor.gltf", lying));
     const SceneDocument obj = opened(folder.file("floor.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n"));
     check_near(gltf.scene.camera.eye, obj.scene.camera.eye);
     check_near(gltf.scene.camera.target, obj.scene.camera.target);
-    CHECK(gltf.scene.camera.eye.y > 0.3f);  // from above: from the height of a floor it would not be seen
+    CHECK(gltf.scene.camera.eye.y > 0.3f);  // from above, because it would be invisible from floor level
 }
 
-TEST_CASE("nodes, camera, lights and materials of glTF are where the specification puts them", "[gltf]") {
+TEST_CASE("glTF nodes, cameras, lights and materials are converted as specified", "[gltf]") {
     const TemporaryDirectory folder;
     const SceneDocument document = opened(written(folder, "glb"));
     const Scene& s = document.scene;
     const Object& box = s.objects.at(0);
     CHECK(box.name == "box");
-    // A quarter turn about y takes x to -z: the box, 1 along x, is at (2, 0, -1).
+    // A quarter turn about y maps x to -z: the box, 1 along x, is at (2, 0, -1).
     const glm::dmat4 m = world_from_object(box.transform);
     check_near(glm::vec3(m * glm::dvec4(0, 0, 0, 1)), {2, 0, -1});
     check_near(glm::vec3(m * glm::dvec4(1, 0, 0, 0)), {0, 0, -2});
@@ -88,10 +88,10 @@ TEST_CASE("nodes, camera, lights and materials of glTF are where the specificati
     check_near(box.material.emission, {0, 0.125f, 0});
     CHECK(s.shading.reflection == Reflection::CookTorrance);
     CHECK(s.display.transfer == Transfer::Srgb);
-    CHECK(s.shading.cull == Cull::Back);  // its material has one side
+    CHECK(s.shading.cull == Cull::Back);  // its material is single-sided
 
     check_near(s.camera.eye, {0, 1, 10});
-    check_near(s.camera.target, {0, 1, -1});  // as far ahead as the box
+    check_near(s.camera.target, {0, 1, -1});  // at the distance of the box
     const auto& view = std::get<Perspective>(s.camera.projection);
     CHECK(view.fov_y_deg == Approx(60));
     CHECK(view.near == 0.5f);
@@ -113,19 +113,19 @@ TEST_CASE("nodes, camera, lights and materials of glTF are where the specificati
     CHECK(s.lights[2].spot.exponent == 0);
 }
 
-TEST_CASE("strips and fans of glTF turn their triangles as the specification says", "[gltf]") {
+TEST_CASE("glTF strips and fans wind their triangles as specified", "[gltf]") {
     const TemporaryDirectory folder;
     const SceneDocument document = opened(written(folder, "strip"));
     REQUIRE(document.scene.objects.size() == 2);
     for (const Object& object : document.scene.objects) {
-        CHECK(object.normals.source == NormalSource::Facet);  // it brings none
+        CHECK(object.normals.source == NormalSource::Facet);  // the file has none
         CHECK(object.mesh->triangles.size() == 2);
         for (std::size_t f = 0; f < 2; ++f) check_near(facet_normal(*object.mesh, f), {0, 0, 1});
     }
     CHECK(document.warnings == Warnings{"1 primitive of points or lines is left out"});
 }
 
-TEST_CASE("what glTF has and a scene has not is one line a kind", "[gltf]") {
+TEST_CASE("importing glTF warns once per kind of feature that a scene does not have", "[gltf]") {
     const TemporaryDirectory folder;
     const SceneDocument document = opened(written(folder, "glb left"));
     CHECK(document.warnings == Warnings{"1 material has textures, which are not read",
@@ -133,7 +133,7 @@ TEST_CASE("what glTF has and a scene has not is one line a kind", "[gltf]") {
                                         "2 animations are left out", "1 further camera is left out"});
 }
 
-TEST_CASE("a scene of glTF is changed, saved and opened again as others are", "[gltf]") {
+TEST_CASE("a glTF scene is changed, saved and opened again like any other", "[gltf]") {
     const TemporaryDirectory folder;
     const std::string path = written(folder, "strip");
     const SceneDocument document =
@@ -155,7 +155,7 @@ TEST_CASE("a scene of glTF is changed, saved and opened again as others are", "[
     CHECK(problem_of(none)->text() == "/part: the file has no part 7; expected 0 to 2");
 }
 
-TEST_CASE("parts are counted through all meshes, those without primitives too", "[gltf]") {
+TEST_CASE("parts are counted through all meshes, including those without primitives", "[gltf]") {
     // Triangle i has the corners i, i + 1 and i + 2 of (0,0,0) (1,0,0) (0,1,0) (2,0,0) (0,3,0).
     const std::string text = R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 1}, {"mesh": 4}],
       "scenes": [{"nodes": [1, 0]}],
@@ -183,15 +183,14 @@ TEST_CASE("parts are counted through all meshes, those without primitives too", 
     const TemporaryDirectory folder;
     const SceneDocument document = opened(folder.file("t.gltf", text));
     REQUIRE(document.scene.objects.size() == 3);
-    const std::vector<int> parts{2, 0, 1};  // as the nodes follow one another
+    const std::vector<int> parts{2, 0, 1};  // in the order of the nodes
     for (std::size_t o = 0; o < 3; ++o)
         CHECK(std::get<MeshFile>(document.scene.objects[o].source).part == parts[o]);
 }
 
-TEST_CASE("primitives that share their vertices are the meshes that they are with vertices of their own",
-          "[gltf]") {
-    // Of the corners (0,0,0) (1,0,0) (0,1,0), which are the normals, too: the first triangle as they come,
-    // the second by indices, the other way round.
+TEST_CASE("primitives that share vertices are the same meshes as with their own vertices", "[gltf]") {
+    // Corners (0,0,0) (1,0,0) (0,1,0), which are also the normals. The first triangle uses their order, the
+    // second has indices that reverse it.
     const auto text = [](int positions, int normals) {
         return fmt::format(R"({{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}],
       "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "NORMAL": 1}}}},
@@ -228,8 +227,8 @@ TEST_CASE("primitives that share their vertices are the meshes that they are wit
 
 namespace {
 
-/// `count` primitives of the same vertices, each with an accessor of its own: vertices from `step` times its
-/// number on, of `vertices` in all.
+/// `count` primitives of the same vertices, each with its own accessor: vertices from `step` times its number
+/// on, out of `vertices` in total.
 std::string with_accessors(std::size_t count, std::size_t vertices, std::size_t step) {
     std::string accessors, primitives;
     for (std::size_t i = 0; i < count; ++i) {
@@ -247,7 +246,7 @@ std::string with_accessors(std::size_t count, std::size_t vertices, std::size_t 
 
 }  // namespace
 
-TEST_CASE("accessors of glTF that name the same bytes over and over are refused", "[gltf]") {
+TEST_CASE("glTF accessors that name the same bytes over and over are refused", "[gltf]") {
     CHECK(problem_of(GltfFile::parse(with_accessors(50, 4000, 1), "t.gltf")) == nullptr);
     CHECK(problem_of(GltfFile::parse(with_accessors(3000, 4000, 0), "t.gltf")) == nullptr);
     const auto file = GltfFile::parse(with_accessors(1000, 4000, 1), "t.gltf");
@@ -258,7 +257,7 @@ TEST_CASE("accessors of glTF that name the same bytes over and over are refused"
     CHECK(line.ends_with("; expected at most 64 times as many"));
 }
 
-TEST_CASE("a node, a mesh or a light of glTF has no longer name than a scene's may be", "[gltf]") {
+TEST_CASE("names of glTF nodes, meshes and lights are limited to the length of scene names", "[gltf]") {
     const std::string name(1001, 'n');
     CHECK(gltf_triangle::error_of(
               gltf_triangle::changed(R"({"mesh": 0})", R"({"mesh": 0, "name": ")" + name + "\"}")) ==
@@ -268,7 +267,7 @@ TEST_CASE("a node, a mesh or a light of glTF has no longer name than a scene's m
           "t.gltf: /meshes/0/name: has 1001 characters; expected at most 1000");
 }
 
-TEST_CASE("nodes that show a mesh of very many lines end in one line", "[gltf]") {
+TEST_CASE("nodes that repeat a mesh of very many lines are refused in one line", "[gltf]") {
     std::string lines = R"({"attributes": {"POSITION": 0}, "mode": 1})", nodes = R"({"mesh": 0})",
                 numbers = "0";
     for (int i = 1; i < 2001; ++i) {
@@ -276,7 +275,7 @@ TEST_CASE("nodes that show a mesh of very many lines end in one line", "[gltf]")
         nodes += R"(,{"mesh": 0})";
         numbers += fmt::format(",{}", i);
     }
-    // 2001 primitives are shown 1000 times: more than two million.
+    // 2001 primitives are used 1000 times: more than two million.
     std::string text = gltf_triangle::changed(R"({"attributes": {"POSITION": 0}})", lines);
     for (const auto& [from, to] :
          {std::pair<std::string, std::string>{R"("nodes": [{"mesh": 0}])", "\"nodes\": [" + nodes + "]"},
@@ -286,7 +285,7 @@ TEST_CASE("nodes that show a mesh of very many lines end in one line", "[gltf]")
           "t.gltf: /nodes/999: the nodes show too many primitives; expected at most 2000000");
 }
 
-TEST_CASE("lights in candela become as bright as a display, all by one factor", "[gltf]") {
+TEST_CASE("lights in candela are scaled to the brightness of a display by one factor", "[gltf]") {
     const TemporaryDirectory folder;
     std::string text = bytes_of(written(folder, "beside"));
     const auto times = [&](const std::string& what, const std::string& with) {

@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What the library does to files, seen through the functions below that stand in for the system's.
+/// Records the library's file operations; the functions below replace the system's.
 struct Watch {
-    std::optional<mode_t> mode_while_writing;  // of the regular file that was written to last
+    std::optional<mode_t> mode_while_writing;  // of the regular file written last
     std::function<void()> directory_synced;
 };
 Watch* watch = nullptr;
@@ -74,8 +74,7 @@ mode_t mode_of(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("a format is told by what a name ends in, in any case, even where that is the whole name",
-          "[file]") {
+TEST_CASE("the extension determines the format, in any case, even as the entire name", "[file]") {
     CHECK(lower_extension("a.b/c.PnG") == ".png");
     CHECK(lower_extension("a.b/.png") == ".png");
     CHECK(lower_extension("a.b/.c.obj") == ".obj");
@@ -83,7 +82,7 @@ TEST_CASE("a format is told by what a name ends in, in any case, even where that
     CHECK(lower_extension("a.b/").empty());
 }
 
-TEST_CASE("what is written reads back, and nothing else is left in the directory", "[file]") {
+TEST_CASE("a written file reads back, and no other file is left in the directory", "[file]") {
     const Place place;
     const std::string bytes = std::string("a\0b\r\n\xff", 6) + std::string(200'000, 'x');
     for (const std::string& text : {bytes, std::string("short"), std::string()}) {
@@ -112,8 +111,7 @@ TEST_CASE("a file that is too long, missing, a directory, a device or a pipe is 
     CHECK(problem_of(read_file(place / "ten" + std::string("\0.json", 6), 99)) != nullptr);
 }
 
-TEST_CASE("writing keeps the permission bits of the old file and gives a new one those of the umask",
-          "[file]") {
+TEST_CASE("writing keeps an old file's permission bits and applies the umask to a new one", "[file]") {
     const Place place;
     const mode_t umask_before = ::umask(027);
     REQUIRE(problem_of(write_file(place / "a", "1")) == nullptr);
@@ -125,7 +123,7 @@ TEST_CASE("writing keeps the permission bits of the old file and gives a new one
     CHECK(read_back(place / "a") == "2");
 }
 
-TEST_CASE("a symbolic link stays and what it names is replaced", "[file]") {
+TEST_CASE("a symbolic link stays and the file that it names is replaced", "[file]") {
     const Place place;
     fs::create_directory(place.path / "deep");
     REQUIRE(problem_of(write_file(place / "deep/target", "old")) == nullptr);
@@ -143,7 +141,7 @@ TEST_CASE("a symbolic link stays and what it names is replaced", "[file]") {
     CHECK(problem_of(write_file(place / "loop", "x")) != nullptr);
 }
 
-TEST_CASE("what cannot be written is a problem and leaves nothing behind", "[file]") {
+TEST_CASE("a failed write is a problem and leaves no file behind", "[file]") {
     const Place place;
     const std::string tail = "; expected a place that can be written";
     CHECK(problem_text(write_file("/dev/full", "x")) ==
@@ -158,8 +156,7 @@ TEST_CASE("what cannot be written is a problem and leaves nothing behind", "[fil
     CHECK(problem_of(write_file("/dev/null", "x")) == nullptr);
 }
 
-TEST_CASE("a pipe is written straight through, and one without a reader is a problem, not a signal",
-          "[file]") {
+TEST_CASE("a pipe is written in place; one without a reader is a problem, not a signal", "[file]") {
     const Place place;
     const std::string pipe = place / "pipe";
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
@@ -186,7 +183,7 @@ TEST_CASE("a pipe is written straight through, and one without a reader is a pro
     ::close(ends[1]);
 }
 
-TEST_CASE("while a file is replaced nobody can read the new one who could not read the old one", "[file]") {
+TEST_CASE("a replacement is never readable by users who could not read the old file", "[file]") {
     const Place place;
     REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);
     REQUIRE(::chmod((place / "a").c_str(), 0600) == 0);
@@ -201,8 +198,8 @@ TEST_CASE("while a file is replaced nobody can read the new one who could not re
     CHECK(read_back(place / "a") == "new");
 }
 
-TEST_CASE("owner and group of the old file are kept where the system lets us", "[file]") {
-    if (::geteuid() != 0) return;  // only root may give files away
+TEST_CASE("the old file's owner and group are kept if the system allows it", "[file]") {
+    if (::geteuid() != 0) return;  // only root may change the owner
     constexpr uid_t somebody = 4242, some_group = 4343;
     const Place place;
     REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);
@@ -216,11 +213,11 @@ TEST_CASE("owner and group of the old file are kept where the system lets us", "
     CHECK((status.st_mode & 07777) == 04750);
 }
 
-TEST_CASE("where the group cannot be kept nobody may do more than before", "[file]") {
-    if (::geteuid() != 0) return;  // only root may become somebody
+TEST_CASE("a group that cannot be kept gives nobody more rights than before", "[file]") {
+    if (::geteuid() != 0) return;  // only root may switch users
     constexpr uid_t somebody = 4242;
     constexpr gid_t old_group = 4343, new_group = 4444;
-    // By hand: what both group and others may.
+    // By hand: the rights of both group and others.
     for (const auto& [before, after] : {std::pair<mode_t, mode_t>{0606, 0600},
                                         {0602, 0600},
                                         {0640, 0600},
@@ -249,8 +246,8 @@ TEST_CASE("where the group cannot be kept nobody may do more than before", "[fil
     }
 }
 
-TEST_CASE("that a sticky directory keeps another's file is known beforehand", "[file]") {
-    if (::geteuid() != 0) return;  // only root may become somebody
+TEST_CASE("a sticky directory that protects another user's file is detected in advance", "[file]") {
+    if (::geteuid() != 0) return;  // only root may switch users
     constexpr uid_t owner = 4242, us = 4343;
     const Place place;
     for (const auto& [mode, file_of, kept] :
@@ -273,7 +270,7 @@ TEST_CASE("that a sticky directory keeps another's file is known beforehand", "[
     }
 }
 
-TEST_CASE("the directory is put on the disk when the new file is in its place", "[file]") {
+TEST_CASE("the directory is synced after the new file is in place", "[file]") {
     const Place place;
     REQUIRE(problem_of(write_file(place / "a", "old")) == nullptr);
     std::string found;
@@ -286,7 +283,7 @@ TEST_CASE("the directory is put on the disk when the new file is in its place", 
     CHECK(found == "new");
 }
 
-TEST_CASE("what could not be written is known beforehand, in the same words", "[file]") {
+TEST_CASE("why_not_writable() reports the same problem as a failed write", "[file]") {
     const Place place;
     for (const std::string& path : {place / "no/a", place.path.string(), std::string(), place / "new/"}) {
         INFO(path);

@@ -22,7 +22,7 @@ std::uint64_t size_of(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("a size of memory is a whole number of bytes, K, M, G or T", "[memory]") {
+TEST_CASE("a memory size is a whole number of bytes, K, M, G or T", "[memory]") {
     CHECK(size_of("1048576") == mib);
     CHECK(size_of("1024K") == mib);
     CHECK(size_of("3M") == 3 * mib);
@@ -40,7 +40,7 @@ TEST_CASE("a size of memory is a whole number of bytes, K, M, G or T", "[memory]
           "1M at least");
 }
 
-TEST_CASE("the memory of a control group is the least of it and those around it", "[memory]") {
+TEST_CASE("a control group's memory limit is the smallest of it and its parents", "[memory]") {
     const TemporaryDirectory root;
     namespace fs = std::filesystem;
     const auto write = [&root](const std::string& path, const std::string& text) {
@@ -69,13 +69,13 @@ TEST_CASE("the memory of a control group is the least of it and those around it"
     }
 }
 
-TEST_CASE("the limit on the address space limits what may be asked for", "[memory]") {
+TEST_CASE("the limit on the address space lowers the memory limit", "[memory]") {
     if (test::sanitized) return;
     const std::uint64_t here = default_memory_limit();
     CHECK(test::in_process_with_room(256 * mib, [here] { return default_memory_limit() < here; }));
 }
 
-TEST_CASE("an exception is reported with the file that the work was about", "[memory]") {
+TEST_CASE("an exception is reported with the file that was being processed", "[memory]") {
     CHECK(problem_from(std::bad_alloc(), "a.json").text() ==
           "a.json: there is not enough memory; expected more of it, or a smaller scene");
     CHECK(problem_from(std::runtime_error("a fault")).text() == "a fault");

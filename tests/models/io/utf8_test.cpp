@@ -1,4 +1,5 @@
-// UTF-8 against RFC 3629's own definition: a character's bytes hold its number, in as few as it takes.
+// UTF-8 against RFC 3629's own definition: a character's bytes contain its number, in as few bytes as
+// possible.
 #include "models/utf8.h"
 
 #include <string>
@@ -10,7 +11,7 @@ using namespace glint;
 
 namespace {
 
-/// The bytes of a character from its number, as the table of RFC 3629, section 3, spreads the bits.
+/// The bytes of a character from its number; the table of RFC 3629, section 3, distributes the bits.
 std::string encoded(unsigned number) {
     const auto later = [number](int shift) { return static_cast<char>(0x80 | ((number >> shift) & 0x3F)); };
     if (number < 0x80) return {static_cast<char>(number)};
@@ -21,7 +22,7 @@ std::string encoded(unsigned number) {
 
 }  // namespace
 
-TEST_CASE("a number is a character of UTF-8 up to 10FFFF, and no surrogate is one", "[utf8]") {
+TEST_CASE("numbers up to 10FFFF, except surrogates, are characters of UTF-8", "[utf8]") {
     int wrong = 0;
     for (unsigned number = 0; number < 0x200000; ++number) {
         const std::string bytes = encoded(number);
@@ -31,7 +32,7 @@ TEST_CASE("a number is a character of UTF-8 up to 10FFFF, and no surrogate is on
     CHECK(wrong == 0);
 }
 
-TEST_CASE("bytes that take more than their character needs, or stand alone, are none", "[utf8]") {
+TEST_CASE("overlong and stray bytes are not characters of UTF-8", "[utf8]") {
     for (const std::string bytes :
          {"\xC0\x80", "\xC1\xBF", "\xE0\x80\x80", "\xE0\x9F\xBF", "\xF0\x80\x80\x80", "\xF0\x8F\xBF\xBF",
           "\x80", "\xBF", "\xF8\x88\x80\x80\x80", "\xFE", "\xFF", "\xC3", "\xE2\x82", "\xF0\x9F\x98", "\xC3(",
@@ -41,5 +42,5 @@ TEST_CASE("bytes that take more than their character needs, or stand alone, are 
     }
     CHECK(utf8_length("") == 0);
     for (const std::string_view whole : {"\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"})
-        CHECK(utf8_length(whole.substr(0, whole.size() - 1)) == 0);  // what lies behind the text is not read
+        CHECK(utf8_length(whole.substr(0, whole.size() - 1)) == 0);  // bytes beyond the text are not read
 }

@@ -1,5 +1,5 @@
-// Ear clipping against its definition, written without any shortcut: every corner of the ring is looked at
-// for every question.
+// Ear clipping against its definition, without any shortcut: every question examines every corner of the
+// ring.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,11 +24,11 @@ double sine(Point a, Point b, Point c) {  // at a, from b to c
     return bb * cc > 0 ? cross(a, b, c) / std::sqrt(bb * cc) : 0;
 }
 
-/// The corners that are left, in their order, and the places of all.
+/// The remaining corners, in their order, and the positions of all.
 struct Ring {
     std::vector<std::uint32_t> left;
     std::vector<Point> place;
-    std::vector<bool> is_ear;  // as found when the corner last got a new neighbour
+    std::vector<bool> is_ear;  // as determined when the corner last got a new neighbour
 
     [[nodiscard]] std::array<std::uint32_t, 3> around(std::size_t i) const {
         const std::size_t n = left.size();
@@ -48,7 +48,7 @@ struct Ring {
                    return !beside && !outside && p != a && p != b && p != c;
                });
     }
-    /// Returns the first ear from `start` round, else the first of the corners that turn left most.
+    /// Returns the first ear from `start` on, else the first of the corners with the sharpest left turn.
     [[nodiscard]] std::size_t next(std::size_t start) const {
         const std::size_t n = left.size();
         std::size_t best = start;
@@ -67,12 +67,12 @@ Ring ring_of(const Mesh& mesh, double facing) {
     for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::dvec3 p = glm::dvec3(mesh.positions[i]) - origin;
         ring.left.push_back(i);
-        ring.place.push_back({facing > 0 ? -p.y : p.y, p.x});  // the plane z = 0 as the triangulator turns it
+        ring.place.push_back({facing > 0 ? -p.y : p.y, p.x});  // z = 0 as the triangulator rotates it
     }
     return ring;
 }
 
-/// Whether the triangles are a fan from the first corner, as a polygon is cut of which no corner turns right.
+/// Whether the triangles are a fan from the first corner, as for a polygon without a right turn.
 bool is_fan(const std::vector<Triangle>& triangles, const Ring& ring) {
     for (std::size_t i = 0; i < ring.left.size(); ++i)
         if (ring.turn(i) < -1e-6) return false;
@@ -111,7 +111,7 @@ std::vector<glm::vec3> outline(Kind kind, std::mt19937& random) {
         case Kind::Crossing:
             points.emplace_back(number(), number(), 0);
             break;
-        case Kind::Grid:  // corners that coincide, and corners on straight sides
+        case Kind::Grid:  // coincident corners, and corners on straight sides
             points.emplace_back(random() % 5, random() % 5, 0);
             break;
         case Kind::Comb:
@@ -125,8 +125,7 @@ std::vector<glm::vec3> outline(Kind kind, std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE("ears are clipped as if every corner were looked at, whatever the polygon",
-          "[triangulate][property]") {
+TEST_CASE("ear clipping equals an exhaustive search for every polygon", "[triangulate][property]") {
     std::mt19937 random(5);
     std::size_t compared = 0;
     for (const Kind kind : {Kind::Star, Kind::Crossing, Kind::Grid, Kind::Comb}) {

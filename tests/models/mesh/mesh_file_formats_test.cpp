@@ -1,4 +1,4 @@
-// PLY, OFF and STL: what they hold, and the one line that each malformed one is answered with.
+// PLY, OFF and STL: their contents, and the one-line message for each malformed file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ TEST_CASE("a PLY's properties come in any order, type and byte order", "[mesh_fi
     }
 }
 
-TEST_CASE("the body of a binary PLY begins behind its header, however lines end", "[mesh_file][ply]") {
+TEST_CASE("the body of a binary PLY starts after its header, with every line end", "[mesh_file][ply]") {
     const std::string lines[] = {"ply",
                                  "format binary_little_endian 1.0",
                                  "element vertex 3",
@@ -77,7 +77,7 @@ TEST_CASE("the body of a binary PLY begins behind its header, however lines end"
         }
 }
 
-TEST_CASE("what a PLY has besides is told", "[mesh_file][ply]") {
+TEST_CASE("ignored contents of a PLY give a warning", "[mesh_file][ply]") {
     const Mesh mesh = read_text(
         "m.ply",
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -90,7 +90,7 @@ TEST_CASE("what a PLY has besides is told", "[mesh_file][ply]") {
                                     "data after the last element is ignored"});
 }
 
-TEST_CASE("normals and colours that are not whole or not numbers are told of", "[mesh_file]") {
+TEST_CASE("incomplete normals and colours, or ones that are not numbers, give a warning", "[mesh_file]") {
     const Mesh ply = read_text(
         "m.ply",
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -106,8 +106,7 @@ TEST_CASE("normals and colours that are not whole or not numbers are told of", "
           Warnings{"1 facet has a normal that is out of range, which is ignored"});
 }
 
-TEST_CASE("a colour below 0, or beyond what its type holds, is taken as the nearest, with a warning",
-          "[mesh_file]") {
+TEST_CASE("a colour outside the range of its type is clamped with a warning", "[mesh_file]") {
     const auto ply = [](const std::string& type, const std::string& color) {
         std::string text = ply_head;
         text.insert(text.find("element face"),
@@ -127,8 +126,7 @@ TEST_CASE("a colour below 0, or beyond what its type holds, is taken as the near
     CHECK(obj.warnings == Warnings{"2 vertices have colours with a channel below 0, which is taken as 0"});
 }
 
-TEST_CASE("a PLY header takes time in step with its names, and holds no more than real ones do",
-          "[mesh_file][ply]") {
+TEST_CASE("reading a PLY header takes near-linear time, and its names are limited", "[mesh_file][ply]") {
     const auto header = [](int count, const std::string& kind) {
         std::string text = "ply\nformat ascii 1.0\nelement vertex 1\n";
         for (int i = 0; i < count; ++i)
@@ -136,7 +134,7 @@ TEST_CASE("a PLY header takes time in step with its names, and holds no more tha
                 kind == "element" ? fmt::format("element e{} 0\n", i) : fmt::format("property int p{}\n", i);
         return text;
     };
-    const auto work = [](const std::string& text) {  // processor time: others may be at work too
+    const auto work = [](const std::string& text) {  // processor time, because other processes may be running
         std::clock_t least = std::numeric_limits<std::clock_t>::max();
         for (int i = 0; i < 5; ++i) {
             const std::clock_t start = std::clock();
@@ -146,7 +144,7 @@ TEST_CASE("a PLY header takes time in step with its names, and holds no more tha
         return static_cast<double>(least);
     };
     for (const char* kind : {"property", "element"}) {
-        // 10 times the names: 10 to 15 times the work, 100 times where each is compared with all before it.
+        // 10 times the names: 10 to 15 times the work, or 100 times if each is compared with all before it.
         const double few = work(header(4000, kind)), many = work(header(40000, kind));
         INFO(kind << ": " << few << " and " << many);
         CHECK(many < 40 * few);
@@ -155,7 +153,7 @@ TEST_CASE("a PLY header takes time in step with its names, and holds no more tha
     }
 }
 
-TEST_CASE("a malformed PLY is answered with what was expected", "[mesh_file][ply]") {
+TEST_CASE("a malformed PLY is reported with the expected input", "[mesh_file][ply]") {
     const std::string head = "ply\nformat ascii 1.0\n";
     const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
     check_all({
@@ -235,7 +233,7 @@ TEST_CASE("an OFF has its counts on the first or the next line, and comments", "
     }
 }
 
-TEST_CASE("what follows an OFF's last face is ignored with a warning, empty lines are not",
+TEST_CASE("text after an OFF's last face is ignored with a warning, empty lines without",
           "[mesh_file][off]") {
     const std::string file = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     CHECK(read_text("m.off", file + "\n# the end\n").warnings.empty());
@@ -244,7 +242,7 @@ TEST_CASE("what follows an OFF's last face is ignored with a warning, empty line
     CHECK(mesh.corner_position.size() == 3);
 }
 
-TEST_CASE("an OFF's vertex colours are of 255 or shares; normals come before them", "[mesh_file][off]") {
+TEST_CASE("an OFF's vertex colours are fractions or up to 255; normals precede them", "[mesh_file][off]") {
     const std::string faces = "3 0 1 2\n";
     const Mesh whole =
         read_text("m.off", "COFF\n3 1 0\n0 0 0 255 0 51 255\n1 0 0 0 0 0\n0 1 0 1 1 1 0\n" + faces);
@@ -261,7 +259,7 @@ TEST_CASE("an OFF's vertex colours are of 255 or shares; normals come before the
     CHECK(read_text("m.off", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n" + faces).colors.empty());
 }
 
-TEST_CASE("a malformed OFF is answered with its line and what was expected", "[mesh_file][off]") {
+TEST_CASE("a malformed OFF is reported with its line and the expected input", "[mesh_file][off]") {
     const std::string v = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
     check_all({
         {"m.off", "# only a comment\n", ":2: this is not an OFF file; expected OFF, COFF, NOFF or CNOFF"},
@@ -289,8 +287,7 @@ TEST_CASE("a malformed OFF is answered with its line and what was expected", "[m
     });
 }
 
-TEST_CASE("an STL shares positions that are exactly equal, and its facet normals are the file's",
-          "[mesh_file][stl]") {
+TEST_CASE("an STL merges equal positions, and its facet normals are the file's normals", "[mesh_file][stl]") {
     const std::string ascii =
         "solid a square # of two facets\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex "
         "1 1 0\n"
@@ -318,7 +315,7 @@ TEST_CASE("an STL shares positions that are exactly equal, and its facet normals
     CHECK(read_text("m.stl", zero).given_normals == GivenNormals::None);
 }
 
-TEST_CASE("a normal of an STL that is not a number or too large is none, with a warning",
+TEST_CASE("a normal of an STL that is not a number or too large is dropped with a warning",
           "[mesh_file][stl]") {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                             -std::numeric_limits<float>::max()}) {
@@ -330,7 +327,7 @@ TEST_CASE("a normal of an STL that is not a number or too large is none, with a 
     }
 }
 
-TEST_CASE("a malformed STL is answered with what was expected", "[mesh_file][stl]") {
+TEST_CASE("a malformed STL is reported with the expected input", "[mesh_file][stl]") {
     const std::string head = "solid s\nfacet normal 0 0 1\nouter loop\n";
     std::string cut_solid = test::binary_stl(3);
     cut_solid.replace(0, 5, "solid");

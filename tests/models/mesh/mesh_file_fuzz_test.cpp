@@ -1,5 +1,4 @@
-// Valid files, damaged in seeded ways: whatever comes, it is a sound mesh or one line that says what is
-// wrong.
+// Valid files, damaged in seeded ways: each result is a sound mesh or a one-line problem.
 #include <algorithm>
 #include <cmath>
 #include <random>

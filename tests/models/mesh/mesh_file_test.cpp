@@ -1,5 +1,4 @@
-// Whole files in, as text in this file: what they hold, and the one line that each malformed one is answered
-// with.
+// Mesh files as text in this file: their contents, and the one-line message for each malformed one.
 #include "models/mesh/formats/mesh_file.h"
 
 #include "models/mesh/normals.h"
@@ -11,7 +10,7 @@ using namespace glint;
 using test::error_of;
 using test::read_text;
 
-TEST_CASE("the extension names the format, in any case", "[mesh_file]") {
+TEST_CASE("the extension determines the mesh format, in any case", "[mesh_file]") {
     CHECK(is_mesh_path("bunny.obj"));
     CHECK(is_mesh_path("/a.b/Bunny.OBJ"));
     CHECK_FALSE(is_mesh_path("scene.json"));
@@ -21,14 +20,14 @@ TEST_CASE("the extension names the format, in any case", "[mesh_file]") {
           "m.3ds: the extension is that of no mesh; expected .obj, .ply, .off or .stl");
 }
 
-TEST_CASE("what is not a readable file is an error that names it", "[mesh_file]") {
+TEST_CASE("an unreadable mesh file is an error that names it", "[mesh_file]") {
     CHECK(problem_of(read_mesh("/dev/null.obj")) != nullptr);
     CHECK(problem_of(read_mesh(project_file("no-such-file.obj"))) != nullptr);
     const Result<Mesh> directory = read_mesh(project_folder);
     CHECK(problem_of(directory) != nullptr);
 }
 
-TEST_CASE("an OBJ keeps its polygons, places and order", "[mesh_file][obj]") {
+TEST_CASE("an OBJ keeps its polygons, positions and order", "[mesh_file][obj]") {
     const Mesh mesh = read_text("m.obj",
                                 "# a house\r\nmtllib a.mtl\no house\ng front\nusemtl red\ns off\r\n"
                                 "v 0 0 0\nv +1 0 0\nv 1 1. 0\r\nv 0 1e0 0\n\tv  .5\t1.5 1e-50  # roof\n"
@@ -43,7 +42,7 @@ TEST_CASE("an OBJ keeps its polygons, places and order", "[mesh_file][obj]") {
     CHECK(mesh.warnings.empty());
 }
 
-TEST_CASE("an OBJ's normals are by corner; one that the file does not have is none", "[mesh_file][obj]") {
+TEST_CASE("an OBJ's normals are by corner; an undefined one leaves its corner without", "[mesh_file][obj]") {
     const Mesh mesh = read_text("m.obj",
                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\nvn 0 1 0\n"
                                 "f 1//1 2//-1 3//7\nf 1 3/1/2 2//0\n");
@@ -57,8 +56,7 @@ TEST_CASE("an OBJ's normals are by corner; one that the file does not have is no
           1);
 }
 
-TEST_CASE("normals that are named and not there are told of with their count, as all that is tolerated",
-          "[mesh_file][obj]") {
+TEST_CASE("undefined normals of an OBJ are counted in a warning", "[mesh_file][obj]") {
     const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     const auto told = [&v](const std::string& text) {
         return mesh_info(read_text("m.obj", v + text)).warnings;
@@ -73,7 +71,7 @@ TEST_CASE("normals that are named and not there are told of with their count, as
     CHECK(told("f 1/ 2/1 3/\n") == Warnings{"2 corners end in a slash, which is ignored"});
 }
 
-TEST_CASE("a message quotes no more of a file than a short word", "[mesh_file]") {
+TEST_CASE("a message quotes at most a short word of a mesh file", "[mesh_file]") {
     const std::string secret = "AKIAIOSFODNN7EXAMPLE/wJalrXUtnFEMI";
     for (const char* name : {"m.obj", "m.ply", "m.off", "m.stl"}) {
         const std::string line = error_of(name, "solid x\n" + secret + " more\n");
@@ -90,7 +88,7 @@ TEST_CASE("a message quotes no more of a file than a short word", "[mesh_file]")
     CHECK(error_of("m.obj", "Ölförderung").find("\"Ölförderung\"") != std::string::npos);
 }
 
-TEST_CASE("a byte-order mark before the text of a mesh is passed over", "[mesh_file]") {
+TEST_CASE("a byte-order mark before the text of a mesh is skipped", "[mesh_file]") {
     const std::string mark = "\xEF\xBB\xBF";
     const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     CHECK(read_text("m.obj", mark + obj).triangles.size() == 1);
@@ -109,12 +107,13 @@ TEST_CASE("a byte-order mark before the text of a mesh is passed over", "[mesh_f
     CHECK(error_of("m.obj", obj + mark + "f 1 2 3\n").starts_with("m.obj:5: "));  // at the start only
 }
 
-TEST_CASE("an OBJ's colours come after the place, white where there are none", "[mesh_file][obj]") {
+TEST_CASE("an OBJ's colours follow the position; missing ones are white", "[mesh_file][obj]") {
     const Mesh mesh = read_text("m.obj", "v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nf 1 2 3\n");
     CHECK(mesh.colors == std::vector<glm::vec3>{{1, 1, 1}, {1, 0.5f, 0}, {1, 1, 1}});
 }
 
-TEST_CASE("what an OBJ has besides polygons is ignored with one warning a kind", "[mesh_file][obj]") {
+TEST_CASE("contents of an OBJ other than polygons are ignored with one warning per kind",
+          "[mesh_file][obj]") {
     const Mesh mesh = read_text("m.obj",
                                 "v 0 0 0 1\nv 1 0 0 0.5\nv 0 1 0\nl 1 2\nl 2 3 1\np 1\ncstype bezier\n"
                                 "f 1 2 3\nf 1 1 2\nf 1 2 2 3\n");
@@ -126,7 +125,7 @@ TEST_CASE("what an OBJ has besides polygons is ignored with one warning a kind",
     CHECK(mesh.face_count() == 3);
 }
 
-TEST_CASE("a malformed OBJ is answered with its line and what was expected", "[mesh_file][obj]") {
+TEST_CASE("a malformed OBJ is reported with its line and the expected input", "[mesh_file][obj]") {
     const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     const auto line_4 = [&v](const std::string& text) { return error_of("m.obj", v + text); };
     CHECK(error_of("m.obj", "") == "m.obj: the file is empty; expected a mesh");
@@ -153,7 +152,7 @@ TEST_CASE("a malformed OBJ is answered with its line and what was expected", "[m
           "m.obj:4: a vertex index beyond 64 bits is out of range; expected 1 to 3");
     CHECK(line_4("f 1 2 -99999999999999999999") ==
           "m.obj:4: a vertex index beyond 64 bits is out of range; expected -1 to -3, or 1 to 3");
-    // As any other number of a texture's or a normal's place that is not there.
+    // Like any other undefined index of a texture coordinate or a normal.
     CHECK(line_4("f 1/99999999999999999999 2/-99999999999999999999 3//99999999999999999999") == "");
     CHECK(line_4("f") == "m.obj:4: a face has no corners; expected at least 3 after \"f\"");
     CHECK(line_4("v 1 2") == "m.obj:4: z is missing; expected a number");

@@ -1,5 +1,4 @@
-// Where meshes come from: each is loaded once; a file that is not a mesh, or too large, is not read to its
-// end.
+// The sources of meshes: each is loaded once, and a file that is not a mesh, or too large, is rejected early.
 
 #include <fmt/core.h>
 
@@ -28,14 +27,14 @@ Scene scene_of(const std::vector<MeshSource>& sources) {
     return scene;
 }
 
-/// The problem with reading it, without its path.
+/// The problem with reading the file, without its path.
 std::string trouble_of(const std::string& path) {
     const Result<Mesh> mesh = read_mesh(path);
     const Problem* problem = problem_of(mesh);
     return problem != nullptr ? problem->text().substr(path.size()) : "";
 }
 
-/// A file that begins with `head` and has a hole behind it.
+/// A file with the beginning `head`, followed by a hole.
 std::string sparse(const TemporaryDirectory& directory, const std::string& name, const std::string& head,
                    std::uint64_t size) {
     std::string path = directory.file(name, head);
@@ -45,7 +44,7 @@ std::string sparse(const TemporaryDirectory& directory, const std::string& name,
 
 }  // namespace
 
-TEST_CASE("a mesh file is loaded once, whatever paths lead to it", "[mesh_file]") {
+TEST_CASE("a mesh file is loaded once, whichever paths name it", "[mesh_file]") {
     const TemporaryDirectory directory;
     (void)directory.file("square.obj", square_obj);
     fs::create_symlink("square.obj", directory.path("link.obj"));
@@ -57,10 +56,10 @@ TEST_CASE("a mesh file is loaded once, whatever paths lead to it", "[mesh_file]"
     REQUIRE(problem_of(load_meshes(scene, "scene.json", directory.path())) == nullptr);
     for (std::size_t i = 1; i < 6; ++i) CHECK(scene.objects[i].mesh == scene.objects[0].mesh);
     CHECK(scene.objects[6].mesh != scene.objects[0].mesh);
-    CHECK(std::get<MeshFile>(scene.objects[3].source).path == "link.obj");  // named as it was
+    CHECK(std::get<MeshFile>(scene.objects[3].source).path == "link.obj");  // its path is kept
 }
 
-TEST_CASE("one file under two extensions is read as each says", "[mesh_file]") {
+TEST_CASE("one file under two extensions is read in both formats", "[mesh_file]") {
     const TemporaryDirectory directory;
     (void)directory.file("square.obj", square_obj);
     fs::create_symlink("square.obj", directory.path("square.off"));
@@ -79,7 +78,7 @@ TEST_CASE("equal primitives are one mesh, others are not", "[primitives]") {
     CHECK(scene.objects[3].mesh != scene.objects[0].mesh);
 }
 
-TEST_CASE("of a file of zeros little is read, whatever mesh its name promises", "[mesh_file]") {
+TEST_CASE("a file of zeros is rejected early under every mesh extension", "[mesh_file]") {
     const TemporaryDirectory directory;
     const std::uint64_t size = 2 * gib;
     const auto starts = [&directory](const char* name, const char* text) {
@@ -106,10 +105,10 @@ TEST_CASE("a mesh file of more than 2 GiB is refused", "[mesh_file]") {
               ": is too long; expected at most 2147483648 bytes");
 }
 
-TEST_CASE("a hole in the text of a mesh file ends the reading there", "[mesh_file]") {
+TEST_CASE("a hole in the text of a mesh file stops the reading", "[mesh_file]") {
     const TemporaryDirectory directory;
     const std::string text = "# " + std::string(70000, '-') + "\nv 0 0 0\n";
-    // Sanitizers note for each byte whether it may be read, which takes seconds.
+    // Sanitizers track for each byte whether it may be read, which takes seconds.
     const std::uint64_t size = test::sanitized ? gib / 4 : 2 * gib;
     CHECK(trouble_of(sparse(directory, "x.obj", text, size)) ==
           ": from byte 131072 on there are only zeros; expected text");
@@ -120,7 +119,7 @@ TEST_CASE("a hole in the text of a mesh file ends the reading there", "[mesh_fil
           ": from byte 131072 on there are only zeros; expected text");
 }
 
-TEST_CASE("of corners that name vertices ahead only those are kept that may be the first out of range",
+TEST_CASE("only corners that may be the first out of range are kept while reading an OBJ",
           "[mesh_file][obj]") {
     std::string faces, vertices;
     for (int i = 0; i < 20'000; ++i) faces += "f 9 8 7\n";
@@ -135,7 +134,7 @@ TEST_CASE("of corners that name vertices ahead only those are kept that may be t
               .starts_with("x.obj:3: vertex index 14 is out of range"));
 }
 
-TEST_CASE("a picture or a scene that is none is not read to its end", "[memory]") {
+TEST_CASE("a file that is not a picture or a scene is rejected early", "[memory]") {
     const TemporaryDirectory directory;
     const std::string png = sparse(directory, "x.png", "", 2 * gib),
                       json = sparse(directory, "x.json", "{", gib);

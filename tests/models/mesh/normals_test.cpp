@@ -69,19 +69,19 @@ TEST_CASE("the facet normal of a triangle is the cross product of its edges", "[
 TEST_CASE("the facet normal of a polygon is Newell's", "[normals]") {
     const Mesh quad = test::make_polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}});
     check_near(facet_normal(quad, 0), {-0.408248f, -0.408248f, 0.816497f});
-    // Far from the origin it is the same.
+    // The result is the same far from the origin.
     const Mesh far = test::make_polygon({{4096, 512, 64}, {4097, 512, 64}, {4097, 513, 65}, {4096, 513, 64}});
     check_near(facet_normal(far, 0), {-0.408248f, -0.408248f, 0.816497f});
 }
 
-TEST_CASE("from facets each corner of a face has its face's normal", "[normals]") {
+TEST_CASE("with facet normals each corner has its face's normal", "[normals]") {
     const Mesh cube = make_mesh(cube_corners, cube_quads);
     const CornerNormals normals = corner_normals(cube, {.source = NormalSource::Facet});
     const glm::vec3 outward[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     for (std::size_t c = 0; c < 24; ++c) check_near(normals.normals[normals.corner[c]], outward[c / 4]);
 }
 
-TEST_CASE("at the corner of a triangulated cube only the angle does not see the cut", "[normals]") {
+TEST_CASE("only angle weighting ignores how a cube's faces are cut into triangles", "[normals]") {
     const float third = 0.57735027f;
     for (const auto weighting : {NormalWeighting::Uniform, NormalWeighting::Area, NormalWeighting::Angle}) {
         const Mesh even = cut_box(2, 2, 2);
@@ -97,7 +97,7 @@ TEST_CASE("at the corner of a triangulated cube only the angle does not see the 
     check_near(at_position(two, corner_normals(two, vertex(NormalWeighting::Angle)), 7), glm::vec3(third));
 }
 
-TEST_CASE("area weighs the faces of a box of 1 x 2 x 3, of quads or of triangles", "[normals]") {
+TEST_CASE("area weighting of a 1 x 2 x 3 box is the same for quads and triangles", "[normals]") {
     std::vector<glm::vec3> corners = cube_corners;
     for (glm::vec3& p : corners) p *= glm::vec3(1, 2, 3);
     for (const Mesh& box : {make_mesh(corners, cube_quads), cut_box(2, 2, 2, {1, 2, 3})}) {
@@ -110,7 +110,7 @@ TEST_CASE("area weighs the faces of a box of 1 x 2 x 3, of quads or of triangles
     }
 }
 
-TEST_CASE("a reflex corner weighs its whole interior angle", "[normals]") {
+TEST_CASE("a reflex corner weighs its entire interior angle", "[normals]") {
     // An L in z = 0, reflex (270 degrees) at (1, 1), and a wall in x = 1 that meets it there with 90 degrees.
     const Mesh mesh =
         make_mesh({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {1, 1, 1}, {1, 2, 1}},
@@ -132,7 +132,8 @@ TEST_CASE("a cube is smooth at a crease of 90 degrees and faceted at 89", "[norm
         check_near(faceted.normals[faceted.corner[c]], facet_normal(cube, c / 4));
 }
 
-TEST_CASE("180 degrees averages across edges that are not shared, 179 does not", "[normals][crease]") {
+TEST_CASE("a crease of 180 degrees averages across unshared edges, one of 179 does not",
+          "[normals][crease]") {
     // Two triangles that meet in one vertex only.
     const Mesh mesh =
         make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 3, 4}});
@@ -141,7 +142,7 @@ TEST_CASE("180 degrees averages across edges that are not shared, 179 does not",
     check_near(at_position(mesh, corner_normals(mesh, vertex(NormalWeighting::Angle, 179)), 0), {0, 0, 1});
 }
 
-TEST_CASE("normals that cancel leave each corner its facet normal", "[normals][degenerate]") {
+TEST_CASE("corners whose normals cancel use their facet normals", "[normals][degenerate]") {
     const Mesh sheet = make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}});
     const CornerNormals normals = corner_normals(sheet, vertex(NormalWeighting::Angle));
     REQUIRE(normals.corner.size() == 6);
@@ -149,7 +150,7 @@ TEST_CASE("normals that cancel leave each corner its facet normal", "[normals][d
         check_near(normals.normals[normals.corner[c]], {0, 0, c < 3 ? 1.f : -1.f});
 }
 
-TEST_CASE("degenerate faces take no part and have the normal 0", "[normals][degenerate]") {
+TEST_CASE("degenerate faces are ignored and have the normal 0", "[normals][degenerate]") {
     const Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}},
                                 {{0, 1, 2}, {0, 1, 3}, {3, 4, 5}});
     for (const auto source : {NormalSource::Vertex, NormalSource::Facet})
@@ -170,7 +171,7 @@ TEST_CASE("a repeated corner does not weigh twice", "[normals][degenerate]") {
                        glm::vec3(0.57735027f));
 }
 
-TEST_CASE("a file's normals are made unit; corners without one take the vertex normal", "[normals]") {
+TEST_CASE("a file's normals are made unit; corners without one use the vertex normal", "[normals]") {
     Mesh mesh = make_mesh(cube_corners, cube_quads);
     mesh.given_normals = GivenNormals::File;
     mesh.normals = {{0, 0, 1e-30f}, {0, 0, 0}, {0, 3e20f, 0}};
@@ -186,7 +187,7 @@ TEST_CASE("a file's normals are made unit; corners without one take the vertex n
     CHECK(n.warnings == Warnings{"2 corners have no normal; their vertex normals are used"});
 }
 
-TEST_CASE("a source that the mesh does not have falls back as auto does, with a warning", "[normals]") {
+TEST_CASE("a source that the mesh does not have falls back like auto, with a warning", "[normals]") {
     const Mesh plain = make_mesh(cube_corners, cube_quads);
     const CornerNormals file = corner_normals(plain, {NormalSource::File, NormalWeighting::Angle, 180});
     CHECK(file.warnings == Warnings{"the mesh has no \"file\" normals; \"vertex\" normals are used"});

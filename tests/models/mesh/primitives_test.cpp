@@ -87,7 +87,7 @@ TEST_CASE("every primitive is sound at every detail", "[primitives]") {
         }
 }
 
-TEST_CASE("primitives have the sizes and faces that the contract names", "[primitives]") {
+TEST_CASE("primitives have the documented sizes and faces", "[primitives]") {
     const auto bounds = [](Primitive p) { return make_primitive(p, info_of(p).default_detail).bounds; };
     const auto info = [](Primitive p, int d) { return mesh_info(make_primitive(p, d)); };
     CHECK(bounds(Primitive::Sphere) == Bounds{{-1, -1, -1}, {1, 1, 1}});
@@ -177,7 +177,7 @@ TEST_CASE("a pole is one vertex with the normal of the pole", "[primitives][dege
     CHECK(poles == 2);
 }
 
-TEST_CASE("cylinder and cone have sharp rims, and the cone's tip a normal a facet", "[primitives]") {
+TEST_CASE("cylinder and cone have sharp rims, and the cone's tip one normal per facet", "[primitives]") {
     const Mesh cylinder = make_primitive(Primitive::Cylinder, 4), cone = make_primitive(Primitive::Cone, 4);
     for (std::uint32_t c = 0; c < 16; ++c) CHECK(normal_of(cylinder, c).y == 0);
     for (std::uint32_t c = 16; c < 20; ++c) CHECK(normal_of(cylinder, c) == glm::vec3(0, 1, 0));
@@ -220,7 +220,7 @@ TEST_CASE("the teapot has the counts, area and extents of its table", "[primitiv
     CHECK(bounds.max.x == Approx((3 + 3.434075) / 2).epsilon(1e-3));
 }
 
-TEST_CASE("the teapot's normals are the worked ones", "[primitives][teapot]") {
+TEST_CASE("the teapot's normals match those worked by hand", "[primitives][teapot]") {
     const Mesh mesh = make_primitive(Primitive::Teapot, 4);
     const float shift =
         3.434075f / 2 - 1.5f;  // of the bounds, about (the tessellated spout is a little shorter)
@@ -243,7 +243,7 @@ TEST_CASE("the teapot's normals are the worked ones", "[primitives][teapot]") {
     check({0, 0, 0}, {0, 0, -1});
 }
 
-TEST_CASE("the worked figures have their corners, values and faces", "[primitives]") {
+TEST_CASE("the worked figures have their documented corners, values and faces", "[primitives]") {
     const Mesh quad = make_primitive(Primitive::SkewQuad, 1);
     const std::vector<glm::vec3> corners{{-3, -2, 0}, {1, -2, 0}, {3, 2, 0}, {-3, 2, 0}};  // less (3, 2)
     CHECK(quad.positions == corners);

@@ -1,4 +1,4 @@
-// Against what holds for any mesh: Euler's formula, counts of faces, the closed form of a limit, areas.
+// Checked against properties of every mesh: Euler's formula, face counts, the closed form of a limit, areas.
 #include "models/mesh/resolution/resolution.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Mesh refined(const Mesh& mesh, const MeshResolution& wanted) {
     return std::get<Mesh>(std::move(made));
 }
 
-/// Vertices that faces use, less edges, plus faces.
+/// Vertices that faces use, minus edges, plus faces.
 int euler(const Mesh& mesh) {
     const std::set<std::uint32_t> used(mesh.corner_position.begin(), mesh.corner_position.end());
     return static_cast<int>(used.size()) - static_cast<int>(mesh_info(mesh).edges) +
@@ -47,8 +47,8 @@ double area(const Mesh& mesh, glm::dvec3* normals = nullptr) {
     return sum;
 }
 
-/// The distance from p to the triangle a, b, c; C. Ericson, Real-Time Collision Detection, 5.1.5, by the
-/// plane where p is above the triangle, else by the three sides.
+/// The distance from p to the triangle a, b, c (C. Ericson, Real-Time Collision Detection, 5.1.5): to the
+/// plane if p is above the triangle, else to the three sides.
 double distance(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t) {
     const glm::dvec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
     bool inside = true;
@@ -87,7 +87,7 @@ template <class Height> Mesh height_field(int n, const Height& y) {
     return make_mesh(places, faces);
 }
 
-/// The furthest that the mesh reaches along a direction.
+/// The furthest extent of the mesh along a direction.
 double reach(const Mesh& mesh, const glm::dvec3& direction) {
     double most = -1e30;
     for (const glm::vec3& p : mesh.positions) most = std::max(most, glm::dot(glm::dvec3(p), direction));
@@ -96,7 +96,7 @@ double reach(const Mesh& mesh, const glm::dvec3& direction) {
 
 }  // namespace
 
-TEST_CASE("subdividing triangles makes four of each, and Euler's formula goes on to hold", "[resolution]") {
+TEST_CASE("subdividing makes four triangles of each and preserves Euler's formula", "[resolution]") {
     const Mesh ball = make_primitive(Primitive::Icosphere, 1);
     for (int n = 1; n <= 3; ++n) {
         const Mesh fine = refined(ball, {0, n});
@@ -108,9 +108,9 @@ TEST_CASE("subdividing triangles makes four of each, and Euler's formula goes on
     }
 }
 
-TEST_CASE("however many triangles meet at a vertex, Loop's weights carry it", "[resolution]") {
-    // The tip of a double pyramid over a polygon of n corners at height 0. Loop 1987: of the tip (64 - b)/64
-    // stay and b/64 come from the corners' mean, b = 40 - (3 + 2 cos(2 pi / n))^2.
+TEST_CASE("Loop's weights are correct for a vertex of any valence", "[resolution]") {
+    // The tip of a double pyramid over a polygon of n corners at height 0. Loop 1987: (64 - b)/64 of the tip
+    // remain and b/64 come from the corners' mean, b = 40 - (3 + 2 cos(2 pi / n))^2.
     for (const std::uint32_t n : {3u, 6u, 49u, 50u, 51u, 64u, 300u, 4096u}) {
         std::vector<glm::vec3> places{{0, 1, 0}, {0, -1, 0}};
         std::vector<std::vector<std::uint32_t>> faces;
@@ -129,8 +129,7 @@ TEST_CASE("however many triangles meet at a vertex, Loop's weights carry it", "[
     }
 }
 
-TEST_CASE("a boundary is subdivided as a cubic B-spline, whatever lies within it: two such borders meet",
-          "[resolution]") {
+TEST_CASE("a boundary is subdivided as a cubic B-spline, independent of the interior", "[resolution]") {
     // A patch's outline, and the same cut into triangles.
     const std::string outline = "v 0 0 0\nv 2 0 1\nv 3 2 0\nv 1 3 0.5\nv -1 1.5 0\n";
     const Mesh polygon = std::get<Mesh>(parse_mesh(outline + "f 1 2 3 4 5\n", "a.obj")),
@@ -157,7 +156,7 @@ TEST_CASE("a boundary is subdivided as a cubic B-spline, whatever lies within it
     }
 }
 
-TEST_CASE("a subdivided cube tends to the limit that Catmull's and Clark's surface has", "[resolution]") {
+TEST_CASE("a subdivided cube converges to the limit of Catmull's and Clark's surface", "[resolution]") {
     const Mesh cube = make_primitive(Primitive::Cube, 1);
     for (int n = 1; n <= 4; ++n) {
         const Mesh fine = refined(cube, {0, n});
@@ -174,14 +173,14 @@ TEST_CASE("a subdivided cube tends to the limit that Catmull's and Clark's surfa
     CHECK(reach(fine, glm::normalize(glm::dvec3(1, 1, 1))) == Approx(0.5 * std::sqrt(3)).margin(1e-3));
 }
 
-TEST_CASE("of a polygon there are as many quads as it has corners", "[resolution]") {
+TEST_CASE("subdividing a polygon gives as many quads as it has corners", "[resolution]") {
     const Mesh fan = make_mesh({{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {1, 3, 0}, {-1, 1, 0}, {0, 0, 1}},
                                {{0, 1, 2, 3, 4}, {0, 5, 1}});
     CHECK(refined(fan, {0, 1}).face_count() == 5 + 3);
     CHECK(refined(fan, {0, 3}).face_count() == (5 + 3) * 16);
 }
 
-TEST_CASE("a flat grid stays flat, whether it is made finer or coarser", "[resolution]") {
+TEST_CASE("a flat grid stays flat when refined or coarsened", "[resolution]") {
     const Mesh grid = height_field(12, [](float, float) { return 0.25f; });
     for (const MeshResolution wanted :
          {MeshResolution{0, 2}, MeshResolution{40, 0}, MeshResolution{8, 0}, MeshResolution{40, 2}}) {
@@ -192,15 +191,15 @@ TEST_CASE("a flat grid stays flat, whether it is made finer or coarser", "[resol
         const double whole = area(made, &sum);
         CHECK(sum.y == Approx(whole));  // no face turned over
         if (wanted.subdivide == 0) {
-            CHECK(whole == Approx(4));  // and none is missing, nor any corner of the square
+            CHECK(whole == Approx(4));  // and none is missing, and no corner of the square is cut
             CHECK(made.triangles.size() <= static_cast<std::size_t>(wanted.decimate));
         }
     }
 }
 
-TEST_CASE("an error that rounding brings below 0 comes before none", "[resolution]") {
-    // All errors of a plane are 0. A level one has them to the bit, and so has what these slants leave, but
-    // for numbers below 0: without the clamp another vertex goes first in each.
+TEST_CASE("a negative error from rounding is clamped to 0", "[resolution]") {
+    // All errors of a plane are 0. A level plane has exact zeros. So do these slanted ones, except for
+    // negative rounding errors: without the clamp each of them would remove another vertex first.
     const auto first_gone = [](float slant_x, float slant_z) {
         const Mesh plane = height_field(4, [=](float x, float z) { return slant_x * x + slant_z * z; });
         const std::vector<glm::vec3> left = refined(plane, {30, 0}).positions;
@@ -216,20 +215,20 @@ TEST_CASE("an error that rounding brings below 0 comes before none", "[resolutio
     }
 }
 
-TEST_CASE("a slanted plane loses vertices as an upright one does", "[resolution]") {
+TEST_CASE("a slanted plane loses the same number of vertices as an upright one", "[resolution]") {
     const Mesh slanted = height_field(16, [](float x, float z) { return 0.3f * x - 0.7f * z; });
     const Mesh made = refined(slanted, {60, 0});
     CHECK(made.triangles.size() <= 60);
     CHECK(area(made) == Approx(area(slanted)));
 }
 
-TEST_CASE("a decimated closed surface stays closed, and near the one it was", "[resolution]") {
+TEST_CASE("a decimated closed surface stays closed and close to the original", "[resolution]") {
     const Mesh knot = make_primitive(Primitive::Knot, 160);
     const Mesh coarse = refined(knot, {2000, 0});
     CHECK(coarse.triangles.size() <= 2000);
     CHECK(coarse.triangles.size() >= 1998);
     CHECK(is_closed(coarse));
-    CHECK(euler(coarse) == 0);  // as a torus
+    CHECK(euler(coarse) == 0);  // like a torus
     CHECK(coarse.given_normals == GivenNormals::None);
     std::set<std::array<float, 3>> given;
     for (const glm::vec3& p : knot.positions) given.insert({p.x, p.y, p.z});
@@ -240,8 +239,8 @@ TEST_CASE("a decimated closed surface stays closed, and near the one it was", "[
     CHECK(furthest < 0.02);  // its tube has a radius of 0.25
 }
 
-TEST_CASE("a vertex with more than 48 faces around it stays, and a warning says so", "[resolution]") {
-    for (const std::uint32_t n : {48u, 49u}) {  // a fan over a round boundary, on which nothing is straight
+TEST_CASE("a vertex with more than 48 faces around it stays, with a warning", "[resolution]") {
+    for (const std::uint32_t n : {48u, 49u}) {  // a fan over a round boundary, which has no straight part
         std::vector<glm::vec3> places{{0, 0.5f, 0}};
         std::vector<std::vector<std::uint32_t>> faces;
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -260,7 +259,7 @@ TEST_CASE("a vertex with more than 48 faces around it stays, and a warning says 
     }
 }
 
-TEST_CASE("decimating keeps a boundary, but for vertices on its straight parts", "[resolution]") {
+TEST_CASE("decimating keeps a boundary except for vertices on its straight parts", "[resolution]") {
     // Two sides are parabolas, two are straight.
     const Mesh bent = height_field(20, [](float x, float) { return x * x; });
     const Mesh coarse = refined(bent, {100, 0});
@@ -282,8 +281,7 @@ TEST_CASE("decimating keeps a boundary, but for vertices on its straight parts",
     CHECK(least.warnings[0].find("triangles are left, not 4") != std::string::npos);
 }
 
-TEST_CASE("where three faces meet at an edge the mesh stays when decimated, comes apart when subdivided",
-          "[resolution]") {
+TEST_CASE("an edge of three faces stays when decimated and separates when subdivided", "[resolution]") {
     // Three leaves of a book with 6 x 6 quads each; its back is the y axis.
     std::vector<glm::vec3> places;
     std::vector<std::vector<std::uint32_t>> faces;
@@ -314,21 +312,20 @@ TEST_CASE("where three faces meet at an edge the mesh stays when decimated, come
     CHECK(fine.face_count() == 4 * book.face_count());
 }
 
-TEST_CASE("colours of vertices stay where vertices stay, and are blended where there are new ones",
-          "[resolution]") {
+TEST_CASE("subdividing keeps and blends the colours of vertices", "[resolution]") {
     Mesh grid = height_field(10, [](float, float) { return 0.0f; });
     for (const glm::vec3& p : grid.positions) grid.colors.emplace_back(p.x / 2 + 0.5f, 0.5f, p.z / 2 + 0.5f);
     for (const MeshResolution wanted : {MeshResolution{50, 0}, MeshResolution{0, 2}}) {
         const Mesh made = refined(grid, wanted);
         REQUIRE(made.colors.size() == made.positions.size());
-        for (std::size_t v = 0; v < made.positions.size(); ++v) {  // places go by the same weights
+        for (std::size_t v = 0; v < made.positions.size(); ++v) {  // positions use the same weights
             CHECK(made.colors[v].x == Approx(made.positions[v].x / 2 + 0.5f).margin(1e-6));
             CHECK(made.colors[v].z == Approx(made.positions[v].z / 2 + 0.5f).margin(1e-6));
         }
     }
 }
 
-TEST_CASE("what would have too many faces is refused in one line", "[resolution]") {
+TEST_CASE("a subdivision with too many faces is refused in one line", "[resolution]") {
     const auto refused = [](const Mesh& mesh, const MeshResolution& wanted) {
         const Result<Mesh> made = with_resolution(mesh, wanted);
         REQUIRE(problem_of(made) != nullptr);
@@ -342,14 +339,14 @@ TEST_CASE("what would have too many faces is refused in one line", "[resolution]
           "/subdivide: 9000 faces meet at one vertex of the mesh; expected at most 8192 where it is made "
           "finer or coarser");
     CHECK(refused(cone, {100, 0}).starts_with("/decimate: 9000 faces"));
-    const Mesh cylinder = make_primitive(Primitive::Cylinder, 9000);  // its lids have as many corners
+    const Mesh cylinder = make_primitive(Primitive::Cylinder, 9000);  // its caps have as many corners
     CHECK(refused(cylinder, {0, 1}) ==
           "/subdivide: a face of the mesh has 9000 corners; expected at most 8192 where it is made finer or "
           "coarser");
     CHECK(refused(cylinder, {100, 0}).starts_with("/decimate: a face of the mesh has 9000 corners"));
 }
 
-TEST_CASE("a mesh of one resolution is made once, and another one is another mesh", "[resolution]") {
+TEST_CASE("a mesh of one resolution is made once, another resolution is another mesh", "[resolution]") {
     const auto scene_of = [](const std::vector<std::string>& meshes) {
         std::string objects;
         for (const std::string& mesh : meshes)
@@ -371,7 +368,7 @@ TEST_CASE("a mesh of one resolution is made once, and another one is another mes
     CHECK(mesh(3) == mesh(1));
     CHECK(mesh(4)->face_count() == 400);
     CHECK(mesh(5) == mesh(0));  // which has fewer
-    // What is written reads back, and what is as given is not written.
+    // A written value reads back, and the original resolution is not written.
     CHECK(scene_text(scene).find("\"detail\": 24, \"decimate\": 100, \"subdivide\": 1}") !=
           std::string::npos);
     CHECK(scene_text(scene).find("\"detail\": 24},") != std::string::npos);

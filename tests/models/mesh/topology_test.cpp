@@ -1,4 +1,4 @@
-// Counted a second time by brute force: a map from every pair of vertices to the polygons that run along it.
+// Counted a second time by brute force: a map from every pair of vertices to the polygons along it.
 #include "models/mesh/topology.h"
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 using Faces = std::vector<std::vector<std::uint32_t>>;
 using Runs = std::map<std::pair<std::uint32_t, std::uint32_t>, std::multiset<std::pair<std::uint32_t, bool>>>;
 
-/// For each pair of vertices (low, high): the faces that run along it, and whether upward.
+/// For each pair of vertices (low, high): the faces along it, and whether upward.
 Runs runs_of(const Faces& faces) {
     Runs runs;
     for (std::uint32_t f = 0; f < faces.size(); ++f)
@@ -75,7 +75,7 @@ void check_against_brute_force(std::uint32_t vertices, const Faces& faces) {
 
 }  // namespace
 
-TEST_CASE("every edge is reported, whatever OpenMesh can hold", "[topology]") {
+TEST_CASE("every edge is reported, even if OpenMesh cannot represent it", "[topology]") {
     check_against_brute_force(4, {{0, 1, 2}, {0, 2, 3}});             // two triangles
     check_against_brute_force(5, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});  // an edge of three, same direction
     check_against_brute_force(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});  // an edge of three
@@ -88,7 +88,7 @@ TEST_CASE("every edge is reported, whatever OpenMesh can hold", "[topology]") {
     check_against_brute_force(5, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}, {0, 1, 4}});
 }
 
-TEST_CASE("random polygon soup is counted as by brute force", "[topology][property]") {
+TEST_CASE("edges of random polygon soup match a brute-force count", "[topology][property]") {
     std::mt19937 generator(5);
     const auto random = [&generator](std::uint32_t below) {
         return static_cast<std::uint32_t>(generator() % below);
@@ -110,7 +110,7 @@ TEST_CASE("a vertex of many faces is split and joined again", "[topology]") {
     check_against_brute_force(3001, fan);
 }
 
-TEST_CASE("info counts faces by their corners, and what is degenerate", "[mesh]") {
+TEST_CASE("info counts faces by their corners, and degenerate faces", "[mesh]") {
     const Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5f, 2, 0}, {7, 7, 7}},
                                 {{0, 1, 2, 3}, {3, 2, 4}, {0, 1, 2, 4, 3}, {0, 0, 1}, {3, 0, 1, 2}});
     const MeshInfo info = mesh_info(mesh);
@@ -142,8 +142,8 @@ TEST_CASE("facets join across manifold edges within the crease, in chains", "[to
     const auto count = [&mesh](float crease_deg) {
         return crease_groups(mesh, make_topology(mesh), crease_deg).count;
     };
-    CHECK(count(50) == 8);   // one a vertex
-    CHECK(count(39) == 12);  // one a corner
+    CHECK(count(50) == 8);   // one per vertex
+    CHECK(count(39) == 12);  // one per corner
     // The middle facet turned over: its edges no longer join.
     mesh = make_mesh(points, {{0, 1, 3, 2}, {2, 4, 5, 3}, {4, 5, 7, 6}});
     CHECK(count(179) == 12);

@@ -14,7 +14,7 @@ using test::make_polygon;
 
 namespace {
 
-/// Twice the signed areas of the triangles, about +z, and of the whole polygon.
+/// Twice the signed areas of the triangles, about +z, and of the entire polygon.
 struct Areas {
     double least = 1e300, sum = 0, polygon = 0;
 };
@@ -51,7 +51,7 @@ TEST_CASE("a convex polygon is a fan from its first corner", "[triangulate]") {
     CHECK(mesh.warnings.empty());
 }
 
-TEST_CASE("an arrowhead is cut inside, whichever corner it begins with", "[triangulate]") {
+TEST_CASE("an arrowhead is cut inside, from every first corner", "[triangulate]") {
     const std::vector<glm::vec3> arrow{{0, 0, 0}, {4, -2, 0}, {1, 0, 0}, {4, 2, 0}};  // reflex at (1, 0)
     for (std::size_t first = 0; first < 4; ++first) {
         std::vector<glm::vec3> turned = arrow;
@@ -80,19 +80,17 @@ TEST_CASE("corners on a straight side leave no triangle without an area", "[tria
                                 {0, 2, 0}}));
 }
 
-TEST_CASE("what is not convex is not a fan, even where a fan would do or all turns are left",
-          "[triangulate]") {
+TEST_CASE("a polygon that is not convex is not cut as a fan, even if it only turns left", "[triangulate]") {
     const auto is_fan = [](const Mesh& mesh) {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
             if (mesh.triangles[i] != Triangle{{0, i + 1, i + 2}, 0}) return false;
         return true;
     };
-    // All of it can be seen from its first corner, but (3, 2) is reflex.
+    // It is entirely visible from its first corner, but (3, 2) is reflex.
     const Mesh star = make_polygon({{0, 0, 0}, {4, 0, 0}, {3, 2, 0}, {4, 4, 0}, {0, 4, 0}});
     CHECK_FALSE(is_fan(star));
     check_covered(star);
-    // A curve with a loop inside: r = 1 + 2 cos t turns left all the way, and lies on the left of its first
-    // edge.
+    // A curve with a loop inside: r = 1 + 2 cos t always turns left, and is on the left of its first edge.
     std::vector<glm::vec3> loop;
     loop.reserve(16);
     for (int i = 0; i < 16; ++i) {
@@ -102,7 +100,7 @@ TEST_CASE("what is not convex is not a fan, even where a fan would do or all tur
     CHECK_FALSE(is_fan(make_polygon(loop)));
 }
 
-TEST_CASE("polygons that cross themselves are cut as well as it goes", "[triangulate][degenerate]") {
+TEST_CASE("polygons that cross themselves are cut approximately", "[triangulate][degenerate]") {
     std::vector<glm::vec3> pentagram, noise;
     for (int i = 0; i < 5; ++i) {
         const double angle = 6.283185307179586 * 2 * i / 5;
@@ -150,7 +148,7 @@ TEST_CASE("random star-shaped polygons in random planes are covered once", "[tri
         const Mesh mesh = make_polygon(flat);
         CHECK(mesh.triangles.size() == static_cast<std::size_t>(n - 2));
         check_covered(mesh);
-        // The same polygon elsewhere: as many triangles, the same area.
+        // The same polygon elsewhere: equal number of triangles, equal area.
         const glm::dvec3 u = glm::normalize(glm::dvec3(number(), number(), number() + 0.1));
         const glm::dvec3 v = glm::normalize(glm::cross(u, glm::dvec3(number() + 0.1, 0.3, -number())));
         std::vector<glm::vec3> tilted;
@@ -186,12 +184,12 @@ TEST_CASE("degenerate polygons keep their number and give no triangle", "[triang
     CHECK(mesh.bounds == Bounds{{0, 0, 0}, {2, 1, 0}});
 }
 
-TEST_CASE("bounds are of the positions that faces use", "[mesh]") {
+TEST_CASE("bounds include only the positions that faces use", "[mesh]") {
     const Mesh mesh = make_mesh({{9, 9, 9}, {-1, 2, 3}, {1, -2, 3}, {0, 0, -4}}, {{1, 2, 3}});
     CHECK(mesh.bounds == Bounds{{-1, -2, -4}, {1, 2, 3}});
 }
 
-TEST_CASE("above 1000 corners only what is not convex is warned of", "[triangulate]") {
+TEST_CASE("only polygons that are not convex give a warning above 1000 corners", "[triangulate]") {
     std::vector<glm::vec3> circle, star;
     for (int i = 0; i < 1002; ++i) {
         const double angle = 6.283185307179586 * i / 1002;
@@ -206,13 +204,13 @@ TEST_CASE("above 1000 corners only what is not convex is warned of", "[triangula
     CHECK(make_polygon(star).warnings.empty());
 }
 
-TEST_CASE("a circle of very many corners is convex, whatever its corners are rounded to", "[triangulate]") {
+TEST_CASE("a circle of very many rounded corners is convex", "[triangulate]") {
     for (const double radius : {1.0, 1e-20, 1e6})
         for (const glm::dvec3& middle : {glm::dvec3(0), glm::dvec3(3, -2, 5)}) {
             std::vector<glm::vec3> circle, notched;
             for (int i = 0; i < 65536; ++i) {
                 const double angle = 6.283185307179586 * i / 65536;
-                // Across no axis, so that each coordinate is rounded by itself.
+                // Tilted against all axes, so that each coordinate is rounded separately.
                 const glm::dvec3 p(0.6 * std::cos(angle), 0.8 * std::cos(angle), std::sin(angle));
                 circle.emplace_back(radius * (p + middle));
                 notched.emplace_back(radius * ((i == 40000 ? 1 - 1e-4 : 1) * p + middle));
@@ -222,7 +220,7 @@ TEST_CASE("a circle of very many corners is convex, whatever its corners are rou
             CHECK(make_polygon(notched).warnings ==
                   Warnings{"1 face is not convex and has more than 1000 corners: drawn as a fan"});
         }
-    std::vector<glm::vec3> twice;  // as the pentagram winds round twice
+    std::vector<glm::vec3> twice;  // as the pentagram winds twice
     for (int i = 0; i < 30001; ++i) {
         const double angle = 6.283185307179586 * 2 * i / 30001;
         twice.emplace_back(std::cos(angle), std::sin(angle), 0);
@@ -231,7 +229,7 @@ TEST_CASE("a circle of very many corners is convex, whatever its corners are rou
           Warnings{"1 face is not convex and has more than 1000 corners: drawn as a fan"});
 }
 
-TEST_CASE("a face that comes back to one of its corners is told, one with a hole is not", "[triangulate]") {
+TEST_CASE("a face that repeats a corner gives a warning, one with a hole does not", "[triangulate]") {
     const std::vector<glm::vec3> places{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0},
                                         {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}};
     const auto warnings = [&](const std::vector<std::uint32_t>& face) {
@@ -243,7 +241,7 @@ TEST_CASE("a face that comes back to one of its corners is told, one with a hole
     CHECK(warnings({0, 1, 2, 1, 3}) == told);                 // a spike to 2
     CHECK(warnings({4, 0, 1, 4, 2, 3}) == told);              // two triangles that meet at 4
     CHECK(warnings({0, 1, 2, 3, 0, 4, 5, 6, 7, 4}).empty());  // a hole, joined by a bridge
-    CHECK(warnings({0, 1, 2, 3, 0, 4, 5, 4}) == told);        // a bridge that goes on as a spike
+    CHECK(warnings({0, 1, 2, 3, 0, 4, 5, 4}) == told);        // a bridge that continues as a spike
     CHECK(make_mesh(places, {{0, 1, 2, 0, 3}, {0, 2, 0, 3, 1}}).warnings ==
           Warnings{"2 faces visit one of their corners twice, and may be drawn wrong"});
 }

@@ -7,7 +7,7 @@
 
 using namespace glint;
 
-TEST_CASE("every scene in assets opens and draws without a warning, and fills its picture", "[assets]") {
+TEST_CASE("every scene in assets opens, draws without a warning, and fills its picture", "[assets]") {
     const std::vector<std::string> paths = test::asset_scenes();
     REQUIRE(paths.size() >= 7);
     for (const std::string& path : paths) {

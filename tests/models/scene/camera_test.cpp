@@ -8,7 +8,7 @@
 
 using namespace glint;
 
-TEST_CASE("view_from_world takes the eye to the origin and the target down -z", "[camera]") {
+TEST_CASE("view_from_world maps the eye to the origin and the target to -z", "[camera]") {
     const Camera camera{{4, 3, 5}, {0, 1, 1}, {0, 1, 0}, {}};
     const glm::dmat4 m = view_from_world(camera);
     const glm::dvec4 target = m * glm::dvec4(0, 1, 1, 1), p = m * glm::dvec4(1, 2, 3, 1);
@@ -22,7 +22,7 @@ TEST_CASE("view_from_world takes the eye to the origin and the target down -z", 
         for (int r = 0; r < 4; ++r) CHECK(identity[c][r] == Approx(c == r ? 1 : 0).margin(1e-14));
 }
 
-TEST_CASE("an asymmetric frustum sends its six planes to -1 and +1", "[camera]") {
+TEST_CASE("an asymmetric frustum maps its six planes to -1 and +1", "[camera]") {
     const glm::dmat4 m = clip_from_view(Frustum{-1, 2, -0.5f, 1.5f, 1, 11}, {640, 480});
     const auto ndc = [&m](glm::dvec3 p) {
         const glm::dvec4 c = m * glm::dvec4(p, 1);

@@ -1,5 +1,5 @@
-// No member of a scene is forgotten in models/fields/scene_fields.h: it would be neither read nor written,
-// silently.
+// Every member of a scene has a row in models/fields/scene_fields.h: without one it would silently be neither
+// read nor written.
 #include "models/fields/scene_fields.h"
 #include "tests/support/catch.h"
 
@@ -8,10 +8,10 @@ using namespace glint;
 namespace {
 
 struct Anything {
-    template <class T> operator T() const;  // never called: it only has to convert
+    template <class T> operator T() const;  // never called: only the conversion must exist
 };
 
-/// How many members the aggregate T has: as many as a list in braces may initialise.
+/// The number of members of the aggregate T: as many as a list in braces may initialize.
 template <class T, class... Given> constexpr std::size_t member_count() {
     if constexpr (requires { T{Given{}..., Anything{}}; })
         return member_count<T, Given..., Anything>();
@@ -50,7 +50,7 @@ TEST_CASE("every member of a scene has its row", "[scene_fields]") {
     check_rows<Transform>("Transform");
     check_rows<NormalOptions>("NormalOptions");
     check_rows<Material>("Material");
-    check_rows<Object>("Object", 1);  // the mesh is loaded from what stands in the row
+    check_rows<Object>("Object", 1);  // the mesh is loaded from the source in the row
     check_rows<Perspective>("Perspective");
     check_rows<Orthographic>("Orthographic");
     check_rows<Frustum>("Frustum");

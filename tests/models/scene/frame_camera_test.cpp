@@ -45,8 +45,7 @@ bool reads_back(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("a framed scene lies inside the view and fills it, under every projection and at every size",
-          "[frame_camera]") {
+TEST_CASE("a framed scene fits and fills the view for every projection and size", "[frame_camera]") {
     const std::vector<Projection> projections{Perspective{}, Perspective{1, 0.1f, 100},
                                               Perspective{120, 1, 2}, Orthographic{},
                                               Frustum{-1, 2, -0.5f, 1.5f, 1, 11}};
@@ -64,7 +63,7 @@ TEST_CASE("a framed scene lies inside the view and fills it, under every project
         }
 }
 
-TEST_CASE("framing keeps the direction of view and the angles", "[frame_camera]") {
+TEST_CASE("framing keeps the viewing direction and the angles", "[frame_camera]") {
     Scene scene = scene_of(Frustum{-1, 2, -0.5f, 1.5f, 1, 11}, {triangle_at({0, 0, 0}, 1)});
     frame_camera(scene);
     const glm::vec3 back = glm::normalize(scene.camera.eye - scene.camera.target);
@@ -76,7 +75,7 @@ TEST_CASE("framing keeps the direction of view and the angles", "[frame_camera]"
     CHECK(scene.camera.up == glm::vec3(0, 1, 0));
 }
 
-TEST_CASE("framing one object looks at that one, where its transform puts it", "[frame_camera]") {
+TEST_CASE("framing one object targets its transformed position", "[frame_camera]") {
     Scene scene = scene_of(Perspective{}, {triangle_at({0, 0, 0}, 1), triangle_at({0, 0, 0}, 2)});
     scene.objects[1].transform.translate = {10, 0, 0};
     frame_camera(scene, 1);
@@ -85,7 +84,7 @@ TEST_CASE("framing one object looks at that one, where its transform puts it", "
     CHECK(scene.camera.target == glm::vec3(6, 1, 1));
 }
 
-TEST_CASE("what cannot be framed leaves a valid camera", "[frame_camera]") {
+TEST_CASE("a scene that cannot be framed keeps a valid camera", "[frame_camera]") {
     Scene empty;
     CHECK_FALSE(frame_camera(empty));
     CHECK(empty == Scene{});
@@ -106,7 +105,7 @@ TEST_CASE("what cannot be framed leaves a valid camera", "[frame_camera]") {
         }
 }
 
-TEST_CASE("a frustum beside the axis can be framed too", "[frame_camera]") {
+TEST_CASE("a frustum off the axis can be framed too", "[frame_camera]") {
     Scene scene = scene_of(Frustum{1, 2, 1, 2, 1, 11}, {triangle_at({0, 0, 0}, 1)});
     frame_camera(scene);
     CHECK(reads_back(scene));

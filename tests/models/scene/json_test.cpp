@@ -1,4 +1,4 @@
-// JSON: written values read back, and bad texts are refused.
+// JSON: written values read back, and invalid texts are refused.
 #include "models/json/json.h"
 
 #include <cmath>
@@ -20,7 +20,7 @@ TEST_CASE("a JSON value reads back equal from both of its texts", "[json]") {
         R"({"name":"Kugel \"1\" ✓","on":true,"none":null,"share":0.1,"count":3,"list":[[1,2.5,"x"]],"empty":{}})");
 }
 
-TEST_CASE("as Glint prints JSON, members stand one a line and plain values on one", "[json]") {
+TEST_CASE("readable JSON has one member per line and lists of plain values on one line", "[json]") {
     const Json json{{"at", {1, 2, 3}}, {"lights", {Json{{"n", 1}}, Json{{"n", 2}}}}};
     CHECK(json_text(json) ==
           "{\n  \"at\": [1, 2, 3],\n  \"lights\": [\n    {\n      \"n\": 1\n    },\n    {\n      \"n\": 2\n  "
@@ -47,7 +47,7 @@ TEST_CASE("a text that is not JSON or is nested deeper than 64 is refused", "[js
     CHECK_FALSE(is_read(std::string(8'000'000, '[')));
 }
 
-TEST_CASE("an object has at most 4096 keys, however many values a text may have", "[json]") {
+TEST_CASE("an object has at most 4096 keys, although a text may have more values", "[json]") {
     const auto object_of = [](int keys) {
         std::string text = "{\"a\": 0";
         for (int i = 1; i < keys; ++i) text += ", \"" + std::to_string(i) + "\": 0";
@@ -59,7 +59,7 @@ TEST_CASE("an object has at most 4096 keys, however many values a text may have"
     CHECK(problem_of(refused)->text() == "f:1: too many keys; expected at most 4096 in an object");
 }
 
-TEST_CASE("numbers are equal by their value and stay as they are in text", "[json]") {
+TEST_CASE("numbers are compared by value and keep their written form", "[json]") {
     CHECK(Json(1) == Json(1.0));
     CHECK_FALSE(Json(1) == Json(true));
     CHECK(json_line(1.0) == "1.0");

@@ -1,5 +1,5 @@
-// Every part of a load ends when it shall. Each input here is one that an uncancelled load refuses, or takes,
-// with other words: so that the words tell that the part in question was left.
+// Every part of a load can be cancelled. An uncancelled load would reject each input here with another
+// message, so the message shows that the part in question was cancelled.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -18,7 +18,7 @@ using namespace glint;
 
 namespace {
 
-/// What a load of these bytes says when it was cancelled before it began.
+/// The message of a load of these bytes that was cancelled before it began.
 std::string cancelled_words_of(const std::string& name, const std::string& bytes) {
     LoadProgress progress;
     progress.cancelled = true;
@@ -33,14 +33,14 @@ std::string times(const std::string& text, int count) {
     return all;
 }
 
-/// `count` arrowheads, which are not convex, on the same five places.
+/// `count` arrowheads, which are not convex, on the same five positions.
 std::string arrowheads(int count) {
     return "v 0 0 0\nv 4 -2 0\nv 1 0 0\nv 4 2 0\nv 3 3 3\n" + times("f 1 2 3 4\n", count);
 }
 
 }  // namespace
 
-TEST_CASE("parsing ends early in every part of every format", "[loading][cancel]") {
+TEST_CASE("parsing can be cancelled in every part of every format", "[loading][cancel]") {
     const std::string ply_head = "ply\nformat ascii 1.0\n",
                       xyz = "property float x\nproperty float y\nproperty float z\n";
     const std::string face = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
@@ -74,7 +74,7 @@ TEST_CASE("parsing ends early in every part of every format", "[loading][cancel]
         CHECK(cancelled_words_of(row.name, row.bytes) == cancelled_words);
         CHECK(test::error_of(row.name, row.bytes).find(cancelled_words) == std::string::npos);
     }
-    // A scene too: this one has a key that no scene has.
+    // A scene too: this one has an unknown key.
     LoadProgress progress;
     progress.cancelled = true;
     const ProgressScope scope(progress);
@@ -83,7 +83,7 @@ TEST_CASE("parsing ends early in every part of every format", "[loading][cancel]
     CHECK(problem_of(scene)->what == cancelled_words);
 }
 
-TEST_CASE("cutting polygons and making primitives end early, and tell their faces", "[loading][cancel]") {
+TEST_CASE("cutting polygons and making primitives report faces and can be cancelled", "[loading][cancel]") {
     Mesh mesh = test::read_text("m.obj", arrowheads(20000));
     LoadProgress progress;
     {
@@ -100,15 +100,15 @@ TEST_CASE("cutting polygons and making primitives end early, and tell their face
     CHECK_THROWS_AS(make_primitive(Primitive::Plane, 2000), LoadCancelled);
     Scene scene;
     Object object;
-    object.source = PrimitiveMesh{Primitive::Cube, 1};  // of many small ones none is made any more
+    object.source = PrimitiveMesh{Primitive::Cube, 1};  // after cancelling no further small one is made
     scene.objects.push_back(object);
     const Result<Warnings> loaded = load_meshes(scene, "s.json", "");
     REQUIRE(problem_of(loaded) != nullptr);
     CHECK(problem_of(loaded)->what == cancelled_words);
 }
 
-TEST_CASE("a load that is cancelled while polygons are cut brings nothing", "[loading][cancel]") {
-    // About 20 corners a face, each on a spiral that no fan covers: cutting takes longer than all else.
+TEST_CASE("a load that is cancelled while polygons are cut returns no mesh", "[loading][cancel]") {
+    // About 20 corners per face, each on a spiral that no fan covers: cutting takes most of the time.
     std::string obj;
     for (int i = 0; i < 300; ++i)
         obj += i % 2 == 0 ? fmt::format("v {} 0 0\n", i / 2)

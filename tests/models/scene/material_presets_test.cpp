@@ -28,7 +28,7 @@ TEST_CASE("the materials have the numbers of the classic sample programs", "[mat
         REQUIRE(found != all.end());
         return found->material;
     };
-    // Kilgard's teapots.c gives the shininess as a share of 128.
+    // Kilgard's teapots.c gives the shininess as a fraction of 128.
     const Material silver = preset("silver"), brass = preset("brass"), rubber = preset("black rubber");
     CHECK(silver.ambient == glm::vec3(0.19225f));
     CHECK(silver.diffuse == glm::vec3(0.50754f));

@@ -5,7 +5,7 @@
 
 using namespace glint;
 
-TEST_CASE("a problem is one line: file, line, pointer, what is wrong, what was expected", "[problem]") {
+TEST_CASE("a problem is one line: file, line, pointer, error, expected input", "[problem]") {
     CHECK(
         Problem{"scene.json", "/lights/2/spot/cutoff_deg", "120 is out of range", "0 to 90, or 180"}.text() ==
         "scene.json: /lights/2/spot/cutoff_deg: 120 is out of range; expected 0 to 90, or 180");
@@ -18,7 +18,7 @@ TEST_CASE("a problem is one line: file, line, pointer, what is wrong, what was e
 TEST_CASE("control characters and invalid bytes are escaped, other characters stay", "[problem]") {
     const auto text_of = [](std::string what) { return Problem{"", "", std::move(what), ""}.text(); };
     CHECK(text_of("a\nb\tc\rd\x1b[0m\x7f") == "a\\nb\\tc\\rd\\x1b[0m\\x7f");
-    // Marks that turn the order of what is shown round: U+202E and U+2066.
+    // Characters that reverse the display order: U+202E and U+2066.
     CHECK(text_of("a\xE2\x80\xAE.\xE2\x81\xA6z") == "a\\xe2\\x80\\xae.\\xe2\\x81\\xa6z");
     CHECK(text_of(std::string("a\0b", 3)) == "a\\x00b");
     CHECK(text_of("π ≤ 4, 茶壺, 😀") == "π ≤ 4, 茶壺, 😀");
@@ -26,14 +26,14 @@ TEST_CASE("control characters and invalid bytes are escaped, other characters st
     CHECK(text_of("\xc2\x85|\xe2\x80\xa8") == "\\xc2\\x85|\\xe2\\x80\\xa8");  // next line, line separator
 }
 
-TEST_CASE("a name goes on one line whole, however many of its characters are escaped", "[problem]") {
+TEST_CASE("a name stays complete and on one line when many characters are escaped", "[problem]") {
     CHECK(on_one_line("").empty());
     CHECK(on_one_line("Left lamp, 茶") == "Left lamp, 茶");
     CHECK(on_one_line("\n\x07\xff") == "\\n\\x07\\xff");
     CHECK(on_one_line(std::string(9000, '\a')).size() == 4 * 9000);
 }
 
-TEST_CASE("a long problem is cut to fit 4096 bytes and keeps what was expected", "[problem]") {
+TEST_CASE("a long problem is truncated to 4096 bytes and keeps the expected input", "[problem]") {
     for (const std::string& filler :
          {std::string("x"), std::string("\n"), std::string("茶"), std::string("\xff")}) {
         std::string longer;
@@ -54,7 +54,7 @@ TEST_CASE("a long problem is cut to fit 4096 bytes and keeps what was expected",
     }
 }
 
-TEST_CASE("of warnings each is said once, and those above a hundred are counted", "[problem]") {
+TEST_CASE("each warning is reported once, and those beyond a hundred are counted", "[problem]") {
     WarningList list;
     for (int i = 0; i < 250; ++i)
         for (int twice = 0; twice < 2; ++twice) list.add("warning " + std::to_string(i));
@@ -68,15 +68,16 @@ TEST_CASE("of warnings each is said once, and those above a hundred are counted"
     CHECK(list.take().size() == 100);
 }
 
-TEST_CASE("nearest finds the name that was meant", "[problem]") {
+TEST_CASE("nearest finds the intended name", "[problem]") {
     const std::vector<std::string> keys{"name", "type", "space", "position", "spot", "diffuse"};
     CHECK(nearest("positon", keys) == "position");
     CHECK(nearest("POSITION", keys) == "position");
     CHECK(nearest("dffiuse", keys) == "diffuse");
     CHECK(nearest("nmae", keys) == "name");
-    CHECK(nearest("fnoe", {"face", "fone"}) == "fone");  // neighbours exchanged are one edit, two letters two
+    CHECK(nearest("fnoe", {"face", "fone"}) ==
+          "fone");  // swapping neighbours is one edit, two letters are two
     CHECK(nearest("no_clamp", {"bytes_wrap", "no_clamp_of_cosine"}) == "no_clamp_of_cosine");
-    CHECK(nearest(std::string(1'000'000, 'x'), keys) == "name");  // all as far: the first, quickly
+    CHECK(nearest(std::string(1'000'000, 'x'), keys) == "name");  // all equally far: the first, quickly
     CHECK(nearest("", keys) == "name");
     CHECK(nearest("p", {"lobe", "position"}) == "position");
     CHECK(nearest("x", {}).empty());

@@ -18,7 +18,7 @@ std::string problem_with(const Scene& scene, PictureSize size = {0, 0}, int samp
 
 }  // namespace
 
-TEST_CASE("a mesh costs its lists, once however many objects show it", "[memory]") {
+TEST_CASE("a mesh's lists count once, however many objects use it", "[memory]") {
     Scene scene;
     scene.objects = {test::object_of(test::primitive(Primitive::Plane, 1))};
     const Mesh& mesh = *scene.objects[0].mesh;
@@ -31,8 +31,7 @@ TEST_CASE("a mesh costs its lists, once however many objects show it", "[memory]
     CHECK(two.objects == 2 * one.objects);
 }
 
-TEST_CASE("a scene that needs more memory than the limit is a problem that names its largest part",
-          "[memory]") {
+TEST_CASE("a scene that exceeds the memory limit is a problem that names its largest part", "[memory]") {
     Scene scene;
     scene.objects = {test::object_of(test::primitive(Primitive::Sphere, 100))};
     const test::MemoryLimit limit(64 * mib);
@@ -49,7 +48,7 @@ TEST_CASE("a scene that needs more memory than the limit is a problem that names
           std::string::npos);
 }
 
-TEST_CASE("a scene has at most 2^30 triangles, and a picture as many samples", "[memory]") {
+TEST_CASE("a scene has at most 2^30 triangles, and a picture at most 2^30 samples", "[memory]") {
     Scene scene;
     const MeshPtr mesh = test::primitive(Primitive::Sphere, 300);
     const std::size_t count = max_scene_triangles / mesh->triangles.size();

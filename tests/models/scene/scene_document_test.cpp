@@ -1,4 +1,4 @@
-// Scenes from files and into files: meshes found, pictures that carry their scene, saving elsewhere.
+// Reading and writing scenes: finding meshes, pictures with an embedded scene, saving elsewhere.
 #include <zlib.h>
 
 #include <cstdint>
@@ -66,8 +66,7 @@ TEST_CASE("mesh paths are relative to the scene file, and each mesh is loaded on
     CHECK(document.mesh_dir == place / "deep");
 }
 
-TEST_CASE("a mesh that cannot be read is a problem at its pointer, one inside it at its line",
-          "[scene_document]") {
+TEST_CASE("an unreadable mesh is a problem at its pointer, a malformed one at its line", "[scene_document]") {
     const Place place;
     const auto problem = [&](const std::string& file) {
         place.write("s.json",
@@ -84,14 +83,14 @@ TEST_CASE("a mesh that cannot be read is a problem at its pointer, one inside it
     CHECK(problem("deep/broken.obj").find(place / "deep/broken.obj:4: ") == 0);
 }
 
-TEST_CASE("a mesh that --set names and that is not there is the fault of --set", "[scene_document]") {
+TEST_CASE("a missing mesh that --set names is a problem of --set", "[scene_document]") {
     const Place place;
     place.write("s.json", R"({"glint": 1, "objects": [{}]})");
     CHECK(problem_at(place / "s.json", {{"/objects/0/mesh", R"({"file": "no.off"})"}}) ==
           "--set: /objects/0/mesh/file: cannot read \"no.off\": no such file; expected a mesh file");
 }
 
-TEST_CASE("a mesh that --set makes too large is the fault of --set", "[scene_document]") {
+TEST_CASE("a mesh that --set makes too large is a problem of --set", "[scene_document]") {
     const Place place;
     const std::string scene = place / "s.json";
     place.write("s.json", R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 8}}]})");
@@ -104,7 +103,7 @@ TEST_CASE("a mesh that --set makes too large is the fault of --set", "[scene_doc
     CHECK(whole.starts_with("--set: /objects/0/mesh: this needs "));
 }
 
-TEST_CASE("a part that a mesh's file has not is a problem at the part, and of --set where that names it",
+TEST_CASE("a missing part of a mesh file is a problem at the part, or of --set if set there",
           "[scene_document]") {
     const Place place;
     place.write("deep/s.json", two_triangles);
@@ -116,7 +115,7 @@ TEST_CASE("a part that a mesh's file has not is a problem at the part, and of --
           place / "t.json: /objects/0/mesh/part: the file has no part 3; expected a file with a mesh");
 }
 
-TEST_CASE("a scene that has loaded nothing stays as it was", "[scene_document]") {
+TEST_CASE("a scene without loaded meshes stays unchanged", "[scene_document]") {
     Scene scene;
     scene.objects.resize(2);
     scene.objects[1].source = MeshFile{"no.obj"};
@@ -145,7 +144,7 @@ TEST_CASE("a mesh opens framed, with a light in the world and one at the camera"
           "--set: /display/exposure: 0 is out of range; expected more than 0, up to 1e7");
 }
 
-TEST_CASE("a picture that carries its scene opens as that scene", "[scene_document]") {
+TEST_CASE("a picture with an embedded scene opens as that scene", "[scene_document]") {
     const Place place;
     place.write("deep/a.png", picture_with(two_triangles));
     CHECK(opened(place / "deep/a.png").scene.objects[0].mesh->face_count() == 1);
@@ -157,7 +156,7 @@ TEST_CASE("a picture that carries its scene opens as that scene", "[scene_docume
           place / "no.png: is not a PNG picture; expected one that Glint wrote");
 }
 
-TEST_CASE("a picture that is damaged anywhere is a problem and never a crash", "[scene_document]") {
+TEST_CASE("a picture with any damage is a problem and never a crash", "[scene_document]") {
     const std::string whole = picture_with(R"({"glint": 1})");
     const std::string scene = R"({"glint": 1})";
     const auto text_in = [](const std::string& bytes, std::size_t max_bytes = 100) -> std::string {
@@ -179,7 +178,7 @@ TEST_CASE("a picture that is damaged anywhere is a problem and never a crash", "
 
 namespace {
 
-/// A chunk of a PNG: its length, type and bytes, and the sum of those.
+/// A chunk of a PNG: its length, type, bytes and checksum.
 std::string chunk_of(const std::string& type_and_bytes) {
     const auto number = [](std::size_t n) {
         return std::string{static_cast<char>(n >> 24), static_cast<char>(n >> 16), static_cast<char>(n >> 8),
@@ -267,7 +266,7 @@ TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_do
     const Place place;
     const std::string expected =
         "; expected a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl)";
-    for (const char* name : {"a.txt", "name"}) {  // missing first, then there
+    for (const char* name : {"a.txt", "name"}) {  // first missing, then existing
         CHECK(problem_at(place / name) ==
               place / name + ": cannot read: no such file or directory" + expected);
         REQUIRE(problem_of(write_file(place / name, "x")) == nullptr);
@@ -283,8 +282,7 @@ TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_do
     CHECK(problem_at("").find("has no extension") != std::string::npos);
 }
 
-TEST_CASE("a scene written through a link into another directory opens there and by the link",
-          "[scene_document]") {
+TEST_CASE("a scene saved through a link into another directory opens by both paths", "[scene_document]") {
     const Place place;
     fs::create_directories(place.path / "far/off");
     fs::create_directories(place.path / "same");

@@ -1,4 +1,4 @@
-// Everything that a scene file can have wrong, and the one line that says so.
+// All errors of a scene file, and their one-line messages.
 #include <fmt/format.h>
 
 #include "models/scene_file/scene_file.h"
@@ -17,7 +17,7 @@ std::string line_of(const std::string& text) {
     return problem_of(result) != nullptr ? problem_of(result)->text() : "no problem";
 }
 
-/// Each text is what follows `"glint": 1`, each line what follows the file.
+/// Each text follows `"glint": 1`, each line follows the file's name.
 void check_members(const std::vector<Wrong>& table) {
     for (const Wrong& wrong : table) {
         const std::string text = std::string(R"({"glint": 1, )").append(wrong.text).append("}");
@@ -27,7 +27,7 @@ void check_members(const std::vector<Wrong>& table) {
 
 }  // namespace
 
-TEST_CASE("text that is not JSON is a problem with its line and what was expected there", "[scene_error]") {
+TEST_CASE("text that is not JSON is a problem with its line and the expected input", "[scene_error]") {
     const std::vector<Wrong> table{
         {"", R"(1: there is no text; expected an object, such as {"glint": 1})"},
         {"  \n  ", R"(1: there is no text; expected an object, such as {"glint": 1})"},
@@ -107,7 +107,7 @@ TEST_CASE("an unknown key is a problem that names the nearest known one", "[scen
     });
 }
 
-TEST_CASE("a light outside its rules is a problem at its pointer", "[scene_error]") {
+TEST_CASE("a light that breaks its rules is a problem at its pointer", "[scene_error]") {
     check_members({
         {R"("lights": [{"positon": [1, 2, 3]}])",
          R"(/lights/0/positon: unknown key "positon"; expected "position")"},
@@ -174,7 +174,7 @@ TEST_CASE("a light outside its rules is a problem at its pointer", "[scene_error
     });
 }
 
-TEST_CASE("a camera outside its rules is a problem at its pointer", "[scene_error]") {
+TEST_CASE("a camera that breaks its rules is a problem at its pointer", "[scene_error]") {
     check_members({
         {R"("camera": {"eye": [0, 0, 0]})",
          "/camera: eye and target are the same point; expected two points that differ"},
@@ -216,7 +216,7 @@ TEST_CASE("a camera outside its rules is a problem at its pointer", "[scene_erro
     });
 }
 
-TEST_CASE("an object outside its rules is a problem at its pointer", "[scene_error]") {
+TEST_CASE("an object that breaks its rules is a problem at its pointer", "[scene_error]") {
     check_members({
         {R"("objects": [{"transform": {"scale": [1, 0, 1]}}])",
          "/objects/0/transform/scale/1: a scale of 0; expected a number other than 0 (below 0 mirrors)"},
@@ -266,7 +266,7 @@ TEST_CASE("an object outside its rules is a problem at its pointer", "[scene_err
     });
 }
 
-TEST_CASE("a name of more than 1000 characters is a problem, whatever bytes they have", "[scene_error]") {
+TEST_CASE("a name of more than 1000 characters is a problem, regardless of their bytes", "[scene_error]") {
     for (const std::string list : {"lights", "objects"})
         for (const std::string character : {"n", "\u00E9"}) {
             std::string name;
@@ -280,7 +280,7 @@ TEST_CASE("a name of more than 1000 characters is a problem, whatever bytes they
         }
 }
 
-TEST_CASE("shading, npr and display outside their rules are problems at their pointers", "[scene_error]") {
+TEST_CASE("shading, npr and display that break their rules are problems at their pointers", "[scene_error]") {
     check_members({
         {R"("global_ambient": [0, 0, -1])", "/global_ambient/2: -1 is out of range; expected 0 to 1e7"},
         {R"("global_ambient": [0, 0])", "/global_ambient: an array of 2; expected 3 numbers"},

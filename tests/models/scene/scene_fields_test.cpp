@@ -1,4 +1,4 @@
-// The rows of models/fields/scene_fields.h against what is printed, read and written of a scene.
+// The rows of models/fields/scene_fields.h against the printed, read and written values of a scene.
 #include "models/fields/scene_fields.h"
 
 #include <map>
@@ -15,7 +15,7 @@ using namespace glint;
 
 namespace {
 
-/// Every number of a document but the version, by its pointer.
+/// Every number of a document except the version, by its pointer.
 void collect_numbers(const Json& at, const std::string& pointer, std::map<std::string, double>& numbers) {
     if (at.is_number() && pointer != "/glint") numbers[pointer] = at.get<double>();
     if (!at.is_structured()) return;
@@ -65,7 +65,7 @@ template <class Check> class EveryRow {
 
 }  // namespace
 
-TEST_CASE("every field has a key of its own, a label and words", "[fields]") {
+TEST_CASE("every field has its own key, a label and a help text", "[fields]") {
     int rows = 0;
     EveryRow([&](const Row& row) {
         ++rows;
@@ -77,13 +77,13 @@ TEST_CASE("every field has a key of its own, a label and words", "[fields]") {
     CHECK(rows > 100);
 }
 
-/// Whether the text leaves the number out while it is 0.
+/// Whether the text omits the number while it is 0.
 bool is_omitted_at_0(const std::string& pointer) {
     return pointer == "/shading/power_table" || pointer.ends_with("/mesh/part") ||
            pointer.ends_with("/mesh/decimate") || pointer.ends_with("/mesh/subdivide");
 }
 
-TEST_CASE("the numbers of a scene are those that its text has", "[fields]") {
+TEST_CASE("the numbers of a scene are those in its text", "[fields]") {
     RandomScene random(11);
     for (int i = 0; i < 60; ++i) {
         const Scene scene = random.scene();
@@ -105,7 +105,7 @@ TEST_CASE("the numbers of a scene are those that its text has", "[fields]") {
     }
 }
 
-TEST_CASE("a number set in place is a number set in the text", "[fields]") {
+TEST_CASE("setting a number in place equals setting it in the text", "[fields]") {
     Scene scene = everything();
     Light sun;
     sun.kind = LightKind::Directional;
@@ -118,7 +118,7 @@ TEST_CASE("a number set in place is a number set in the text", "[fields]") {
             INFO(number.pointer << " = " << value);
             Scene set = scene;
             const std::optional<Problem> refused = set_number(set, number.pointer, value);
-            // What the reader makes of `--set`, meshes apart.
+            // The reader's result for `--set`, without meshes.
             const Result<Scene> read =
                 parse_scene(scene_text(scene), "s.json", {{number.pointer, Json(value).dump()}});
             CHECK(refused.has_value() == (problem_of(read) != nullptr));
@@ -127,7 +127,7 @@ TEST_CASE("a number set in place is a number set in the text", "[fields]") {
     }
 }
 
-TEST_CASE("what a scene file could not hold is found in the scene, and nothing else is", "[fields]") {
+TEST_CASE("exactly the values that a scene file cannot represent are violations", "[fields]") {
     const Scene valid = everything();
     constexpr float inf = std::numeric_limits<float>::infinity();
     int refused = 0;
@@ -154,7 +154,7 @@ TEST_CASE("what a scene file could not hold is found in the scene, and nothing e
     CHECK_FALSE(violation_since(valid, valid));
 }
 
-TEST_CASE("a number that the scene has not cannot be set", "[fields]") {
+TEST_CASE("a number that the scene does not have cannot be set", "[fields]") {
     Scene scene = everything();
     const Scene before = scene;
     for (const char* pointer :
@@ -168,7 +168,7 @@ TEST_CASE("a number that the scene has not cannot be set", "[fields]") {
     }
 }
 
-TEST_CASE("handles of numbers edit the scene where they stand", "[fields]") {
+TEST_CASE("handles of numbers edit the scene in place", "[fields]") {
     Scene scene = everything();
     const auto handle = number_at(scene, "/lights/0/falloff/quadratic");
     REQUIRE(handle);
@@ -181,7 +181,7 @@ TEST_CASE("handles of numbers edit the scene where they stand", "[fields]") {
     CHECK(number_at(scene, "/objects/0/transform/scale/0")->moves_faces);
 }
 
-TEST_CASE("a number is called as its panel calls it, and its channel or axis", "[fields]") {
+TEST_CASE("a number's text is its label in the panel, with its channel or axis", "[fields]") {
     const Scene scene = everything();
     CHECK(words_of_pointer(scene, "/lights/0/diffuse/0") == "diffuse red");
     CHECK(words_of_pointer(scene, "/lights/0/position/3") == "position w");
@@ -195,7 +195,7 @@ TEST_CASE("a number is called as its panel calls it, and its channel or axis", "
     CHECK(words_of_pointer(scene, "/no/such_thing") == "no such thing");
 }
 
-TEST_CASE("each word of a closed set leads back to its enumerator", "[fields]") {
+TEST_CASE("each word of a closed set maps back to its enumerator", "[fields]") {
     for (const Reflection r : enumerators<Reflection>) CHECK(from_name<Reflection>(name_of(r)) == r);
     for (const Primitive p : enumerators<Primitive>) CHECK(from_name<Primitive>(name_of(p)) == p);
     CHECK(count_of<Primitive>() == 13);

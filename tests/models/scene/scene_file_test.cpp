@@ -1,4 +1,4 @@
-// What the keys of a scene file mean: defaults, the example of docs/scene_file.md, limits, hostile text.
+// The meaning of a scene file's keys: defaults, the example of docs/scene_file.md, limits, hostile text.
 #include "models/scene_file/scene_file.h"
 
 #include <chrono>
@@ -22,7 +22,7 @@ std::string problem_in(const std::string& text) {
     return problem_of(result) != nullptr ? problem_of(result)->text() : "no problem";
 }
 
-/// `count` times `element`, with commas between.
+/// `count` times `element`, separated by commas.
 std::string repeated(const std::string& element, int count) {
     std::string text = element;
     for (int i = 1; i < count; ++i) text.append(",").append(element);
@@ -100,7 +100,7 @@ TEST_CASE("an empty light, object and projection have the documented defaults", 
     CHECK(std::get<Orthographic>(scene.camera.projection) == Orthographic{4, 0.1f, 100});
 }
 
-TEST_CASE("the example of the documentation reads as it says", "[scene_file]") {
+TEST_CASE("the example of the documentation reads as documented", "[scene_file]") {
     const Scene scene = scene_of(example);
     REQUIRE(scene.lights.size() == 4);
     CHECK(scene.lights[0].kind == LightKind::Directional);
@@ -113,7 +113,7 @@ TEST_CASE("the example of the documentation reads as it says", "[scene_file]") {
     CHECK(scene.objects[0].name == "Teapot");
     CHECK(std::get<PrimitiveMesh>(scene.objects[0].source) == PrimitiveMesh{Primitive::Teapot, 12});
     CHECK(scene.objects[0].material.diffuse == glm::vec3(0.8f, 0.3f, 0.3f));
-    Scene rest = scene;  // the other keys of the example stand at their defaults
+    Scene rest = scene;  // the other keys of the example have their defaults
     rest.lights.clear();
     rest.objects.clear();
     CHECK(rest == Scene{});
@@ -132,7 +132,7 @@ TEST_CASE("every primitive has its own default detail", "[scene_file]") {
     }
 }
 
-TEST_CASE("a light's position is homogeneous, and three numbers have the w of its type", "[scene_file]") {
+TEST_CASE("a light's position is homogeneous; three numbers imply the w of its type", "[scene_file]") {
     const auto position = [](const std::string& light) {
         return scene_of(std::string(R"({"glint": 1, "lights": [{)") + light + "}]}").lights.at(0).position;
     };
@@ -145,7 +145,7 @@ TEST_CASE("a light's position is homogeneous, and three numbers have the w of it
     CHECK(position(R"("position": [0, 0, 0])") == glm::vec4(0, 0, 0, 1));
 }
 
-TEST_CASE("the ends of a range are taken in", "[scene_file]") {
+TEST_CASE("the ends of a range are included", "[scene_file]") {
     const Scene scene = scene_of(R"({"glint": 1,
         "lights": [{"spot": {"cutoff_deg": 0, "exponent": 0}}, {"spot": {"cutoff_deg": 90}},
                    {"spot": {"cutoff_deg": 180}, "intensity": 0, "diffuse": [0, 0, 1e7], "area": {"samples": 64}}],
@@ -156,7 +156,7 @@ TEST_CASE("the ends of a range are taken in", "[scene_file]") {
     CHECK(scene.objects[0].material.shininess == 10000);
 }
 
-TEST_CASE("limits: 4096 lights, 10000 objects, nesting 64 deep", "[scene_file]") {
+TEST_CASE("a scene has at most 4096 lights, 10000 objects and 64 levels of nesting", "[scene_file]") {
     const auto lights = [](int n) {
         return std::string(R"({"glint": 1, "lights": [)") + repeated("{}", n) + "]}";
     };

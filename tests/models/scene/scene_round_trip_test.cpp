@@ -1,4 +1,4 @@
-// What is written reads back equal; what is damaged is a problem of one line.
+// A written scene reads back equal; a damaged one is a problem of one line.
 #include <cmath>
 
 #include "models/scene_file/scene_file.h"
@@ -11,7 +11,7 @@ using namespace glint;
 
 namespace {
 
-/// `text` with one to three random wounds: bytes changed, dropped, doubled or moved.
+/// `text` with one to three random defects: bytes changed, dropped, doubled or moved.
 std::string wounded(std::string text, std::mt19937& random) {
     constexpr std::string_view bytes = "{}[]:,\"\\/-+.eE019 \n\tantx~*\xff\xc3\xe2";
     for (std::size_t wounds = 1 + random() % 3; wounds > 0 && !text.empty(); --wounds) {
@@ -36,7 +36,7 @@ std::string wounded(std::string text, std::mt19937& random) {
     return text;
 }
 
-/// One of what stands in a scene, or near it, and what does not belong there.
+/// A random value that occurs in a scene, is similar to one, or does not belong there.
 std::string any_value(std::mt19937& random) {
     constexpr const char* values[] = {
         "0",      "1",        "-1",           "1e999", "1e-60",        "null",    "true",
@@ -55,7 +55,7 @@ void check_problem(const Problem& problem) {
 
 }  // namespace
 
-TEST_CASE("a scene that is written reads back equal", "[scene_round_trip]") {
+TEST_CASE("a written scene reads back equal", "[scene_round_trip]") {
     for (unsigned seed = 0; seed < 300; ++seed) {
         const Scene scene = RandomScene(seed).scene();
         const std::string text = scene_text(scene);
@@ -67,7 +67,7 @@ TEST_CASE("a scene that is written reads back equal", "[scene_round_trip]") {
     }
 }
 
-TEST_CASE("a float is written with as few digits as read back equal", "[scene_round_trip]") {
+TEST_CASE("a float is written with the fewest digits that read back equal", "[scene_round_trip]") {
     // 7.0385307e-26 has the shortest decimals 7.038531e-26, whose double rounds to the float below.
     const std::vector<std::pair<float, std::string>> numbers{
         {0.1f, "0.1"}, {1.0f, "1"}, {-2.5f, "-2.5"}, {1.0f / 3, "0.33333334"}, {16777216.0f, "16777216"}};
@@ -85,7 +85,7 @@ TEST_CASE("a float is written with as few digits as read back equal", "[scene_ro
     }
 }
 
-TEST_CASE("names and paths keep every character, and bytes that are not UTF-8 are replaced",
+TEST_CASE("names and paths keep every character; bytes that are not UTF-8 are replaced",
           "[scene_round_trip]") {
     Scene scene;
     scene.objects.emplace_back().name = std::string("\0\x1f\"\\/ \xe2\x80\xa8 é😀", 16);
@@ -103,7 +103,7 @@ TEST_CASE("the name of a mesh file keeps every byte, UTF-8 or not", "[scene_roun
     std::mt19937 random(5);
     for (int i = 0; i < 2000; ++i) {
         std::string path = "x";
-        for (std::size_t n = random() % 12; n > 0; --n)  // half of it of the bytes that escapes are made of
+        for (std::size_t n = random() % 12; n > 0; --n)  // half of them bytes that escapes consist of
             path += random() % 2 ? "\xEE\xBE\xBF\x80"[random() % 4] : static_cast<char>(1 + random() % 255);
         Scene scene;
         scene.objects.emplace_back().source = MeshFile{path};
@@ -129,7 +129,7 @@ TEST_CASE("a damaged scene is a scene or a problem of one line", "[scene_round_t
     CHECK(scenes > 50);
 }
 
-TEST_CASE("an assignment of anything to anything gives a scene or a problem of one line",
+TEST_CASE("any assignment to any pointer gives a scene or a problem of one line",
           "[scene_round_trip][fuzz]") {
     constexpr const char* pointers[] = {"/camera/eye",
                                         "/camera/eye/2",
@@ -179,7 +179,7 @@ TEST_CASE("an assignment of anything to anything gives a scene or a problem of o
     CHECK(scenes > 50);
 }
 
-TEST_CASE("a scene with another mesh is another scene of the same description", "[scene]") {
+TEST_CASE("a scene with another mesh is a different scene with the same description", "[scene]") {
     Scene scene = RandomScene(1).scene();
     scene.objects.resize(2);
     Scene other = scene;

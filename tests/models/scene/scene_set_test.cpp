@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* smallest = R"({"glint": 1})";
 
-/// Each text as it stands after --set.
+/// Each text after --set.
 Result<Scene> assigned(const std::string& text, const std::vector<std::string>& options) {
     std::vector<Assignment> assignments;
     for (const std::string& option : options) {
@@ -34,8 +34,7 @@ std::string problem_with(const std::string& text, const std::vector<std::string>
 
 }  // namespace
 
-TEST_CASE("an assignment by --set makes missing parents: objects, lists, and vectors with their defaults",
-          "[scene_set]") {
+TEST_CASE("--set creates missing parents: objects, lists, and vectors with their defaults", "[scene_set]") {
     CHECK(scene_with(smallest, {"/display/exposure=2"}).display.exposure == 2);
     CHECK(scene_with(smallest, {"/shading/terms/ambient=false"}).shading.terms.ambient == false);
     CHECK(scene_with(smallest, {"/camera/eye/0=3"}).camera.eye == glm::vec3(3, 0, 5));
@@ -49,7 +48,7 @@ TEST_CASE("an assignment by --set makes missing parents: objects, lists, and vec
     CHECK(std::get<PrimitiveMesh>(scene.objects[0].source) == PrimitiveMesh{Primitive::Torus, 48});
 }
 
-TEST_CASE("an assignment by --set takes JSON values, and a word as a string", "[scene_set]") {
+TEST_CASE("--set takes JSON values, and a word as a string", "[scene_set]") {
     CHECK(scene_with(smallest, {"/shading/mode=gouraud"}).shading.mode == ShadingMode::Gouraud);
     CHECK(scene_with(smallest, {"/shading/mode=\"gouraud\""}).shading.mode == ShadingMode::Gouraud);
     CHECK(scene_with(smallest, {"/shading/reflection=blinn-phong"}).shading.reflection ==
@@ -80,7 +79,7 @@ TEST_CASE("an assignment by --set takes JSON values, and a word as a string", "[
           "--set: /display/exposure: null is not a value; expected a number");
 }
 
-TEST_CASE("a type set alone brings its own w", "[scene_set]") {
+TEST_CASE("a type set alone sets its own w", "[scene_set]") {
     const std::string sun = R"({"glint": 1, "lights": [{"type": "directional", "position": [1, 2, 3, 0]}]})";
     const std::string bulb = R"({"glint": 1, "lights": [{"position": [2, 4, 6, 2]}]})";
     CHECK(scene_with(sun, {"/lights/0/type=point"}).lights[0].position == glm::vec4(1, 2, 3, 1));
@@ -112,14 +111,14 @@ TEST_CASE("a projection's type set alone drops the keys of the other projections
           "or far");
 }
 
-TEST_CASE("the whole is checked once, after the last assignment", "[scene_set]") {
+TEST_CASE("a scene is checked once, after the last assignment", "[scene_set]") {
     const std::string text = R"({"glint": 1, "display": {"exposure": -1}})";
     CHECK(scene_with(text, {"/display/exposure=2"}).display.exposure == 2);
     CHECK(scene_with(smallest, {"/camera/eye=[0,0,0]", "/camera/target=[0,0,1]"}).camera.target.z == 1);
     CHECK(scene_with(smallest, {"/display/exposure=0", "/display/exposure=3"}).display.exposure == 3);
 }
 
-TEST_CASE("what is wrong is blamed on --set only when --set made it so", "[scene_set]") {
+TEST_CASE("a problem is attributed to --set only if --set caused it", "[scene_set]") {
     CHECK(problem_with(smallest, {"/display/exposure=-1"}) ==
           "--set: /display/exposure: -1 is out of range; expected more than 0, up to 1e7");
     CHECK(problem_with(smallest, {"/display/exposre=1"}) ==
@@ -133,8 +132,7 @@ TEST_CASE("what is wrong is blamed on --set only when --set made it so", "[scene
     CHECK(problem_with("{", {"/display/exposure=0"}).find("s.json:1: ") == 0);
 }
 
-TEST_CASE("each variant of a scene is what --set makes of its text, whichever were made before",
-          "[scene_set]") {
+TEST_CASE("a variant of a scene equals --set on its text, independent of earlier variants", "[scene_set]") {
     SceneDocument document;
     document.path = "s.json";
     document.scene = scene_with(smallest, {"/lights/0/name=Bulb", "/objects/-/mesh/primitive=torus"});
@@ -161,7 +159,7 @@ TEST_CASE("each variant of a scene is what --set makes of its text, whichever we
     }
 }
 
-TEST_CASE("a pointer that leads nowhere is a problem", "[scene_set]") {
+TEST_CASE("a pointer to nothing is a problem", "[scene_set]") {
     const std::string expected = "; expected POINTER=JSON, such as /display/exposure=2";
     CHECK(problem_with(smallest, {"/display"}) == "--set: \"/display\" has no \"=\"" + expected);
     CHECK(problem_with(smallest, {"display=1"}) ==

@@ -1,4 +1,4 @@
-// An object's transforms written in every order: the same matrix, or nothing where a scene file cannot say
+// An object's transforms written in every order: the same matrix, or nothing if a scene file cannot express
 // it.
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
@@ -11,7 +11,7 @@ using namespace glint;
 
 namespace {
 
-/// OpenGL's matrix after the three, by GLM: each multiplies from the right.
+/// OpenGL's matrix after the three calls, by GLM: each multiplies from the right.
 glm::dmat4 product(const Transform& t, const TransformOrder& order) {
     glm::dmat4 m(1);
     for (const TransformStep step : order) {
@@ -29,7 +29,7 @@ glm::dmat4 product(const Transform& t, const TransformOrder& order) {
 
 }  // namespace
 
-TEST_CASE("a transform in any order is the file's of the same matrix", "[transform]") {
+TEST_CASE("a transform in any order has a file-order transform with the same matrix", "[transform]") {
     std::mt19937 random(5);
     const auto number = [&random] { return static_cast<float>(random() % 2001) / 100 - 10; };
     for (int i = 0; i < 200; ++i) {
@@ -48,13 +48,13 @@ TEST_CASE("a transform in any order is the file's of the same matrix", "[transfo
     }
 }
 
-TEST_CASE("a scale along axes that a rotation turns cannot be written before it", "[transform]") {
+TEST_CASE("a scale along axes that a rotation turns cannot precede that rotation", "[transform]") {
     using enum TransformStep;
     const Transform shears{{1, 2, 3}, {0, 0, 30}, {1, 2, 1}};
     CHECK_FALSE(in_file_order(shears, {Scale, Rotate, Translate}));
     CHECK_FALSE(in_file_order(shears, {Scale, Translate, Rotate}));
     CHECK(in_file_order(shears, {Rotate, Scale, Translate}));
-    // About the axis along which it is scaled, or not turned at all, nothing shears.
+    // About the axis of the scale, or without a rotation, nothing shears.
     CHECK(in_file_order({{1, 2, 3}, {0, 40, 0}, {1, 2, 1}}, {Scale, Rotate, Translate}));
     CHECK(in_file_order({{1, 2, 3}, {0, 0, 0}, {1, 2, 3}}, {Scale, Translate, Rotate}));
     CHECK(in_file_order(shears, file_order) == shears);
