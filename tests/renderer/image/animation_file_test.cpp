@@ -25,7 +25,7 @@ std::string file_of(AnimationFormat format, const std::vector<Picture>& pictures
     return std::get<std::string>(std::move(bytes));
 }
 
-/// A GIF as the library reads it.
+/// A GIF as decoded by the library.
 struct GifRead {
     explicit GifRead(std::string bytes) : rest(std::move(bytes)) {
         int error = 0;
@@ -89,7 +89,7 @@ Picture still_life(float candle) {
     return Renderer().render(scene, {400, 300}, false, 4);
 }
 
-/// What the bytes of two pictures differ by, signed.
+/// The signed differences between the bytes of two pictures.
 std::vector<int> errors(const Picture& a, const Picture& b) {
     REQUIRE(a.rgba.size() == b.rgba.size());
     std::vector<int> out(a.rgba.size());
@@ -104,7 +104,7 @@ double mean_size(const std::vector<int>& errors) {
     return sum / (0.75 * double(errors.size()));
 }
 
-/// The same over the means of all windows of 8x8 pixels: noise that the eye averages is no part of it.
+/// The same for the means of all 8x8 windows, which excludes noise that the eye averages.
 double mean_size_of_windows(const std::vector<int>& errors, PictureSize size, int margin) {
     constexpr int side = 8;
     double sum = 0;
@@ -124,7 +124,7 @@ double mean_size_of_windows(const std::vector<int>& errors, PictureSize size, in
 
 }  // namespace
 
-TEST_CASE("a GIF repeats for ever and keeps its speed over a second", "[image]") {
+TEST_CASE("a GIF repeats forever and keeps its speed over a second", "[image]") {
     const int speed = GENERATE(1, 7, 24, 35, 49, 50);
     CAPTURE(speed);
     std::vector<Picture> pictures;
@@ -155,7 +155,7 @@ TEST_CASE("a GIF frame with 256 colours keeps each of them exactly", "[image]") 
     });
     CHECK(GifRead(file_of(AnimationFormat::Gif, {greys}, 25)).frame(0).rgba == greys.rgba);
     CHECK(GifRead(file_of(AnimationFormat::Gif, {scattered}, 25)).frame(0).rgba == scattered.rgba);
-    // One more colour: what the others lose is at most a step.
+    // With one more colour, the others lose at most a step.
     Picture more = greys;
     more.rgba[0] = 255;
     const auto lost = errors(GifRead(file_of(AnimationFormat::Gif, {more}, 25)).frame(0), more);
@@ -164,10 +164,10 @@ TEST_CASE("a GIF frame with 256 colours keeps each of them exactly", "[image]") 
 }
 
 TEST_CASE("a GIF mixes the colours of a gradient without steps", "[image]") {
-    // 65536 colours for 256 entries: without mixing, a window is off by some 4 levels.
+    // 65536 colours for 256 entries: without dithering, a window is off by some 4 levels.
     const Picture gradient = painted(256, 256, [](int x, int y) { return std::array{x, y, 128}; });
     const auto lost = errors(GifRead(file_of(AnimationFormat::Gif, {gradient}, 25)).frame(0), gradient);
-    CHECK(mean_size_of_windows(lost, gradient.size, 16) < 0.4);  // at the margin there are no colours to mix
+    CHECK(mean_size_of_windows(lost, gradient.size, 16) < 0.4);  // the margin has no colours to mix
 }
 
 TEST_CASE("a GIF of still-life is within a level of the picture and does not flicker", "[image]") {
@@ -181,7 +181,7 @@ TEST_CASE("a GIF of still-life is within a level of the picture and does not fli
     CHECK(mean_size(change) < 0.6);
 }
 
-TEST_CASE("a WebP has exactly the colours of its pictures and repeats for ever", "[image]") {
+TEST_CASE("a WebP has exactly the colours of its pictures and repeats forever", "[image]") {
     std::vector<Picture> pictures{still_life(0.8f), still_life(0.78f)};
     pictures.push_back(painted(400, 300, [](int x, int y) {
         return std::array{x % 256, y % 256, x * y % 256};
@@ -215,7 +215,7 @@ TEST_CASE("an animation that is too large for WebP is refused before it is drawn
     CHECK(problem_of(animation_writer(AnimationFormat::Gif, {16384, 2}, 25)) == nullptr);
 }
 
-TEST_CASE("the extension of a name decides the format of an animation", "[image]") {
+TEST_CASE("the extension determines the format of an animation", "[image]") {
     CHECK(animation_format("turn.GIF") == AnimationFormat::Gif);
     CHECK(animation_format("a.gif/turn.WebP") == AnimationFormat::WebP);
     CHECK_FALSE(animation_format("turn.png"));

@@ -36,7 +36,7 @@ class Source : public Imf::IStream {
     std::size_t at_ = 0;
 };
 
-/// An EXR of 4 x 4 zeros with these channels, each a number for every `step` pixels across and down.
+/// An EXR of 4 x 4 zeros with these channels, each with one number per `step` pixels across and down.
 std::string file_with(const TemporaryDirectory& directory,
                       const std::vector<std::pair<const char*, int>>& channels) {
     Imf::Header header(4, 4);
@@ -53,8 +53,7 @@ std::string file_with(const TemporaryDirectory& directory,
     return path;
 }
 
-/// The file with another place for one of its blocks, where nothing is. The table of their places ends where
-/// the first one stands.
+/// The file with one block's offset pointing to nothing. The table of offsets ends at the first block.
 std::string without_block(std::string exr, std::size_t block, std::size_t blocks) {
     const auto place_at = [&exr](std::size_t at) {
         std::uint64_t place = 0;
@@ -70,8 +69,7 @@ std::string without_block(std::string exr, std::size_t block, std::size_t blocks
 
 }  // namespace
 
-TEST_CASE("an EXR of colours that are not red, green and blue, or not of every pixel, is a problem",
-          "[image][bad-input]") {
+TEST_CASE("an EXR without full red, green and blue channels is a problem", "[image][bad-input]") {
     const TemporaryDirectory directory;
     const auto what = [&](const std::vector<std::pair<const char*, int>>& channels) {
         const auto read = read_exr(file_with(directory, channels));
@@ -80,13 +78,13 @@ TEST_CASE("an EXR of colours that are not red, green and blue, or not of every p
     };
     CHECK(what({{"R", 1}, {"G", 1}, {"B", 1}}).empty());
     CHECK(what({{"Y", 1}}).empty());
-    CHECK(what({{"R", 1}, {"Z", 1}}).empty());  // a depth beside colours
+    CHECK(what({{"R", 1}, {"Z", 1}}).empty());  // a depth next to colours
     CHECK(what({{"Y", 1}, {"RY", 2}, {"BY", 2}}) == "has the channel RY beside Y and no R, G, B");
     CHECK(what({{"X", 1}, {"Y", 1}, {"Z", 1}}) == "has the channel X beside Y and no R, G, B");
     CHECK(what({{"R", 1}, {"G", 2}, {"B", 2}}) == "has a subsampled channel G");
 }
 
-TEST_CASE("an EXR holds every number of the picture times the exposure, first row on top", "[image]") {
+TEST_CASE("an EXR contains every number of the picture times the exposure, top row first", "[image]") {
     Picture picture;
     picture.size = {3, 2};
     for (int i = 0; i < 18; ++i) picture.linear.push_back(static_cast<float>(i) * 0.7f - 2);
@@ -108,7 +106,7 @@ TEST_CASE("an EXR holds every number of the picture times the exposure, first ro
     for (std::size_t i = 0; i < 18; ++i) CHECK(read[i] == picture.linear[i] * 2);
 }
 
-TEST_CASE("an EXR shows its display window, whatever part of it the file holds", "[image]") {
+TEST_CASE("an EXR is read as its display window, regardless of its data window", "[image]") {
     const TemporaryDirectory directory;
     const std::string path = directory.path("windows.exr");
     const Imath::Box2i display({-2, 1}, {5, 6});
@@ -151,7 +149,7 @@ TEST_CASE("an EXR shows its display window, whatever part of it the file holds",
     }
 }
 
-TEST_CASE("an EXR that shows gigabytes and holds a few pixels is refused", "[image][bad-input]") {
+TEST_CASE("an EXR with a display window of gigabytes and few pixels is refused", "[image][bad-input]") {
     const TemporaryDirectory directory;
     const std::string path = directory.path("empty.exr");
     const auto read = [&](int shown, int held) {
@@ -168,16 +166,15 @@ TEST_CASE("an EXR that shows gigabytes and holds a few pixels is refused", "[ima
         }
         return read_exr(path);
     };
-    CHECK(problem_of(read(64, 2)) == nullptr);  // little in any case
+    CHECK(problem_of(read(64, 2)) == nullptr);  // small in any case
     const auto refused = read(4097, 24);
     REQUIRE(problem_of(refused) != nullptr);
     CHECK(problem_of(refused)->what == "shows 4097x4097 pixels and holds 24x1 of them");
 }
 
-TEST_CASE("an EXR of which a block is missing is refused before there is memory for its pixels",
-          "[image][bad-input]") {
+TEST_CASE("an EXR with a missing block is refused before its pixels are allocated", "[image][bad-input]") {
     if (test::sanitized) return;
-    constexpr int side = 2048;  // 48 MiB of numbers, and packed 200 KB
+    constexpr int side = 2048;  // 48 MiB of numbers, compressed to 200 KB
     Picture black{{side, side}, {}, {}};
     black.linear.resize(3 * black.size.pixels());
     const std::string whole = exr_bytes(black, 1);
@@ -194,7 +191,7 @@ TEST_CASE("an EXR of which a block is missing is refused before there is memory 
     }
 }
 
-TEST_CASE("an EXR may be in tiles, each of which has to be there", "[image][bad-input]") {
+TEST_CASE("an EXR may be tiled, but every tile must exist", "[image][bad-input]") {
     const TemporaryDirectory directory;
     const std::string path = directory.path("tiles.exr");
     std::vector<float> stored;

@@ -1,5 +1,5 @@
 // Independent of the code under test: layouts worked by hand from the specifications, zlib's crc32 and
-// inflate, and pictures that libpng wrote.
+// inflate, and pictures written by libpng.
 #include "renderer/image/image_file.h"
 
 #include <unistd.h>
@@ -16,7 +16,7 @@ using namespace glint;
 
 namespace {
 
-/// A file that is gone at the end of the test.
+/// A file that is removed at the end of the test.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const std::string& bytes)
@@ -64,7 +64,7 @@ std::string deflated(const std::string& raw) {
     return out.substr(0, size);
 }
 
-/// A PNG put together by hand. `raw` is its scanlines, each behind a filter byte.
+/// A PNG assembled by hand. `raw` contains its scanlines, each after a filter byte.
 std::string png(std::size_t width, std::size_t height, char depth, char color_type, const std::string& raw,
                 const std::string& palette = {}, bool interlaced = false) {
     const std::string header =
@@ -81,7 +81,7 @@ const std::vector<Pass> row_by_row{{0, 0, 1, 1}};
 const std::vector<Pass> adam7{{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
                               {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
 
-/// Random samples of `depth` bits, so many a pixel.
+/// Random samples of `depth` bits, `channels` per pixel.
 struct Samples {
     std::size_t width, height, channels;
     int depth;
@@ -95,7 +95,7 @@ struct Samples {
     [[nodiscard]] unsigned at(std::size_t x, std::size_t y, std::size_t c) const {
         return values[(y * width + x) * channels + c];
     }
-    /// Scanlines without a filter; of a pass without a pixel there is none.
+    /// Scanlines without a filter; a pass without pixels has none.
     [[nodiscard]] std::string scanlines(const std::vector<Pass>& passes) const {
         std::string raw;
         for (const Pass& p : passes)
@@ -139,7 +139,7 @@ void check_refused(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("the format of a picture is its name's extension, in any case", "[image]") {
+TEST_CASE("the extension determines the format of a picture, in any case", "[image]") {
     for (const auto format : {PictureFormat::Png, PictureFormat::Pfm, PictureFormat::Exr}) {
         const std::string path = "a.b/picture" + std::string(extension_of(format));
         CHECK(std::get<PictureFormat>(picture_format(path)) == format);
@@ -153,10 +153,10 @@ TEST_CASE("the format of a picture is its name's extension, in any case", "[imag
     }
 }
 
-TEST_CASE("a PFM holds its bottom row first, little-endian, times the exposure", "[image]") {
+TEST_CASE("a PFM is written bottom row first, little-endian, times the exposure", "[image]") {
     Picture picture{{2, 2}, {}, {0, 0.25f, 0.5f, 1, 2, 3, -1, 4, 5, 6, 7, 8}};
     const std::string bytes = pfm_bytes(picture, 2);
-    // 2 x 2 pixels of 12 bytes behind a header of 3 + 4 + 5 bytes.
+    // 2 x 2 pixels of 12 bytes after a header of 3 + 4 + 5 bytes.
     REQUIRE(bytes.size() == 12 + 48);
     CHECK(bytes.substr(0, 12) == "PF\n2 2\n-1.0\n");
     // -2 is 0xC0000000; 8 is 0x41000000; 10 is 0x41200000: the first pixel of the lower row.
@@ -165,7 +165,7 @@ TEST_CASE("a PFM holds its bottom row first, little-endian, times the exposure",
     CHECK(bytes.substr(36, 12) == std::string("\0\0\0\0\0\0\0\x3F\0\0\x80\x3F", 12));
 }
 
-TEST_CASE("a picture survives PNG and back, byte for byte", "[image]") {
+TEST_CASE("a picture survives writing and reading a PNG byte for byte", "[image]") {
     for (const PictureSize size : {PictureSize{1, 1}, {7, 3}, {64, 65}}) {
         const Picture picture = noise(size, 5);
         const auto back = read_bytes(png_bytes(picture, "{\"glint\": 1}"));
@@ -175,11 +175,11 @@ TEST_CASE("a picture survives PNG and back, byte for byte", "[image]") {
     }
 }
 
-TEST_CASE("a PNG carries its scene in an iTXt chunk right behind the header", "[image]") {
+TEST_CASE("a PNG contains its scene in an iTXt chunk right after the header", "[image]") {
     const std::string scene = "{\"glint\": 1, \"name\": \"K\xC3\xB6rper\"}\n";
     const std::string bytes = png_bytes(noise({3, 2}, 1), scene);
-    // Signature 8, IHDR 25; then the keyword, its end, flag, method, and the ends of language and
-    // translation.
+    // Signature 8, IHDR 25; then the keyword, its terminator, flag, method, and the terminators of language
+    // and translation.
     const std::string expected = chunk("iTXt", std::string("glint-scene\0\0\0\0\0", 16) + scene);
     CHECK(bytes.substr(33, expected.size()) == expected);
     CHECK(png_bytes(noise({3, 2}, 1), scene) == bytes);
@@ -199,7 +199,7 @@ TEST_CASE("grey, palette, 16-bit and translucent PNGs are read as 8-bit RGBA", "
           std::vector<int>{10, 20, 30, 40});
 }
 
-TEST_CASE("every kind of PNG is read as 8-bit RGBA, whole rows first or interlaced", "[image]") {
+TEST_CASE("every kind of PNG, interlaced or not, is read as 8-bit RGBA", "[image]") {
     constexpr int grey = 0, rgb = 2, indexed = 3, grey_alpha = 4, rgb_alpha = 6;
     struct Kind {
         int color_type;
@@ -237,7 +237,7 @@ TEST_CASE("every kind of PNG is read as 8-bit RGBA, whole rows first or interlac
                 }
 }
 
-TEST_CASE("what is not a PNG, or a broken one, is refused in one line", "[image][bad-input]") {
+TEST_CASE("a broken PNG, or another file, is refused in one line", "[image][bad-input]") {
     const std::string good = png_bytes(noise({16, 16}, 3), "{}");
     check_refused("");
     check_refused("PF\n1 1\n-1.0\n");
@@ -245,30 +245,27 @@ TEST_CASE("what is not a PNG, or a broken one, is refused in one line", "[image]
     check_refused(good.substr(0, 40));
     check_refused(good.substr(0, good.size() / 2));
     std::string flipped = good;
-    flipped[good.size() / 2] =
-        static_cast<char>(flipped[good.size() / 2] ^ 1);  // its CRC does not hold any more
+    flipped[good.size() / 2] = static_cast<char>(flipped[good.size() / 2] ^ 1);  // its CRC is wrong now
     check_refused(flipped);
     check_refused(png(0, 1, 8, 0, std::string(1, '\0')));
     check_refused(png(16385, 1, 8, 0, std::string(16386, '\0')));
     check_refused(png(1, 1, 7, 0, std::string(2, '\0')));
-    check_refused(png(4, 4, 8, 2, std::string(5, '\0')));  // fewer scanlines than claimed
+    check_refused(png(4, 4, 8, 2, std::string(5, '\0')));  // fewer scanlines than stated
 }
 
-TEST_CASE("a small PNG that claims a huge picture is refused before memory is taken for it",
-          "[image][bad-input]") {
+TEST_CASE("a small PNG with a huge stated size is refused before allocating memory", "[image][bad-input]") {
     const auto result = read_bytes(png(16384, 16384, 16, 6, std::string(100, '\0')));
     REQUIRE(problem_of(result) != nullptr);
     CHECK(problem_of(result)->what == "claims more pixels than it can hold");
 }
 
-TEST_CASE("no cut and no flipped byte of a PNG does worse than a problem", "[image][bad-input]") {
+TEST_CASE("a truncated or altered PNG causes at most a problem", "[image][bad-input]") {
     const std::string good = png_bytes(noise({9, 9}, 4), "{\"glint\": 1}");
     for (std::size_t i = 0; i < good.size(); ++i) {
         std::string broken = good;
         broken[i] = static_cast<char>(~broken[i]);
         const auto flipped = read_bytes(broken), cut = read_bytes(good.substr(0, i));
-        if (i < good.size() - 12)
-            CHECK(problem_of(cut) != nullptr);  // the last chunk says only that it is the last
+        if (i < good.size() - 12) CHECK(problem_of(cut) != nullptr);  // the last chunk only marks the end
         if (const Picture* picture = std::get_if<Picture>(&flipped))
             CHECK(picture->rgba.size() == std::size_t{4 * 81});
     }

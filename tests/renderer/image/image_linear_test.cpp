@@ -1,4 +1,4 @@
-// PFM and OpenEXR are read back, and what is not such a file is told in one line.
+// PFM and OpenEXR files are read back; other files are reported in one line.
 #include <fmt/core.h>
 
 #include <limits>
@@ -29,7 +29,7 @@ void check_problem(const Result<Picture>& read, const std::string& what) {
 
 }  // namespace
 
-TEST_CASE("a PFM and an EXR give the numbers that were written", "[image]") {
+TEST_CASE("a PFM and an EXR return the numbers that were written", "[image]") {
     const TemporaryDirectory directory;
     const Picture picture = six_pixels();
     const auto pfm = read_pfm(directory.file("a.pfm", pfm_bytes(picture, 1)));
@@ -42,9 +42,9 @@ TEST_CASE("a PFM and an EXR give the numbers that were written", "[image]") {
     CHECK(std::get<Picture>(exr).linear == picture.linear);
 }
 
-TEST_CASE("a PFM may be grey, with the high byte first", "[image]") {
+TEST_CASE("a PFM may be grey and big-endian", "[image]") {
     const TemporaryDirectory directory;
-    // 1 and 2 as IEEE 754 singles: 3F800000 and 40000000. The bottom row comes first.
+    // 1 and 2 as IEEE 754 singles: 3F800000 and 40000000. The bottom row is first.
     const std::string bytes =
         std::string("Pf\n1 2\n1.0\n") + std::string("\x3f\x80\x00\x00\x40\x00\x00\x00", 8);
     const auto read = read_pfm(directory.file("a.pfm", bytes));
@@ -52,9 +52,9 @@ TEST_CASE("a PFM may be grey, with the high byte first", "[image]") {
     CHECK(std::get<Picture>(read).linear == std::vector<float>{2, 2, 2, 1, 1, 1});
 }
 
-TEST_CASE("a PFM whose lines end as Windows ends them is read, and one that is too long is not", "[image]") {
+TEST_CASE("a PFM with Windows line ends is read, and one that is too long is refused", "[image]") {
     const TemporaryDirectory directory;
-    const std::string pixels("\x0a\x00\x80\x3f\x00\x00\x00\x40", 8);  // 1.0000012 and 2, a line's end first
+    const std::string pixels("\x0a\x00\x80\x3f\x00\x00\x00\x40", 8);  // 1.0000012 and 2, a line end first
     const std::vector<float> numbers{1 + 10 * 0x1p-23f, 1 + 10 * 0x1p-23f, 1 + 10 * 0x1p-23f, 2, 2, 2};
     for (const char* const heading : {"Pf\r\n2 1\r\n-1.0\r\n", "Pf\n2 1\n-1.0\n", "Pf 2 1 -1.0\r"}) {
         const auto read = read_pfm(directory.file("a.pfm", heading + pixels));
@@ -66,7 +66,7 @@ TEST_CASE("a PFM whose lines end as Windows ends them is read, and one that is t
     }
 }
 
-TEST_CASE("what is neither a PFM nor an EXR is a problem", "[image][bad-input]") {
+TEST_CASE("a file that is not a PFM or an EXR is a problem", "[image][bad-input]") {
     const TemporaryDirectory directory;
     const std::string pfm = pfm_bytes(six_pixels(), 1), exr = exr_bytes(six_pixels(), 1);
     check_problem(read_pfm(directory.file("a.pfm", "")), "does not begin as a PFM");
@@ -84,10 +84,9 @@ TEST_CASE("what is neither a PFM nor an EXR is a problem", "[image][bad-input]")
         check_problem(read_exr(directory.file("a.exr", exr.substr(0, length))), "OpenEXR");
 }
 
-TEST_CASE("an EXR with a list of channels that would take the library seconds is refused",
-          "[image][bad-input]") {
+TEST_CASE("an EXR whose channel list would take seconds to read is refused", "[image][bad-input]") {
     const TemporaryDirectory directory;
-    // Where the list of channels stands, and in a file of several parts in the second one.
+    // The position of the channel list, or, in a file of several parts, of the second part's list.
     for (const std::string& before : {std::string(), std::string("note\0string\0\1\0\0\0x\0", 18)})
         for (const std::uint32_t size : {256u << 10, (256u << 10) + 1}) {
             std::string attribute("channels\0chlist\0", 16);
@@ -105,7 +104,7 @@ TEST_CASE("an EXR with a list of channels that would take the library seconds is
         }
 }
 
-TEST_CASE("an EXR whose heading claims two gigabytes is refused before they are asked for",
+TEST_CASE("an EXR with a stated size of two gigabytes is refused before allocating them",
           "[image][bad-input]") {
     if (sanitized) return;
     const TemporaryDirectory directory;

@@ -19,7 +19,7 @@ TEST_CASE("a picture does not differ from itself", "[compare]") {
     CHECK(difference_gain(result) == 1);
 }
 
-TEST_CASE("max, mean, RMSE and the count of differing pixels are those worked by hand", "[compare]") {
+TEST_CASE("max, mean, RMSE and the count of differing pixels match those worked by hand", "[compare]") {
     // Differences of red 3, 0, 4, 0; of green 0, 0, 0, 10; of blue none.
     const Picture a = picture({2, 2}, {10, 0, 7, 255, 9, 0, 7, 255, 4, 0, 7, 255, 8, 10, 7, 255});
     const Picture b = picture({2, 2}, {13, 0, 7, 255, 9, 0, 7, 255, 0, 0, 7, 255, 8, 20, 7, 255});
@@ -31,11 +31,11 @@ TEST_CASE("max, mean, RMSE and the count of differing pixels are those worked by
         CHECK(result.differing_pixels == 3);
         CHECK(result.max_error == 10);
     }
-    // 25 · 10 = 250 is the last within 255.
+    // 25 · 10 = 250 is the largest product within 255.
     CHECK(difference_gain(std::get<Comparison>(compare(a, b))) == 25);
     CHECK(difference_picture(a, b, 25).rgba ==
           std::vector<std::uint8_t>{75, 0, 0, 255, 0, 0, 0, 255, 100, 0, 0, 255, 0, 250, 0, 255});
-    CHECK(difference_picture(a, b, 64).rgba ==  // 3 · 64 = 192, and what is beyond 255 stays there
+    CHECK(difference_picture(a, b, 64).rgba ==  // 3 · 64 = 192, larger values are clamped to 255
           std::vector<std::uint8_t>{192, 0, 0, 255, 0, 0, 0, 255, 255, 0, 0, 255, 0, 255, 0, 255});
 }
 

@@ -1,4 +1,4 @@
-// Quantities behind the picture: each number shown is the one that an explanation gives for that pixel.
+// Debug views: each displayed number equals that of the explanation of its pixel.
 #include "renderer/debug_views/debug_view.h"
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr PictureSize size{90, 60};
 
-/// Calls check(x, y, explanation) for every pixel that shows a surface.
+/// Calls check(x, y, explanation) for every pixel with a surface.
 template <class Check> void for_surface(const Renderer& renderer, const Check& check) {
     int hits = 0;
     for (int y = 0; y < size.height; ++y)
@@ -30,7 +30,7 @@ template <class Check> void for_surface(const Renderer& renderer, const Check& c
 
 }  // namespace
 
-TEST_CASE("debug view: the normals shown are those that are lit", "[debug_view]") {
+TEST_CASE("debug view: the displayed normals are those used for lighting", "[debug_view]") {
     Renderer renderer(1);
     for (const bool facet : {false, true}) {
         Scene scene = busy_scene();
@@ -46,13 +46,12 @@ TEST_CASE("debug view: the normals shown are those that are lit", "[debug_view]"
     }
 }
 
-TEST_CASE("debug view: n.l of each kind of light is the explanation's, behind the surface too",
-          "[debug_view]") {
+TEST_CASE("debug view: n.l of each kind of light equals the explanation's, even behind", "[debug_view]") {
     Scene scene = busy_scene();
     Renderer renderer(1);
     renderer.render(scene, size);
     DebugViewPainter painter(1);
-    for (int light = 0; light < 3; ++light) {  // an area light has a middle, and no vector of its own
+    for (int light = 0; light < 3; ++light) {  // an area light has several vectors; its centre is used
         (void)painter.paint({DebugView::NDotL, light}, scene, renderer, size);
         int wrong = 0, behind = 0;
         for_surface(renderer, [&](int x, int y, const Explanation& e) {
@@ -67,7 +66,7 @@ TEST_CASE("debug view: n.l of each kind of light is the explanation's, behind th
     CHECK(painter.value_text(0, 0) == "background");
 }
 
-TEST_CASE("debug view: depth and face are those of the pixel", "[debug_view]") {
+TEST_CASE("debug view: depth and face match the pixel", "[debug_view]") {
     const Scene scene = busy_scene();
     Renderer renderer(1);
     renderer.render(scene, size);
@@ -88,8 +87,7 @@ TEST_CASE("debug view: depth and face are those of the pixel", "[debug_view]") {
     CHECK(faces.rgba.size() == std::size_t{4} * size.width * size.height);
 }
 
-TEST_CASE("debug view: the facet's angle to the interpolated normal is that of the two explained normals",
-          "[debug_view]") {
+TEST_CASE("debug view: the angle between facet and interpolated normal is as explained", "[debug_view]") {
     Scene scene = busy_scene();
     Renderer smooth(1), facet(1);
     smooth.render(scene, size);
@@ -108,9 +106,7 @@ TEST_CASE("debug view: the facet's angle to the interpolated normal is that of t
     CHECK(most > 5);
 }
 
-TEST_CASE(
-    "debug view: the silhouette is marked where surface meets background, in every mode at the same pixels",
-    "[debug_view]") {
+TEST_CASE("debug view: the silhouette marks the same pixels in every mode", "[debug_view]") {
     Scene scene = busy_scene();
     scene.objects.resize(1);
     scene.npr = {};
@@ -134,7 +130,7 @@ TEST_CASE(
             const int x = i % size.width, y = i / size.width;
             if (marked.linear_at(x, y) == plain.linear_at(x, y)) continue;
             changed.push_back(i);
-            // The stroke is two pixels wide; silhouettes in front of the object itself lie inside it.
+            // The stroke is two pixels wide and contains silhouettes in front of the object itself.
             astray += !near_outline(x, y);
         }
         CHECK(changed.size() > 100);
@@ -162,7 +158,7 @@ TEST_CASE("debug view: single terms add up to the picture", "[debug_view]") {
     });
 }
 
-TEST_CASE("debug view: stripes lie on over-range pixels alone, and their count is exact", "[debug_view]") {
+TEST_CASE("debug view: stripes mark exactly the over-range pixels, and count them", "[debug_view]") {
     Scene scene = busy_scene();
     scene.lights[0].intensity = 4;
     Renderer renderer(1);
@@ -183,8 +179,7 @@ TEST_CASE("debug view: stripes lie on over-range pixels alone, and their count i
     CHECK(striped.rgba != picture.rgba);
 }
 
-TEST_CASE("debug view: a scale's colours rise in lightness and break where light turns away",
-          "[debug_view]") {
+TEST_CASE("debug view: a scale's colours rise in lightness and break at grazing light", "[debug_view]") {
     const DebugViewScale scale{true, 0, 10, ""};
     const auto light = [&](double v) {
         const auto c = debug_view_color(DebugView::FacetAngle, scale, v);
@@ -199,7 +194,7 @@ TEST_CASE("debug view: a scale's colours rise in lightness and break where light
     CHECK(normal_color({0, 0, 1}) == std::array<std::uint8_t, 3>{128, 128, 255});
 }
 
-TEST_CASE("debug view: front and back follow the winding on the screen, mirrored or not", "[debug_view]") {
+TEST_CASE("debug view: front and back follow the winding on the screen, also mirrored", "[debug_view]") {
     // The same triangle four times: counter-clockwise, clockwise, and both mirrored by a scale below 0.
     const std::vector<glm::vec3> corners{{-0.4f, -0.4f, 0}, {0.4f, -0.4f, 0}, {0, 0.5f, 0}};
     Scene scene;
@@ -234,7 +229,7 @@ TEST_CASE("debug view: front and back follow the winding on the screen, mirrored
     CHECK(seen[1] > 100);
 }
 
-TEST_CASE("debug view: normals that point away from the viewer are striped, others are not", "[debug_view]") {
+TEST_CASE("debug view: only normals that point away from the viewer are striped", "[debug_view]") {
     Scene scene;
     scene.camera.eye = {0, 0, 3};
     scene.objects = {object_of(primitive(Primitive::Sphere, 48))};

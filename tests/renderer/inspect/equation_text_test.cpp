@@ -1,5 +1,5 @@
-// What is written is true: the written factors of a line, multiplied, are the written result within its last
-// digit, whatever the light, the model and the pixel.
+// The written equation is correct: the product of the written factors of a line equals the written result
+// within its last digit, for every light, model and pixel.
 #include "renderer/explain/equation_text.h"
 
 #include <fmt/core.h>
@@ -47,7 +47,7 @@ double factor_value(const std::string& text, std::size_t channel) {
     return std::pow(number_in(text.substr(1, power - 1), channel), std::atof(text.c_str() + power + 2));
 }
 
-/// Multiplies and divides what stands between " · " and " / ".
+/// Evaluates factors that are separated by " · " and " / ".
 double evaluated(const std::string& product, std::size_t channel) {
     double value = 1;
     for (const std::string& part : split(product, " · ")) {
@@ -62,7 +62,7 @@ bool within_last_digit(double value, const std::string& written) {
     return std::abs(value - std::atof(written.c_str())) <= 1.0000001 * last_digit_of(written);
 }
 
-/// "product = result", or "product = what is left out, why" and the result 0.
+/// Checks "product = result", or "product = omitted term, reason" with the result 0.
 void check_line(const std::string& product, const std::string& result, std::size_t channel) {
     INFO(product << " gives " << result);
     const std::size_t equals = product.find(" = ");
@@ -76,7 +76,7 @@ void check_line(const std::string& product, const std::string& result, std::size
     CHECK(within_last_digit(evaluated(product.substr(0, equals), channel), dropped));
 }
 
-/// Numbers with all their digits, as a hand that drags leaves them.
+/// Numbers with many digits, as after dragging.
 class Dice {
   public:
     explicit Dice(unsigned seed) : random_(seed) {}
@@ -123,7 +123,7 @@ Scene random_scene(Dice& dice, LightKind kind, Reflection reflection) {
 
 std::string of_window(double x) { return fmt::format("{:.3f}", x); }
 
-/// Each line of a point in each channel, as the window writes them.
+/// Each line of a point in each channel, as the window writes it.
 int check_lines(const Scene& scene, const Explanation& e, const ExplainedPoint& at) {
     int lines = 0;
     const auto check = [&](const EquationLine& line) {
@@ -140,7 +140,7 @@ int check_lines(const Scene& scene, const Explanation& e, const ExplainedPoint& 
     return lines;
 }
 
-/// Each term that the text of an explanation writes, whose red, green and blue end a line.
+/// Each term in the text of an explanation whose red, green and blue end a line.
 int check_text(const std::string& text) {
     std::istringstream in(text);
     int terms = 0;
@@ -153,7 +153,7 @@ int check_text(const std::string& text) {
         const std::string name = line.substr(0, line.find(' ', 2));
         if (name != "  ambient" && name != "  diffuse" && name != "  specular") continue;
         std::string product = line.substr(12), numbers = line;
-        if (line.find("  ", 12) == std::string::npos) std::getline(in, numbers);  // it was too long
+        if (line.find("  ", 12) == std::string::npos) std::getline(in, numbers);  // the line was too long
         if (const std::size_t gap = product.find("  "); gap != std::string::npos) product.resize(gap);
         REQUIRE(numbers.size() > 30);
         for (std::size_t c = 0; c < 3; ++c)
@@ -165,8 +165,7 @@ int check_text(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("what is written of 500 pixels under every kind of light and model multiplies to what is written",
-          "[explain][why]") {
+TEST_CASE("written factors multiply to the written results for every light and model", "[explain][why]") {
     Dice dice(14);
     Renderer renderer(1);
     constexpr PictureSize size{64, 48};
@@ -208,7 +207,7 @@ TEST_CASE("a model without a highlight has no line for one", "[explain][why]") {
     }
 }
 
-TEST_CASE("a highlight behind the surface is written as what is dropped, and not as a product with n·l",
+TEST_CASE("a highlight behind the surface is written as dropped, not as a product with n·l",
           "[explain][why]") {
     Scene scene = test::busy_scene();
     scene.shading.reflection = Reflection::BlinnPhong;
@@ -229,7 +228,7 @@ TEST_CASE("a highlight behind the surface is written as what is dropped, and not
     CHECK(dropped > 20);
 }
 
-TEST_CASE("each letter of the equation stands for one thing, in LaTeX too", "[explain][why]") {
+TEST_CASE("each letter of the equation has one meaning, also in LaTeX", "[explain][why]") {
     std::set<std::string> letters, latex;
     for (std::size_t i = 0; i < quantity_rows.size(); ++i) {
         const QuantityRow& row = quantity_rows[i];
@@ -241,7 +240,7 @@ TEST_CASE("each letter of the equation stands for one thing, in LaTeX too", "[ex
     }
 }
 
-TEST_CASE("a Gouraud pixel has what each way of weighing the corners makes of it", "[explain][why]") {
+TEST_CASE("a Gouraud pixel combines its corners by each kind of interpolation", "[explain][why]") {
     Scene scene = test::busy_scene();
     scene.shading.mode = ShadingMode::Gouraud;
     Renderer drawn(1), other(1);
@@ -267,10 +266,8 @@ TEST_CASE("a Gouraud pixel has what each way of weighing the corners makes of it
     CHECK(different > 20);
 }
 
-TEST_CASE(
-    "what is written under each mistake multiplies to what is written, and names what the mistake makes of "
-    "it",
-    "[explain][why]") {
+TEST_CASE("written factors under each mistake multiply to the results and name its effect",
+          "[explain][why]") {
     Dice dice(15);
     Renderer renderer(1);
     constexpr PictureSize size{32, 24};
@@ -281,7 +278,7 @@ TEST_CASE(
                 if (reflection == Reflection::None) continue;
                 Scene scene = random_scene(dice, kind, reflection);
                 scene.shading.mode = ShadingMode::Phong;
-                // Of vectors that are not unit, larger powers have no number.
+                // Vectors that are not unit have no numbers for larger powers.
                 for (Object& object : scene.objects)
                     object.material.shininess = std::min(object.material.shininess, 4.0f);
                 scene.shading.mistakes.*mistake.flag = true;
@@ -302,7 +299,7 @@ TEST_CASE(
     CHECK(with_mistake > 50);
 }
 
-TEST_CASE("ambient light that a mistake adds twice is written times 2, and a cosine without its pi over pi",
+TEST_CASE("repeated ambient light is written as times 2, a cosine without its pi as over pi",
           "[explain][why]") {
     Scene scene = test::busy_scene();
     scene.shading.reflection = Reflection::Lambert;
@@ -337,7 +334,7 @@ TEST_CASE("ambient light that a mistake adds twice is written times 2, and a cos
     CHECK(factors[factors.size() - 2].value.x == Approx(rough[1].factors.back().value.x));
 }
 
-TEST_CASE("what a mistake clamps, and how a byte wraps, is written", "[explain]") {
+TEST_CASE("clamping by a mistake and wrapping bytes are written", "[explain]") {
     Scene scene = test::busy_scene();
     for (Light& light : scene.lights) light.intensity = 9;
     Renderer renderer(1);
@@ -366,7 +363,7 @@ TEST_CASE("what a mistake clamps, and how a byte wraps, is written", "[explain]"
     CHECK(text.find(fmt::format("→ byte {}", wrapped.byte[0])) != std::string::npos);
 }
 
-TEST_CASE("what a point is lit in, once for what, and how it is encoded is said as it is", "[explain]") {
+TEST_CASE("the text names the lighting space, the lit point and the encoding", "[explain]") {
     Scene scene = test::busy_scene();
     const auto says = [&](const char* words) {
         Renderer renderer(1);

@@ -12,7 +12,7 @@
 using namespace glint;
 using namespace glint::test;
 
-TEST_CASE("a picked point is carried through every space to its own pixel", "[explain][lecture]") {
+TEST_CASE("a picked point transformed through every space returns to its pixel", "[explain][lecture]") {
     Renderer renderer(1);
     const Scene scene = busy_scene();
     renderer.render(scene, {96, 72});

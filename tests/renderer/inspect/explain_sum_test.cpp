@@ -1,5 +1,5 @@
-// The promise of docs/explain.md: what `explain` lists, added as floats in its order, is the pixel to the
-// last bit.
+// The guarantee of docs/explain.md: the values that `explain` lists, added as floats in order, equal the
+// pixel bit by bit.
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -24,7 +24,7 @@ void add(Rgb& sum, const Rgb& more) {
     for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + more[i];
 }
 
-/// base, and the shares in order; clamped as fixed-function OpenGL does where `clamps` says so.
+/// base, and the shares in order; clamped like fixed-function OpenGL if `clamps`.
 Rgb added_up(const Json& at, bool clamps) {
     Rgb sum = rgb_of(at["base"]);
     for (const Json& light : at["lights"]) {
@@ -59,9 +59,8 @@ void check_pixel(const Json& e, const Scene& scene, const glm::vec3& pixel) {
 
 }  // namespace
 
-TEST_CASE(
-    "base and shares, added as floats, are the sum of every shipped scene under every mode, model and rules",
-    "[explain][release]") {
+TEST_CASE("base and shares add to the sum for every shipped scene, mode, model and rules",
+          "[explain][release]") {
     Renderer renderer(1);
     const PictureSize size{47, 29};
     for (const std::string& path : test::asset_scenes()) {

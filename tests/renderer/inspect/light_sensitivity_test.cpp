@@ -1,4 +1,4 @@
-// What matters to which kind of light, against the lecture's table and against hand-worked numbers.
+// The properties that matter to each kind of light, against the lecture's table and hand-worked numbers.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -13,7 +13,7 @@ const PictureSize light_picture{100, 100};
 const glm::vec3 place{0.2f, -0.1f, -4};
 const glm::vec3 normal = glm::normalize(glm::vec3(0.1f, 0.3f, 1));
 
-/// In camera coordinates, so that no camera stands between the numbers.
+/// In camera coordinates, so that no camera transform is involved.
 Light light_of(LightKind kind) {
     Light light;
     light.kind = kind;
@@ -35,8 +35,7 @@ LightSensitivity sensitivity_of(LightKind kind, bool local_viewer = true) {
 
 }  // namespace
 
-TEST_CASE("what matters to which light is the lecture's table, and a sun's highlight is not in it",
-          "[lighting][why]") {
+TEST_CASE("light sensitivity matches the lecture's table, which omits a sun's highlight", "[lighting][why]") {
     for (const LightKind kind :
          {LightKind::Directional, LightKind::Point, LightKind::Spot, LightKind::Area}) {
         INFO(static_cast<int>(kind));
@@ -55,7 +54,7 @@ TEST_CASE("a viewer at infinity does not move", "[lighting][why]") {
     CHECK(sensitivity_of(LightKind::Point, false).specular.light > 0);
 }
 
-TEST_CASE("how far terms move is as worked", "[lighting][why]") {
+TEST_CASE("how far terms change matches values worked by hand", "[lighting][why]") {
     Scene scene;
     Light bulb = light_of(LightKind::Point);
     // Straight above the point, 2 away, 1 / r²: from 1/4 to 1 / 1.8².

@@ -34,7 +34,7 @@ Reflector matt(Reflection reflection, float sigma_deg = 0) {
     return r;
 }
 
-/// Where in the plane of incidence the specular term is largest, degrees from n.
+/// The direction of the largest specular term in the plane of incidence, degrees from n.
 double brightest(const Reflector& r, double light_deg) {
     const auto slice = lobe_slice(r, light_deg, 1800);
     return std::max_element(slice.begin(), slice.end(),
@@ -62,7 +62,7 @@ TEST_CASE("lobe: the lecture's intensities at 60, 25 and 0 degrees", "[lobes]") 
     CHECK(along(25, 0) == Approx(0.609075).epsilon(1e-5));
 }
 
-TEST_CASE("lobe: a slice is the closed form at every angle", "[lobes]") {
+TEST_CASE("lobe: a slice equals the closed form at every angle", "[lobes]") {
     const auto slice = lobe_slice(mirror_like(Reflection::Phong, 20), 25, 180);
     REQUIRE(slice.size() == 181);
     CHECK(slice.front().view_deg == -90);
@@ -89,7 +89,7 @@ TEST_CASE("lobe: the energy of Phong's lobe is 2 pi / (shininess + 2)", "[lobes]
         CHECK(specular_energy(mirror_like(Reflection::Phong, s), 0).x == Approx(closed).epsilon(1e-4));
         CHECK(specular_energy(mirror_like(Reflection::Retro, s), 0).x == Approx(closed).epsilon(1e-4));
     }
-    // While the lobe is above the horizon, the cosine of its direction scales it.
+    // While the lobe is above the horizon, it is scaled by the cosine of its direction.
     CHECK(specular_energy(mirror_like(Reflection::Phong, 100), 60).x == Approx(pi / 102).epsilon(1e-4));
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("lobe: white Lambert reflects all light, from everywhere", "[lobes][en
         CHECK(directional_albedo(matt(Reflection::Lambert), deg).x == Approx(1).epsilon(1e-4));
 }
 
-TEST_CASE("lobe: Oren-Nayar's albedo is that of the table", "[lobes][energy]") {
+TEST_CASE("lobe: Oren-Nayar's albedo matches the table", "[lobes][energy]") {
     const double table[][3] = {{0, 0.8652, 0.7019}, {60, 0.9423, 0.8151}, {80, 0.9786, 0.8683}};
     for (const auto& [deg, at_20, at_40] : table) {
         INFO("light at " << deg);
@@ -118,7 +118,7 @@ TEST_CASE("lobe: Oren-Nayar's albedo is that of the table", "[lobes][energy]") {
     }
 }
 
-TEST_CASE("lobe: Cook-Torrance's albedo is that of the table, and never above 1", "[lobes][energy]") {
+TEST_CASE("lobe: Cook-Torrance's albedo matches the table, and never exceeds 1", "[lobes][energy]") {
     const double table[][5] = {{0, 0.9883, 0.9158, 0.6879, 0.3069},
                                {60, 0.9692, 0.8573, 0.6983, 0.4507},
                                {80, 0.8955, 0.8556, 0.8053, 0.6682}};
@@ -134,9 +134,8 @@ TEST_CASE("lobe: Cook-Torrance's albedo is that of the table, and never above 1"
         }
 }
 
-TEST_CASE("lobe: a grazing light is measured as an integral over the viewer's directions has it",
-          "[lobes][energy]") {
-    // By a program of its own: 4000 x 4000 directions v, dense at the horizon and at the plane of incidence.
+TEST_CASE("lobe: the albedo at a grazing light matches an independent integral", "[lobes][energy]") {
+    // From a separate program: 4000 x 4000 directions v, dense at the horizon and at the plane of incidence.
     const double cook_torrance[][4] = {{88, 0.979876, 0.893369, 0.949353},
                                        {89, 0.937209, 0.924960, 0.971168},
                                        {89.5, 0.894263, 0.957117, 0.983951}};
@@ -157,12 +156,12 @@ TEST_CASE("lobe: a grazing light is measured as an integral over the viewer's di
         CHECK(specular_energy(mirror_like(Reflection::BlinnPhong, 10000), deg).x ==
               Approx(at_10000).epsilon(5e-4));
     }
-    // The smoothest, a mirror but for Smith's 2 / (1 + sqrt(1 + a^2 tan^2)) each way, a = 0.001 at 60
+    // The smoothest, a mirror except for Smith's 2 / (1 + sqrt(1 + a^2 tan^2)) each way, a = 0.001 at 60
     // degrees.
     CHECK(directional_albedo(mirror_like(Reflection::CookTorrance, 0, 0), 60).x == Approx(1).margin(1e-5));
 }
 
-TEST_CASE("lobe: BRDFs may be read backwards; the slides' Phong as f / n.l may not", "[lobes][reciprocity]") {
+TEST_CASE("lobe: BRDFs are reciprocal; the slides' Phong as f / n.l is not", "[lobes][reciprocity]") {
     CHECK(reciprocity_error(matt(Reflection::Lambert)) < 1e-5);
     CHECK(reciprocity_error(matt(Reflection::OrenNayar, 30)) < 1e-4);
     CHECK(reciprocity_error(mirror_like(Reflection::CookTorrance)) < 1e-4);
@@ -171,7 +170,7 @@ TEST_CASE("lobe: BRDFs may be read backwards; the slides' Phong as f / n.l may n
     CHECK(reciprocity_error(mirror_like(Reflection::Retro)) > 0.5);
 }
 
-TEST_CASE("lobe: f of Cook-Torrance and Oren-Nayar is that of the worked directions", "[lobes]") {
+TEST_CASE("lobe: f of Cook-Torrance and Oren-Nayar matches the worked directions", "[lobes]") {
     Reflector ggx = mirror_like(Reflection::CookTorrance, 0, 0.5f);  // a = .25
     ggx.material.f0 = glm::vec3(0.04f);
     CHECK(brdf(ggx, in_plane(-30), in_plane(30)).x == Approx(0.06727924).epsilon(1e-4));

@@ -1,4 +1,4 @@
-// Rough surfaces as many mirrors: what is counted against what the densities say.
+// Rough surfaces as many mirrors: counted rays against the densities.
 #include "renderer/reflectance/microfacets.h"
 
 #include <cmath>
@@ -23,13 +23,14 @@ MicrofacetOptions many(double sigma_deg, double light_deg) {
 }  // namespace
 
 TEST_CASE("microfacets: at 20 degrees of tilt 2.4 % of head-on rays go into the surface", "[microfacets]") {
-    // A facet tilted by more than 45 degrees sends a head-on ray below the horizon: 2.25 deviations, 2.44 %.
+    // A facet tilted by more than 45 degrees reflects a head-on ray below the horizon: 2.25 deviations, 2.44
+    // %.
     const MicrofacetPicture p = microfacet_picture(many(20, 0));
     CHECK(p.inward == Approx(0.0244).margin(0.002));
-    CHECK(p.shadowed == 0);  // head-on nothing stands in the way
+    CHECK(p.shadowed == 0);  // head-on nothing is in the way
 }
 
-TEST_CASE("microfacets: every ray leaves its facet at the angle at which it came", "[microfacets]") {
+TEST_CASE("microfacets: every ray leaves its facet at the angle of incidence", "[microfacets]") {
     const MicrofacetPicture p = microfacet_picture(many(15, 35));
     REQUIRE(p.rays.size() == 100000);
     for (const FacetRay& ray : p.rays) {
@@ -50,8 +51,7 @@ TEST_CASE("microfacets: a smooth surface is one mirror", "[microfacets]") {
     CHECK(p.smith_g1 == 1);
 }
 
-TEST_CASE("microfacets: the facets whose normal is h are as many as the density of tilts says",
-          "[microfacets]") {
+TEST_CASE("microfacets: the number of facets with normal h follows the density of tilts", "[microfacets]") {
     for (const double view : {30.0, 10.0, -20.0, 60.0}) {
         MicrofacetOptions o = many(15, 30);
         o.rays = 1;
@@ -66,7 +66,7 @@ TEST_CASE("microfacets: the facets whose normal is h are as many as the density 
     }
 }
 
-TEST_CASE("microfacets: the share of rays not shadowed follows Smith's G1", "[microfacets]") {
+TEST_CASE("microfacets: the fraction of unshadowed rays follows Smith's G1", "[microfacets]") {
     for (const double sigma : {10.0, 20.0, 30.0}) {
         double before = 1;
         for (const double light : {30.0, 50.0, 60.0, 70.0, 80.0}) {
@@ -80,7 +80,7 @@ TEST_CASE("microfacets: the share of rays not shadowed follows Smith's G1", "[mi
     }
 }
 
-TEST_CASE("microfacets: the same seed gives the same picture, another seed another", "[microfacets]") {
+TEST_CASE("microfacets: equal seeds give equal pictures, another seed another picture", "[microfacets]") {
     MicrofacetOptions o;
     const MicrofacetPicture a = microfacet_picture(o), b = microfacet_picture(o);
     CHECK(a.profile == b.profile);
@@ -89,14 +89,14 @@ TEST_CASE("microfacets: the same seed gives the same picture, another seed anoth
     CHECK(microfacet_picture(o).profile != a.profile);
 }
 
-TEST_CASE("microfacets: bounced rays in space tend to D(h) (n.h) / (4 v.h)", "[microfacets]") {
+TEST_CASE("microfacets: bounced rays in space converge to D(h) (n.h) / (4 v.h)", "[microfacets]") {
     for (const double roughness : {0.0, 0.05, 0.1, 0.3, 0.5, 0.8}) {
         for (const double view : {0.0, 32.0, 70.0, 89.0}) {
             INFO("roughness " << roughness << ", view " << view);
             double counted = 0, expected = 0;
             for (const LobeBin& bin : facet_lobe(roughness, view, 200000, 3)) {
                 INFO("bin from " << bin.from_deg << ": " << bin.share << " against " << bin.expected);
-                // Four deviations of a counted share, and what the quadrature leaves.
+                // Four deviations of a counted fraction, plus the quadrature error.
                 CHECK(std::abs(bin.share - bin.expected) < 4 * std::sqrt(bin.expected / 200000) + 1e-4);
                 counted += bin.share;
                 expected += bin.expected;
@@ -116,7 +116,7 @@ TEST_CASE("microfacets: head-on, half the GGX facets are tilted by less than ata
     CHECK(less / 1e5 == Approx(0.5).margin(0.01));
 }
 
-TEST_CASE("microfacets: where no facet faces the light there are no rays", "[microfacets]") {
+TEST_CASE("microfacets: there are no rays if no facet faces the light", "[microfacets]") {
     MicrofacetOptions o;
     o.roughness = 1;
     o.light_deg = 89;
@@ -128,7 +128,7 @@ TEST_CASE("microfacets: where no facet faces the light there are no rays", "[mic
         CHECK(p.free + p.shadowed + p.masked + p.inward == Approx(p.rays.empty() ? 0 : 1));
         for (const FacetRay& ray : p.rays) CHECK(std::isfinite(ray.at.x));
     }
-    // Two facets are aimed at, and half of all lean away by more than one degree, or nearly.
+    // Two facets are targeted, and about half of all lean away by more than one degree.
     CHECK(dark > 10);
     CHECK(dark < 40);
 }

@@ -18,8 +18,8 @@ constexpr int pixels_per_unit = 200;
 constexpr int width = 2 * pixels_per_unit, height = 20;
 constexpr std::size_t edge = pixels_per_unit;  // the first pixel right of the middle edge
 
-/// Two facets from x = -1 to 0 and 0 to 1, turned by 10 degrees to either side, with vertex normals at -20, 0
-/// and 20 degrees; a sun at 30 degrees; only k_d = 1 counts, so intensity is the cosine.
+/// Two facets from x = -1 to 0 and 0 to 1, tilted by 10 degrees to either side, with vertex normals at -20, 0
+/// and 20 degrees; a sun at 30 degrees; only k_d = 1 is used, so intensity is the cosine.
 Scene strip(ShadingMode mode) {
     const auto back = static_cast<float>(-std::tan(10 * degree));
     auto mesh = std::make_shared<Mesh>();
@@ -64,14 +64,14 @@ TEST_CASE("profile: Gouraud shading's slope jumps at an edge by the closed form"
     const double left = slope(samples[edge - 50]), right = slope(samples[edge + 50]);
     CHECK(left == Approx(0.223238).margin(5e-5));
     CHECK(right == Approx(0.118782).margin(5e-5));
-    // -2 k_d cos(30) (1 - cos(20)) / 1, all of it within the two samples beside the edge.
+    // -2 k_d cos(30) (1 - cos(20)) / 1, entirely within the two samples at the edge.
     const double jump =
         (*samples[edge - 1].second_difference + *samples[edge].second_difference) * pixels_per_unit;
     CHECK(jump == Approx(-0.104455).margin(1e-4));
     CHECK(std::abs(*samples[edge - 20].second_difference) * pixels_per_unit < 1e-4);
 }
 
-TEST_CASE("a slope jump between two pixels is measured in full at both", "[profile]") {
+TEST_CASE("a slope jump between two pixels is measured fully at both", "[profile]") {
     const auto line_with_jump = [](double at) {  // slopes 0.002 and 0.0077
         std::vector<ProfileSample> samples(40);
         for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -118,21 +118,21 @@ TEST_CASE("profile: Phong shading's slope does not jump on a symmetric strip", "
     CHECK(slope(samples[edge + 1]) == Approx(0.171010).margin(1e-3));
     const double jump =
         (*samples[edge - 1].second_difference + *samples[edge].second_difference) * pixels_per_unit;
-    CHECK(std::abs(jump) < 3e-3);  // what a smooth curve bends over two pixels
+    CHECK(std::abs(jump) < 3e-3);  // the change of a smooth curve over two pixels
     CHECK(samples[edge / 2].intensity == Approx(0.766044).margin(1e-3));
     CHECK(samples[edge + edge / 2].intensity == Approx(0.939693).margin(1e-3));
 }
 
-TEST_CASE("profile: flat shading steps at an edge, and nowhere else", "[profile]") {
+TEST_CASE("profile: flat shading steps only at an edge", "[profile]") {
     const auto samples = across(strip(ShadingMode::Flat));
     CHECK(*samples[edge].first_difference == Approx(0.173648).margin(1e-5));
     for (std::size_t i = 1; i < samples.size(); ++i)
         if (i != edge) REQUIRE(*samples[i].first_difference == 0);
 }
 
-TEST_CASE("profile: a sample knows its face, and background has none", "[profile]") {
+TEST_CASE("profile: a sample has its face, and background has none", "[profile]") {
     Scene scene = strip(ShadingMode::Phong);
-    scene.camera.eye.x = scene.camera.target.x = 0.5f;  // a quarter of the picture sees nothing
+    scene.camera.eye.x = scene.camera.target.x = 0.5f;  // a quarter of the picture is background
     const auto samples = across(scene);
     CHECK(samples.front().seen->face == 0);
     CHECK(samples[width / 4 - 1].seen->face == 0);
@@ -141,7 +141,7 @@ TEST_CASE("profile: a sample knows its face, and background has none", "[profile
     CHECK(samples.back().color == scene.display.background);
 }
 
-TEST_CASE("profile: samples are the picture's own pixels, whole steps along the longer axis", "[profile]") {
+TEST_CASE("profile: samples are pixels of the picture, one per step along the longer axis", "[profile]") {
     const Scene scene = busy_scene();
     Renderer renderer(1);
     const Picture& picture = renderer.render(scene, {64, 48}, true);
@@ -166,7 +166,7 @@ TEST_CASE("profile: the intensity of a grey is its value", "[profile]") {
     CHECK(intensity_of({0, 0, 1}) == Approx(0.0722));
 }
 
-TEST_CASE("profile: the CSV has a named column for each number, empty where there is none", "[profile]") {
+TEST_CASE("profile: the CSV has a named column for each number, empty if it has no value", "[profile]") {
     ProfileSample first, last;
     first.color = glm::vec3(0.5f);
     first.intensity = 0.5;
@@ -195,19 +195,20 @@ template <class Intensity> std::vector<ProfileSample> made_up(int count, const I
 
 }  // namespace
 
-TEST_CASE("profile: the eye sees an even rise as it is, and a band where the slope changes", "[profile]") {
+TEST_CASE("profile: perceived brightness follows an even ramp and has bands at bends", "[profile]") {
     const auto rise = made_up(200, [](int i) { return 0.1 + 0.002 * i; });
     const std::vector<double> seen_rise = perceived(rise, 12);
     for (std::size_t i = 0; i < rise.size(); ++i) CHECK(seen_rise[i] == Approx(rise[i].intensity));
 
-    // Dark, a ramp from 100 to 200, bright: what Mach drew.
+    // Dark, a ramp from 100 to 200, bright: Mach's own figure.
     const auto ramp = made_up(300, [](int i) { return 0.2 + 0.006 * std::clamp(i - 100, 0, 100); });
     const std::vector<double> seen = perceived(ramp, 12);
     CHECK(seen[100] < ramp[100].intensity - 0.01);
     CHECK(seen[200] > ramp[200].intensity + 0.01);
     CHECK(seen[150] == Approx(ramp[150].intensity).margin(1e-4));
     CHECK(seen[20] == Approx(0.2));
-    // At a bend by s the mean of |x| under a Gaussian counts: s (wide - narrow) / sqrt(2 pi).
+    // At a bend by s the result is proportional to the mean of |x| under a Gaussian: s (wide - narrow) /
+    // sqrt(2 pi).
     CHECK(ramp[100].intensity - seen[100] ==
           Approx(0.006 * (12 - 1) / std::sqrt(2 * std::numbers::pi)).epsilon(0.02));
 }

@@ -1,4 +1,4 @@
-// Derivatives of a pixel against those of the equation, and the buffers behind a picture against its
+// Derivatives of a pixel against those of the equation, and the buffers of a picture against its
 // explanations.
 #include "renderer/debug_views/sensitivity.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr PictureSize sensitive_size{64, 48};
 
-/// A ball under a sun, another ball beside it.
+/// A ball under a sun, next to another ball.
 SceneDocument balls() {
     SceneDocument document;
     Scene& scene = document.scene;
@@ -58,8 +58,7 @@ bool lists(const std::vector<std::string>& pointers, const std::string& pointer)
 
 }  // namespace
 
-TEST_CASE("sensitivity: the pixel changes with each number as the equation's derivative says",
-          "[sensitivity]") {
+TEST_CASE("sensitivity: the pixel changes with each number by the equation's derivative", "[sensitivity]") {
     const SceneDocument document = balls();
     Renderer renderer(1);
     (void)renderer.render(document.scene, sensitive_size);
@@ -86,7 +85,7 @@ TEST_CASE("sensitivity: the pixel changes with each number as the equation's der
     }));
 }
 
-TEST_CASE("sensitivity: numbers that are 0 change the pixel as two pictures far apart say", "[sensitivity]") {
+TEST_CASE("sensitivity: numbers that are 0 change the pixel like two distant pictures", "[sensitivity]") {
     SceneDocument document = balls();
     document.scene.objects[0].transform = {{0, 0, 0}, {0, 0, 0}, {1, 1.3f, 0.8f}};
     const Sensitivities s = of_pixel(document, 30, 20);
@@ -113,9 +112,9 @@ TEST_CASE("sensitivity: a light that culls faces moves them", "[sensitivity][mis
     Object& cube = document.scene.objects[0];
     cube.source = PrimitiveMesh{Primitive::Cube, 1};
     cube.mesh = primitive(Primitive::Cube, 1);
-    document.scene.shading.cull = Cull::Back;  // behind that face is the background
-    constexpr float z = 5e-5f, h = 1e-4f;      // h: of 0.1, the least that is taken for the size of a number
-    document.scene.lights[0].position = {1, 0, z, 0};  // grazes the face before the eye
+    document.scene.shading.cull = Cull::Back;          // the background is behind that face
+    constexpr float z = 5e-5f, h = 1e-4f;              // h: of 0.1, the smallest assumed size of a number
+    document.scene.lights[0].position = {1, 0, z, 0};  // grazes the face in front of the eye
     const auto drawn = [&document](float at) {
         Scene scene = document.scene;
         scene.lights[0].position.z = at;
@@ -126,8 +125,7 @@ TEST_CASE("sensitivity: a light that culls faces moves them", "[sensitivity][mis
     CHECK(change_of(of_pixel(document, 32, 24), "/lights/0/position/2").x == Approx(expected));
 }
 
-TEST_CASE("sensitivity: what moves faces is drawn anew: the change is that between two pictures",
-          "[sensitivity]") {
+TEST_CASE("sensitivity: a number that moves faces has the change between two pictures", "[sensitivity]") {
     const SceneDocument document = balls();
     const Sensitivities s = of_pixel(document, 30, 20);
     const auto pixel_with = [&](const std::string& pointer, double value) {
@@ -148,7 +146,7 @@ TEST_CASE("sensitivity: what moves faces is drawn anew: the change is that betwe
     }
 }
 
-TEST_CASE("sensitivity: a number that is the w of a position says so", "[sensitivity]") {
+TEST_CASE("sensitivity: the w of a position is marked as such", "[sensitivity]") {
     SceneDocument document = balls();
     document.scene.lights[0].kind = LightKind::Point;
     document.scene.lights[0].position = {2, 3, 4, 1};
@@ -158,7 +156,7 @@ TEST_CASE("sensitivity: a number that is the w of a position says so", "[sensiti
     CHECK(w == std::vector<std::string>{"/lights/0/position/3"});
 }
 
-TEST_CASE("sensitivity: no number of the scene moves a pixel that is NaN and stays so", "[sensitivity]") {
+TEST_CASE("sensitivity: no number changes a pixel that is and stays NaN", "[sensitivity]") {
     SceneDocument document = balls();
     document.scene.shading.reflection = Reflection::Phong;
     document.scene.shading.mistakes.power_zero_is_nan = true;
@@ -173,12 +171,12 @@ TEST_CASE("sensitivity: no number of the scene moves a pixel that is NaN and sta
             ++found;
             const Sensitivities s = of_pixel(document, x, y);
             CHECK(lists(s.no_effect, "/display/background/0"));
-            CHECK(s.numbers.size() < 5);  // a shininess that is not 0 makes it a number
+            CHECK(s.numbers.size() < 5);  // a shininess other than 0 makes it a number
         }
     CHECK(found == 1);
 }
 
-TEST_CASE("sensitivity: what has no effect is named, and what cannot move a little", "[sensitivity]") {
+TEST_CASE("sensitivity: numbers without effect and those that cannot change are named", "[sensitivity]") {
     const Sensitivities s = of_pixel(balls(), 30, 20);
     for (const char* zero : {"/lights/0/falloff/quadratic", "/lights/0/spot/cutoff_deg", "/objects/1",
                              "/display/background/0", "/objects/0/material/roughness", "/npr/alpha"}) {
@@ -214,7 +212,7 @@ TEST_CASE("sensitivity: a step that clears the last digits does not reach the ne
           Approx(slope).epsilon(0.1));
 }
 
-TEST_CASE("sensitivity: of the second object the numbers keep their pointers", "[sensitivity]") {
+TEST_CASE("sensitivity: numbers of the second object keep their pointers", "[sensitivity]") {
     const SceneDocument document = balls();
     Renderer renderer(1);
     (void)renderer.render(document.scene, sensitive_size);
@@ -224,8 +222,7 @@ TEST_CASE("sensitivity: of the second object the numbers keep their pointers", "
     CHECK(lists(s.no_effect, "/objects/0"));
 }
 
-TEST_CASE("sensitivity: another object's stroke over the pixel counts, as far as it covers it",
-          "[sensitivity]") {
+TEST_CASE("sensitivity: another object's stroke over the pixel counts by its coverage", "[sensitivity]") {
     SceneDocument document = balls();
     Scene& scene = document.scene;
     scene.objects[0].transform.scale = glm::vec3(2);  // fills the picture behind the other
@@ -252,7 +249,7 @@ TEST_CASE("sensitivity: another object's stroke over the pixel counts, as far as
     CHECK(partly);
 }
 
-TEST_CASE("sensitivity: how far it has come is told after each number", "[sensitivity]") {
+TEST_CASE("sensitivity: progress is reported after each number", "[sensitivity]") {
     std::vector<std::size_t> told;
     std::size_t all = 0;
     const auto made =
@@ -268,7 +265,7 @@ TEST_CASE("sensitivity: how far it has come is told after each number", "[sensit
     for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i] == i + 1);
 }
 
-TEST_CASE("sensitivity: more lights than it takes time for are a problem", "[sensitivity][bad-input]") {
+TEST_CASE("sensitivity: a scene with too many lights is a problem", "[sensitivity][bad-input]") {
     SceneDocument document = balls();
     document.scene.lights.resize(max_sensitivity_lights + 1);
     const auto made = sensitivities(document, sensitive_size, 1, 1, 1);
@@ -307,7 +304,7 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
                     sum += buffer(term).linear_at(x, y);
                 for (int c = 0; c < 3; ++c)
                     REQUIRE(sum[c] == Approx(picture.linear_at(x, y)[c]).margin(2e-6));
-                for (const char* direction : {"view", "l_1"}) {  // that of a bulb
+                for (const char* direction : {"view", "l_1"}) {  // for a bulb
                     const float length = glm::length(buffer(direction).linear_at(x, y));
                     if (mode == ShadingMode::Gouraud)
                         shortest = std::min(shortest, length);
@@ -319,7 +316,7 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
     }
 }
 
-TEST_CASE("an effect that takes the object away shows what stands behind it", "[sensitivity]") {
+TEST_CASE("an effect that removes the object shows the one behind it", "[sensitivity]") {
     SceneDocument document = balls();
     document.scene.objects[1].transform.translate = {0, 0, -2};  // behind the first
     document.scene.objects[1].transform.scale = glm::vec3(3);
@@ -331,7 +328,7 @@ TEST_CASE("an effect that takes the object away shows what stands behind it", "[
     REQUIRE(renderer.object_at(edge.x + 1, edge.y) == 1);
     const glm::dvec3 now(renderer.explain(edge.x, edge.y).sum);
     const Sensitivities found = of_pixel(document, edge.x, edge.y);
-    int behind = 0;  // numbers whose move shows the other ball
+    int behind = 0;  // numbers whose change shows the other ball
     for (const Sensitivity& s : found.numbers) {
         Scene moved = document.scene;
         if (set_number(moved, s.pointer, s.value + s.move)) continue;
@@ -346,8 +343,7 @@ TEST_CASE("an effect that takes the object away shows what stands behind it", "[
     CHECK(behind > 3);
 }
 
-TEST_CASE("an effect is what the pixel gains when its number moves by a tenth of its usual range",
-          "[sensitivity]") {
+TEST_CASE("an effect is the pixel's change for a tenth of its number's usual range", "[sensitivity]") {
     SceneDocument document;
     document.scene = test::busy_scene();
     const PictureSize sensitive_size{64, 48};

@@ -1,4 +1,4 @@
-// Grids of pictures: how values are split, where pictures stand, and that there are words beside them.
+// Grids of pictures: splitting of values, positions of pictures, and their labels.
 #include "renderer/image/sheet.h"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ TEST_CASE("sheet: an axis without pointer, '=' or value is a problem", "[sheet]"
     }
 }
 
-TEST_CASE("sheet: every picture stands in its cell and each row and column has words", "[sheet]") {
+TEST_CASE("sheet: every picture is in its cell and each row and column has a label", "[sheet]") {
     const SheetAxis rows{"/shading/mode", {"flat", "phong"}}, columns{"/display/exposure", {"1", "2", "[3]"}};
     const PictureSize cell{60, 50};
     const Font f = font();
@@ -72,7 +72,7 @@ TEST_CASE("sheet: every picture stands in its cell and each row and column has w
             return drawn = filled(cell, static_cast<std::uint8_t>(200 + 10 * r + c));
         });
     CHECK(sheet.size == sheet_size(rows, columns, cell, f));
-    // Cells are found from the right and bottom, where nothing but the margin stands.
+    // Cells are located from the right and bottom, where there is only the margin.
     const int margin = 14, gap = 7;
     for (int r = 0; r < 2; ++r)
         for (int c = 0; c < 3; ++c) {
@@ -87,11 +87,11 @@ TEST_CASE("sheet: every picture stands in its cell and each row and column has w
             const int top = sheet.size.height - margin - 2 * cell.height - gap;
             CHECK(ink_in(sheet, right - cell.width, 0, right, top) > 20);  // above the column
             const int left = sheet.size.width - margin - 3 * cell.width - 2 * gap;
-            CHECK(ink_in(sheet, 0, bottom - cell.height, left, bottom) > 20);  // beside the row
+            CHECK(ink_in(sheet, 0, bottom - cell.height, left, bottom) > 20);  // next to the row
         }
 }
 
-TEST_CASE("sheet: words that do not fit end in an ellipsis", "[sheet]") {
+TEST_CASE("sheet: labels that do not fit end in an ellipsis", "[sheet]") {
     const Font f = font();
     const std::string text = "[0.125, 0.25, 0.5] größer als die Zelle";
     for (const int most : {20, 50, 100, 200}) {
@@ -100,10 +100,10 @@ TEST_CASE("sheet: words that do not fit end in an ellipsis", "[sheet]") {
         CHECK(shown.ends_with("…"));
     }
     CHECK(f.fitted("ok", 16, 200) == "ok");
-    CHECK(f.fitted("\xff\xff\xff", 16, 5).size() <= 4);  // no UTF-8, and no room
+    CHECK(f.fitted("\xff\xff\xff", 16, 5).size() <= 4);  // not UTF-8, and no space
 }
 
-TEST_CASE("sheet: without a font there is a problem that says what to install", "[sheet]") {
+TEST_CASE("sheet: a missing font is a problem that names the package to install", "[sheet]") {
     setenv("GLINT_FONT", "/nonexistent/font.ttf", 1);
     const auto found = Font::find();
     unsetenv("GLINT_FONT");
@@ -114,7 +114,7 @@ TEST_CASE("sheet: without a font there is a problem that says what to install", 
           "fonts-dejavu-core, or its path in GLINT_FONT");
 }
 
-TEST_CASE("variant: a scene with something else in it shares the meshes that stay", "[scene]") {
+TEST_CASE("variant: a changed scene shares the unchanged meshes", "[scene]") {
     SceneDocument document;
     document.scene = busy_scene();
     for (Object& o : document.scene.objects)
@@ -125,7 +125,7 @@ TEST_CASE("variant: a scene with something else in it shares the meshes that sta
     const auto& scene = std::get<Scene>(changed);
     CHECK(scene.objects[0].mesh == document.scene.objects[0].mesh);
     CHECK(scene.objects[1].mesh->face_count() == 12 * 6);
-    CHECK(scene.lights[0].kind == LightKind::Point);  // its w = 0 did not stand in the way
+    CHECK(scene.lights[0].kind == LightKind::Point);  // its w = 0 was not in the way
 
     const auto wrong = scene_variant(document, {{"/objects/0/mesh/detail", "-1"}});
     REQUIRE(problem_of(wrong) != nullptr);

@@ -1,4 +1,4 @@
-// Which term needs normal, light and viewer, as the lecture's review has it.
+// The terms that depend on normal, light and viewer, as in the lecture's review.
 #include "renderer/reflectance/term_sensitivity.h"
 
 #include <cmath>
@@ -8,7 +8,8 @@
 
 using namespace glint;
 
-TEST_CASE("ambient needs nothing, diffuse normal and light, specular all three", "[lighting][why]") {
+TEST_CASE("ambient depends on nothing, diffuse on normal and light, specular on all three",
+          "[lighting][why]") {
     const glm::vec3 n = glm::normalize(glm::vec3(0.2f, 0.3f, 1)),
                     l = glm::normalize(glm::vec3(-0.5f, 0.4f, 1));
     const glm::vec3 v = glm::normalize(glm::vec3(0.6f, 0.3f, 1));
@@ -26,7 +27,8 @@ TEST_CASE("ambient needs nothing, diffuse normal and light, specular all three",
     }
 }
 
-TEST_CASE("a degree more at 60 degrees takes sin 60 times a degree off the diffuse term", "[lighting][why]") {
+TEST_CASE("a degree more at 60 degrees reduces the diffuse term by sin 60 times a degree",
+          "[lighting][why]") {
     const float s = std::sqrt(3.0f) / 2;
     Material white;
     white.diffuse = glm::vec3(1);
@@ -36,7 +38,7 @@ TEST_CASE("a degree more at 60 degrees takes sin 60 times a degree off the diffu
     CHECK(sensitivity[2].viewer == 0);
 }
 
-TEST_CASE("a light behind the surface leaves nothing to need", "[lighting][why]") {
+TEST_CASE("a light behind the surface leaves no dependence", "[lighting][why]") {
     const auto needs =
         term_sensitivity({Reflection::Phong, Material{}, Terms{}}, {0, 0, 1}, {0.8f, 0, -0.6f}, {0, 0, 1});
     for (const TermSensitivity& need : needs) CHECK(need.normal + need.light + need.viewer == 0);

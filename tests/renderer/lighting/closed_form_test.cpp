@@ -1,4 +1,4 @@
-// Pictures against closed forms: the equation in double at each pixel's ray, in world coordinates where the
+// Pictures against closed forms: the equation in double at each pixel's ray, in world coordinates, while the
 // renderer works in camera coordinates.
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ struct Place {
     dvec3 p, n;
 };
 
-/// What one point of light from direction l adds: Lambert's term and Phong's highlight.
+/// The contribution of one point of light from direction l: Lambert's term and Phong's highlight.
 dvec3 added(const Light& light, const Material& m, const Place& at, dvec3 l, dvec3 v, double strength) {
     const double n_l = glm::dot(at.n, l);
     const dvec3 r = 2 * n_l * at.n - l;
@@ -93,8 +93,8 @@ dvec3 expected(const Scene& scene, const Rays& rays, const Place& at) {
     return base + added(light, m, at, l, v, strength);
 }
 
-/// The largest difference between the picture and `expected` where the ray meets the shape, and how many
-/// pixels that was.
+/// The largest difference between the picture and `expected` at rays that meet the shape, and the number of
+/// those pixels.
 template <class Meet> std::pair<double, int> largest_error(const Scene& scene, const Meet& meet) {
     const Rays rays(scene.camera);
     Renderer renderer;
@@ -123,8 +123,8 @@ Scene lit_by(const Light& light, Primitive kind, int detail) {
     return scene;
 }
 
-/// The assorted lights' strength never jumps inside these shapes but on the cone's edge, which is moved off
-/// them.
+/// The strength of the assorted lights is continuous inside these shapes except at the cone's edge, which is
+/// moved off them.
 std::vector<Light> lights_of_every_kind() {
     std::vector<Light> lights = assorted_lights();
     lights[2].spot.cutoff_deg = 80;
@@ -133,7 +133,7 @@ std::vector<Light> lights_of_every_kind() {
 
 }  // namespace
 
-TEST_CASE("a plane under each kind of light is the equation at each pixel's ray", "[closed-form]") {
+TEST_CASE("a plane under each kind of light equals the equation at each pixel's ray", "[closed-form]") {
     for (const Light& light : lights_of_every_kind()) {
         const auto [worst, compared] = largest_error(
             lit_by(light, Primitive::Plane, 1), [](dvec3 eye, dvec3 ray) -> std::optional<Place> {
@@ -147,27 +147,26 @@ TEST_CASE("a plane under each kind of light is the equation at each pixel's ray"
     }
 }
 
-TEST_CASE("a fine sphere under each kind of light is the equation at each pixel's ray", "[closed-form]") {
+TEST_CASE("a fine sphere under each kind of light equals the equation at each pixel's ray", "[closed-form]") {
     for (const Light& light : lights_of_every_kind()) {
         const auto [worst, compared] = largest_error(
             lit_by(light, Primitive::Sphere, 720), [](dvec3 eye, dvec3 ray) -> std::optional<Place> {
                 const double b = glm::dot(eye, ray), c = glm::dot(eye, eye) - 1;
                 if (b * b <= c) return std::nullopt;
                 const dvec3 p = eye - (b + std::sqrt(b * b - c)) * ray;
-                if (glm::dot(p, ray) > -0.3) return std::nullopt;  // at the rim chords of the mesh show
+                if (glm::dot(p, ray) > -0.3) return std::nullopt;  // the rim shows the mesh's chords
                 return Place{p, p};
             });
         INFO(light.name << ": " << worst);
         CHECK(compared > 1000);
-        // The rasteriser's grid of 1/256 pixel may pick the neighbour of a triangle that is smaller than a
-        // pixel; the place is then up to half of that, 8e-5, off.
+        // The rasterizer's grid of 1/256 pixel may pick the neighbour of a triangle that is smaller than a
+        // pixel; the position is then off by up to half of that, 8e-5.
         CHECK(worst < 3e-4);
     }
 }
 
-TEST_CASE("a highlight of low shininess is seen down to the last cosine: (v.r)^1 at 0.02 is 0.02",
-          "[closed-form]") {
-    // Facing the viewer, who is far away, the plane has v.r = n.l at each pixel.
+TEST_CASE("a highlight of low shininess reaches the last cosine: (v.r)^1 at 0.02 is 0.02", "[closed-form]") {
+    // The plane faces the distant viewer and has v.r = n.l at each pixel.
     constexpr float cosine = 0.02f;
     Light sun;
     sun.kind = LightKind::Directional;
@@ -190,11 +189,11 @@ TEST_CASE("a highlight of low shininess is seen down to the last cosine: (v.r)^1
     }
 }
 
-TEST_CASE("a cone of 90 degrees includes its edge, where the cosine is 0 and nothing else", "[closed-form]") {
+TEST_CASE("a cone of 90 degrees includes its edge, where only the cosine is 0", "[closed-form]") {
     Light spot;
     spot.kind = LightKind::Spot;
     spot.position = {0, 1, 0, 1};
-    spot.spot = {{1, 0, 0}, 90, 0};  // level: what lies straight below is at 90 degrees
+    spot.spot = {{1, 0, 0}, 90, 0};  // horizontal, so straight down is at 90 degrees
     Scene scene = lit_by(spot, Primitive::Plane, 1);
     scene.camera.eye = {0, 5, 0};
     scene.camera.up = {0, 0, -1};

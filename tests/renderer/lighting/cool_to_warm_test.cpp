@@ -72,7 +72,7 @@ TEST_CASE("cool-to-warm at 120, 90 and 60 degrees from the light, worked by hand
     check_near(color({0, 0, -1}), {0.16f, 0.06f, 0.46f});
 }
 
-TEST_CASE("without a direction to the light the tone lies halfway", "[npr]") {
+TEST_CASE("without a direction to the light the tone is half-way", "[npr]") {
     CoolToWarm tone = typical_tone({1, 2, 3});
     tone.light_w = 1;
     const auto share = [&tone](PointAt<float> at) { return cool_to_warm<float>(tone, {}, at).k_w; };
@@ -85,8 +85,7 @@ TEST_CASE("without a direction to the light the tone lies halfway", "[npr]") {
     check_near(middle_of_sphere(scene), {0.45f, 0.2625f, 0.3875f});
 }
 
-TEST_CASE("the tone stands in place of emission, ambient and diffuse, whatever the light's colours",
-          "[npr]") {
+TEST_CASE("the tone replaces emission, ambient and diffuse for all light colours", "[npr]") {
     Scene scene = facing_quad();
     Light& light =
         scene.lights.emplace_back(from({0, std::sqrt(3.0f), 1, 1}, LightKind::Point));  // n.l = 1/2
@@ -101,11 +100,11 @@ TEST_CASE("the tone stands in place of emission, ambient and diffuse, whatever t
     light.kind = LightKind::Spot;
     light.spot = {{0, 1, 0}, 10, 1};  // points away
     check_near(middle_of_sphere(scene), expected);
-    light.kind = LightKind::Area;  // its centre counts
+    light.kind = LightKind::Area;  // its centre is used
     light.area = {{3, 0, 0}, {0, 0, 0.5f}, 9};
     check_near(middle_of_sphere(scene), expected);
     light.enabled = false;
-    scene.lights.push_back(from({0, 0, 1, 0}));  // the first that is enabled
+    scene.lights.push_back(from({0, 0, 1, 0}));  // the first enabled one
     scene.lights.push_back(from({0, 0, -1, 0}));
     check_near(middle_of_sphere(scene), {0.7f, 0.45f, 0.15f});
 }
@@ -120,8 +119,7 @@ TEST_CASE("highlights of all lights are added to the tone", "[npr]") {
     check_near(middle_of_sphere(scene), {0.7f, 0.45f, 0.15f});
 }
 
-TEST_CASE("under cool-to-warm every explanation sums to its pixel and its steps to the tone",
-          "[npr][explain]") {
+TEST_CASE("cool-to-warm explanations sum to their pixels and their steps to the tone", "[npr][explain]") {
     Scene scene = busy_scene();
     scene.npr.cool_to_warm = true;
     Renderer renderer(2);
@@ -149,7 +147,7 @@ TEST_CASE("under cool-to-warm every explanation sums to its pixel and its steps 
         }
 }
 
-TEST_CASE("a changed tone lights the picture again and nothing more", "[npr][stages]") {
+TEST_CASE("changing the tone only repeats the lighting", "[npr][stages]") {
     Scene scene = busy_scene();
     Renderer renderer(2);
     const auto redone = [&] {

@@ -62,7 +62,7 @@ TEST_CASE("highlights of Phong and Blinn-Phong out of the plane of incidence", "
           Approx(0.00703594).epsilon(1e-5));
 }
 
-TEST_CASE("a light behind the surface has no highlight, however even the exponent", "[lighting]") {
+TEST_CASE("a light behind the surface has no highlight, even for an even exponent", "[lighting]") {
     // 150 degrees from the normal: without the test n.l > 0 Blinn-Phong would give 0.330 and Phong 0.010.
     const PointAt<float> at{{}, {0, 0, 1}, {0, 0, 1}};
     const auto light = sun({0.5f, 0, -0.8660254f});
@@ -116,7 +116,7 @@ TEST_CASE("two lights of OpenGL's equation sum to the worked colour", "[lighting
     CHECK(infinite.z == Approx(0.4535716).epsilon(1e-6));
 }
 
-TEST_CASE("falloff divides by c + b r + a r^2, and is 0 where that would be 0", "[lighting]") {
+TEST_CASE("falloff divides by c + b r + a r^2, and is 0 if that is 0", "[lighting]") {
     LightAt<float> light;
     light.constant = 1;
     light.linear = 0.1f;
@@ -144,7 +144,7 @@ TEST_CASE("a cone falls off as cos^exponent, includes its edge and ends there", 
     CHECK(at(30.1) == 0);
 }
 
-TEST_CASE("a light at the point itself leaves only its ambient share", "[lighting]") {
+TEST_CASE("a light at the point itself contributes only its ambient share", "[lighting]") {
     LightAt<float> light = sun({1, 2, 3});
     light.w = 1;
     light.ambient = {0.5f, 0.5f, 0.5f};

@@ -1,4 +1,4 @@
-// The largest numbers of a scene: no term and no sum of the equation overflows a float.
+// The largest numbers of a scene: every term and every sum of the equation stays within a float.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto largest = static_cast<float>(max_number);
 
-/// A plate in z = 0 that faces +z, seen square on, of the largest reflectances.
+/// A plate in z = 0 that faces +z, seen perpendicularly, with the largest reflectances.
 Scene bright_plate() {
     Scene scene;
     scene.camera.projection = Orthographic{2, 0.1f, 100};
@@ -27,7 +27,7 @@ Scene bright_plate() {
     return scene;
 }
 
-/// A light whose falloff is max_factor where the plate faces it.
+/// A light whose falloff is max_factor on the plate where it faces the light.
 Light bright_light(LightKind kind) {
     Light light;
     light.kind = kind;
@@ -39,7 +39,7 @@ Light bright_light(LightKind kind) {
     return light;
 }
 
-/// How many numbers of the picture are not finite. Checks that explanations equal their pixels.
+/// The count of numbers in the picture that are not finite. Checks that explanations equal their pixels.
 int not_finite(const Scene& scene) {
     constexpr PictureSize size{9, 9};
     Renderer renderer(1);
@@ -69,7 +69,7 @@ TEST_CASE("the largest numbers give finite colours under every model, mode and t
                 }
 }
 
-TEST_CASE("4096 lights of the largest numbers have a finite sum", "[renderer]") {
+TEST_CASE("the sum of 4096 lights of the largest numbers is finite", "[renderer]") {
     Scene scene = bright_plate();
     scene.lights.assign(max_lights, bright_light(LightKind::Area));
     Renderer renderer(1);

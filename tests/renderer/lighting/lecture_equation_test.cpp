@@ -1,4 +1,4 @@
-// The lecture's lighting equation: what its terms are and what they depend on.
+// The lecture's lighting equation: its terms and their dependencies.
 #include <algorithm>
 #include <numbers>
 #include <set>
@@ -51,8 +51,7 @@ Moved moved(const LightTerms<float>& a, const LightTerms<float>& b) {
 
 }  // namespace
 
-TEST_CASE("the plates of the cosine law show the cosine of their tilt, wherever the viewer stands",
-          "[lecture]") {
+TEST_CASE("the plates of the cosine law show the cosine of their tilt from every viewpoint", "[lecture]") {
     Scene scene = lecture_scene("cosine-law");
     for (const glm::vec3 eye : {glm::vec3(0, 4.5f, 4.5f), glm::vec3(0, 2, 6), glm::vec3(1, 6, 3)}) {
         scene.camera.eye = eye;
@@ -99,8 +98,7 @@ TEST_CASE("the highlights of the grid fall off as (v.r)^n", "[lecture]") {
     CHECK(lit > 500);
 }
 
-TEST_CASE("Blinn-Phong with 4 n comes as near to Phong's lobe as tabulated, with the best n' twice as near",
-          "[lecture]") {
+TEST_CASE("Blinn-Phong with 4 n approximates Phong's lobe as tabulated, the best n' better", "[lecture]") {
     const struct {
         float n, best;
         double error_of_4n, error_of_best;
@@ -113,7 +111,7 @@ TEST_CASE("Blinn-Phong with 4 n comes as near to Phong's lobe as tabulated, with
     for (const auto& row : rows) {
         CAPTURE(row.n);
         double error_of_4n = 0, error_of_best = 0;
-        for (int step = 0; step <= 1800; ++step) {  // l = n: then r = n, and h lies halfway
+        for (int step = 0; step <= 1800; ++step) {  // l = n: then r = n, and h is half-way
             const PointAt<float> at{{}, n, at_angle(0.05 * step)};
             const double phong = highlight(Reflection::Phong, n, at, row.n);
             error_of_4n =
@@ -127,9 +125,9 @@ TEST_CASE("Blinn-Phong with 4 n comes as near to Phong's lobe as tabulated, with
 }
 
 TEST_CASE("the slide's intensities at 60, 25 and 0 degrees", "[lecture]") {
-    // rho = (.1, .5, .4), n = 20. Seen along n in the scene, along r by the equation.
+    // rho = (.1, .5, .4), n = 20. Seen along n in the scene, along r in the equation.
     const Drawn drawn(lecture_scene("three-angles"));
-    CHECK(drawn.colour({-2, 0, 0}).x == Approx(0.35).margin(2e-3));  // the pixel's middle is not the plate's
+    CHECK(drawn.colour({-2, 0, 0}).x == Approx(0.35).margin(2e-3));  // the pixel's centre is not the plate's
     CHECK(drawn.colour({0, 0, 0}).x == Approx(0.609075).margin(2e-3));
     CHECK(drawn.colour({2, 0, 0}).x == Approx(1).margin(2e-3));
     for (const auto& [angle, total] : {std::pair{60.0, 0.75}, {25.0, 0.953154}, {0.0, 1.0}}) {
@@ -139,7 +137,7 @@ TEST_CASE("the slide's intensities at 60, 25 and 0 degrees", "[lecture]") {
     }
 }
 
-TEST_CASE("normal, light and viewer move exactly the terms that the review names", "[lecture]") {
+TEST_CASE("normal, light and viewer change exactly the terms that the review names", "[lecture]") {
     const PointAt<float> at{{}, {0, 0, 1}, at_angle(-20)};
     const PointAt<float> turned{{}, at_angle(5), at.v}, seen_elsewhere{{}, at.n, at_angle(-30)};
     const auto lit = [](const LightAt<float>& light, const PointAt<float>& p) {
@@ -153,7 +151,7 @@ TEST_CASE("normal, light and viewer move exactly the terms that the review names
     }
 }
 
-TEST_CASE("the place of a point matters to a bulb and not to a sun", "[lecture]") {
+TEST_CASE("the position of a point matters to a bulb and not to a sun", "[lecture]") {
     // The same surface angle and view direction, the point moved sideways: only a bulb's direction changes. A
     // sun further away along its direction is the same sun.
     const PointAt<float> here{{}, {0, 0, 1}, at_angle(-20)}, there{{0.3f, 0, 0}, here.n, here.v};
@@ -166,7 +164,7 @@ TEST_CASE("the place of a point matters to a bulb and not to a sun", "[lecture]"
     CHECK(moved(lit(l, 1, here), lit(l, 1, there)) == Moved{false, true, true});
 }
 
-TEST_CASE("Phong's lobe holds 2 pi / (n + 2), and as a BRDF it is not reciprocal", "[lecture]") {
+TEST_CASE("Phong's lobe integrates to 2 pi / (n + 2), and is not reciprocal as a BRDF", "[lecture]") {
     const Vec n{0, 0, 1};
     for (const float shininess : {1.0f, 10.0f, 100.0f}) {
         double sum = 0;
@@ -177,7 +175,7 @@ TEST_CASE("Phong's lobe holds 2 pi / (n + 2), and as a BRDF it is not reciprocal
         }
         CHECK(sum == Approx(2 * std::numbers::pi / (shininess + 2)).epsilon(1e-3));
     }
-    // The lecture's sum leaves n.l out: its BRDF is the lobe over n.l, and l and v do not change places.
+    // The lecture's sum omits n.l: its BRDF is the lobe over n.l, and l and v are not interchangeable.
     const double there =
         highlight(Reflection::Phong, at_angle(60), {{}, n, at_angle(-40)}, 10) / std::cos(60 * degree);
     const double back =
@@ -196,8 +194,7 @@ TEST_CASE("a table of cos^n is wrong by half its step times the slope, and shows
         double worst = 0;
         for (double angle = 0; angle < 90; angle += 0.01) {
             const double cosine = std::cos(angle * degree);
-            const PointAt<float> at{
-                {0, 0, 0}, {0, 0, 1}, at_angle(angle)};  // the light stands over the normal
+            const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, at_angle(angle)};  // the light is above the normal
             const double looked_up =
                 illuminate(equation, light_at({0, 0, 1}, 0), material(n), at).response.specular.x;
             const double index = cosine * (entries - 1);

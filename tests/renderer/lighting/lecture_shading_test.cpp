@@ -1,4 +1,4 @@
-// The lecture's ways of shading: which points are lit, and what fills the pixels between them.
+// The lecture's shading modes: the lit points, and the interpolation between them.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -29,8 +29,7 @@ constexpr ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Facet, ShadingM
 
 }  // namespace
 
-TEST_CASE("on a coarse ball every pair of a shading and a lighting model gives another picture",
-          "[lecture]") {
+TEST_CASE("on a coarse ball every pair of shading and lighting model gives another picture", "[lecture]") {
     const Scene scene = lecture_scene("coarse-ball");
     std::set<std::string> pictures;
     for (const ShadingMode mode : modes)
@@ -46,7 +45,7 @@ TEST_CASE("flat shading lights a face at its centroid, which is wrong under a bu
     const std::vector<Assignment> lambert{{"/shading/reflection", "lambert"}};
     Scene scene = lecture_scene("bulb-over-facets", lambert);
     const glm::dvec3 to_light =
-        glm::dvec3(0.75, 1.35, 1.45) - glm::dvec3(0, 0, 0.9);  // from the front's middle
+        glm::dvec3(0.75, 1.35, 1.45) - glm::dvec3(0, 0, 0.9);  // from the front's centre
     const double r = length(to_light), falloff = 1 / (0.5 + 0.3 * r * r);
     const double expected = 0.62 * 0.09 + 0.62 * 0.95 * falloff * 0.55 / r;
     scene.shading.mode = ShadingMode::Flat;
@@ -80,8 +79,7 @@ TEST_CASE("facet shading lights each pixel with the normal of its facet", "[lect
     CHECK(seen > 500);
 }
 
-TEST_CASE("Gouraud shading loses a lamp's light in the middle of a quad, Phong shading shows it",
-          "[lecture]") {
+TEST_CASE("Gouraud shading loses a lamp's light inside a quad, Phong shading shows it", "[lecture]") {
     Scene scene = lecture_scene("lost-highlight");
     const glm::dvec3 under_the_lamp{-1.45, 0, -0.1};
     const glm::vec3 gouraud = Drawn(scene).colour(under_the_lamp);
@@ -92,7 +90,7 @@ TEST_CASE("Gouraud shading loses a lamp's light in the middle of a quad, Phong s
     CHECK(phong.x > gouraud.x + 0.3f);
 }
 
-TEST_CASE("Phong shading is not Phong lighting: each goes without the other", "[lecture]") {
+TEST_CASE("Phong shading and Phong lighting are independent of each other", "[lecture]") {
     const Scene scene = lecture_scene("glossy-ball");
     const float matt = brightest(drawn_as(scene, ShadingMode::Phong, Reflection::Lambert));
     const float glossy = brightest(drawn_as(scene, ShadingMode::Phong, Reflection::Phong));
@@ -102,7 +100,7 @@ TEST_CASE("Phong shading is not Phong lighting: each goes without the other", "[
     CHECK(gouraud > matt + 0.4f);  // a fine mesh has a vertex near the peak
 }
 
-TEST_CASE("the silhouette stays a polygon: every shading covers the same pixels", "[lecture]") {
+TEST_CASE("every shading mode covers the same pixels: the silhouette stays a polygon", "[lecture]") {
     Scene scene = lecture_scene("coarse-silhouette");
     std::set<std::vector<bool>> masks;
     for (const ShadingMode mode : modes) {
@@ -116,8 +114,7 @@ TEST_CASE("the silhouette stays a polygon: every shading covers the same pixels"
     CHECK(masks.size() == 1);
 }
 
-TEST_CASE("under a sun and without highlights a facet truly is one colour, under a bulb it is not",
-          "[lecture]") {
+TEST_CASE("only under a sun and without highlights is a facet of one colour", "[lecture]") {
     Scene scene = lecture_scene("one-colour-facets");
     const auto spread = [&scene] {
         std::map<std::uint32_t, std::pair<float, float>> range;

@@ -10,7 +10,7 @@ using namespace glint::test;
 
 namespace {
 
-/// A white 2 x 2 plate in z = 0 that faces +z, seen square on; the middle pixel of {101, 101} shows the
+/// A white 2 x 2 plate in z = 0 that faces +z, seen perpendicularly; the middle pixel of {101, 101} shows the
 /// origin.
 Scene white_plate() {
     Scene scene;
@@ -38,7 +38,7 @@ Light area_light(glm::vec3 place, glm::vec3 u, glm::vec3 v, int samples) {
 
 }  // namespace
 
-TEST_CASE("a point is lit although another object stands before its light", "[lecture]") {
+TEST_CASE("a point is lit although another object is in front of its light", "[lecture]") {
     Scene scene = lecture_scene("no-shadows");
     const glm::dvec3 below_the_ball{0, -0.2, 0.2};
     const Drawn with(scene);
@@ -48,7 +48,7 @@ TEST_CASE("a point is lit although another object stands before its light", "[le
     CHECK(with.colour(below_the_ball) == Drawn(scene).colour(below_the_ball));
 }
 
-TEST_CASE("a sun lights a plane evenly and a sphere by the cosine of its place", "[lecture]") {
+TEST_CASE("a sun lights a plane evenly and a sphere by the cosine of its normal", "[lecture]") {
     const Drawn drawn(lecture_scene("sun"));
     const glm::dvec3 l = glm::normalize(glm::dvec3(-2, 2, 1.2));
     const int ground = drawn.for_each_of(3, 8, [](const Explanation& e) {
@@ -65,7 +65,7 @@ TEST_CASE("a sun lights a plane evenly and a sphere by the cosine of its place",
     CHECK(ball > 50);
 }
 
-TEST_CASE("a bulb lights a plane by the cosine and the falloff of each place", "[lecture]") {
+TEST_CASE("a bulb lights a plane by the cosine and the falloff of each point", "[lecture]") {
     const Drawn drawn(lecture_scene("bulb"));
     const glm::dvec3 bulb{0.1, 1.35, 0.9};
     const int ground = drawn.for_each_of(3, 6, [&](const Explanation& e) {
@@ -93,7 +93,7 @@ TEST_CASE("a lamp lights nothing outside its cone, and by cos^exponent inside", 
     CHECK(outside > 100);
 }
 
-TEST_CASE("an area light tends to Lambert's polygon formula over factors of 4 in its samples", "[lecture]") {
+TEST_CASE("an area light converges to Lambert's polygon formula with 1 to 64 samples", "[lecture]") {
     // Square [-1, 1]^2 at z = 1 over a receiver that faces it: E / (pi L), by midpoints 4, 1.777778, 1.768973
     // and 1.747985 over pi for 1, 4, 16 and 64 samples; in the limit 2 sqrt(2) atan(1 / sqrt(2)) / pi.
     Scene scene = white_plate();
@@ -113,7 +113,7 @@ TEST_CASE("an area light tends to Lambert's polygon formula over factors of 4 in
     CHECK(middle_value(scene) == Approx(0.2233466 / std::numbers::pi).epsilon(0.03));
 }
 
-TEST_CASE("a world light stays with the scene and a camera light with the viewer who orbits", "[lecture]") {
+TEST_CASE("a world light stays with the scene, a camera light with the orbiting viewer", "[lecture]") {
     Scene scene;
     scene.objects = {object_of(primitive(Primitive::Sphere, 96))};
     Light sun, headlight;
@@ -125,17 +125,17 @@ TEST_CASE("a world light stays with the scene and a camera light with the viewer
     for (const double turn : {0.0, 30.0, 60.0, 90.0, 200.0}) {
         CAPTURE(turn);
         scene.camera.eye = {5 * std::sin(turn * degree), 0, 5 * std::cos(turn * degree)};
-        const Explanation e = Drawn(scene, {101, 101}).at(50, 50);  // the point nearest to the eye
+        const Explanation e = Drawn(scene, {101, 101}).at(50, 50);  // the point nearest the eye
         CHECK(e.at.lights[0].n_dot_l == Approx(std::sin(turn * degree)).margin(2e-3));
         CHECK(e.at.lights[1].n_dot_l == Approx(0.8).margin(2e-3));
     }
 }
 
-TEST_CASE("the same power over 1, 4 and 9 areas lights them 1, 1/4 and 1/9 as much", "[lecture]") {
+TEST_CASE("the same power over 1, 4 and 9 areas lights them by 1, 1/4 and 1/9", "[lecture]") {
     const Drawn drawn(lecture_scene("inverse-square"), {640, 360});
     for (const int d : {1, 2, 3}) {
         CAPTURE(d);
-        // Low and to the front, where no nearer plate stands before it; r^2 = d^2 (1 + 2 (0.25 0.3)^2 ...).
+        // Low and in front, where no nearer plate blocks the view; r^2 = d^2 (1 + 2 (0.25 0.3)^2 ...).
         const glm::dvec3 place{-2.4 + d, -0.15 * d, 0.2 * d};
         const double r = d * std::sqrt(1 + 0.15 * 0.15 + 0.2 * 0.2);
         const Explanation e = drawn.at(place);
@@ -144,8 +144,7 @@ TEST_CASE("the same power over 1, 4 and 9 areas lights them 1, 1/4 and 1/9 as mu
     }
 }
 
-TEST_CASE("1 / (1 + r^2 / R^2) is a disc of radius R seen head-on, and nearly a square of its area",
-          "[lecture]") {
+TEST_CASE("1 / (1 + r^2 / R^2) is a disc of radius R seen head-on, nearly an equal square", "[lecture]") {
     Scene scene = white_plate();
     const float half_edge = std::sqrt(std::numbers::pi_v<float>) / 2;  // R = 1
     for (const float r : {1.5f, 2.0f, 3.0f, 5.0f}) {
@@ -161,7 +160,7 @@ TEST_CASE("1 / (1 + r^2 / R^2) is a disc of radius R seen head-on, and nearly a 
     }
 }
 
-TEST_CASE("a constant ambient light is the same deep in a corner and at its edge", "[lecture]") {
+TEST_CASE("a constant ambient light is equal deep in a corner and at its edge", "[lecture]") {
     Scene scene = lecture_scene("ambient-in-a-corner");
     scene.objects.pop_back();
     const Drawn drawn(scene);
@@ -170,5 +169,5 @@ TEST_CASE("a constant ambient light is the same deep in a corner and at its edge
     REQUIRE(edge.object_index == 1);
     CHECK(deep.at.global_ambient == edge.at.global_ambient);
     CHECK(deep.at.global_ambient.x == Approx(0.8 * 0.25));
-    CHECK(deep.sum.x == Approx(edge.sum.x).epsilon(1e-6));  // nor does anything bounce off the red plate
+    CHECK(deep.sum.x == Approx(edge.sum.x).epsilon(1e-6));  // and no light bounces off the red plate
 }

@@ -1,4 +1,4 @@
-// What single mistakes make of a white plate, in numbers worked out by hand.
+// The effects of single mistakes on a white plate, in numbers worked by hand.
 #include <array>
 #include <cmath>
 #include <initializer_list>
@@ -33,8 +33,8 @@ Light lamp_at(glm::vec3 place, glm::vec3 aim) {
     return lamp;
 }
 
-/// A white plate in z = 0 that faces +z, diffuse alone, seen square on from (0, 0, 5), in the middle
-/// pixel its middle.
+/// A white plate in z = 0 that faces +z, only diffuse, seen perpendicularly from (0, 0, 5); its centre is in
+/// the middle pixel.
 Scene plate(std::initializer_list<Light> lights, std::initializer_list<bool Mistakes::*> mistakes) {
     Scene scene;
     scene.camera = Camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, {}};
@@ -76,8 +76,7 @@ std::array<int, 3> bytes_of(glm::vec3 color, const DisplayJob& job) {
 
 }  // namespace
 
-TEST_CASE("mistakes in the sum of lights: 1/4 and 1/2 give 3/4, the last alone 1/2, averaged 3/8",
-          "[mistakes]") {
+TEST_CASE("mistakes in the sum of lights: 1/4 and 1/2 give 3/4, last 1/2, average 3/8", "[mistakes]") {
     Light first = sun_from({0, 0, 1}), off = first, last = first;
     first.intensity = 0.25f;
     last.intensity = 0.5f;
@@ -104,14 +103,14 @@ TEST_CASE("mistakes in falloff: at distance 2 under 1 + r^2/4 a half becomes 2, 
     CHECK(brightness(plate({bulb}, {&Mistakes::falloff_forgotten})) == Approx(1));
 }
 
-TEST_CASE("mistakes in where a light is", "[mistakes]") {
+TEST_CASE("mistakes in the position of a light", "[mistakes]") {
     Scene scene = plate({sun_from({3, 0, 4})}, {});
     scene.objects[0].transform.translate = {0, 0, 1};
     CHECK(brightness(scene) == Approx(0.8));
     scene.shading.mistakes.direction_is_position = true;  // from (0, 0, 1) to (3, 0, 4)
     CHECK(brightness(scene) == Approx(std::sqrt(0.5)));
 
-    // The camera at (0, 0, 5): (0, 0, 2) in the world is (0, 0, -3) to it, and the wrong way round (0, 0, 7).
+    // The camera at (0, 0, 5): (0, 0, 2) in the world is (0, 0, -3) for it, and inverted (0, 0, 7).
     Light bulb = bulb_at({0, 0, 2});
     CHECK(middle_of_plate(plate({bulb}, {})).at.lights[0].distance == Approx(2));
     CHECK(middle_of_plate(plate({bulb}, {&Mistakes::light_by_inverse_view})).at.lights[0].distance ==
@@ -121,22 +120,21 @@ TEST_CASE("mistakes in where a light is", "[mistakes]") {
           Approx(7));
 }
 
-TEST_CASE("mistakes in where a lamp points", "[mistakes]") {
+TEST_CASE("mistakes in the direction of a lamp", "[mistakes]") {
     const Light towards = lamp_at({0, 0, 2}, {0, 0, -1}), away = lamp_at({0, 0, 2}, {0, 0, 1});
     CHECK(brightness(plate({towards}, {})) == Approx(1));
     CHECK(brightness(plate({towards}, {&Mistakes::cone_cosines_swapped})) == 0);
     CHECK(brightness(plate({away}, {})) == 0);
     CHECK(brightness(plate({away}, {&Mistakes::cone_cosines_swapped})) == Approx(1));
     CHECK(brightness(plate({away}, {&Mistakes::aim_stays_at_origin})) == Approx(1));
-    Light of_camera = away;  // at (0, 0, 3) in the world, from where the origin is straight ahead
+    Light of_camera = away;  // at (0, 0, 3) in the world, with the origin straight ahead
     of_camera.space = LightSpace::Camera;
     of_camera.position = {0, 0, -2, 1};
     CHECK(brightness(plate({of_camera}, {})) == 0);
     CHECK(brightness(plate({of_camera}, {&Mistakes::aim_stays_at_origin})) == Approx(1));
 }
 
-TEST_CASE("mistakes in r: l = (3, 0, 4)/5 gives r.v = 4/5, with GLSL's sign -4/5, by the difference 8/25",
-          "[mistakes]") {
+TEST_CASE("mistakes in r: l = (3, 0, 4)/5 has r.v = 4/5, GLSL's sign -4/5, subtraction 8/25", "[mistakes]") {
     const auto r_dot_v = [](std::initializer_list<bool Mistakes::*> mistakes) {
         return middle_of_plate(plate({sun_from({0.6f, 0, 0.8f})}, mistakes)).at.lights[0].r_dot_v;
     };
@@ -146,14 +144,13 @@ TEST_CASE("mistakes in r: l = (3, 0, 4)/5 gives r.v = 4/5, with GLSL's sign -4/5
     CHECK(r_dot_v({&Mistakes::view_reversed}) == Approx(-0.8));
 }
 
-TEST_CASE("mistakes in v: 5 long it makes a highlight of 25; under an orthographic camera it leans",
-          "[mistakes]") {
+TEST_CASE("mistakes in v: length 5 gives a highlight of 25; orthographic it leans", "[mistakes]") {
     Scene scene = plate({sun_from({0, 0, 1})}, {&Mistakes::unnormalized_view});
     scene.shading.terms = {false, false, false, true};
     CHECK(brightness(scene) == Approx(25));
     scene.shading.reflection = Reflection::Retro;
     CHECK(brightness(scene) == Approx(25));
-    scene.shading.reflection = Reflection::BlinnPhong;  // h is made unit
+    scene.shading.reflection = Reflection::BlinnPhong;  // h is normalized
     CHECK(brightness(scene) == Approx(1));
 
     Scene flat = plate({}, {});
@@ -167,7 +164,7 @@ TEST_CASE("mistakes in v: 5 long it makes a highlight of 25; under an orthograph
     check_vector(renderer.explain(15, 10).at.view.camera, to_eye);
 }
 
-TEST_CASE("mistakes in the material, which the explanation has too", "[mistakes]") {
+TEST_CASE("mistakes in the material, also in the explanation", "[mistakes]") {
     Scene scene = plate({sun_from({0, 0, 1})}, {});
     Material& m = scene.objects[0].material;
     m.diffuse = {0.5f, 0, 1};
@@ -186,7 +183,7 @@ TEST_CASE("mistakes in the material, which the explanation has too", "[mistakes]
     CHECK(material(&Mistakes::shininess_as_fraction).shininess == 0.03125f);
 }
 
-TEST_CASE("mistakes in normals: which way the plate's points", "[mistakes]") {
+TEST_CASE("mistakes in normals: the direction of the plate's normal", "[mistakes]") {
     const auto normal = [](std::initializer_list<bool Mistakes::*> mistakes, const auto& change) {
         Scene scene = plate({}, mistakes);
         change(scene);
@@ -214,7 +211,7 @@ TEST_CASE("mistakes in normals: which way the plate's points", "[mistakes]") {
     check_vector(normal({&Mistakes::flipped_twice}, two_sided), {0, 0, -1});
 }
 
-TEST_CASE("a reversed cross product turns facet and averaged normals, not those of a formula", "[mistakes]") {
+TEST_CASE("a reversed cross product flips facet and averaged normals, not analytic ones", "[mistakes]") {
     Scene scene = plate({}, {&Mistakes::cross_reversed});
     Object& o = scene.objects[0];
     o.normals.source = NormalSource::Analytic;
@@ -228,7 +225,7 @@ TEST_CASE("a reversed cross product turns facet and averaged normals, not those 
     check_vector(middle_of_plate(scene).at.normal.camera, {0, 0, -1});
 }
 
-TEST_CASE("every third facet is turned round in every mode, and all its corners", "[mistakes]") {
+TEST_CASE("every third facet is reversed in every mode, with all its corners", "[mistakes]") {
     Scene scene = plate({sun_from({0, 0, 1})}, {&Mistakes::some_faces_flipped});
     Renderer renderer(1);
     for (const ShadingMode mode :
@@ -250,13 +247,13 @@ TEST_CASE("every third facet is turned round in every mode, and all its corners"
     }
 }
 
-TEST_CASE("culled by the light, a face is not there, whichever way the eye sees it", "[mistakes]") {
+TEST_CASE("a face culled by the light disappears from every viewpoint", "[mistakes]") {
     for (const float z : {1.0f, -1.0f}) {
         Scene scene = plate({sun_from({0, 0, z})}, {&Mistakes::culled_by_light});
         CHECK(middle_of_plate(scene).hit == (z > 0));
         scene.camera.eye = {0, 0, -5};
         CHECK(middle_of_plate(scene).hit == (z > 0));
-        // The plane's nearest corners lie behind the eye: what is clipped is culled too.
+        // The plane's nearest corners are behind the eye: clipped faces are culled too.
         scene.camera = Camera{{0, 0.5f, 0.1f}, {0, 0, -0.2f}, {0, 1, 0}, {}};
         scene.objects[0].transform = {{0, 0, 0}, {0, 0, 0}, {50, 1, 50}};
         scene.lights[0].position = {0, z, 0, 0};
@@ -264,8 +261,7 @@ TEST_CASE("culled by the light, a face is not there, whichever way the eye sees 
     }
 }
 
-TEST_CASE("culling by the light follows the light, also in a renderer that keeps what it drew",
-          "[mistakes]") {
+TEST_CASE("culling by the light follows the light, also in a reused renderer", "[mistakes]") {
     Renderer renderer(1);
     Scene scene = plate({sun_from({0, 0, 1})}, {&Mistakes::culled_by_light});
     for (const float z : {1.0f, -1.0f, 1.0f}) {
@@ -275,8 +271,7 @@ TEST_CASE("culling by the light follows the light, also in a renderer that keeps
     }
 }
 
-TEST_CASE("a byte that wraps: 1.5 is 383 and so 127, -0.1 is 231; encoded once more 0.5 is 188",
-          "[mistakes]") {
+TEST_CASE("a wrapping byte maps 1.5 to 127 and -0.1 to 231; encoding 0.5 twice gives 188", "[mistakes]") {
     CHECK(bytes_of({0.25f, 0.5f, 1.5f}, {1, false}) == std::array{64, 128, 255});
     CHECK(bytes_of({0.5f, 1.5f, -0.1f}, {1, false, false, true}) == std::array{128, 127, 231});
     CHECK(bytes_of({1, 1e30f, std::nanf("")}, {1, false, false, true}) == std::array{255, 0, 0});
@@ -284,8 +279,7 @@ TEST_CASE("a byte that wraps: 1.5 is 383 and so 127, -0.1 is 231; encoded once m
     CHECK(bytes_of({0.2140411f, 0, 1}, {1, true, true}) == std::array{188, 0, 255});  // once: 0.5
 }
 
-TEST_CASE("0 to the power 0 is not a number where light arrives and the mirror points away, black as a byte",
-          "[mistakes]") {
+TEST_CASE("0 to the power 0 away from the mirror direction is NaN, and black as a byte", "[mistakes]") {
     // From (0.8, 0, 0.6): r = (-0.8, 0, 0.6). Seen from (3, 0, 2) r.v < 0; from (0, 0, 5) it is 0.6.
     Scene scene = plate({sun_from({0.8f, 0, 0.6f})}, {&Mistakes::power_zero_is_nan});
     scene.shading.terms.specular = true;
@@ -298,7 +292,7 @@ TEST_CASE("0 to the power 0 is not a number where light arrives and the mirror p
         const Explanation e = middle_of_plate(scene);
         CHECK(std::isnan(e.sum.x));
         CHECK(e.byte == std::array{0, 0, 0});
-        scene.lights[0].position.z = -0.6f;  // behind the plate: no highlight is asked for
+        scene.lights[0].position.z = -0.6f;  // behind the plate: no highlight is computed
         CHECK(brightness(scene) == 0);
         scene.lights[0].position.z = 0.6f;
     }

@@ -1,4 +1,4 @@
-// Each mistake shows where it should, and only there.
+// Each mistake is visible where it applies, and only there.
 #include "models/scene/mistakes.h"
 
 #include <cmath>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr PictureSize mistaken_size{96, 72};
 
-/// The right picture and the mistaken one, by one renderer, so that what it keeps in between is tried too.
+/// The correct picture and the one with the mistake, drawn by one renderer to test reused results.
 struct Both {
     Picture right, wrong;
     Both(Scene scene, bool Mistakes::*flag) {  // NOLINT(performance-unnecessary-value-param): it is changed
@@ -52,7 +52,7 @@ bool Mistakes::*flag_of(std::string_view name) {
     return nullptr;
 }
 
-/// Whether sum and bytes of the explanation are the pixel's.
+/// Whether sum and bytes of the explanation equal the pixel's.
 bool explained(const Renderer& renderer, const Picture& picture, int x, int y) {
     const Explanation e = renderer.explain(x, y);
     const std::uint8_t* rgb = &picture.rgba[4 * picture.pixel(x, y)];
@@ -62,7 +62,7 @@ bool explained(const Renderer& renderer, const Picture& picture, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("what looks like a mistake is another mistake, and every group has some", "[mistakes][scene]") {
+TEST_CASE("look-alikes are other mistakes, and every group has some mistakes", "[mistakes][scene]") {
     std::set<std::string_view> names;
     std::set<SeenAs> groups;
     for (const MistakeName& m : mistake_names()) {
@@ -122,7 +122,7 @@ TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][ex
             }
 }
 
-TEST_CASE("glNormal3f(1, 1, 1) as it is lights root 3 times too bright", "[mistakes][lecture]") {
+TEST_CASE("an unnormalized glNormal3f(1, 1, 1) lights root 3 times too bright", "[mistakes][lecture]") {
     auto mesh = std::make_shared<Mesh>(
         *polygon_mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}}));
     mesh->given_normals = GivenNormals::File;
@@ -138,7 +138,7 @@ TEST_CASE("glNormal3f(1, 1, 1) as it is lights root 3 times too bright", "[mista
     const float right = renderer.render(scene, {9, 9}, true).linear_at(4, 4).x;
     CHECK(right == Approx(0.8 / std::sqrt(3.0)));
     scene.shading.mistakes.unnormalized_normals = true;
-    auto by_position = std::make_shared<Mesh>(*mesh);  // as a PLY gives them
+    auto by_position = std::make_shared<Mesh>(*mesh);  // as in a PLY
     by_position->normals.assign(4, {1, 1, 1});
     by_position->corner_normal = std::vector<std::uint32_t>();
     for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud})
@@ -185,8 +185,7 @@ TEST_CASE("an unnormalised l makes the diffuse term grow with the distance", "[m
     CHECK(illuminate({Reflection::Lambert, {}, nullptr}, light, m, at).diffuse.x == Approx(0.5));
 }
 
-TEST_CASE("an unnormalised l to the power of 0 is 1, however far behind the mirror the eye is",
-          "[mistakes]") {
+TEST_CASE("an unnormalised l to the power of 0 is 1, even far behind the mirror", "[mistakes]") {
     Mistakes wrong;
     wrong.unnormalized_light = true;
     LightAt<float> light;
@@ -201,11 +200,11 @@ TEST_CASE("an unnormalised l to the power of 0 is 1, however far behind the mirr
     CHECK(illuminate({Reflection::Phong, {}, &wrong}, light, m, at).specular.x == 1);
 }
 
-TEST_CASE("nothing holds the highlight of an unnormalised l at 1: it is (v.r)^n, 4^3 = 64", "[mistakes]") {
+TEST_CASE("the highlight of an unnormalised l is not limited to 1: (v.r)^n, 4^3 = 64", "[mistakes]") {
     Mistakes wrong;
     wrong.unnormalized_light = true;
     LightAt<float> light;
-    light.xyz = {0, 0, 4};  // at (0, 0, 0) with n = v = z: n.l = r.v = 4, h = (l + v)/5 = z, and l.v stays 1
+    light.xyz = {0, 0, 4};  // for (0, 0, 0) with n = v = z: n.l = r.v = 4, h = (l + v)/5 = z, and l.v stays 1
     light.w = 1;
     light.specular = light.diffuse = {1, 1, 0};
     MaterialAt<float> m;
@@ -220,15 +219,15 @@ TEST_CASE("nothing holds the highlight of an unnormalised l at 1: it is (v.r)^n,
     CHECK(specular(Reflection::Phong, 1.5f).x == Approx(0.5 * 8));
     CHECK(specular(Reflection::Retro, 3).x == Approx(0.5));
     CHECK(specular(Reflection::BlinnPhong, 3).x == Approx(0.5));
-    for (const float shininess : {1000.0f, 999.5f, 10'000.0f}) {  // 4^1000: no float holds it
+    for (const float shininess : {1000.0f, 999.5f, 10'000.0f}) {  // 4^1000 exceeds a float
         const Vec3<float> huge = specular(Reflection::Phong, shininess);
         CHECK(huge.x == 0.5f * max_factor);
-        CHECK(huge.y == 0);  // of a colour of 0 there is nothing to reflect
+        CHECK(huge.y == 0);  // a colour of 0 reflects nothing
         CHECK(huge.z == 0);
     }
 }
 
-TEST_CASE("an unnormalised l leaves cone, falloff and an area light's cosine as they are", "[mistakes]") {
+TEST_CASE("an unnormalised l leaves cone, falloff and an area light's cosine unchanged", "[mistakes]") {
     Mistakes wrong;
     wrong.unnormalized_light = true;
     LightAt<float> lamp;
@@ -257,8 +256,7 @@ TEST_CASE("an unnormalised l leaves cone, falloff and an area light's cosine as 
     CHECK(illuminate({Reflection::Lambert, {}, &wrong}, window, m, at).falloff == Approx(2 * 0.6 / 16));
 }
 
-TEST_CASE("a scene file names the mistakes it makes, and one that it does not know is an error",
-          "[mistakes][scene]") {
+TEST_CASE("a scene file names its mistakes, and an unknown one is an error", "[mistakes][scene]") {
     for (const MistakeName& mistake : mistake_names()) {
         const std::string text =
             "{\"glint\": 1, \"shading\": {\"mistakes\": {\"" + std::string(mistake.name) + "\": true}}}";

@@ -1,4 +1,4 @@
-// power() against the library's pow in double, and the same bits in every width.
+// power() against the library's pow in double, and equal bits in every width.
 #include <cmath>
 #include <random>
 
@@ -14,19 +14,19 @@ TEST_CASE("power is within 2.5e-6 of pow, relative, for results above 1e-6", "[p
         const float x = static_cast<float>(random() % 1000001) * 1e-6f;
         const float s = static_cast<float>(random() % 100001) * 0.01f;
         const double exact = std::pow(static_cast<double>(x), static_cast<double>(s));
-        if (exact < 1e-6) continue;  // smaller results lose a digit more and matter to no picture
+        if (exact < 1e-6) continue;  // smaller results lose a digit more and are invisible
         worst = std::max(worst, std::abs(power(x, s) / exact - 1));
     }
     CHECK(worst < 2.5e-6);
 }
 
-TEST_CASE("squaring gives every whole power up to 1024 within 2^-24 a factor of pow", "[power]") {
+TEST_CASE("squaring gives every whole power up to 1024 within 2^-24 of pow per factor", "[power]") {
     std::mt19937 random(3);
     for (int n = 0; n <= 1024; ++n) {
         const Exponent<float> s = static_cast<float>(n);
         REQUIRE(s.whole == n);
         for (int i = 0; i < 200; ++i) {
-            // x so that x^n is spread from 2^-24, below which no highlight counts, to 1
+            // x such that x^n is spread from 2^-24, the smallest visible highlight, to 1
             const double wanted = std::exp2(-24.0 * static_cast<double>(random() % 1000001) * 1e-6);
             const auto x = static_cast<float>(std::pow(wanted, 1.0 / std::max(n, 1)));
             const double exact = std::pow(static_cast<double>(x), n);
@@ -37,7 +37,7 @@ TEST_CASE("squaring gives every whole power up to 1024 within 2^-24 a factor of 
     }
 }
 
-TEST_CASE("whole exponents above 1024 and fractions take the polynomials, and meet the squares", "[power]") {
+TEST_CASE("fractions and exponents above 1024 use polynomials that meet the squares", "[power]") {
     for (const float s : {0.5f, 2.5f, 31.999998f, 1024.5f, 1025.0f, 10000.0f})
         CHECK(Exponent<float>(s).whole == -1);
     for (int n = 1; n <= 1024; ++n)
@@ -52,7 +52,7 @@ TEST_CASE("whole exponents above 1024 and fractions take the polynomials, and me
         }
 }
 
-TEST_CASE("a whole power of what is negative counts as that of 0", "[power]") {
+TEST_CASE("a whole power of a negative number equals that of 0", "[power]") {
     CHECK(power(-0.5f, Exponent<float>(2.0f)) == 0.0f);
     CHECK(power(-0.5f, Exponent<float>(0.0f)) == 1.0f);
 }
@@ -65,7 +65,7 @@ TEST_CASE("anything to the power 0 is 1, and 0 to any other power is 0", "[power
     CHECK(power(1e-40f, 2.0f) == 0.0f);
 }
 
-TEST_CASE("a power below what a float holds is 0, however large the exponent", "[power]") {
+TEST_CASE("a power below the smallest float is 0, even for a huge exponent", "[power]") {
     for (const float s : {1e5f, 1e7f, 3e8f, 1e30f}) {
         CHECK(power(0.3f, s) == 0.0f);
         CHECK(power(1.2e-38f, s) == 0.0f);

@@ -1,6 +1,5 @@
-// The extension models against tabulated values, and every model against physics: reciprocity, energy.
-// As a BRDF, radiance = f <n.l> E, a model's factor here is f pi <n.l> (the equation's Lambert term has no
-// 1/pi).
+// The extension models against tabulated values, and every model against physics: reciprocity, energy. As a
+// BRDF, radiance = f <n.l> E, a model's factor here is f pi <n.l> (the equation's Lambert term has no 1/pi).
 #include "renderer/lighting/reflection.h"
 
 #include <cmath>
@@ -29,7 +28,7 @@ struct Bench {
         const PointAt<float> point{{}, {0, 0, 1}, v};
         return respond(model, directions_for(l, point), m, point);
     }
-    /// f as formulas give it: of the diffuse and the specular part together, rho = 1.
+    /// f by its formula: of the diffuse and the specular part together, rho = 1.
     [[nodiscard]] double brdf(Vec l, Vec v) const {
         const Response<float> r = at(l, v);
         return (static_cast<double>(r.diffuse) * (model == Reflection::OrenNayar) + r.specular.x) /
@@ -48,7 +47,7 @@ TEST_CASE("Oren-Nayar gives the tabulated values", "[reflection]") {
     b.m.roughness = 40.0f / 90;
     CHECK(b.brdf(direction(45, 0), direction(0, 0)) == Approx(0.2234098).epsilon(1e-5));
     CHECK(b.brdf(direction(60, 0), direction(60, 0)) == Approx(0.4047779).epsilon(1e-5));
-    b.m.roughness = 0;  // is Lambert
+    b.m.roughness = 0;  // equals Lambert
     CHECK(b.brdf(direction(50, 0), direction(20, 70)) == Approx(1 / pi).epsilon(1e-6));
 }
 
@@ -81,7 +80,7 @@ TEST_CASE("Oren-Nayar and Cook-Torrance are reciprocal", "[reflection][property]
 
 namespace {
 
-/// Share of the light from (theta, 0) that leaves into the hemisphere, by midpoint quadrature.
+/// The fraction of the light from (theta, 0) that leaves into the hemisphere, by midpoint quadrature.
 double albedo(const Bench& b, double theta_deg) {
     const Vec v = direction(theta_deg, 0);  // reciprocal models: swap l and v
     const int steps = 400;
@@ -112,7 +111,7 @@ TEST_CASE("a white furnace shows the tabulated albedos, none above 1", "[reflect
     CHECK(albedo(oren, 80) == Approx(0.8683).epsilon(2e-3));
 }
 
-TEST_CASE("retro-reflection peaks where the viewer stands at the light", "[reflection]") {
+TEST_CASE("retro-reflection peaks with the viewer at the light", "[reflection]") {
     Bench b;
     b.model = Reflection::Retro;
     b.m.shininess = 32;

@@ -1,4 +1,4 @@
-// In which lists of the tiles triangles are found.
+// The tile lists that contain each triangle.
 #include "renderer/visibility/binning.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ TileLists sorted(const Scene& scene, PictureSize size) {
     return lists;
 }
 
-/// The triangles that a tile is given to draw, as often as it is.
+/// The triangles passed to a tile, with repetitions.
 std::multiset<std::uint32_t> drawn_in_tile(const TileLists& lists, std::uint32_t x, std::uint32_t y) {
     std::multiset<std::uint32_t> numbers;
     for (std::uint32_t level = 0; level < CellGrid::levels; ++level) {
@@ -45,7 +45,7 @@ std::multiset<std::uint32_t> drawn_in_tile(const TileLists& lists, std::uint32_t
 
 }  // namespace
 
-TEST_CASE("every tile is given each triangle whose box meets it, once", "[visibility][binning]") {
+TEST_CASE("every tile gets each triangle whose box meets it, once", "[visibility][binning]") {
     std::mt19937 random(31);
     const PictureSize size{1900, 1300};
     for (int round = 0; round < 20; ++round) {
@@ -82,7 +82,7 @@ TEST_CASE("every tile is given each triangle whose box meets it, once", "[visibi
     }
 }
 
-TEST_CASE("a triangle has at most 16 entries, however many tiles it covers", "[visibility][binning]") {
+TEST_CASE("a triangle has at most 16 entries, even if it covers more tiles", "[visibility][binning]") {
     const PictureSize largest{max_picture_side, max_picture_side};  // 65,536 tiles
     std::vector<glm::vec3> corners;
     for (int i = 0; i < 50; ++i)
@@ -94,8 +94,7 @@ TEST_CASE("a triangle has at most 16 entries, however many tiles it covers", "[v
     CHECK(lists.entries.size() <= 50 * 16);
 }
 
-TEST_CASE("triangles that meet more than 2^30 tiles are refused in one line, before any memory is taken",
-          "[visibility][binning]") {
+TEST_CASE("triangles in more than 2^30 tiles are refused before allocating memory", "[visibility][binning]") {
     const PictureSize largest{max_picture_side, max_picture_side};  // 65,536 tiles
     std::vector<glm::vec3> corners;
     for (int i = 0; i < 16385; ++i)
@@ -114,8 +113,7 @@ TEST_CASE("triangles that meet more than 2^30 tiles are refused in one line, bef
     CHECK_NOTHROW(bin_into_tiles(lists, g, Cull::None, false));
 }
 
-TEST_CASE("many small objects share a task, so that memory is not objects times tiles",
-          "[visibility][binning]") {
+TEST_CASE("many small objects share a task, which limits memory", "[visibility][binning]") {
     Scene scene;
     for (int i = 0; i < 1000; ++i) {
         scene.objects.push_back(object_of(primitive(Primitive::Plane, 1)));
@@ -126,9 +124,9 @@ TEST_CASE("many small objects share a task, so that memory is not objects times 
     CHECK(lists.chunks[0].parts.size() == 1000);
 }
 
-TEST_CASE("a scene of more triangles than there are numbers for is refused in one line", "[scene][binning]") {
+TEST_CASE("a scene with more than 2^30 triangles is refused in one line", "[scene][binning]") {
     std::string text = R"({"glint": 1, "objects": [)";
-    const int objects = 9000;  // of 2 * 250 * 250 triangles: 1.125e9 in all, above 2^30 = 1.074e9
+    const int objects = 9000;  // with 2 * 250 * 250 triangles each: 1.125e9 in total, above 2^30 = 1.074e9
     for (int i = 0; i < objects; ++i)
         text +=
             std::string(i > 0 ? "," : "") + R"({"mesh": {"primitive": "tessellated-quad", "detail": 250}})";

@@ -1,5 +1,4 @@
-// What pictures tend to: Lambert's formula for a polygon, a white furnace, and Phong shading, each at its
-// rate.
+// Limits of pictures: Lambert's formula for a polygon, a white furnace, and Phong shading, each at its rate.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,7 +14,7 @@ namespace {
 
 constexpr PictureSize size{97, 73};
 
-/// One white primitive under one light, seen from a little above.
+/// One white primitive under one light, seen from slightly above.
 Scene white_under(const Light& light, Primitive kind, int detail) {
     Scene scene;
     scene.camera.eye = {1, 2, 3.5f};
@@ -26,7 +25,7 @@ Scene white_under(const Light& light, Primitive kind, int detail) {
     return scene;
 }
 
-/// The light of a square of half-edge 1 at height 1 above the middle of a plane, as the middle pixel shows
+/// The light of a square of half-edge 1 at height 1 above the centre of a plane, as the middle pixel shows
 /// it.
 double seen_under_square(int samples, glm::vec3 turn) {
     Light square;
@@ -43,8 +42,8 @@ double seen_under_square(int samples, glm::vec3 turn) {
 }  // namespace
 
 TEST_CASE("an area light gives the worked sums of its samples", "[convergence][area]") {
-    // The middle of the plane sees sum over cells of A cos cos' / (pi n^2 r^2); formulas worked by hand,
-    // times 1 / pi.
+    // The centre of the plane receives the sum over cells of A cos cos' / (pi n^2 r^2); formulas worked by
+    // hand, times 1 / pi.
     const double pi = std::numbers::pi;
     CHECK(seen_under_square(1, {}) == Approx(4.0 / pi));
     CHECK(seen_under_square(4, {}) == Approx(1.777778 / pi));
@@ -53,10 +52,9 @@ TEST_CASE("an area light gives the worked sums of its samples", "[convergence][a
     CHECK(seen_under_square(64, {}) == Approx(1.747985 / pi));
 }
 
-TEST_CASE("an area light tends to Lambert's polygon formula over factors of 4 in the samples",
-          "[convergence][area]") {
-    // Lambert: E / L = (1/2) sum theta_i g_i.n; the square over its middle 2 sqrt 2 atan(1 / sqrt 2), a
-    // receiver turned by 45 degrees 1.2309594.
+TEST_CASE("an area light converges to Lambert's polygon formula as its samples grow", "[convergence][area]") {
+    // Lambert: E / L = (1/2) sum theta_i g_i.n; the square above its centre 2 sqrt 2 atan(1 / sqrt 2), a
+    // receiver rotated by 45 degrees 1.2309594.
     const double pi = std::numbers::pi;
     for (const auto& [turn, limit] : {std::pair{glm::vec3(0), 1.7408395}, {glm::vec3(45, 0, 0), 1.2309594}}) {
         double before = HUGE_VAL;
@@ -72,8 +70,8 @@ TEST_CASE("an area light tends to Lambert's polygon formula over factors of 4 in
 
 namespace {
 
-/// A white diffuse ball in a box whose six walls are area lights: mean and largest distance from 1 of its
-/// pixels.
+/// A white diffuse ball in a box whose six walls are area lights: mean and largest distance of its pixels
+/// from 1.
 std::pair<double, double> furnace(int samples) {
     Scene scene;
     scene.camera.eye = {0.4f, 0.6f, 1.5f};
@@ -109,10 +107,10 @@ std::pair<double, double> furnace(int samples) {
 
 }  // namespace
 
-TEST_CASE("a white diffuse ball in a white furnace cannot be told from it", "[convergence][energy]") {
-    // From everywhere comes the same light, so whatever is white shows just that light, whichever way it
-    // faces. What is left is the error of the samples at the middles of cells: a quarter for four times as
-    // many.
+TEST_CASE("a white diffuse ball in a white furnace is invisible", "[convergence][energy]") {
+    // The light is equal from all directions, so a white surface reflects the same light, regardless of its
+    // orientation. The remainder is the error of the samples at the centres of cells: a quarter for four
+    // times as many.
     const auto [mean_16, worst_16] = furnace(16);
     const auto [mean_64, worst_64] = furnace(64);
     INFO("16 samples: " << mean_16 << ", " << worst_16 << "; 64: " << mean_64 << ", " << worst_64);
@@ -121,10 +119,10 @@ TEST_CASE("a white diffuse ball in a white furnace cannot be told from it", "[co
     CHECK(mean_16 / mean_64 == Approx(4).epsilon(0.1));
 }
 
-TEST_CASE("Gouraud tends to Phong with the square of an edge's length", "[convergence]") {
+TEST_CASE("Gouraud converges to Phong with the square of an edge's length", "[convergence]") {
     // Linear interpolation of a smooth function is off by h^2/8 times its second derivative: halving h
     // quarters it.
-    static constexpr PictureSize fine{291, 219};  // several pixels a cell of the finest ball
+    static constexpr PictureSize fine{291, 219};  // several pixels per cell of the finest ball
     const auto rms = [](int detail) {
         Light headlight;  // no terminator in view, where the second derivative is not finite
         headlight.space = LightSpace::Camera;

@@ -1,5 +1,4 @@
-// Pictures that do not fit in the memory there is: refused in one line, most of them before anything is
-// drawn.
+// Pictures that exceed the memory: refused in one line, most of them before drawing.
 #include <chrono>
 
 #include "models/memory_limit.h"
@@ -43,7 +42,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("objects of one mesh share what does not depend on their places", "[memory][geometry]") {
+TEST_CASE("objects of one mesh share data that does not depend on their transforms", "[memory][geometry]") {
     Scene scene = scene_of({Primitive::Teapot, 6}, 4);
     scene.objects[3].normals.source = NormalSource::Facet;
     for (std::size_t i = 0; i < 4; ++i) scene.objects[i].transform.translate.x = static_cast<float>(i);
@@ -55,7 +54,7 @@ TEST_CASE("objects of one mesh share what does not depend on their places", "[me
         CHECK(g.objects[i].triangle_vertices.data() == g.objects[0].triangle_vertices.data());
         CHECK((normals[i].of_mesh == normals[0].of_mesh) == (i < 3));
     }
-    // A fifth one comes, the first gets another mesh: the others' lists are the same still.
+    // Adding a fifth one and giving the first another mesh keeps the lists of the others.
     const std::uint32_t* const list = g.objects[1].triangle_vertices.data();
     const auto of_mesh = normals[1].of_mesh;
     scene.objects.push_back(scene.objects[1]);
@@ -67,7 +66,7 @@ TEST_CASE("objects of one mesh share what does not depend on their places", "[me
     CHECK(normals[4].of_mesh == of_mesh);
 }
 
-TEST_CASE("a scene that is too large is refused before it is drawn, and the last picture stays",
+TEST_CASE("a scene that is too large is refused before drawing, keeping the last picture",
           "[memory][renderer]") {
     const Scene scene = scene_of({Primitive::Sphere, 24}, 1);
     Renderer renderer(1);
@@ -81,7 +80,7 @@ TEST_CASE("a scene that is too large is refused before it is drawn, and the last
     CHECK(renderer.render(scene, {64, 48}).rgba == before);
 }
 
-TEST_CASE("many objects of a large mesh are refused before any is placed", "[memory][renderer]") {
+TEST_CASE("many objects of a large mesh are refused before any is transformed", "[memory][renderer]") {
     const Scene scene = scene_of({Primitive::Teapot, 100}, 200);
     const MemoryLimit limit(1000 * mib);
     Renderer renderer(1);
@@ -90,7 +89,7 @@ TEST_CASE("many objects of a large mesh are refused before any is placed", "[mem
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::milliseconds(500));
 }
 
-TEST_CASE("the largest picture is refused at once where it does not fit", "[memory][cli]") {
+TEST_CASE("the largest picture is refused at once if it does not fit", "[memory][cli]") {
     const std::string teapot = project_file("assets/scenes/default.json");
     const auto start = std::chrono::steady_clock::now();
     const TemporaryDirectory directory;
@@ -105,8 +104,7 @@ TEST_CASE("the largest picture is refused at once where it does not fit", "[memo
                    "GLINT_MEMORY change that)\n"));
 }
 
-TEST_CASE("the limit is an option of every command that takes a scene, and of the surroundings",
-          "[memory][cli]") {
+TEST_CASE("every command with a scene has a memory limit option and uses GLINT_MEMORY", "[memory][cli]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file(
         "s.json", R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 500}}]})");

@@ -1,4 +1,4 @@
-// A number of a scene that changes no picture has been given a row and no effect.
+// A number of a scene that changes no picture has a row but no effect.
 #include <algorithm>
 #include <regex>
 #include <set>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr PictureSize number_size{64, 48};
 
-/// Scenes among which each number has its part.
+/// Scenes that together use every number.
 std::vector<Scene> scenes() {
     Scene first = busy_scene();
     for (Object& object : first.objects) {

@@ -1,4 +1,4 @@
-// Where vertices and normals come to, against GLM's own arithmetic in double.
+// Transformed vertices and normals, against GLM's own arithmetic in double.
 #include "renderer/geometry/geometry.h"
 
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace glint::test;
 
 namespace {
 
-/// `count` vertices all round the camera: before and behind it, in and out of view.
+/// `count` vertices all around the camera: in front and behind, in and out of view.
 Scene scattered(std::mt19937& random, int count) {
     std::vector<glm::vec3> positions;
     for (int i = 0; i < count; ++i) positions.push_back(uniform_vec3(random, -6, 6));
@@ -44,7 +44,7 @@ std::uint32_t outside(const glm::dvec4& c) {
 
 }  // namespace
 
-TEST_CASE("vertices come to where GLM's matrices put them, however many there are", "[geometry]") {
+TEST_CASE("vertices are transformed by GLM's matrices, for any count", "[geometry]") {
     std::mt19937 random(17);
     const PictureSize size{640, 360};
     std::uint32_t met = 0;
@@ -75,7 +75,7 @@ TEST_CASE("vertices come to where GLM's matrices put them, however many there ar
     CHECK(met == 127);  // every kind of outside
 }
 
-TEST_CASE("normals come to where GLM's matrices put them, unit or zero", "[geometry]") {
+TEST_CASE("normals are transformed by GLM's matrices, unit or zero", "[geometry]") {
     std::mt19937 random(18);
     for (int count = 3; count < 30; ++count) {
         const Scene scene = scattered(random, count);

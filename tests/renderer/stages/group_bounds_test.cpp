@@ -1,4 +1,4 @@
-// Bounds of groups of points: what they leave out must add nothing.
+// Bounds of groups of points: lights that they exclude must add nothing.
 #include "renderer/shade/group_bounds.h"
 
 #include <random>
@@ -30,7 +30,7 @@ class Dice {
     std::mt19937 random_;
 };
 
-/// 16 places and unit normals near each other, and the tightest balls around a center that is slightly off.
+/// 16 positions and unit normals close together, and the tightest balls around a slightly shifted centre.
 Points some_points(Dice& dice, float scale) {
     Points points;
     const Vec place = dice.vector(3 * scale), normal = unit(dice.vector(1));
@@ -58,7 +58,7 @@ bool some_in_front(const LightAt<float>& light, const Points& points) {
 
 }  // namespace
 
-TEST_CASE("bounds that are certainly behind a light hold no point in front of it", "[lighting][release]") {
+TEST_CASE("bounds that are certainly behind a light contain no point in front of it", "[lighting][release]") {
     Dice dice(7);
     int dark = 0, known = 0;
     for (int i = 0; i < 100000; ++i) {
@@ -72,10 +72,10 @@ TEST_CASE("bounds that are certainly behind a light hold no point in front of it
         dark += !front;
         known += behind;
     }
-    CHECK(known > dark / 2);  // it is of use
+    CHECK(known > dark / 2);  // it is useful
 }
 
-TEST_CASE("nothing is certain of bounds that are not numbers, or of a light among the points", "[lighting]") {
+TEST_CASE("bounds are uncertain if they are not numbers, or if a light is among the points", "[lighting]") {
     LightAt<float> light;
     light.w = 1;
     light.xyz = {0, 0, -1};

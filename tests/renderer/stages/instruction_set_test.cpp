@@ -1,4 +1,4 @@
-// GLINT_ISA forces an instruction set: the bytes of a picture may not depend on it.
+// GLINT_ISA forces an instruction set: the bytes of a picture must not depend on it.
 #include "renderer/simd/isa/instruction_set.h"
 
 #include <cstdlib>
@@ -36,7 +36,7 @@ std::string drawn(const std::vector<std::string>& settings) {
 
 }  // namespace
 
-TEST_CASE("every instruction set draws the same bytes, under every mode and model", "[renderer][isa]") {
+TEST_CASE("every instruction set draws the same bytes in every mode and model", "[renderer][isa]") {
     std::vector<std::vector<std::string>> scenes;
     for (const char* model : {"lambert", "phong", "blinn-phong", "retro", "oren-nayar", "cook-torrance"})
         scenes.push_back({std::string("/shading/reflection=") + model});
@@ -44,7 +44,7 @@ TEST_CASE("every instruction set draws the same bytes, under every mode and mode
         scenes.push_back({std::string("/shading/mode=") + mode});
     scenes.push_back({"/shading/two_sided=true", "/shading/cull=front"});
     scenes.push_back({"/npr/cool_to_warm=true"});
-    // 60 taken for radians has a negative cosine: a cone wider than the half space before it.
+    // 60 taken as radians has a negative cosine: a cone wider than the half space in front of it.
     scenes.push_back({"/shading/mistakes/degrees_for_radians=true", "/lights/7/spot/cutoff_deg=60"});
     for (const auto& scene : scenes) {
         std::string first;
@@ -60,7 +60,7 @@ TEST_CASE("every instruction set draws the same bytes, under every mode and mode
     }
 }
 
-TEST_CASE("an instruction set that does not exist is one line and wrong usage", "[cli][isa]") {
+TEST_CASE("an instruction set that does not exist is reported in one line as wrong usage", "[cli][isa]") {
     const Forced forced("sse9");
     const Ended ended = run_glint({"--version"});
     CHECK(ended.status == 2);

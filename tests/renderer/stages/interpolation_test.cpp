@@ -12,7 +12,7 @@ using namespace glint::test;
 
 namespace {
 
-/// Corner values shown as they are, seen from +z without perspective.
+/// Corner values shown unchanged, seen from +z without perspective.
 Scene values_scene(MeshPtr mesh, float view_height) {
     Scene scene;
     scene.objects.push_back(object_of(std::move(mesh)));
@@ -44,8 +44,8 @@ TEST_CASE("weights at a screen point: perspective-correct against linear on the 
     CHECK(s.z == Approx(0.5).epsilon(1e-5));
 }
 
-TEST_CASE("scanline interpolation of a skew quad depends on how it is turned", "[interpolation][lecture]") {
-    // Quad A(0,0)=0 B(4,0)=1 C(6,4)=0 D(0,4)=1; P(3,2), its middle, is pinned to the picture's middle.
+TEST_CASE("scanline interpolation of a skew quad depends on its rotation", "[interpolation][lecture]") {
+    // Quad A(0,0)=0 B(4,0)=1 C(6,4)=0 D(0,4)=1; its centre P(3,2) is fixed at the picture's centre.
     const struct {
         float turn, value;
     } rows[] = {{0, 0.5f},       {90, 0.625f},    {-90, 0.625f},   {45, 0.833333f},
@@ -56,7 +56,7 @@ TEST_CASE("scanline interpolation of a skew quad depends on how it is turned", "
         CAPTURE(row.turn);
         scene.shading.interpolation = Interpolation::Scanline;
         CHECK(value_at(scene, {101, 101}, 50, 50) == Approx(row.value).epsilon(1e-4));
-        // Cut into ABC and ACD, P lies on the diagonal AC, both of whose ends are 0: however it is turned.
+        // Cut into ABC and ACD, P is on the diagonal AC, both of whose ends are 0, for every rotation.
         scene.shading.interpolation = Interpolation::Perspective;
         CHECK(value_at(scene, {101, 101}, 50, 50) == Approx(0).margin(1e-4));
         scene.shading.interpolation = Interpolation::Screen;
@@ -64,8 +64,7 @@ TEST_CASE("scanline interpolation of a skew quad depends on how it is turned", "
     }
 }
 
-TEST_CASE("more corners along straight edges leave scanline interpolation as it was, in every frame",
-          "[interpolation]") {
+TEST_CASE("extra corners on straight edges do not change scanline interpolation", "[interpolation]") {
     // The skew quad of above, each edge cut into 40.
     constexpr int pieces = 40;
     const std::array<glm::vec2, 4> quad{glm::vec2(0, 0), glm::vec2(4, 0), glm::vec2(6, 4), glm::vec2(0, 4)};
@@ -83,7 +82,7 @@ TEST_CASE("more corners along straight edges leave scanline interpolation as it 
     Scene scene = values_scene(std::make_shared<const Mesh>(std::move(mesh)), 0.1f);
     scene.shading.interpolation = Interpolation::Scanline;
     Renderer renderer(1);
-    constexpr PictureSize one_row{101, 1};  // in which every frame begins where the last one ended
+    constexpr PictureSize one_row{101, 1};  // in which every frame begins at the end of the last one
     const std::array<std::array<float, 2>, 5> rows{
         {{0, 0.5f}, {90, 0.625f}, {45, 0.833333f}, {15, 0.648808f}, {0, 0.5f}}};
     for (const auto& [turn, value] : rows) {
@@ -93,11 +92,10 @@ TEST_CASE("more corners along straight edges leave scanline interpolation as it 
     }
 }
 
-TEST_CASE("a vertex shared on one side only makes a step on the crossing scanline",
+TEST_CASE("a vertex shared on only one side makes a step on the crossing scanline",
           "[interpolation][lecture][release]") {
-    // The slide's A..H: 8 x 8, centred, so that the shared edge x = 4 stands at 0. 801 pixels over 8.01
-    // units: the sample at column 400 + 100 k is at x = k; one pixel to the left and right of 0 straddles the
-    // edge.
+    // The slide's A..H: 8 x 8, centred, so that the shared edge is x = 4 at 0. 801 pixels over 8.01 units:
+    // the sample at column 400 + 100 k is at x = k; one pixel to the left and right of 0 straddles the edge.
     const PictureSize size{801, 801};
     const auto picture_of = [&size](int detail) {
         Scene scene = values_scene(primitive(Primitive::TJunction, detail), 8.01f);
@@ -122,10 +120,10 @@ TEST_CASE("a vertex shared on one side only makes a step on the crossing scanlin
     }
 }
 
-TEST_CASE("on a receding quad screen interpolation differs from the correct one as worked",
+TEST_CASE("on a receding quad screen and correct interpolation differ as worked by hand",
           "[interpolation][release]") {
-    // A strip from w = 1 (value 0) to w = 3 (value 1): at screen shares .25, .5, .75 the values are .1, .25,
-    // .5; linear on the screen they are the shares themselves.
+    // A strip from w = 1 (value 0) to w = 3 (value 1): at screen fractions .25, .5, .75 the values are .1,
+    // .25, .5; linear on the screen they are the fractions themselves.
     auto mesh = std::make_shared<Mesh>(*polygon_mesh(
         {{-0.5f, -0.5f, -1}, {-0.5f, 0.5f, -1}, {1.5f, 1.5f, -3}, {1.5f, -1.5f, -3}}, {{0, 3, 2, 1}}));
     mesh->colors = {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};
@@ -144,8 +142,7 @@ TEST_CASE("on a receding quad screen interpolation differs from the correct one 
     }
 }
 
-TEST_CASE("a quad through the near plane interpolates on the screen from where the plane cuts it",
-          "[interpolation]") {
+TEST_CASE("screen interpolation of a quad through the near plane starts at the cut", "[interpolation]") {
     // Ground from z = 1 (behind the eye, value 0) to z = -3 (value 1), eye 1 above it. Cut at z = -0.5, value
     // 0.375.
     auto mesh = std::make_shared<Mesh>(
@@ -166,7 +163,7 @@ TEST_CASE("a quad through the near plane interpolates on the screen from where t
     }
 }
 
-TEST_CASE("a glow that is the same at all corners is so at every pixel, however a face is cut and stretched",
+TEST_CASE("an equal glow at all corners is equal at every pixel of a cut or stretched face",
           "[interpolation]") {
     constexpr float glow = 0.4375f;
     std::mt19937 random(7);

@@ -1,4 +1,4 @@
-// The sum of all lights but the one that is dragged, kept from frame to frame: it may not change a bit.
+// The sum of all lights except the dragged one is kept between frames: it must not change a bit.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -23,7 +23,7 @@ Scene eight_lights() {
     return std::get<SceneDocument>(opened).scene;
 }
 
-/// Draws each step by a renderer that keeps what it can, and by a new one that has nothing to keep.
+/// Draws each step with a renderer that reuses results, and with a new one.
 void check_same_bytes(Scene scene, const std::vector<std::function<void(Scene&)>>& steps) {
     Renderer keeping(2);
     for (const auto& step : steps) {
@@ -34,7 +34,7 @@ void check_same_bytes(Scene scene, const std::vector<std::function<void(Scene&)>
 
 }  // namespace
 
-TEST_CASE("dragging a light over kept sums gives the bytes of lighting every light again", "[renderer]") {
+TEST_CASE("dragging a light with kept sums gives the bytes of lighting every light again", "[renderer]") {
     for (const Reflection model : {Reflection::Lambert, Reflection::Phong, Reflection::BlinnPhong,
                                    Reflection::Retro, Reflection::OrenNayar}) {
         Scene scene = eight_lights();
@@ -65,7 +65,7 @@ TEST_CASE("dragging a light over kept sums gives the bytes of lighting every lig
     }
 }
 
-TEST_CASE("a light that is carried round the object lights and leaves every part of it", "[renderer]") {
+TEST_CASE("a light moved around the object lights and leaves every part of it", "[renderer]") {
     std::vector<std::function<void(Scene&)>> steps{[](Scene&) {}};
     for (std::size_t light = 0; light < 8; ++light)
         for (int step = 0; step < 6; ++step)
@@ -82,7 +82,7 @@ TEST_CASE("a light that is carried round the object lights and leaves every part
     check_same_bytes(drawn_over, steps);
 }
 
-TEST_CASE("a material that changes lights its own pixels alone, whatever changes with it", "[renderer]") {
+TEST_CASE("any change of a material only lights that material's pixels", "[renderer]") {
     Scene scene = eight_lights();
     scene.objects.push_back(scene.objects[0]);
     scene.objects[1].transform.translate = {0.5f, 0.2f, 0.3f};
@@ -97,11 +97,11 @@ TEST_CASE("a material that changes lights its own pixels alone, whatever changes
                                  [&](Scene& s) { redden(1, 0.6f)(s), s.camera.eye.x += 0.1f; },
                                  [&](Scene& s) { redden(0, 0.7f)(s), s.global_ambient = glm::vec3(0.3f); },
                                  [](Scene& s) { s.lights[3].intensity = 1e7f; },
-                                 redden(1, 1e7f)});  // bounds what all lights may be
+                                 redden(1, 1e7f)});  // limits all possible lights
     }
 }
 
-TEST_CASE("an explanation over kept sums equals its pixel to the last bit", "[renderer][explain]") {
+TEST_CASE("an explanation with kept sums equals its pixel bit by bit", "[renderer][explain]") {
     Scene scene = eight_lights();
     Renderer renderer(1);
     for (int frame = 0; frame < 3; ++frame) {
@@ -116,7 +116,7 @@ TEST_CASE("an explanation over kept sums equals its pixel to the last bit", "[re
     }
 }
 
-TEST_CASE("lights without a bound, or too few of them, keep no sum and change no bit", "[renderer]") {
+TEST_CASE("too few lights, or lights without a bound, keep no sum and change no bit", "[renderer]") {
     Scene near = eight_lights();
     near.lights[2].falloff = {0, 0, 1};  // grows without end near the light
     Scene few = eight_lights();
@@ -127,8 +127,7 @@ TEST_CASE("lights without a bound, or too few of them, keep no sum and change no
     }
 }
 
-TEST_CASE("many lights of which one is very strong at its place add up to what each gives alone",
-          "[renderer]") {
+TEST_CASE("many lights with one very strong one add to the sum of single lights", "[renderer]") {
     for (const auto& [constant, intensity] :
          {std::pair{1e-8f, 1.0f}, {1e-4f, 1.0f}, {1.0f, 1e6f}, {1.0f, 1.0f}}) {
         Scene scene = eight_lights();
@@ -148,7 +147,7 @@ TEST_CASE("many lights of which one is very strong at its place add up to what e
             for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * double(part[i]);
         };
         for (Light& light : scene.lights) light.enabled = false;
-        add(1 - double(scene.lights.size()));  // what is there without lights is in each picture
+        add(1 - double(scene.lights.size()));  // the unlit part is in each picture
         for (Light& light : scene.lights) {
             light.enabled = true;
             add(1);

@@ -1,4 +1,4 @@
-// Polygons of very many corners: what is found once a face and not once a pixel or triangle.
+// Polygons of very many corners: values computed once per face, not per pixel or triangle.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
@@ -28,7 +28,7 @@ MeshPtr disc(int corners, glm::vec3 centre, float tilt_deg) {
     return std::make_shared<const Mesh>(make_polygon(std::move(around)));
 }
 
-/// Discs side by side, so that each row of pixels goes from one to the next; each has the face 0 alone.
+/// Discs next to each other, so that each row of pixels crosses several; each has only the face 0.
 Scene discs(int corners) {
     Scene scene;
     scene.camera.eye = {0, 0, 9};
@@ -43,13 +43,13 @@ Scene discs(int corners) {
 
 }  // namespace
 
-TEST_CASE("faces of many corners side by side have each its own facet normal", "[renderer][large-faces]") {
+TEST_CASE("neighbouring faces of many corners have their own facet normals", "[renderer][large-faces]") {
     Renderer renderer(2);
     for (const int corners : {500, 501}) {
         Scene scene = discs(corners);
         scene.shading.mode = ShadingMode::Facet;
         const Picture facet = renderer.render(scene, discs_size, true);
-        // By another way: the normals of the corners, which are those of the face, are interpolated.
+        // Computed differently: the normals of the corners equal those of the face, and are interpolated.
         scene.shading.mode = ShadingMode::Phong;
         for (Object& object : scene.objects) object.normals.source = NormalSource::Facet;
         const Picture& interpolated = renderer.render(scene, discs_size, true);
@@ -60,7 +60,7 @@ TEST_CASE("faces of many corners side by side have each its own facet normal", "
     }
 }
 
-TEST_CASE("faces of many corners are culled by the light each for itself", "[renderer][large-faces]") {
+TEST_CASE("faces of many corners are culled separately by the light", "[renderer][large-faces]") {
     Scene scene = discs(500);
     scene.shading.mistakes.culled_by_light = true;
     scene.lights[0].position = {-1, 0, 0.7f, 0};  // behind the first disc and in front of the others
@@ -71,9 +71,9 @@ TEST_CASE("faces of many corners are culled by the light each for itself", "[ren
     CHECK(renderer.object_at(72, 36) == 2);
 }
 
-TEST_CASE("a face of 200,000 corners is drawn in the time of its corners and pixels",
+TEST_CASE("drawing a face of 200,000 corners takes time linear in corners and pixels",
           "[renderer][large-faces]") {
-    // Not timed: a way that asks the whole face for each pixel or triangle takes minutes here.
+    // Not timed: an algorithm that visits the entire face for each pixel or triangle takes minutes here.
     Scene scene = discs(200'000);
     scene.shading.mistakes.culled_by_light = true;
     Renderer renderer(2);
@@ -84,10 +84,9 @@ TEST_CASE("a face of 200,000 corners is drawn in the time of its corners and pix
     }
 }
 
-TEST_CASE("faces of very many corners that alternate from pixel to pixel take the time of their corners",
+TEST_CASE("faces of many corners that alternate by pixel take time linear in corners",
           "[renderer][large-faces]") {
-    // Not timed, as above. Two discs in one plane but for noise, so that now the one is in front, now the
-    // other.
+    // Not timed, as above. Two discs in one plane except for noise, so that either may be in front.
     Scene scene = discs(1000);
     scene.objects.resize(2);
     std::mt19937 random(1);
@@ -112,7 +111,7 @@ TEST_CASE("faces of very many corners that alternate from pixel to pixel take th
     CHECK(changes > 100);
 }
 
-TEST_CASE("of the last eight faces what was found is kept", "[renderer][large-faces]") {
+TEST_CASE("the results of the last eight faces are kept", "[renderer][large-faces]") {
     RecentFaces<GeometryFace, int> recent;
     int made = 0;
     const auto value_of = [&](std::uint32_t face) { return recent.of({1, 0, face}, [&] { return ++made; }); };

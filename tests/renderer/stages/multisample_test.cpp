@@ -1,4 +1,4 @@
-// Several samples a pixel: coverage against areas worked out by hand, colours against one sample.
+// Several samples per pixel: coverage against areas worked by hand, colours against one sample.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ using namespace glint::test;
 namespace {
 
 /// A white quad on black, seen without perspective: two units high, so that a picture of n x n pixels has 2/n
-/// a pixel.
+/// per pixel.
 Scene white_quad(std::vector<glm::vec3> corners) {
     Scene scene;
     scene.objects.push_back(object_of(polygon_mesh(std::move(corners), {{0, 1, 2, 3}})));
@@ -27,7 +27,7 @@ Scene white_quad(std::vector<glm::vec3> corners) {
 
 }  // namespace
 
-TEST_CASE("samples of a pixel spread over it and balance around its centre", "[multisample]") {
+TEST_CASE("the samples of a pixel are spread over it and balanced around its centre", "[multisample]") {
     for (const int samples : {1, 2, 4, 8}) {
         int x = 0, y = 0;
         for (int s = 0; s < samples; ++s) {
@@ -46,8 +46,8 @@ TEST_CASE("samples of a pixel spread over it and balance around its centre", "[m
     }
 }
 
-TEST_CASE("an edge through a column of pixels shows as the share of samples on its side", "[multisample]") {
-    // 8 x 8 pixels of 1/4 unit; the edge at x = 1/4 * share inside column 4.
+TEST_CASE("an edge within a column of pixels shows as the fraction of samples on its side", "[multisample]") {
+    // 8 x 8 pixels of 1/4 unit; the edge is at 1/4 * share inside column 4.
     for (const int samples : {2, 4, 8})
         for (const float share : {0.1f, 0.3f, 0.5f, 0.7f, 0.9f}) {
             const float edge = 0.25f * share;
@@ -66,7 +66,7 @@ TEST_CASE("an edge through a column of pixels shows as the share of samples on i
         }
 }
 
-TEST_CASE("a tilted edge covers what its area says, within one sample a pixel", "[multisample]") {
+TEST_CASE("a tilted edge covers its area within one sample per pixel", "[multisample]") {
     const Scene scene = white_quad({{-2, -2, 0}, {0.3f, -2, 0}, {-0.1f, 2, 0}, {-2, 2, 0}});
     Renderer renderer(2);
     const Picture& p = renderer.render(scene, {64, 64}, true, 8);
@@ -74,7 +74,7 @@ TEST_CASE("a tilted edge covers what its area says, within one sample a pixel", 
     for (int y = 0; y < 64; ++y) {
         double covered = 0;
         for (int x = 0; x < 64; ++x) covered += p.linear_at(x, y).x;
-        const double height = 1 - (y + 0.5) / 32;                   // of the row's middle, in the world
+        const double height = 1 - (y + 0.5) / 32;                   // of the row's centre, in the world
         const double edge = 0.3 + (-0.1 - 0.3) * (height + 2) / 4;  // where the edge crosses it
         worst = std::max(worst, std::abs(covered - (edge + 1) * 32));
     }
@@ -109,7 +109,7 @@ TEST_CASE("inside a face several samples give the colour of one", "[multisample]
     }
 }
 
-TEST_CASE("with several samples, too, threads and history leave no trace", "[multisample][threads]") {
+TEST_CASE("multisampled pictures do not depend on threads or history", "[multisample][threads]") {
     Scene scene = busy_scene();
     Renderer kept(2);
     for (const int samples : {4, 1, 8, 2, 4}) {
@@ -120,8 +120,8 @@ TEST_CASE("with several samples, too, threads and history leave no trace", "[mul
 
 namespace {
 
-/// A convex polygon that fills the picture, of a shape whose fan's inner edges cross many pixels, under a
-/// light so near that a highlight changes from pixel to pixel.
+/// A convex polygon that fills the picture, whose fan has inner edges across many pixels, under a light so
+/// near that a highlight changes from pixel to pixel.
 Scene lit_polygon() {
     Scene scene =
         white_quad({{-2, -2, 0}, {2, -2.2f, 0}, {2.3f, 0.4f, 0}, {0.6f, 2.1f, 0}, {-2.1f, 1.7f, 0}});
@@ -137,7 +137,7 @@ Scene lit_polygon() {
 
 }  // namespace
 
-TEST_CASE("a face is lit once in a pixel, whatever triangles it is drawn as", "[multisample]") {
+TEST_CASE("a face is lit once per pixel, independent of its triangulation", "[multisample]") {
     for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Facet}) {
         Scene scene = lit_polygon();
         scene.shading.mode = mode;
@@ -157,7 +157,7 @@ TEST_CASE("a face is lit once in a pixel, whatever triangles it is drawn as", "[
 }
 
 TEST_CASE("faces that share an edge are each lit in its pixels", "[multisample]") {
-    // Two quads that meet at x = 0, in the middle of the pixels' column 2 of 5: two lit points in each of its
+    // Two quads that meet at x = 0, in the centre of the pixels' column 2 of 5: two lit points in each of its
     // rows.
     Scene scene = white_quad({{-2, -2, 0}, {0, -2, 0}, {0, 2, 0}, {-2, 2, 0}});
     scene.objects[0] =
@@ -169,10 +169,9 @@ TEST_CASE("faces that share an edge are each lit in its pixels", "[multisample]"
     CHECK(renderer.stats().evaluations == 5 * 5 + 5);
 }
 
-TEST_CASE("a face half in a pixel is lit at the mean of its own samples, in the triangle that holds it",
-          "[multisample]") {
-    // The colour is the place: a vertex colour that is x from -1 at the left of the picture to 1 at its
-    // right, which both triangles of the quad agree on. The quad ends within column 3 of 4, at x = 3/4.
+TEST_CASE("a face in half of a pixel is lit at the mean of its own samples", "[multisample]") {
+    // The colour is the position: a vertex colour from x = -1 at the left of the picture to 1 at its right,
+    // equal in both triangles of the quad. The quad ends within column 3 of 4, at x = 3/4.
     Scene scene = white_quad({{-2, -2, 0}, {0.75f, -2, 0}, {0.75f, 2, 0}, {-2, 2, 0}});
     auto mesh = std::make_shared<Mesh>(*scene.objects[0].mesh);
     for (const glm::vec3& p : mesh->positions) mesh->colors.push_back(glm::vec3(p.x + 2));

@@ -1,4 +1,4 @@
-// What an object's switches do: `visible` and `normals.flip`.
+// The effects of an object's switches: `visible` and `normals.flip`.
 #include "renderer/renderer.h"
 #include "tests/support/as_fresh.h"
 #include "tests/support/catch.h"
@@ -24,7 +24,7 @@ std::vector<std::uint8_t> drawn_bytes(const Scene& scene) { return Renderer(1).r
 
 }  // namespace
 
-TEST_CASE("an object that is not shown leaves the picture as if it were not in the scene", "[renderer]") {
+TEST_CASE("a hidden object leaves the picture as if it were not in the scene", "[renderer]") {
     Scene scene = busy_scene();
     REQUIRE(scene.objects.size() >= 2);
     scene.npr.silhouettes = scene.npr.creases = true;
@@ -40,7 +40,7 @@ TEST_CASE("an object that is not shown leaves the picture as if it were not in t
     });
 }
 
-TEST_CASE("hiding an object and showing it again is drawn as from the beginning", "[renderer]") {
+TEST_CASE("hiding and showing an object redraws it as from scratch", "[renderer]") {
     for_each_mode(busy_scene(), [](const Scene& shown) {
         Scene hidden = shown;
         hidden.objects[1].visible = false;
@@ -51,7 +51,7 @@ TEST_CASE("hiding an object and showing it again is drawn as from the beginning"
     });
 }
 
-TEST_CASE("flipping all objects is the mistake that flips all normals, and undoes it", "[renderer]") {
+TEST_CASE("flipping all objects equals the mistake that flips all normals, and undoes it", "[renderer]") {
     for_each_mode(busy_scene(), [](const Scene& right) {
         Scene flipped = right, mistaken = right;
         for (Object& object : flipped.objects) object.normals.flip = true;
@@ -63,7 +63,7 @@ TEST_CASE("flipping all objects is the mistake that flips all normals, and undoe
     });
 }
 
-TEST_CASE("flipping one object's normals is followed and leaves the others as they are", "[renderer]") {
+TEST_CASE("flipping one object's normals does not change the others", "[renderer]") {
     for_each_mode(busy_scene(), [](const Scene& right) {
         Scene flipped = right;
         flipped.objects[0].normals.flip = true;

@@ -1,4 +1,4 @@
-// The kernels that draw a tile, against the fill rule as it is stated, pixel by pixel and in 128 bits.
+// The kernels that draw a tile, against the definition of the fill rule, pixel by pixel in 128 bits.
 #include <algorithm>
 #include <random>
 #include <vector>
@@ -12,8 +12,8 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// Whether the sample (x, y) of a triangle that runs clockwise (y down) belongs to it: to the right of all
-/// three edges, or on some that are top or left ones.
+/// Whether the sample (x, y) belongs to a triangle that runs clockwise (y down): to the right of all three
+/// edges, or on top or left ones.
 bool belongs(const ScreenVertex* const (&corner)[3], std::int32_t x, std::int32_t y) {
     for (int k = 0; k < 3; ++k) {
         const ScreenVertex &a = *corner[k], &b = *corner[(k + 1) % 3];
@@ -25,7 +25,7 @@ bool belongs(const ScreenVertex* const (&corner)[3], std::int32_t x, std::int32_
     return true;
 }
 
-/// What the pixel whose centre is at (x, y) must hold when this triangle alone is drawn.
+/// The expected pixel with its centre at (x, y) if only this triangle is drawn.
 std::uint32_t expected(const std::vector<ScreenVertex>& v, std::int32_t x, std::int32_t y) {
     const Wide area = Wide{v[1].x - v[0].x} * (v[2].y - v[0].y) - Wide{v[1].y - v[0].y} * (v[2].x - v[0].x);
     if (area == 0) return 0;
@@ -48,7 +48,7 @@ void draw(const std::vector<ScreenVertex>& screen, int x0, int y0, TilePixels& t
 
 }  // namespace
 
-TEST_CASE("a triangle of any size covers the samples that the fill rule gives it", "[visibility][raster]") {
+TEST_CASE("a triangle of any size covers the samples defined by the fill rule", "[visibility][raster]") {
     std::mt19937 random(29);
     const int x0 = 128, y0 = 64;
     TilePixels tile;
@@ -58,7 +58,7 @@ TEST_CASE("a triangle of any size covers the samples that the fill rule gives it
     int covered = 0, wrong = 0;
     for (const int spread : {2, 9, 70, 3000, 400000}) {  // pixels; the last needs more than 32 bits
         for (int round = 0; round < 120; ++round) {
-            const int grid = round % 3 == 0 ? 128 : 1;  // samples often lie exactly on edges
+            const int grid = round % 3 == 0 ? 128 : 1;  // samples are often exactly on edges
             const auto place = [&](int middle) {
                 const auto range = static_cast<std::uint32_t>(2 * spread * subpixels / grid + 1);
                 return middle * subpixels +
@@ -83,7 +83,7 @@ TEST_CASE("a triangle of any size covers the samples that the fill rule gives it
     CHECK(covered > 100000);
 }
 
-TEST_CASE("on a level edge through pixel centres the triangle below has the pixels, however large it is",
+TEST_CASE("a level edge through pixel centres belongs to the triangle below, at any size",
           "[visibility][raster]") {
     const int middle = 20, level = middle * subpixels + subpixels / 2;
     TilePixels tile;
@@ -104,8 +104,8 @@ TEST_CASE("on a level edge through pixel centres the triangle below has the pixe
     }
 }
 
-TEST_CASE("the order in which a tile's triangles are drawn changes nothing", "[visibility][raster]") {
-    // The same five triangles, numbered as before but moved in the list: nearest wins, then the lower number.
+TEST_CASE("a tile's triangles give the same result in any order", "[visibility][raster]") {
+    // The same five triangles, numbered as before but reordered: nearest wins, then the lower number.
     std::vector<ScreenVertex> screen;
     std::mt19937 random(4);
     for (int i = 0; i < 15; ++i)
@@ -129,7 +129,7 @@ TEST_CASE("the order in which a tile's triangles are drawn changes nothing", "[v
     }
 }
 
-TEST_CASE("a tile at the picture's border leaves alone what lies beyond it", "[visibility][raster]") {
+TEST_CASE("a tile at the picture's border does not write beyond it", "[visibility][raster]") {
     TilePixels tile;
     draw({{-9000000, -9000000, 0.5f}, {9000000, -9000000, 0.5f}, {0, 9000000, 0.5f}}, 0, 0, tile);
     for (int width = 1; width <= tile_size; width += 7) {

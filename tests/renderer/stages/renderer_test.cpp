@@ -1,4 +1,4 @@
-// The picture as a whole: its explanation, its stages, and properties that no table is needed for.
+// The complete picture: its explanation, its stages, and properties that need no table.
 #include "renderer/renderer.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ double largest_difference(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST_CASE("the explanation of every pixel sums to the pixel, to the last bit", "[explain][release]") {
+TEST_CASE("the explanation of every pixel sums to the pixel bit by bit", "[explain][release]") {
     Scene scene = busy_scene();
     Renderer renderer(2);
     for (const Rules rules : {Rules::Lecture, Rules::OpenGL2})
@@ -59,7 +59,7 @@ TEST_CASE("the explanation of every pixel sums to the pixel, to the last bit", "
                 }
 }
 
-TEST_CASE("the terms that an explanation lists add up to its sum", "[explain]") {
+TEST_CASE("the terms of an explanation add to its sum", "[explain]") {
     Renderer renderer(1);
     renderer.render(busy_scene(), frame_size, true);
     for (int y = 0; y < frame_size.height; y += 3)
@@ -72,7 +72,7 @@ TEST_CASE("the terms that an explanation lists add up to its sum", "[explain]") 
         }
 }
 
-TEST_CASE("only the stages whose inputs changed are done again", "[stages]") {
+TEST_CASE("only stages with changed inputs run again", "[stages]") {
     Scene scene = busy_scene();
     Renderer renderer(2);
     const auto redone = [&] {
@@ -105,7 +105,7 @@ TEST_CASE("only the stages whose inputs changed are done again", "[stages]") {
 }
 
 TEST_CASE("a picture drawn after changes is the picture drawn from scratch", "[stages]") {
-    // Whatever was kept must not show: a walk through random changes against a fresh renderer each time.
+    // Reused results must be invisible: a walk through random changes against a fresh renderer each time.
     std::mt19937 random(23);
     Scene scene = busy_scene();
     Renderer kept(2);
@@ -143,8 +143,8 @@ TEST_CASE("a picture drawn after changes is the picture drawn from scratch", "[s
     }
 }
 
-TEST_CASE("a picture of another shape with as many pixels shows nothing of the one before", "[stages]") {
-    // Small objects, so that most tiles are background, which is not drawn again where it was kept.
+TEST_CASE("a picture with equally many pixels in another shape shows no old pixels", "[stages]") {
+    // Small objects, so that most tiles are background, which is not redrawn if it was kept.
     Scene left = busy_scene(), right = left, mirrored = left, empty = left;
     left.camera.projection = Perspective{90, 0.1f, 100};
     right.camera.projection = left.camera.projection;
@@ -159,7 +159,7 @@ TEST_CASE("a picture of another shape with as many pixels shows nothing of the o
     for (const int pixels : {3840, 16384}) {
         std::vector<Shape> shapes;
         for (int width = 8; width <= pixels / 8; ++width)
-            for (const int samples : {1, 2})  // as many samples in all
+            for (const int samples : {1, 2})  // equally many samples in total
                 if (pixels % (width * samples) == 0)
                     shapes.push_back({{width, pixels / samples / width}, samples});
         Renderer kept(2);
@@ -239,7 +239,7 @@ TEST_CASE("no colour is negative or not a number", "[property]") {
     }
 }
 
-TEST_CASE("turning the whole world with its camera changes nothing beyond rounding", "[property]") {
+TEST_CASE("rotating the entire world with its camera changes only rounding", "[property]") {
     const Scene scene = busy_scene();
     Scene turned = scene;
     // A quarter turn about y, exact in floating point: (x, y, z) -> (z, y, -x).
@@ -258,7 +258,7 @@ TEST_CASE("turning the whole world with its camera changes nothing beyond roundi
         l.area.edge_u = turn(l.area.edge_u);
         l.area.edge_v = turn(l.area.edge_v);
     }
-    // The objects turn about the world's axis: bake each one's turn into its mesh.
+    // The objects rotate about the world's axis: bake the rotation into each mesh.
     for (Object& o : turned.objects) {
         Mesh mesh = *o.mesh;
         const glm::dmat4 m = world_from_object(o.transform);
@@ -287,7 +287,7 @@ TEST_CASE("turning the whole world with its camera changes nothing beyond roundi
             d = std::max(d, std::abs(static_cast<double>(before.linear[i + c]) - after.linear[i + c]));
         different += d > 2e-4;
     }
-    CHECK(different < frame_size.width * frame_size.height / 200);  // a sample on an edge may change sides
+    CHECK(different < frame_size.width * frame_size.height / 200);  // a sample on an edge may switch sides
 }
 
 TEST_CASE("the order of faces changes nothing", "[property]") {
@@ -357,7 +357,7 @@ TEST_CASE("evaluations are pixels, corners or faces times lights", "[lecture][co
     CHECK(count(ShadingMode::Facet) == renderer.stats().shaded_pixels * 2);
 }
 
-TEST_CASE("Gouraud tends to Phong as the tessellation grows", "[lecture][convergence]") {
+TEST_CASE("Gouraud converges to Phong as the tessellation grows", "[lecture][convergence]") {
     const auto error = [](int detail) {
         Scene scene;
         scene.objects.push_back(object_of(primitive(Primitive::Sphere, detail)));
@@ -376,8 +376,7 @@ TEST_CASE("Gouraud tends to Phong as the tessellation grows", "[lecture][converg
     CHECK(fine < middle / 2);
 }
 
-TEST_CASE("vertex colours are interpolated without lighting, and their mean is a polygon's under flat",
-          "[none]") {
+TEST_CASE("vertex colours are interpolated unlit, and averaged over a polygon in flat mode", "[none]") {
     auto mesh = std::make_shared<Mesh>(
         *polygon_mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}}));
     mesh->colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
@@ -387,7 +386,7 @@ TEST_CASE("vertex colours are interpolated without lighting, and their mean is a
     scene.camera.projection = Orthographic{2, 0.1f, 100};
     Renderer renderer(1);
     const glm::vec3 phong = renderer.render(scene, {101, 101}, true).linear_at(50, 50);
-    CHECK(phong.x == Approx(0.5f).margin(1e-5));  // the middle of the diagonal from corner 0 to corner 2
+    CHECK(phong.x == Approx(0.5f).margin(1e-5));  // the midpoint of the diagonal from corner 0 to corner 2
     CHECK(phong.y == Approx(0).margin(1e-5));
     scene.shading.mode = ShadingMode::Flat;
     const glm::vec3 flat = renderer.render(scene, {101, 101}, true).linear_at(10, 50);

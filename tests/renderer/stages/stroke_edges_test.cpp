@@ -1,4 +1,4 @@
-// Which edges become strokes: counts worked by hand, and every edge of many meshes against the definition.
+// Edges that become strokes: counts worked by hand, and every edge of many meshes against the definition.
 #include "renderer/strokes/stroke_edges.h"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ TEST_CASE("a cube shows six, four or seven silhouette edges, and none from insid
     CHECK(count({0.9, -0.5, 0.3}) == 0);
 }
 
-TEST_CASE("a cube has twelve creases up to 90 degrees and none above, turned or not", "[strokes]") {
+TEST_CASE("a cube has twelve creases up to 90 degrees and none above, also when rotated", "[strokes]") {
     const double c = std::cos(0.7), s = std::sin(0.7);
     EdgeView turned = eye_at({3, 4, 5});
     turned.normal_matrix = glm::dmat3(c, s, 0, -s, c, 0, 0, 0, 1) * glm::dmat3(1, 0, 0, 0, c, s, 0, -s, c);
@@ -101,7 +101,7 @@ TEST_CASE("a cube has twelve creases up to 90 degrees and none above, turned or 
     CHECK(chosen(primitive(Primitive::Cylinder, 48), turned, creases(80)).size() == 96);  // the two rims
 }
 
-TEST_CASE("silhouettes and creases are those of the definition, edge by edge", "[strokes][property]") {
+TEST_CASE("silhouettes and creases match the definition, edge by edge", "[strokes][property]") {
     std::mt19937 random(3);
     for (const MeshPtr& mesh : {primitive(Primitive::Sphere, 24), primitive(Primitive::Torus, 24),
                                 primitive(Primitive::Knot, 64), primitive(Primitive::Teapot, 4),
@@ -114,7 +114,7 @@ TEST_CASE("silhouettes and creases are those of the definition, edge by edge", "
         }
 }
 
-TEST_CASE("stretched and mirrored, a mesh has the strokes of the mesh it becomes", "[strokes][property]") {
+TEST_CASE("a stretched and mirrored mesh has the strokes of its transformed shape", "[strokes][property]") {
     std::mt19937 random(5);
     for (const Primitive kind : {Primitive::BumpySphere, Primitive::Teapot, Primitive::Cube})
         for (int round = 0; round < 8; ++round) {
@@ -148,8 +148,8 @@ TEST_CASE("boundary edges are always silhouettes and never creases", "[strokes]"
     }
 }
 
-TEST_CASE("an edge of three facets is drawn when any two of them qualify", "[strokes]") {
-    // A book of three pages along z, seen along -z from a little to the right: two pages face left.
+TEST_CASE("an edge of three facets is drawn if any two of them qualify", "[strokes]") {
+    // A book of three pages along z, seen along -z from slightly to the right: two pages face left.
     const MeshPtr book = polygon_mesh({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0.1f, 0}},
                                       {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
     const Edge spine{0, 1};
@@ -162,8 +162,8 @@ TEST_CASE("an edge of three facets is drawn when any two of them qualify", "[str
     CHECK(chosen(stack, eye_at({0.5, 3, 0}), silhouettes).count(spine) == 0);  // all three face the eye
 }
 
-TEST_CASE("a polygon without an area makes no stroke", "[strokes]") {
-    // Two triangles in a plane; a sliver without area lies on the edge from 0 to 2, another on its own.
+TEST_CASE("a polygon without an area has no stroke", "[strokes]") {
+    // Two triangles in a plane; a sliver without area is on the edge from 0 to 2, another one is separate.
     const MeshPtr mesh = polygon_mesh({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}, {5, 5, 5}},
                                       {{0, 1, 2}, {0, 2, 4}, {0, 4, 2, 3}, {5, 3, 5}});
     const std::set<Edge> outline{{0, 1}, {1, 2}, {2, 3}, {0, 3}};
@@ -171,16 +171,16 @@ TEST_CASE("a polygon without an area makes no stroke", "[strokes]") {
     CHECK(chosen(mesh, eye_at({1, 1, 5}), creases(10)).empty());
 }
 
-TEST_CASE("an edge all of whose facets are culled is left out", "[strokes]") {
+TEST_CASE("an edge is omitted if all its facets are culled", "[strokes]") {
     const auto count = [](Cull cull) {
         return chosen(cube(), eye_at({3, 4, 5}), {true, true, 40, cull}).size();
     };
     CHECK(count(Cull::None) == 12);
-    CHECK(count(Cull::Back) == 9);   // of the three faces towards the eye
-    CHECK(count(Cull::Front) == 9);  // of the three others
+    CHECK(count(Cull::Back) == 9);   // the edges of the three faces towards the eye
+    CHECK(count(Cull::Front) == 9);  // the edges of the three others
 }
 
-TEST_CASE("edges know whether their facets face towards the eye, away, or one each", "[strokes]") {
+TEST_CASE("edges know whether their facets face the eye, face away, or one each", "[strokes]") {
     const auto count = [](const MeshPtr& mesh, glm::dvec3 eye, EdgeFacing facing) {
         const auto edges = stroke_edges(mesh_edges(mesh), eye_at(eye), {true, true, 40, Cull::None});
         return std::count_if(edges.begin(), edges.end(),
@@ -201,5 +201,5 @@ TEST_CASE("a million facets at one edge do not take a million million steps", "[
         faces.push_back({0, 1, i + 2});
     }
     CHECK(chosen(polygon_mesh(positions, faces), eye_at({1, 5, 1}), {true, true, 90, Cull::None}).size() ==
-          400000);  // all but the edge that they share
+          400000);  // all except the edge that they share
 }

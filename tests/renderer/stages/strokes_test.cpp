@@ -1,4 +1,4 @@
-// Strokes in the picture: which pixels, how much of each, what hides them, and what redraws them.
+// Strokes in the picture: their pixels and coverage, occlusion, and redrawing.
 #include "renderer/strokes/strokes.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr PictureSize stroke_size{96, 72};
 
-/// An orthographic camera for which one scene unit is one pixel of a 32 x 32 picture; (0, 0) is its middle.
+/// An orthographic camera for which one scene unit is one pixel of a 32 x 32 picture, centred at (0, 0).
 Scene pixel_scene() {
     Scene scene;
     scene.camera.projection = Orthographic{32, 0.1f, 100};
@@ -66,23 +66,23 @@ Scene stroked_busy_scene() {
 
 }  // namespace
 
-TEST_CASE("a stroke covers of a pixel what a band of its width has in common with it", "[strokes]") {
+TEST_CASE("a stroke's coverage of a pixel is the overlap of a band of its width", "[strokes]") {
     CHECK(stroke_share(0, 2) == 1);
     CHECK(stroke_share(0.5f, 2) == 1);
     CHECK(stroke_share(1, 2) == 0.5f);
     CHECK(stroke_share(1.25f, 2) == 0.25f);
     CHECK(stroke_share(1.5f, 2) == 0);
     CHECK(stroke_share(9, 2) == 0);
-    CHECK(stroke_share(0, 0.5f) == 0.5f);      // thinner than a pixel and within it
+    CHECK(stroke_share(0, 0.5f) == 0.5f);      // thinner than a pixel and inside it
     CHECK(stroke_share(0.5f, 0.5f) == 0.25f);  // half of it in this pixel
     CHECK(stroke_share(0, 0) == 0);
 }
 
-TEST_CASE("a horizontal edge covers the right rows by the right shares", "[strokes]") {
+TEST_CASE("a horizontal edge covers the expected rows with the expected coverage", "[strokes]") {
     Scene scene = pixel_scene();
     Renderer renderer(1);
     const auto rows = [&](float edge_y, float width, std::vector<float> expected, int first) {
-        // The quad's upper edge lies at row 16 - edge_y of the picture; its other edges far away.
+        // The quad's upper edge is at row 16 - edge_y of the picture; its other edges are far away.
         scene.objects = {quad(-40, -40, 40, edge_y, 0)};
         scene.npr.stroke_width_px = width;
         const Picture& p = renderer.render(scene, {32, 32}, true);
@@ -120,7 +120,7 @@ TEST_CASE("strokes are blended in linear light, before exposure and transfer", "
     CHECK(static_cast<int>(pixel[2]) == 146);
 }
 
-TEST_CASE("of a cube exactly the edges of the faces towards the eye are drawn", "[strokes][property]") {
+TEST_CASE("exactly the edges of the visible faces of a cube are drawn", "[strokes][property]") {
     std::mt19937 random(11);
     for (int round = 0; round < 30; ++round) {
         Scene scene;
@@ -143,7 +143,7 @@ TEST_CASE("of a cube exactly the edges of the faces towards the eye are drawn", 
                 glm::vec3 b = a;
                 b[axis] = 1;
                 const float limit =
-                    parallel ? 0 : 1;  // a face looks at the eye when the eye is beyond its plane
+                    parallel ? 0 : 1;  // a face is towards the eye if the eye is beyond its plane
                 const bool seen = eye[u] * a[u] > limit || eye[v] * a[v] > limit;
                 (seen ? shown : hidden)
                     .push_back(
@@ -165,7 +165,7 @@ TEST_CASE("of a cube exactly the edges of the faces towards the eye are drawn", 
     }
 }
 
-TEST_CASE("edges behind a surface are not drawn, edges before it are", "[strokes]") {
+TEST_CASE("edges behind a surface are hidden, edges in front of it are drawn", "[strokes]") {
     Scene scene = pixel_scene();
     scene.npr.creases = true;
     Object cube = object_of(primitive(Primitive::Cube, 1));
@@ -186,7 +186,7 @@ TEST_CASE("edges behind a surface are not drawn, edges before it are", "[strokes
     CHECK(stroked_pixels(-15) > 150);
 }
 
-TEST_CASE("the outline of a fine sphere has no gap, and nothing shines through it", "[strokes]") {
+TEST_CASE("the outline of a fine sphere has no gap and hides strokes behind it", "[strokes]") {
     // Triangles much smaller than a pixel, and a second sphere behind the first.
     for (const int detail : {12, 48, 400}) {
         Scene scene;
@@ -201,7 +201,7 @@ TEST_CASE("the outline of a fine sphere has no gap, and nothing shines through i
         // The cone of rays that touch a unit sphere at distance 5: tan = 1/sqrt(24), in pixels:
         const double radius =
             1 / std::sqrt(24.0) / std::tan(22.5 * 0.017453292519943295) * stroke_size.height / 2;
-        const double flat = radius * (1 - std::cos(3.141592653589793 / detail));  // what the polygon cuts off
+        const double flat = radius * (1 - std::cos(3.141592653589793 / detail));  // the polygon's error
         for (int i = 0; i < 720; ++i) {
             const double angle = i * 3.141592653589793 / 360;
             const glm::vec2 out(std::cos(angle), std::sin(angle));
@@ -268,7 +268,7 @@ TEST_CASE("with strokes every explanation still sums to its pixel", "[strokes][e
         }
 }
 
-TEST_CASE("strokes have the same bytes for every number of threads and samples stay blended", "[strokes]") {
+TEST_CASE("strokes have equal bytes for any number of threads, and stay blended", "[strokes]") {
     for (const int samples : {1, 4}) {
         const Scene scene = stroked_busy_scene();
         Renderer one(1), two(2), seven(7);
@@ -285,7 +285,7 @@ TEST_CASE("strokes have the same bytes for every number of threads and samples s
     }
 }
 
-TEST_CASE("strokes are drawn again only when what they are made of changes", "[strokes][stages]") {
+TEST_CASE("strokes are redrawn only if their inputs change", "[strokes][stages]") {
     Scene scene = stroked_busy_scene();
     Renderer renderer(2);
     const auto redone = [&] {
@@ -357,7 +357,8 @@ TEST_CASE("a stroked picture drawn after changes is the one drawn from scratch",
     }
 }
 
-TEST_CASE("edges through the eye, giant strokes and strokes without width do no harm", "[strokes][hostile]") {
+TEST_CASE("edges through the eye, giant strokes and strokes without width are harmless",
+          "[strokes][hostile]") {
     Scene scene = stroked_busy_scene();
     scene.camera.eye = {0.9f, -0.1f, 0.3f};  // inside the box
     scene.objects.push_back(object_of(primitive(Primitive::Plane, 1)));

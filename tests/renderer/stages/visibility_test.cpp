@@ -1,4 +1,4 @@
-// Which face is at a sample, against ray casting in double and against the rule that every sample of a closed
+// The face at each sample, against ray casting in double and against the rule that every sample of a closed
 // surface belongs to exactly one face.
 #include <algorithm>
 #include <cmath>
@@ -53,9 +53,9 @@ double meet(const PixelRay& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, doubl
 }  // namespace
 
 TEST_CASE("every pixel of a triangulated plane belongs to exactly one of its faces", "[visibility]") {
-    // A jittered grid without folds that fills the picture. Any split of its faces in two gives two
-    // coverages that are complementary: no pixel twice, none lost, also where samples lie exactly on edges
-    // (the grid's rim).
+    // A jittered grid without folds that fills the picture. Any partition of its faces into two sets gives
+    // two complementary coverages: no pixel twice, none lost, even if samples are exactly on edges (the
+    // grid's rim).
     std::mt19937 random(3);
     const int n = 24;
     std::vector<glm::vec3> positions;
@@ -93,7 +93,7 @@ TEST_CASE("every pixel of a triangulated plane belongs to exactly one of its fac
 }
 
 TEST_CASE("a sample exactly on a shared edge belongs to one face", "[visibility]") {
-    // Two quads meet at x = 0; with 4 x 4 pixels over [-2, 2] shifted by half a pixel, samples lie on the
+    // Two quads meet at x = 0; with 4 x 4 pixels over [-2, 2] shifted by half a pixel, samples are on the
     // edge.
     const std::vector<glm::vec3> p{{-2, -2, 0}, {0, -2, 0}, {2, -2, 0}, {-2, 2, 0}, {0, 2, 0}, {2, 2, 0}};
     Scene scene = looking_at(polygon_mesh(p, {{0, 1, 4, 3}}));
@@ -102,8 +102,8 @@ TEST_CASE("a sample exactly on a shared edge belongs to one face", "[visibility]
     scene.camera.eye.x = scene.camera.target.x = 0.5f;
     Renderer renderer(1);
     renderer.render(scene, {4, 4});
-    // Samples at x = -1, 0, 1, 2 in the world: the second lies on the shared edge, a left edge of the right
-    // quad; the last on the right quad's right edge, which belongs to its neighbour (there is none).
+    // Samples at x = -1, 0, 1, 2 in the world: the second is on the shared edge, a left edge of the right
+    // quad; the last on the right quad's right edge, which would belong to its (missing) neighbour.
     for (int y = 0; y < 4; ++y) {
         CHECK(renderer.object_at(0, y) == 0);
         CHECK(renderer.object_at(1, y) == 1);
@@ -112,7 +112,8 @@ TEST_CASE("a sample exactly on a shared edge belongs to one face", "[visibility]
     }
 }
 
-TEST_CASE("random triangles are seen where rays from the eye meet them first", "[visibility][brute force]") {
+TEST_CASE("random triangles are visible where rays from the eye meet them first",
+          "[visibility][brute force]") {
     std::mt19937 random(17);
     const PictureSize size{120, 90};
     for (int round = 0; round < 6; ++round) {
@@ -123,7 +124,7 @@ TEST_CASE("random triangles are seen where rays from the eye meet them first", "
             faces.push_back({3 * t, 3 * t + 1, 3 * t + 2});
         }
         Scene scene = looking_at(polygon_mesh(positions, faces));
-        scene.camera.eye = uniform_vec3(random, -1, 1);  // among them: many cross the near plane
+        scene.camera.eye = uniform_vec3(random, -1, 1);  // many of them cross the near plane
         scene.camera.target = {0.3f, 0.1f, -3};
         scene.camera.projection = Perspective{60, 0.1f, 50};
         Renderer renderer(2);
@@ -163,8 +164,7 @@ TEST_CASE("random triangles are seen where rays from the eye meet them first", "
     }
 }
 
-TEST_CASE("a ground that runs from behind the eye to the far plane is seen up to its horizon",
-          "[visibility]") {
+TEST_CASE("a ground from behind the eye to the far plane is visible up to its horizon", "[visibility]") {
     for (const float extent : {50.0f, 1e4f, 1e6f, 1e9f}) {
         const std::vector<glm::vec3> p{
             {-extent, 0, extent}, {extent, 0, extent}, {extent, 0, -extent}, {-extent, 0, -extent}};
@@ -205,9 +205,9 @@ TEST_CASE("at equal depth the lower object and then the lower face wins", "[visi
     }
 }
 
-TEST_CASE("culling drops the side that it names, also of a mirrored object", "[visibility]") {
+TEST_CASE("culling drops the named side, also of a mirrored object", "[visibility]") {
     const std::vector<glm::vec3> p{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-    const int side = GENERATE(9, 401);  // faces less than a tile are dropped before those that are more
+    const int side = GENERATE(9, 401);  // faces smaller than a tile are dropped before larger ones
     for (const float mirror : {1.0f, -1.0f}) {
         Scene scene = looking_at(polygon_mesh(p, {{0, 1, 2, 3}}));
         scene.objects[0].transform.scale.x = mirror;
