@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds what works on several threads under ThreadSanitizer and runs its tests: exit status 0 where there is no race.
-# Further arguments are Catch2's.
+# Builds multithreaded code under ThreadSanitizer and runs its tests: exit status 0 if there is no race. Further
+# arguments are passed to Catch2.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 cmake --preset tsan >/dev/null

@@ -1,5 +1,5 @@
-// A frame of a drag works in the memory of the frame before: nothing of ours is allocated. Counted in
-// operator new itself, for all threads; the tasks of the thread library do not come from there.
+// Each frame of a drag reuses the memory of the previous frame, without allocations in our code. They are
+// counted in operator new, for all threads; the tasks of the thread library are allocated elsewhere.
 #include <fmt/format.h>
 
 #include <string>
@@ -22,8 +22,7 @@ Scene knot() {
     return std::get<SceneDocument>(open_document(path, {{"/objects/0/mesh/detail", "90"}})).scene;
 }
 
-/// What ten frames allocate, after some that may fill memory for the first time. `drag(scene, frame)` moves
-/// something.
+/// The number of allocations in ten frames, after warm-up frames. `drag(scene, frame)` moves something.
 template <class Drag>
 long allocations_of(Renderer& renderer, Scene scene, const Drag& drag, int samples = 1, bool linear = false) {
     long before = 0;
@@ -42,7 +41,8 @@ long allocations_of_a_light_drag(const Scene& scene, bool keep_sums, int samples
     return allocations_of(renderer, scene, drag, samples, linear);
 }
 
-/// The eye goes to and fro over the same ten places, so that no frame needs more room than all before it.
+/// The eye moves back and forth over the same ten positions, so that no frame needs more memory than earlier
+/// ones.
 long allocations_of_a_camera_drag(const Scene& scene, int samples = 1) {
     Renderer renderer(2);
     const glm::vec3 eye = scene.camera.eye;
@@ -54,9 +54,9 @@ long allocations_of_a_camera_drag(const Scene& scene, int samples = 1) {
 
 }  // namespace
 
-TEST_CASE("what is counted is allocation", "[allocations]") {
+TEST_CASE("the allocation counter counts allocations", "[allocations]") {
     const long before = allocations;
-    int* volatile kept = new int(1);  // else the compiler may leave both out
+    int* volatile kept = new int(1);  // otherwise the compiler may remove both
     delete kept;
     const long after = allocations;  // before CHECK itself allocates
     CHECK(after == before + 1);
@@ -84,7 +84,7 @@ TEST_CASE("a steady camera drag allocates nothing", "[allocations]") {
     }
 }
 
-TEST_CASE("nor does one through an object that the near plane cuts", "[allocations]") {
+TEST_CASE("a frame with an object cut by the near plane allocates nothing", "[allocations]") {
     Scene scene = knot();
     std::get<Perspective>(scene.camera.projection).near = 2;
     scene.objects.push_back(scene.objects.front());
@@ -92,18 +92,18 @@ TEST_CASE("nor does one through an object that the near plane cuts", "[allocatio
     CHECK(allocations_of_a_camera_drag(scene) == 0);
 }
 
-TEST_CASE("what a text of JSON takes on the way is in proportion to it, however long a key before many lists",
+TEST_CASE("parsing JSON allocates in proportion to the text, also with a long key",
           "[allocations][bad-input]") {
     std::string text = "{\"" + std::string(100'000, 'k') + "\": [[]";
     for (int i = 0; i < 10'000; ++i) text += ",[]";
     const std::int64_t before = all_bytes;
-    CHECK(std::holds_alternative<Problem>(parse_scene(text + "]}", "s.json")));  // there is no such key
+    CHECK(std::holds_alternative<Problem>(parse_scene(text + "]}", "s.json")));  // that key is unknown
     const std::int64_t taken = all_bytes - before;
     CHECK(taken < 50 * std::int64_t(text.size()));
 }
 
 TEST_CASE("vertices that many primitives of a glTF file share are read once", "[allocations][bad-input]") {
-    constexpr std::size_t vertices = 50'000, bytes = 12 * vertices;  // all vertices at one place
+    constexpr std::size_t vertices = 50'000, bytes = 12 * vertices;  // all vertices at one position
     constexpr int primitives = 200;
     std::string json = R"({"asset": {"version": "2.0"}, "meshes": [{"primitives": [)";
     for (int i = 0; i < primitives; ++i)

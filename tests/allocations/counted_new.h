@@ -1,5 +1,5 @@
 #pragma once
-// Memory allocation that is counted, in place of the library's. For programs of one test file.
+// Counts memory allocations, in place of the library's operators. For programs of one test file.
 
 #include <malloc.h>
 

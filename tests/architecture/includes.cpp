@@ -10,8 +10,8 @@ namespace {
 
 using std::string_view;
 
-/// The layers, from the bottom up; a file includes its own layer and those below. A layer is a file; a folder
-/// with everything in it; or, with a star, the files directly in a folder. The longest that matches counts.
+/// The layers, from the bottom up; a file may include its own layer and those below. A layer is a file, a
+/// folder with all its contents, or, with a star, the files directly in a folder. The longest match counts.
 constexpr std::array<string_view, 31> layers{
     "models/*",
     "models/io/",
@@ -69,7 +69,7 @@ bool is_gl_or_window(string_view name) {
         name, {"GL/", "GLES", "EGL/", "KHR/", "GLFW/", "epoxy/", "glad/", "X11/", "imgui_impl"});
 }
 
-/// Why `path` may not include `name`; empty when it may.
+/// Why `path` may not include `name`; empty if it may.
 std::string complaint(string_view path, string_view name, bool quoted) {
     const auto from = layer_of(path), to = layer_of(name);
     if (!from) return "is included by a file outside of every layer";
@@ -79,7 +79,7 @@ std::string complaint(string_view path, string_view name, bool quoted) {
     if (!path.starts_with("app/") && is_gl_or_window(name)) return "brings GL, GLFW or a window below app";
     if (!path.starts_with("app/") && !path.starts_with("ui/") && name.starts_with("imgui"))
         return "brings ImGui below ui";
-    // models/mesh/resolution shares its half-edges among its files, and with nobody else.
+    // Only the files of models/mesh/resolution share its half-edges.
     const bool in_source = path.starts_with("models/") && path.ends_with(".cpp");
     if (name.starts_with("OpenMesh/") && !in_source && path != "models/mesh/resolution/half_edges.h")
         return "brings OpenMesh out of models/*.cpp";

@@ -11,7 +11,7 @@
 
 namespace fs = std::filesystem;
 
-TEST_CASE("includes point down only, and GL, GLFW, ImGui and OpenMesh stay where they belong",
+TEST_CASE("includes only point down, and GL, GLFW, ImGui and OpenMesh stay in their folders",
           "[architecture]") {
     const fs::path root = glint::project_folder;
     std::vector<std::string> found;
@@ -63,8 +63,7 @@ TEST_CASE("a layer that includes a higher one is reported", "[architecture]") {
     CHECK_FALSE(reported("renderer/surface/surface.h", "renderer/geometry/geometry.h"));
 }
 
-TEST_CASE("fields and handles know the window's state neither directly nor through another header",
-          "[architecture]") {
+TEST_CASE("fields and handles do not include the window's state, not even indirectly", "[architecture]") {
     std::map<std::string, std::string> files;
     const fs::path root = glint::project_folder;
     for (const auto& entry : fs::recursive_directory_iterator(root / "ui")) {
@@ -88,9 +87,9 @@ TEST_CASE("fields and handles know the window's state neither directly nor throu
     CHECK(way_of_includes({{"a.h", "#include \"b.h\""}}, "b.h", "a.h").empty());
 }
 
-TEST_CASE("no two headers define a class of one name, which the linker would take for one",
+TEST_CASE("no two headers define a class with the same name, which the linker could confuse",
           "[architecture]") {
-    // Specialisations are not asked about, nor what stands in another namespace: it is indented or in a .cpp.
+    // Ignores specializations and classes in nested namespaces, which are indented or in a .cpp.
     const std::regex definition(R"(^(?:struct|class|enum class|enum)(?: alignas\(\d+\))? (\w+)[^;<]*\{.*)");
     std::map<std::string, std::string> header_of;
     for (const char* folder : {"app", "ui", "lessons", "diagnose", "programs", "renderer", "models"})
@@ -120,7 +119,7 @@ TEST_CASE("an upward include is reported with its file and line", "[architecture
     CHECK(forbidden_includes("ui/widgets/a.cpp", "#include \"ui/widgets/theme.h\"").empty());
 }
 
-TEST_CASE("libraries of the window are reported below their floor", "[architecture]") {
+TEST_CASE("libraries of the window are reported below their layer", "[architecture]") {
     CHECK(forbidden_includes("renderer/a.cpp", "#include <imgui.h>").size() == 1);
     CHECK(forbidden_includes("models/a.cpp", "#include <GL/gl.h>").size() == 1);
     CHECK(forbidden_includes("ui/a.cpp", "#include <GLFW/glfw3.h>").size() == 1);
@@ -129,7 +128,7 @@ TEST_CASE("libraries of the window are reported below their floor", "[architectu
     CHECK(forbidden_includes("renderer/a.cpp", "#include <OpenMesh/Core/IO/MeshIO.hh>").size() == 1);
 }
 
-TEST_CASE("libraries that take seconds to compile are reported outside the files that hide them",
+TEST_CASE("libraries that take seconds to compile are reported outside their wrapper files",
           "[architecture]") {
     CHECK(forbidden_includes("ui/files/a.cpp", "#include <nlohmann/json.hpp>").size() == 1);
     CHECK(forbidden_includes("models/gltf/a.cpp", "#include <nlohmann/json_fwd.hpp>").size() == 1);
@@ -138,7 +137,7 @@ TEST_CASE("libraries that take seconds to compile are reported outside the files
     CHECK(forbidden_includes("models/json/json.h", "#include <nlohmann/json.hpp>").empty());
 }
 
-TEST_CASE("includes that the house allows are not reported", "[architecture]") {
+TEST_CASE("allowed includes are not reported", "[architecture]") {
     CHECK(forbidden_includes("app/window/window.cpp",
                              "#include <GLFW/glfw3.h>\n#include <imgui_impl_glfw.h>\n"
                              "#include \"ui/widgets/theme.h\"\n#include \"models/mesh/mesh.h\"")

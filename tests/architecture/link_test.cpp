@@ -1,6 +1,5 @@
-// What the linker made of it: the program needs no libGL, and the lighting kernels of two instruction sets
-// share no code that the linker could merge (an older CPU would then run into instructions that it does not
-// have).
+// Checks the linked program: it does not need libGL, and the lighting kernels of two instruction sets share
+// no code that the linker could merge (an older CPU would then execute instructions that it does not have).
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -17,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The lines that a shell command prints; the test fails when it cannot be run.
+/// The output lines of a shell command; the test fails if it cannot be run.
 std::vector<std::string> lines_of(const std::string& command) {
     std::FILE* pipe = popen(command.c_str(), "r");
     REQUIRE(pipe != nullptr);
@@ -33,20 +32,20 @@ std::vector<std::string> lines_of(const std::string& command) {
     return lines;
 }
 
-/// Names of an object file that the linker may take from any other object instead.
+/// Symbols of an object file that the linker may take from any other object instead.
 std::set<std::string> weak_names(const fs::path& object) {
     std::set<std::string> names;
     for (const auto& line : lines_of("nm --defined-only '" + object.string() + "'")) {
         std::istringstream words(line);
         std::string address, kind, name;
         words >> address >> kind >> name;
-        // DW.ref.* only point at the runtime's own handler; they hold no code.
+        // DW.ref.* only point at the runtime's own handler; they contain no code.
         if ((kind == "W" || kind == "V" || kind == "u") && !name.starts_with("DW.ref.")) names.insert(name);
     }
     return names;
 }
 
-/// One line a weak name that objects of two instruction sets define.
+/// One line per weak symbol that objects of two instruction sets define.
 std::vector<std::string> shared_names(const std::map<std::string, std::set<std::string>>& of_set) {
     std::map<std::string, std::string> owner;
     std::vector<std::string> shared;
@@ -74,7 +73,7 @@ TEST_CASE("the program links no libGL, not even through another library", "[arch
     }
 }
 
-TEST_CASE("no weak name is defined by the lighting kernels of two instruction sets", "[architecture]") {
+TEST_CASE("no weak symbol is defined by the lighting kernels of two instruction sets", "[architecture]") {
     std::map<std::string, std::set<std::string>> of_set;
     for (const auto& entry : fs::recursive_directory_iterator(GLINT_BINARY_DIR)) {
         if (entry.path().extension() != ".o") continue;
@@ -86,7 +85,7 @@ TEST_CASE("no weak name is defined by the lighting kernels of two instruction se
     for (const auto& line : shared_names(of_set)) FAIL_CHECK(line);
 }
 
-TEST_CASE("a weak name in two instruction sets is reported", "[architecture]") {
+TEST_CASE("a weak symbol in two instruction sets is reported", "[architecture]") {
     CHECK(shared_names({{"avx2", {"power<float>", "a"}}, {"sse2", {"power<float>", "b"}}}) ==
           std::vector<std::string>{"power<float> is in avx2 and sse2"});
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Mesh file to PNG at 1280x720, the whole process: Glint against f3d (Debian's package), in turn, A B A B.
-# Usage: against_f3d.sh GLINT [ROUNDS] [MESH...]; without a MESH a knot of a million triangles is written and used.
-# Prints, for each mesh, both medians, how many times faster Glint is, and the peak of the memory of each.
+# Mesh file to PNG at 1280x720, timing the entire process: Glint and f3d (Debian's package) alternate. Usage:
+# against_f3d.sh GLINT [ROUNDS] [MESH...]; without a MESH it writes and uses a knot of a million triangles. Prints, for
+# each mesh, both medians, the speedup of Glint, and each program's peak memory.
 set -eu
 
 program=$1

@@ -1,4 +1,4 @@
-// Our frames beside the rival's, in turn, in one run: A B A B. One table, as docs/performance.md holds it.
+// Alternates our frames with the rival's in one run and prints a table in the form of docs/performance.md.
 //
 //   glint_compare [--frames N] [--rounds N] [--threads N] [--only WORD] [SCENE]
 
@@ -23,8 +23,7 @@ namespace glint::bench {
 namespace {
 
 constexpr PictureSize size{1920, 1080};
-constexpr std::array<int, 3> details{90, 572,
-                                     2000};  // of the knot: 2 thousand, 82 thousand, 1 million triangles
+constexpr std::array<int, 3> details{90, 572, 2000};  // of the knot: 2, 82 and 1000 thousand triangles
 
 struct Arguments {
     int frames = 10, rounds = 7, threads = 2;
@@ -44,10 +43,10 @@ constexpr std::array<Row, 6> rows{
     {"light drag, Gouraud", Drag::Light, ShadingMode::Gouraud, false},
     {"light drag, flat", Drag::Light, ShadingMode::Flat, false},
     {"camera drag, Phong", Drag::Camera, ShadingMode::Phong, false},
-    // As scenes are that say nothing of it: the faces turned away are drawn, too.
+    // The default of scenes: back faces are drawn.
     {"camera drag, Phong, nothing culled", Drag::Camera, ShadingMode::Phong, false, Cull::None}};
 
-/// The value that a share of all is not above: 0.5 is the median.
+/// The value below or at that fraction of all: 0.5 gives the median.
 double quantile(std::vector<double> values, double share) {
     std::sort(values.begin(), values.end());
     return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
@@ -59,8 +58,8 @@ double ms_of(const std::function<void()>& work) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// How far two pictures differ: the share of pixels with a channel that differs by more than 2 of 255. Along
-/// edges a pixel may show another face.
+/// How much two pictures differ: the fraction of pixels with a channel that differs by more than 2 of 255.
+/// Along edges a pixel may show another face.
 double share_that_differs(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.size(); i += 4) {
@@ -71,7 +70,7 @@ double share_that_differs(const std::vector<std::uint8_t>& a, const std::vector<
     return 4.0 * static_cast<double>(count) / static_cast<double>(a.size());
 }
 
-/// One way of drawing, measured batch by batch.
+/// One drawing method, measured batch by batch.
 struct Contender {
     std::function<void(const Scene&, bool same_view)> draw;
     int frame = 0;

@@ -1,6 +1,6 @@
-// The lighting kernels alone, on points that stay in the cache: ns for one light at one pixel, by model. The
-// least of the repetitions is what the machine can do; the rest is what others did to it meanwhile. And what
-// comes before lighting: drawing, and making a mesh coarser.
+// The lighting kernels alone, on points that stay in the cache: ns per light and pixel, by model. The minimum
+// of the repetitions is the machine's speed; the rest is interference by other processes. Also measures the
+// steps before lighting: drawing, and decimating a mesh.
 //
 //   GLINT_ISA=avx2 kernels_bench --benchmark_filter=blinn
 
@@ -34,7 +34,7 @@ Scene knot(int detail = 572) {
     return std::get<SceneDocument>(opened).scene;
 }
 
-/// Points as the picture has them: every so often 16 blocks in a row, all together small enough for the
+/// Points sampled from the picture: 16 consecutive blocks at regular intervals, small enough for the
 /// second-level cache.
 std::vector<PointBlock> points_of(const Scene& scene) {
     Geometry geometry;
@@ -51,10 +51,10 @@ std::vector<PointBlock> points_of(const Scene& scene) {
     return points;
 }
 
-/// Which of the eight lights reach the points.
+/// How many of the eight lights reach the points.
 enum class Reached { Some, All, None };
 
-/// All like the first, a point with falloff, and before the points or behind them.
+/// Copies the first light, a point with falloff, to positions in front of the points or behind them.
 void put_all(std::vector<LightSource>& sources, float z) {
     const LightSource first = sources.front();
     for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -63,7 +63,7 @@ void put_all(std::vector<LightSource>& sources, float z) {
     }
 }
 
-/// A wall of random places 5 to 6 away that faces the eye.
+/// A wall of random positions at a distance of 5 to 6 that faces the eye.
 void make_wall(std::vector<PointBlock>& points) {
     std::minstd_rand random(1);
     std::uniform_real_distribution<float> around(-0.5f, 0.5f);
@@ -99,7 +99,7 @@ void light(benchmark::State& state, Reflection model, Reached reached) {
         pixel_lights, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// What a camera drag does again before lighting, on one thread: triangles a second.
+/// The work of a camera drag before lighting, on one thread: triangles per second.
 void draw(benchmark::State& state, Stage last, int detail) {
     Scene scene = knot(detail);
     Geometry geometry;
@@ -115,7 +115,7 @@ void draw(benchmark::State& state, Stage last, int detail) {
         benchmark::Counter(geometry.triangle_count, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// From the knot's 69 thousand triangles to 2 thousand, beside the window.
+/// From the knot's 69 thousand triangles to 2 thousand, in the background.
 void decimate(benchmark::State& state) {
     const Mesh mesh = make_primitive(Primitive::Knot, 525);
     for (auto _ : state) benchmark::DoNotOptimize(with_resolution(mesh, {2000, 0}));

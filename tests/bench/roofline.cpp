@@ -1,5 +1,5 @@
-// What the machine can do at all, to hold the renderer against: multiplications and additions a second, and
-// bytes a second from memory.
+// The machine's peak rates, for comparison with the renderer: multiplications and additions per second, and
+// bytes per second from memory.
 //
 //   glint_roofline
 
@@ -15,7 +15,7 @@ namespace {
 
 using Floats = float __attribute__((vector_size(64)));
 
-/// The shortest of many short measurements: what others did to the machine meanwhile is left out.
+/// The shortest of many short measurements, which excludes interference by other processes.
 template <class Work> double seconds_of(const Work& work) {
     double best = 1e9;
     for (int repetition = 0; repetition < 400; ++repetition) {
@@ -29,7 +29,7 @@ template <class Work> double seconds_of(const Work& work) {
 
 constexpr int rounds = 50'000, chains = 12;
 
-/// Independent chains of a product and a sum each, as the equation has them: never fused.
+/// Independent chains of a product and a sum each, like the equation: never fused.
 [[gnu::target_clones("avx512f", "avx2", "default")]] void multiply_and_add(Floats* out, Floats factor) {
     Floats chain[chains];
     for (int c = 0; c < chains; ++c) chain[c] = out[c];
@@ -48,7 +48,8 @@ void arithmetic() {
     sink = sum;
 }
 
-constexpr std::size_t piece = std::size_t{1} << 19, pieces = 256;  // 4 MiB each, 1 GiB together: in no cache
+constexpr std::size_t piece = std::size_t{1} << 19,
+                      pieces = 256;  // 4 MiB each, 1 GiB together: exceeds all caches
 
 }  // namespace
 

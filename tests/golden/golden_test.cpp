@@ -1,5 +1,5 @@
-// Every sheet is the picture that was looked at when it was committed, byte for byte: the engine is
-// deterministic over threads and instruction sets. GLINT_UPDATE_GOLDENS=1 writes the pictures anew.
+// Every sheet equals the inspected and committed picture, byte for byte: the engine is deterministic over
+// threads and instruction sets. GLINT_UPDATE_GOLDENS=1 rewrites the pictures.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -24,7 +24,8 @@ void write_picture(const std::string& path, const Picture& picture) {
     if (const Problem* problem = problem_of(written)) FAIL(problem->text());
 }
 
-/// Nothing when the two are equal; else what differs and where the new picture and the difference lie.
+/// Nothing if the two are equal; else the differences and the paths of the new picture and the difference
+/// picture.
 std::string difference(const std::string& name, const Picture& golden, const Picture& now) {
     const auto compared = compare(golden, now);
     if (const Problem* problem = problem_of(compared)) return problem->text();
@@ -52,7 +53,7 @@ void check_golden(const std::string& name, const Picture& now) {
 
 }  // namespace
 
-TEST_CASE("every way of shading and every reflection model gives the golden picture", "[golden]") {
+TEST_CASE("every shading mode and reflection model gives the golden picture", "[golden]") {
     for (const Subject& subject : subjects()) check_golden(subject.name, make_sheet(subject));
 }
 
@@ -60,9 +61,7 @@ TEST_CASE("cool-to-warm shading and strokes give the golden picture", "[golden]"
     check_golden("drawn", make_drawn_sheet());
 }
 
-TEST_CASE(
-    "a golden sheet shows a surface in every cell, and no two cells alike where lighting tells them apart",
-    "[golden]") {
+TEST_CASE("every cell of a golden sheet shows a surface, and lit cells differ", "[golden]") {
     const Picture sheet = make_sheet(subjects()[0]);
     std::set<std::string> cells;
     for (int row = 0; row < 4; ++row)

@@ -21,7 +21,7 @@ std::vector<Light> one_of_each_kind() {
     sun.position = {-1, 2, 2, 0};
     sun.diffuse = sun.specular = {0.5f, 0.45f, 0.4f};
     bulb.space = LightSpace::Camera;
-    bulb.position = {0.5f, 0.4f, 0, 1};  // near the eye, where retro-reflection shows
+    bulb.position = {0.5f, 0.4f, 0, 1};  // near the eye, where retro-reflection is visible
     bulb.diffuse = bulb.specular = {0.3f, 0.5f, 0.9f};
     bulb.falloff = {1, 0.1f, 0.05f};
     lamp.kind = LightKind::Spot;

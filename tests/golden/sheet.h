@@ -1,5 +1,5 @@
 #pragma once
-// One mesh under every way of shading and every reflection model, as one picture.
+// One mesh in every shading mode and reflection model, as one picture.
 
 #include <span>
 
@@ -9,12 +9,12 @@
 
 namespace glint::golden {
 
-/// What a sheet shows, and the name of its file. Coarse on purpose: the ways of shading differ most there.
+/// The subject of a sheet, and its file name. Coarse on purpose: shading modes differ most there.
 struct Subject {
     const char* name;
     Primitive primitive;
     int detail;
-    Transform transform;  // within a radius of about 1.2 round the origin
+    Transform transform;  // within a radius of about 1.2 around the origin
 };
 
 [[nodiscard]] std::span<const Subject> subjects();

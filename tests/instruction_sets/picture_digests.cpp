@@ -1,5 +1,5 @@
-// Prints a line for each picture of the goldens and of the oracle: its name, and a digest of its bytes and of
-// what lies behind them. Two instruction sets print the same.
+// Prints a line for each golden and oracle picture: its name, and a digest of its bytes and of the data
+// behind them. Two instruction sets print the same.
 #include <fmt/core.h>
 
 #include <cstdint>
@@ -39,7 +39,7 @@ void print(const std::string& name, const Digest& digest) {
     fmt::print("{:016x} {}\n", digest.value(), name);
 }
 
-/// The picture, which object each pixel shows, and the explanation of every 16th pixel in each direction.
+/// The picture, the object at each pixel, and the explanation of every 16th pixel in each direction.
 void print(const std::string& name, Renderer& renderer, const Scene& scene, PictureSize size) {
     Digest digest;
     digest.add(renderer.render(scene, size, true));
@@ -69,7 +69,7 @@ int main() {
         Scene scene = std::get<SceneDocument>(opened).scene;
         print(name, renderer, scene, {320, 240});
         if (!scene.npr.silhouettes && !scene.npr.creases) continue;
-        scene.npr.silhouettes = scene.npr.creases = false;  // as the oracle has it
+        scene.npr.silhouettes = scene.npr.creases = false;  // as in the oracle
         print(name + " without strokes", renderer, scene, {320, 240});
     }
     for (const golden::Subject& subject : golden::subjects()) {

@@ -1,7 +1,6 @@
-// What the kernels of one instruction set give for many made-up jobs, a line each: its name and a
-// hash of the results' bits. Compiled once for each set (GLINT_ISA, GLINT_LANES as for
-// the renderer's *_isa.cpp); the lines of all sets must be equal. Needs nothing but the C library's
-// headers, so that a cross compiler can build it.
+// Prints a line for each of many generated jobs of the kernels of one instruction set: its name and a hash of
+// the results' bits. Compiled once for each set (GLINT_ISA, GLINT_LANES as for the renderer's *_isa.cpp); the
+// lines of all sets must be equal. Uses only the C library's headers, so that a cross compiler can build it.
 
 #include <array>
 #include <cmath>
@@ -22,7 +21,7 @@ namespace {
 
 using namespace glint;
 
-constexpr std::size_t blocks = 40;  // more than two batches, and not a whole number of them
+constexpr std::size_t blocks = 40;  // more than two batches, and not a multiple of them
 
 /// A linear congruential generator (Knuth, MMIX): the same numbers on every machine.
 class Numbers {
@@ -108,7 +107,7 @@ LightJob some_job(Numbers& number, const std::vector<LightSource>& lights, Refle
     return job;
 }
 
-/// FNV-1a over 32-bit words; a NaN counts as one whatever its sign, which processors choose for themselves.
+/// FNV-1a over 32-bit words; all NaNs count as the same, because processors choose their sign.
 class Hash {
   public:
     void add(std::uint32_t word) { value_ = (value_ ^ word) * 1099511628211ull; }
@@ -169,7 +168,7 @@ void light_all(Numbers& number, const std::vector<PointBlock>& points) {
     }
 }
 
-/// Corners that triangles share, as an object has them.
+/// Corners that triangles share, as in an object.
 struct SomeMesh {
     std::vector<TransformedVertex> vertices;
     std::vector<CameraNormal> normals;
@@ -211,9 +210,9 @@ void place_all(Numbers& number) {
     for (int which = 0; which < 200; ++which) {
         const PixelGroup group{static_cast<std::uint32_t>(640 * which + 16 * (which % 40)), 0, 0xFFFF};
         std::uint32_t* seen = &plane[group.first_pixel];
-        const int alike = 1 + which % 12;  // neighbours that show the same
+        const int alike = 1 + which % 12;  // neighbours with the same value
         for (int i = 0; i < static_cast<int>(block_size); ++i) {
-            const std::uint32_t triangle = number.bits() % triangle_count;  // before the other: in this order
+            const std::uint32_t triangle = number.bits() % triangle_count;  // drawn first, to fix the order
             seen[i] = seen_code<std::uint32_t>(triangle, number.bits() % 2 != 0);
             if (i % alike != 0) seen[i] = seen[i - 1];
         }
@@ -234,7 +233,7 @@ void place_all(Numbers& number) {
 }
 
 void place_vertices_and_normals(Numbers& number) {
-    constexpr std::size_t count = 203;  // not a multiple of anything
+    constexpr std::size_t count = 203;  // not a multiple of any width
     std::vector<float> numbers;
     for (std::size_t i = 0; i < 3 * count; ++i) numbers.push_back(number.between(-6, 6));
     std::vector<TransformedVertex> vertices(count);
@@ -267,7 +266,7 @@ void place_vertices_and_normals(Numbers& number) {
     normals.print("normals", count);
 }
 
-/// A vertex up to `spread` pixels from the middle of the first tile.
+/// A vertex up to `spread` pixels from the centre of the first tile.
 ScreenVertex some_vertex(Numbers& number, float spread) {
     const float x = 32 + number.between(-spread, spread), y = 32 + number.between(-spread, spread);
     return {static_cast<std::int32_t>(x * subpixels), static_cast<std::int32_t>(y * subpixels),

@@ -11,11 +11,11 @@
 namespace glint::oracle {
 namespace {
 
-/// Which triangle each pixel shows: 0 for the background.
+/// The triangle at each pixel: 0 for the background.
 class TriangleMap {
   public:
     TriangleMap(Renderer& renderer, Scene scene, PictureSize size) : size_(size) {
-        scene.lights.clear();  // so that explaining costs little
+        scene.lights.clear();  // so that explanations are cheap
         scene.shading.mode = ShadingMode::Facet;
         scene.shading.reflection = Reflection::Lambert;
         renderer.render(scene, size);
@@ -27,7 +27,7 @@ class TriangleMap {
         return ids_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
                     static_cast<std::size_t>(x)];
     }
-    /// Whether all pixels around (x, y), which has all its neighbours, show what it shows.
+    /// Whether all pixels around (x, y), which must all exist, show the same as (x, y).
     [[nodiscard]] bool interior(int x, int y) const {
         for (int j = y - 1; j <= y + 1; ++j)
             for (int i = x - 1; i <= x + 1; ++i)
@@ -46,8 +46,8 @@ class TriangleMap {
     std::vector<std::uint64_t> ids_;
 };
 
-/// How far apart a channel may be: what float and Mesa's pow (1.4e-5 at the exponent 128) cost. S of
-/// cook-torrance is not a power and may pass 1: then it is that share of what the highlights add here.
+/// The allowed difference of a channel: the error of float and Mesa's pow (1.4e-5 at the exponent 128). S of
+/// cook-torrance is not a power and may exceed 1: then it is that fraction of the sum of the highlights here.
 glm::dvec3 bound_of(const Scene& scene, const Explanation& e) {
     glm::dvec3 highlights(0), shown(0);
     for (const Light& light : scene.lights)
@@ -61,7 +61,7 @@ glm::dvec3 bound_of(const Scene& scene, const Explanation& e) {
     return 2e-5 + 1.5e-5 * glm::max(highlights, shown);
 }
 
-/// One pixel as both drew it.
+/// One pixel in both pictures.
 struct Pair {
     glm::dvec3 ours, theirs, bound;
     glm::ivec3 our_bytes, their_bytes;
@@ -72,7 +72,7 @@ struct Pair {
         for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(ours[c] - theirs[c]));
         return most;
     }
-    /// Returns the share of the bound by which they differ; above 1 they disagree.
+    /// Returns the fraction of the bound by which they differ; above 1 they disagree.
     [[nodiscard]] double share() const {
         if (covered != theirs_covered) return HUGE_VAL;
         double most = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Our picture against OpenGL's, pixel by pixel.
+// Compares our picture with OpenGL's, pixel by pixel.
 
 #include <array>
 #include <cstddef>
@@ -15,10 +15,10 @@ namespace glint::oracle {
 
 struct Figure {
     int scenes = 0, by_fixed_function = 0;
-    std::size_t pixels = 0;                              // of surfaces, compared
-    std::size_t background = 0;                          // pixels that show none in both
-    std::size_t edges = 0;                               // left out: another triangle within one pixel
-    std::array<std::size_t, left_out_count> left_out{};  // left out by that rule
+    std::size_t pixels = 0;                              // surface pixels that were compared
+    std::size_t background = 0;                          // background pixels in both
+    std::size_t edges = 0;                               // skipped: another triangle within one pixel
+    std::array<std::size_t, left_out_count> left_out{};  // skipped by that rule
     double largest = 0, sum = 0;                         // differences of channels, float
     double largest_share = 0;                            // of the bound
     int largest_bytes = 0;                               // difference of a channel, 8 bits
@@ -26,7 +26,7 @@ struct Figure {
     [[nodiscard]] std::string text() const;
 };
 
-/// Draws scenes both ways and adds what comes out to a figure.
+/// Draws scenes both ways and adds the results to a figure.
 class Comparison {
   public:
     /// `name` is for messages. Precondition: the route can draw the scene.

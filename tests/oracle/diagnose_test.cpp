@@ -1,5 +1,4 @@
-// Pictures by Mesa's OpenGL, right ones and those of a program with a mistake in its text: what a diagnosis
-// makes of them.
+// Diagnoses pictures of Mesa's OpenGL: correct ones, and those of programs with a mistake in their text.
 #include "diagnose/diagnose.h"
 
 #include <algorithm>
@@ -23,7 +22,7 @@ namespace {
 
 constexpr PictureSize size{160, 120};
 
-/// What OpenGL draws, as 8 bits behind the scene's display.
+/// OpenGL's picture as 8 bits after the scene's display.
 Picture shown(GlCanvas& canvas, GlPainter& painter, const Scene& scene, const WrongProgram* wrong) {
     const GlPicture<float> drawn = canvas.floats(size, [&] { painter.draw(scene, size, Route::Shader); });
     Picture picture{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
@@ -43,8 +42,8 @@ std::optional<std::size_t> number_of(std::string_view name) {
     return std::nullopt;
 }
 
-/// Scenes such as a student lights: those whose reflection is one of the lecture's, under modes that light
-/// corners or pixels.
+/// Scenes typical of a student: those whose reflection is one of the lecture's, in modes that light corners
+/// or pixels.
 bool is_usual(const Scene& scene) {
     const Reflection r = scene.shading.reflection;
     return !scene.npr.cool_to_warm &&
@@ -63,14 +62,14 @@ std::vector<PixelKind> kinds_in(const Scene& scene) {
     return pixel_kinds(renderer, size);
 }
 
-/// Whether a mistake shows in OpenGL's pictures where two programs can be compared at all.
+/// Whether a mistake is visible in OpenGL's pictures at pixels where two programs are comparable.
 bool shows(const std::vector<PixelKind>& kinds, const Picture& wrong, const Picture& right) {
     constexpr std::uint64_t enough = 30;
     return score(Exhibit(wrong, right, kinds), {right, {}}, {}).unlike >= enough;
 }
 
-/// Whether the triangles of the scene are interpolated alike by both: where OpenGL's clipper or the near
-/// plane cuts one under screen-linear interpolation they are not.
+/// Whether the two programs interpolate the scene's triangles differently: OpenGL's clipper or the near plane
+/// cuts one under screen-linear interpolation.
 bool is_cut_otherwise(const Scene& scene) {
     if (scene.shading.interpolation != Interpolation::Screen) return false;
     Renderer renderer;
@@ -90,7 +89,7 @@ struct NumberedScene {
     Scene scene;
 };
 
-/// Returns the usual ones among the first `count` random scenes.
+/// Returns the typical scenes among the first `count` random scenes.
 std::vector<NumberedScene> usual_scenes(unsigned count) {
     std::vector<NumberedScene> usual;
     for (unsigned i = 0; i < count; ++i) {
@@ -100,13 +99,13 @@ std::vector<NumberedScene> usual_scenes(unsigned count) {
     return usual;
 }
 
-/// What OpenGL draws of a scene without a mistake, and what its pixels are.
+/// OpenGL's picture of a scene without a mistake, and the kinds of its pixels.
 struct Right {
     Picture picture;
     std::vector<PixelKind> kinds;
 };
 
-/// Draws each scene once, however many mistakes it is drawn with.
+/// Draws each scene once, for all its mistakes.
 class RightPictures {
   public:
     const Right& of(GlCanvas& canvas, const NumberedScene& scene) {
@@ -121,8 +120,8 @@ class RightPictures {
     std::map<unsigned, Right> drawn_;
 };
 
-/// Whether one gain makes the wrong picture of the right one, but for what rounding leaves: nobody can tell
-/// then, and "no mistake" is the answer.
+/// Whether the wrong picture is the correct one times a gain, except for rounding: then they are
+/// indistinguishable, and the answer is "no mistake".
 bool is_a_gain_of(const Picture& wrong, const Picture& right) {
     constexpr int clamped = 250;
     constexpr double rounding = 3;
@@ -142,7 +141,7 @@ bool is_a_gain_of(const Picture& wrong, const Picture& right) {
     return unlike < 30;
 }
 
-/// How many pictures of how many were named: by the first name, and by one of the first three.
+/// Counts the pictures that were named by the first candidate, and by one of the first three.
 struct Named {
     int all = 0, first = 0, among_three = 0;
 
@@ -169,7 +168,7 @@ std::vector<TextChange> together(std::vector<TextChange> a, const std::vector<Te
 
 }  // namespace
 
-TEST_CASE("a right picture of OpenGL has no mistake", "[oracle][diagnose]") {
+TEST_CASE("a correct picture of OpenGL has no mistake", "[oracle][diagnose]") {
     GlCanvas canvas;
     GlPainter painter;
     int all = 0, right = 0;
@@ -178,7 +177,7 @@ TEST_CASE("a right picture of OpenGL has no mistake", "[oracle][diagnose]") {
         if (!can_draw(scene)) continue;
         const Diagnosis d =
             diagnose(document_of(scene), shown(canvas, painter, scene, nullptr), {false, 0, {}});
-        if (d.verdict == Verdict::NotComparable) continue;  // it shows next to no surface
+        if (d.verdict == Verdict::NotComparable) continue;  // it shows almost no surface
         ++all;
         right += d.verdict == Verdict::NoMistake ? 1 : 0;
     }
@@ -231,7 +230,7 @@ TEST_CASE("two mistakes in one OpenGL program's text are named together", "[orac
         const WrongProgram& b = programs[(7 * k + 1 + k % 11) % programs.size()];
         const auto first = number_of(a.name), second = number_of(b.name);
         if (!first || !second || first == second || (a.shown && b.shown)) continue;
-        if (a.name == "encoded_twice" || b.name == "encoded_twice") continue;  // beside another: in `display`
+        if (a.name == "encoded_twice" || b.name == "encoded_twice") continue;  // then it is in `display`
         const NumberedScene& numbered = usual[k % usual.size()];
         const auto& [i, scene] = numbered;
         Scene seen_by_a = scene, seen_by_b = scene;
@@ -240,7 +239,8 @@ TEST_CASE("two mistakes in one OpenGL program's text are named together", "[orac
         if (b.scene && !b.scene(seen_by_both)) continue;
         GlPainter by_a(a.text), by_b(b.text), by_both(together(a.text, b.text));
         const Picture both = shown(canvas, by_both, seen_by_both, a.shown ? &a : &b);
-        // One that hides the other, or shows nowhere, is not two; nor is a gain, which a display makes, too.
+        // If one hides the other, or is invisible, they are not two; a gain is excluded, because a display
+        // causes it as well.
         const Right& right = right_pictures.of(canvas, numbered);
         const auto is_more_than = [&](const Picture& less) {
             return shows(right.kinds, both, less) && !is_a_gain_of(both, less);

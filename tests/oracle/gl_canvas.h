@@ -1,5 +1,5 @@
 #pragma once
-// A picture drawn by Mesa's OpenGL into memory (OSMesa): no window, no display.
+// Draws a picture with Mesa's OpenGL into memory (OSMesa): no window, no display.
 
 #include <cstdint>
 #include <functional>
@@ -11,8 +11,7 @@
 
 namespace glint::oracle {
 
-/// What OpenGL left in its colour buffer: RGBA, first row at the top. Alpha is 1 where a surface was drawn,
-/// else 0. Floats are unclamped.
+/// OpenGL's colour buffer: RGBA, top row first. Alpha is 1 at surfaces, else 0. Floats are unclamped.
 template <class Channel> struct GlPicture {
     PictureSize size;
     std::vector<Channel> rgba;
@@ -31,8 +30,8 @@ class GlCanvas {
     GlCanvas(const GlCanvas&) = delete;
     GlCanvas& operator=(const GlCanvas&) = delete;
 
-    /// The picture that `draw` makes of a float buffer (no clamping anywhere but where `draw` asks for it) or
-    /// of one with 8 bits a channel. Throws std::runtime_error when OpenGL refuses or reports an error.
+    /// The picture that `draw` makes in a float buffer (clamped only if `draw` requests it) or in one with 8
+    /// bits per channel. Throws std::runtime_error if OpenGL refuses or reports an error.
     [[nodiscard]] GlPicture<float> floats(PictureSize size, const std::function<void()>& draw);
     [[nodiscard]] GlPicture<std::uint8_t> bytes(PictureSize size, const std::function<void()>& draw);
 

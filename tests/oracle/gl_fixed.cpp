@@ -44,7 +44,7 @@ void set_fixed_lights(const Scene& scene, const glm::dmat4& view) {
     GLenum id = GL_LIGHT0;
     for (const Light& light : scene.lights) {
         if (!light.enabled) continue;
-        // A position and a spot's direction go through the model-view matrix of this moment.
+        // A position and a spot's direction are transformed by the current model-view matrix.
         if (light.space == LightSpace::World)
             glLoadMatrixd(&view[0][0]);
         else

@@ -1,5 +1,5 @@
 #pragma once
-// The parts of drawing a scene by OpenGL.
+// Parts of drawing a scene with OpenGL.
 
 #include <glm/mat4x4.hpp>
 
@@ -8,23 +8,23 @@
 
 namespace glint::oracle {
 
-/// Camera coordinates from world coordinates, and the projection: as the OpenGL utility library makes them.
+/// Camera coordinates from world coordinates, and the projection, as computed by the OpenGL utility library.
 [[nodiscard]] glm::dmat4 look_at(const Camera& camera);
 void load_projection(const Projection& projection, PictureSize size);
 
-/// Whether flat shading takes the triangle's last corner.
+/// Whether flat shading uses the triangle's last corner.
 [[nodiscard]] bool lit_at_corner(const Shading& shading);
 
 /// Multiplies the current matrix by T Rz Ry Rx S.
 void multiply_transform(const Transform& t);
 
-/// The material with the terms that are switched off as zero.
+/// The material, with disabled terms set to zero.
 [[nodiscard]] Material seen_material(const Material& material, const Shading& shading);
 
-/// All triangles of an object, in our order, each corner with the normal and the place that lights it.
+/// All triangles of an object, in our order, each corner with the normal and the position for its lighting.
 void emit_triangles(const Object& object, const Shading& shading);
 
-/// OpenGL's own lighting. The model-view matrix is `view` when the lights are set.
+/// OpenGL's own lighting. Precondition: the model-view matrix is `view`.
 void set_fixed_lights(const Scene& scene, const glm::dmat4& view);
 void set_fixed_material(const Material& material, const Shading& shading);
 

@@ -11,7 +11,7 @@
 namespace glint::oracle {
 namespace {
 
-/// What fixed function and the shader's array hold.
+/// The limit of fixed function and of the shader's array.
 constexpr std::ptrdiff_t max_lights = 8;
 
 std::ptrdiff_t enabled_lights(const Scene& scene) {
@@ -31,7 +31,7 @@ void clear(const glm::vec3& background) {
     glClearColor(background.x, background.y, background.z, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);  // at equal depth the first drawn stays
+    glDepthFunc(GL_LESS);  // at equal depth the first one drawn stays
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ bool fixed_function_can_draw(const Scene& scene) {
     const auto holds = [](const Light& l) {
         return l.kind != LightKind::Area && (l.kind != LightKind::Spot || l.spot.exponent <= 128);
     };
-    // With a shininess of exactly 0 Mesa takes a shorter way, and its highlight is not (n.h)^0 = 1 on it.
+    // With a shininess of exactly 0 Mesa uses a shortcut whose highlight is not (n.h)^0 = 1.
     const auto shines = [&s](const Object& o) {
         const bool usable =
             o.material.shininess > 0 && (o.material.shininess <= 128 || s.rules == Rules::OpenGL2);

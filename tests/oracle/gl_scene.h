@@ -1,7 +1,7 @@
 #pragma once
-// A scene drawn by OpenGL: its own matrices, clipping, rasterisation, interpolation, culling and depth test,
-// and either its own lighting (fixed function) or a shader that was written from the formulas. Of our program
-// only the scene value and its meshes are used: corners, triangles and the normals of corner_normals().
+// Draws a scene with OpenGL: its own matrices, clipping, rasterization, interpolation, culling and depth
+// test, and either its own lighting (fixed function) or a shader written from the formulas. It only uses the
+// scene value and its meshes from our program: corners, triangles and the normals of corner_normals().
 
 #include <array>
 #include <utility>
@@ -14,20 +14,19 @@ namespace glint::oracle {
 
 enum class Route { FixedFunction, Shader };
 
-/// Whether OpenGL can draw the scene at all: no mistakes, no strokes, no scanline interpolation, no more than
-/// 8 lights.
+/// Whether OpenGL can draw the scene: no mistakes, no strokes, no scanline interpolation, at most 8 lights.
 [[nodiscard]] bool can_draw(const Scene& scene);
 
 /// Whether fixed function can: lambert or blinn-phong under gouraud or provoking flat, colours interpolated
-/// in perspective, no area light, exponents up to 128 and none of them a shininess of 0.
+/// in perspective, no area light, exponents up to 128 and no shininess of 0.
 [[nodiscard]] bool fixed_function_can_draw(const Scene& scene);
 
-/// OpenGL calls that draw the scene into the current context. Precondition: the route can, meshes are loaded.
-/// Keeps compiled shaders from one call to the next: give it one GlCanvas.
+/// Draws the scene into the current context. Preconditions: the route can draw it, meshes are loaded. Reuses
+/// compiled shaders between calls: use it with only one GlCanvas.
 class GlPainter {
   public:
     GlPainter() = default;
-    /// Draws by a wrong program: its shaders' text is changed so.
+    /// Draws with an incorrect program: changes its shaders' text.
     explicit GlPainter(std::vector<TextChange> wrong) : wrong_(std::move(wrong)) {}
     void draw(const Scene& scene, PictureSize size, Route route);
 

@@ -29,7 +29,7 @@ test::ShaderSource source(const std::string& name, const char* interpolated,
             std::string("#version 450 compatibility\n#define INTERPOLATED ") + interpolated + "\n" + text};
 }
 
-/// Sets uniforms of the current program by name; one that the program does not use is passed over.
+/// Sets uniforms of the current program by name; skips those that the program does not use.
 struct Uniforms {
     GLuint program;
     std::string prefix;
@@ -96,7 +96,7 @@ void set_shader_material(unsigned program, const Scene& scene, const Material& g
     u.set("f0", m.f0);
     u.set("roughness", m.roughness);
     u.set("cool_to_warm", scene.npr.cool_to_warm);
-    u.set("cool", scene.npr.cool + scene.npr.alpha * given.diffuse);  // whatever the terms
+    u.set("cool", scene.npr.cool + scene.npr.alpha * given.diffuse);  // independent of the terms
     u.set("warm", scene.npr.warm + scene.npr.beta * given.diffuse);
     u.set("shininess", scene.shading.rules == Rules::OpenGL2 ? std::min(m.shininess, 128.0f) : m.shininess);
 }

@@ -43,8 +43,8 @@ TEST_CASE("OpenGL draws the scenes of assets as we do", "[oracle]") {
         const Result<SceneDocument> opened = open_document(path);
         REQUIRE_FALSE(problem_of(opened));
         Scene scene = std::get<SceneDocument>(opened).scene;
-        scene.npr.silhouettes = scene.npr.creases =
-            false;  // OpenGL has no such strokes; the faces under them it has
+        // OpenGL draws no such strokes, only the faces under them.
+        scene.npr.silhouettes = scene.npr.creases = false;
         const std::string name = std::filesystem::path(path).stem().string();
         if (!can_draw(scene)) {
             not_drawn += " " + name;

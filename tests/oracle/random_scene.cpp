@@ -21,7 +21,7 @@ class SceneMaker {
     [[nodiscard]] int pick(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
     [[nodiscard]] float number(float low, float high) { return uniform(random_, low, high); }
 
-    /// A direction, unit; all directions are about equally likely.
+    /// A unit direction, uniformly distributed on the sphere (approximately).
     [[nodiscard]] glm::vec3 direction() {
         for (;;) {
             const glm::vec3 v = uniform_vec3(random_, -1, 1);
@@ -35,7 +35,7 @@ class SceneMaker {
         c.target = uniform_vec3(random_, -0.2f, 0.2f);
         const glm::vec3 away = direction();
         const float distance = number(2.6f, 4);
-        const float near = chance(0.2f) ? distance - number(0, 0.6f) : 0.1f;  // cuts through what is there
+        const float near = chance(0.2f) ? distance - number(0, 0.6f) : 0.1f;  // cuts through the objects
         c.eye = c.target + distance * away;
         c.up = std::abs(away.y) > 0.9f ? glm::vec3(1, 0.2f, 0) : glm::vec3(0.1f, 1, 0);
         const int kind = pick(4);
@@ -63,7 +63,7 @@ class SceneMaker {
             m.shininess = chance(0.1f) ? 0 : number(1, chance(0.3f) ? 128 : 30);
             if (chance(0.3f)) m.emission = uniform_vec3(random_, 0, 0.3f);
         }
-        m.roughness = number(0.4f, 1);  // a lobe no steeper than (n.h)^128: 2/a and sqrt(s) a radian
+        m.roughness = number(0.4f, 1);  // a lobe not steeper than (n.h)^128: 2/a and sqrt(s) per radian
         m.f0 = uniform_vec3(random_, 0, 1);
         return m;
     }

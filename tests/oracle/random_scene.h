@@ -5,8 +5,8 @@
 
 namespace glint::oracle {
 
-/// Scene number `number`. Among 42 that follow one another every mode (flat at the centroid and at the
-/// provoking corner, facet, gouraud, phong, and gouraud under the rules of OpenGL) meets every reflection
+/// Scene number `number`. Any 42 consecutive scenes combine every mode (flat at the centroid and at the
+/// provoking corner, facet, gouraud, phong, and gouraud under the rules of OpenGL) with every reflection
 /// model; the rest (camera, objects, lights, switches) is random. Lights stay off the surfaces, exponents at
 /// or below 128, so that the equation is well conditioned.
 [[nodiscard]] Scene random_scene(unsigned number);

@@ -13,7 +13,7 @@ namespace {
 
 using Change = std::function<bool(Scene&)>;
 
-/// Changes every light; the program is right where none is changed.
+/// Changes every light; the program is correct if none is changed.
 Change lights(const std::function<bool(Light&, const Scene&)>& change) {
     return [change](Scene& scene) {
         bool any = false;
@@ -22,7 +22,7 @@ Change lights(const std::function<bool(Light&, const Scene&)>& change) {
     };
 }
 
-/// A light as it would have to stand in its own space to come out moved so.
+/// Transforms a light in its own space, so that it is moved by `by`.
 void move(Light& light, const glm::dmat4& by) {
     const glm::dmat3 turn(by);
     light.position = glm::vec4(by * glm::dvec4(light.position));
@@ -116,7 +116,7 @@ bool swapped_coefficients(Scene& scene) {
 
 bool one_sided(Scene& scene) { return std::exchange(scene.shading.two_sided, false); }
 
-/// Without a local viewer no eye is asked for.
+/// Without a local viewer the eye is not used.
 bool only_orthographic(Scene& scene) {
     return is_orthographic(scene.camera.projection) && scene.shading.local_viewer;
 }

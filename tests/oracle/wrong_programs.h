@@ -1,6 +1,6 @@
 #pragma once
-// Mistakes as a student's OpenGL program has them: in the text of its shader, in what it hands to it, or in
-// what it does with the colours. Independent of renderer/: each is written from what the mistake is.
+// Mistakes in a student's OpenGL program: in the text of its shader, in the data passed to it, or in the
+// treatment of colours. Independent of renderer/: each is written from the definition of the mistake.
 
 #include <functional>
 #include <span>
@@ -20,10 +20,10 @@ struct TextChange {
 struct WrongProgram {
     std::string_view name;  // of the mistake, models/scene/mistakes.h
     std::vector<TextChange> text;
-    /// What the program makes of the scene before it draws; false where the mistake has no part in it, or is
-    /// not this one.
+    /// The program's change of the scene before drawing; false if the mistake does not apply to it, or is not
+    /// of this kind.
     std::function<bool(Scene& scene)> scene;
-    /// A channel of 0 to 1, after transfer, as it goes on to the byte.
+    /// A channel of 0 to 1, after transfer and before conversion to a byte.
     std::function<float(float shown)> shown;
 };
 

@@ -1,4 +1,4 @@
-// Gouraud and flat: every vertex is lit once, the colour is interpolated or the last corner's.
+// Gouraud and flat: every vertex is lit once, and the colour is interpolated or that of the last corner.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 uniform mat4 view_from_object, clip_from_view;

@@ -1,12 +1,12 @@
 #pragma once
-// Shaders from the files of this folder.
+// Compiles the shaders of this folder.
 
 #include <string>
 
 namespace glint::bench {
 
-/// Compiles and links; `head` is put in front of every text, "light.glsl" where `with_light` says so. Throws
-/// std::runtime_error with the compiler's words.
+/// Compiles and links; `head` is prepended to every text, "light.glsl" if `with_light`. Throws
+/// std::runtime_error with the compiler's message.
 struct ProgramText {
     std::string vertex, fragment;  // file names
     std::string head;

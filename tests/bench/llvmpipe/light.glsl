@@ -1,8 +1,8 @@
-// The lighting equation for the lights of one scene, camera coordinates. The program puts the numbers of each
-// kind of light in front (POINTS, SUNS, SPOTS) and sorts the lights by kind, so that no fragment branches on what
-// a light is. Colours come multiplied with the material's already, as they are the same for a whole draw.
+// The lighting equation for the lights of one scene, camera coordinates. The program prepends the number of lights of
+// each kind (POINTS, SUNS, SPOTS) and sorts the lights by kind, so that no fragment branches on it. Colours are
+// premultiplied with the material's, because they are constant during a draw.
 struct Light {
-    vec4 place;      // of a sun: the unit direction towards it
+    vec4 place;      // for a sun the unit direction towards it
     vec4 falloff;    // constant, linear, quadratic
     vec4 axis;       // unit; w: cosine of the cutoff
     vec4 diffuse;    // k_d times the light's; w: the spot's exponent

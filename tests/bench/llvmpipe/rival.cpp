@@ -71,7 +71,7 @@ GLuint target(GLuint color, GLuint depth) {
 struct Rival::Gl {
     PictureSize size;
     OSMesaContext context = nullptr;
-    std::vector<std::uint8_t> window;  // OSMesa insists on one; nothing is drawn there
+    std::vector<std::uint8_t> window;  // OSMesa requires one; nothing is drawn there
     GLuint flat = 0, gouraud = 0, phong = 0, keep = 0, whole = 0;
     GLuint lights = 0, picture = 0, gbuffer = 0, shown = 0, kept = 0;
     GLsizei index_count = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The scene's lights as light.glsl's uniform block lays them out.
+// The scene's lights in the layout of light.glsl's uniform block.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -14,7 +14,7 @@ struct ShaderLight {
     glm::vec4 place, falloff, axis, diffuse, specular;
 };
 
-/// "#define POINTS 5" and the like. Throws std::runtime_error for a light that the shaders do not know.
+/// "#define POINTS 5" and the like. Throws std::runtime_error for a light that the shaders do not support.
 [[nodiscard]] std::string light_counts(const Scene& scene);
 
 /// The block's bytes as vec4s: points, suns, spots, then the unlit colour.

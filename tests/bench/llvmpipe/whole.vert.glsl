@@ -1,2 +1,2 @@
-// One triangle over the whole picture at the far plane: a depth test for "greater" leaves background alone.
+// One triangle over the entire picture at the far plane: a depth test for "greater" excludes the background.
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 1, 1); }

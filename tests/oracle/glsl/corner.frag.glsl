@@ -1,4 +1,4 @@
-// Shows what the corners made.
+// Outputs the corners' colour.
 uniform bool two_sided;
 INTERPOLATED in vec3 front, back;
 

@@ -1,5 +1,5 @@
-// The lighting equation in OpenGL's shading language, written from the published formulas (sources beside each
-// term) and not from renderer/lighting, so that each can be held against the other. Camera coordinates.
+// The lighting equation in OpenGL's shading language, written from the published formulas (sources next to each term)
+// and not from renderer/lighting, so that the two can be compared. Camera coordinates.
 
 const int directional = 0, point_light = 1, spot = 2, area = 3;
 const int lambert = 1, phong = 2, blinn_phong = 3, retro = 4, oren_nayar = 5, cook_torrance = 6;
@@ -7,14 +7,14 @@ const float pi = 3.14159265358979;
 
 struct Light {
     int kind;
-    vec3 position;  // a place; of a directional light the direction towards it
+    vec3 position;  // for a directional light the direction towards it
     vec3 ambient, diffuse, specular;
     vec3 falloff;   // constant, linear, quadratic
-    vec3 axis;      // unit: where a spot points
+    vec3 axis;      // unit: the direction of a spot
     float cos_cutoff, exponent;
     bool has_cone;
     vec3 edge_u, edge_v;  // half-edges of an area light
-    int cells;            // its samples a side
+    int cells;            // its samples per side
 };
 uniform Light lights[8];
 uniform int light_count;
@@ -47,8 +47,8 @@ float rough_diffuse(vec3 n, vec3 l, vec3 v) {
     return max(cos_l, 0.0) * (A + B * max(cos_azimuth, 0.0) * sin_alpha * tan_beta);
 }
 
-// Trowbridge-Reitz facets; height-correlated shadowing (Heitz, JCGT 2014); Schlick 1994. In double: with a
-// narrow lobe the textbook's 1 - (n.h)^2 (1 - a^2) cancels to nothing in float.
+// Trowbridge-Reitz facets; height-correlated shadowing (Heitz, JCGT 2014); Schlick 1994. In double: with a narrow lobe
+// the textbook's 1 - (n.h)^2 (1 - a^2) loses all digits in float.
 vec3 facet_highlight(vec3 n_, vec3 l_, vec3 v_) {
     dvec3 n = normalize(dvec3(n_)), l = normalize(dvec3(l_)), v = normalize(dvec3(v_));
     double n_l = dot(n, l), n_v = dot(n, v);
@@ -79,7 +79,7 @@ vec3 highlight(vec3 n, vec3 l, vec3 v) {
     return vec3(0);
 }
 
-// What one light, or one sample of an area light, sends to the eye.
+// The light that one source, or one sample of an area light, reflects to the eye.
 vec3 share_of(Light light, vec3 l, float strength, vec3 n, vec3 v) {
     float n_l = dot(n, l);
     float diffuse = model == oren_nayar ? rough_diffuse(n, l, v) : max(n_l, 0.0);
@@ -102,7 +102,7 @@ vec3 from_place(Light light, vec3 p, vec3 n, vec3 v) {
     return share_of(light, l, strength, n, v);
 }
 
-// A diffuse emitter cut into cells x cells equal parts, each a small light at its centre: A |cos| / (pi n^2 r^2).
+// A diffuse emitter divided into cells x cells equal parts, each a small light at its centre: A |cos| / (pi n^2 r^2).
 vec3 from_area(Light light, vec3 p, vec3 n, vec3 v) {
     vec3 across = cross(2.0 * light.edge_u, 2.0 * light.edge_v);
     float whole = length(across);
@@ -121,7 +121,7 @@ vec3 from_area(Light light, vec3 p, vec3 n, vec3 v) {
     return sum;
 }
 
-// What is there before any light is added. Cool to warm as the lecture has it: warm toward the first light.
+// The colour before any light is added. Cool to warm as in the lecture: warm toward the first light.
 vec3 begun(vec3 p, vec3 n) {
     if (!cool_to_warm) return k_e + k_a * global_ambient;
     if (light_count == 0) return 0.5 * (cool + warm);

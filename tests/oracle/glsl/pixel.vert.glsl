@@ -1,4 +1,4 @@
-// Hands place and normal on to the pixel. The place is always perspective-correct: it is the surface's own.
+// Passes on position and normal. The position is always perspective-correct, because it is the surface's own.
 smooth out vec3 place;
 INTERPOLATED out vec3 normal;
 
