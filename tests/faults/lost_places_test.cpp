@@ -44,11 +44,19 @@ struct Edited : HeadlessWindow {
         (void)key(Key::S, true);
         frames(2);
     }
+    /// On a slow machine the settings of the window may fail to be written in the same moment.
+    [[nodiscard]] std::vector<Notification> messages_about_scene() const {
+        std::vector<Notification> messages;
+        for (const Notification& n : state.notifications.list)
+            if (n.text.starts_with(path)) messages.push_back(n);
+        return messages;
+    }
     /// One message that says `why` and names the file; the scene is still open, not saved, and in a copy.
     void check_nothing_is_lost(const std::string& why) {
-        REQUIRE(state.notifications.list.size() == 1);
-        CHECK(state.notifications.list[0].tone == Tone::Error);
-        CHECK(state.notifications.list[0].text.starts_with(path + ": cannot write: " + why));
+        const std::vector<Notification> errors = messages_about_scene();
+        REQUIRE(errors.size() == 1);
+        CHECK(errors[0].tone == Tone::Error);
+        CHECK(errors[0].text.starts_with(path + ": cannot write: " + why));
         CHECK(state.editor.unsaved());
         CHECK(scene().lights[0].intensity == 7);
         state.persistence.autosave.reset();  // as when the process ends
@@ -96,7 +104,7 @@ TEST_CASE("where the folder has gone saving says so, and saves again when it is 
     Edited bench;
     fs::remove_all(bench.folder.path("work"));
     bench.press_save();
-    REQUIRE(bench.state.notifications.list.size() == 1);
+    REQUIRE(bench.messages_about_scene().size() == 1);
     CHECK(bench.state.editor.unsaved());
     fs::create_directory(bench.folder.path("work"));
     bench.state.notifications.list.clear();
