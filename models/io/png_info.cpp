@@ -18,8 +18,9 @@ constexpr std::size_t max_png_bytes = std::size_t{4} << 30;  // 16384 x 16384 in
 constexpr int max_texts = 8;  // a short file may inflate to `max_bytes` for each
 
 struct PngFault {};
+struct ChunkTooLarge {};
 
-/// Reads chunks out of `bytes`, which must outlive it. Throws PngFault and std::bad_alloc.
+/// Reads chunks out of `bytes`, which must outlive it. Throws PngFault, ChunkTooLarge and std::bad_alloc.
 class ChunkReader {
   public:
     ChunkReader(std::string_view bytes, std::size_t max_bytes)
@@ -62,6 +63,8 @@ class ChunkReader {
   private:
     [[noreturn]] static void fail(png_structp, png_const_charp) { throw PngFault{}; }
     static void warn(png_structp png, png_const_charp warning) {
+        // libpng 1.6.39 warns of a chunk above the limit, and then allocates the length that it claims.
+        if (std::string_view(warning).ends_with("chunk data is too large")) throw ChunkTooLarge{};
         auto& reader = *static_cast<ChunkReader*>(png_get_error_ptr(png));
         reader.has_bad_text_ |= std::string_view(warning).starts_with("iTXt");
     }
@@ -94,6 +97,8 @@ const std::string* PngInfo::text(std::string_view keyword) const {
 Result<PngInfo> png_info(std::string_view bytes, std::string_view keyword, std::size_t max_bytes,
                          const std::string& file) {
     if (auto no_png = why_no_png(bytes, file)) return *no_png;
+    const Problem bad_text{file, "", "the scene in the picture is damaged or too long",
+                           fmt::format("at most {} bytes", max_bytes)};
     try {
         ChunkReader reader(bytes, max_bytes);
         reader.read_before_pixels();
@@ -106,8 +111,9 @@ Result<PngInfo> png_info(std::string_view bytes, std::string_view keyword, std::
         if (text != nullptr && text->size() <= max_bytes) return info;
         if (text == nullptr && !reader.has_bad_text())
             return Problem{file, "", "the picture carries no scene", "a PNG that Glint wrote"};
-        return Problem{file, "", "the scene in the picture is damaged or too long",
-                       fmt::format("at most {} bytes", max_bytes)};
+        return bad_text;
+    } catch (const ChunkTooLarge&) {
+        return bad_text;
     } catch (const PngFault&) {
         return Problem{file, "", "the picture is damaged or cut off", "a PNG that Glint wrote"};
     }
