@@ -11,7 +11,18 @@
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
+#include "ui/features/diagnosis/my_picture.h"
 #include "ui/features/export/animation.h"
+#include "ui/features/export/export_picture.h"
+#include "ui/features/games/match.h"
+#include "ui/features/games/quiz.h"
+#include "ui/features/inspector/mistake_pictures.h"
+#include "ui/features/inspector/sensitivity.h"
+#include "ui/features/lecture/examples.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/lessons/predict_mode.h"
+#include "ui/features/views/term_grid.h"
 #include "ui/features/views/views.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/shell/columns.h"
@@ -61,7 +72,7 @@ bool a_window_changes_size() {
 
 UiRequests requests(UiState& state) {
     UiRequests wants;
-    const Course* course = state.lesson.course.get();
+    const Course* course = state.get<LessonState>().course.get();
     wants.title = fmt::format("{}{} – Glint", state.editor.unsaved() ? "● " : "",
                               course != nullptr && state.editor.document.path.empty() ? course->lesson.title
                                                                                       : state.editor.title());
@@ -100,7 +111,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     follow_items(state);
     ImGui::PushFont(fonts().body);
     begin_views(state);
-    state.layout.lesson = state.lesson.course != nullptr || state.match.on;
+    state.layout.lesson = state.get<LessonState>().course != nullptr || state.get<MatchState>().on;
     const Layout layout = window_layout(state);
     if (!state.layout.hides_all) toolbar(state, layout.top);
     const bool in_hand = picture_room(state, layout, input);
@@ -120,14 +131,14 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     picture_overlay(state, layout);
     caption_line(state, layout);
     inspector_columns(state, layout, view);
-    rest_mistake_pictures(state.mistake_pictures);
+    rest_mistake_pictures(state.get<MistakePictures>());
     views_windows(state, layout);
     column_edges(state.layout, layout, px(1));
     loading_panel(state, layout.centre);
     recovery_panel(state, layout.centre);
     if (!state.layout.hides_all) status_line(state, layout.status);
     animate_panel(state);
-    step_wedge(state.lecture.wedge);
+    step_wedge(state.get<WedgeState>());
     dialogs(state, input);  // after every window: ui/shell/modal.h
     for (const Said& said : take_said())
         state.notifications.add(said.refuses ? Tone::Warning : Tone::Done, said.line);
@@ -155,12 +166,12 @@ UiRequests ui_frame(UiState& state, const UiInput& input) {
 }
 
 std::array<PictureSheet*, 6> sheets_of(UiState& state) {
-    return {&state.views.grid.sheet,
-            &state.examples.pictures.sheet,
-            &state.mistake_pictures.pictures.sheet,
-            &state.mine.sheet,
-            &state.quiz.sheet,
-            &state.match.sheet};
+    return {&state.get<TermGridState>().sheet,
+            &state.get<ExamplesState>().pictures.sheet,
+            &state.get<MistakePictures>().pictures.sheet,
+            &state.get<MyPictureState>().sheet,
+            &state.get<QuizState>().sheet,
+            &state.get<MatchState>().sheet};
 }
 
 }  // namespace glint

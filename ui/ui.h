@@ -17,29 +17,15 @@
 #include "ui/document/editor.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/loading.h"
-#include "ui/features/diagnosis/my_picture.h"
-#include "ui/features/export/animation.h"
-#include "ui/features/export/export_picture.h"
-#include "ui/features/games/match.h"
-#include "ui/features/games/quiz.h"
-#include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/mistake_pictures.h"
-#include "ui/features/inspector/outside_view.h"
-#include "ui/features/inspector/program/program_state.h"
-#include "ui/features/inspector/sensitivity.h"
-#include "ui/features/lecture/examples.h"
-#include "ui/features/lecture/lecture.h"
-#include "ui/features/lessons/lesson.h"
-#include "ui/features/lessons/lessons_dialog.h"
-#include "ui/features/lessons/predict_mode.h"
-#include "ui/features/views/views.h"
-#include "ui/fields/highlight_share.h"
+#include "ui/feature_states.h"
+#include "ui/features/views/compare_view.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/tool.h"
 #include "ui/picture/viewport.h"
 #include "ui/preferences/persistence.h"
 #include "ui/shell/layout.h"
 #include "ui/shell/notifications.h"
+#include "ui/widgets/picture_sheet.h"
 
 namespace glint {
 
@@ -64,33 +50,22 @@ struct PlacedPicture {
 /// controls (tooltip.cpp); the number in hand and what it has to say (number_input.cpp); the field that was
 /// asked for (field_panel.cpp).
 struct UiState {
-    explicit UiState(int threads) : renderer(std::make_unique<Renderer>(threads)) { views.threads = threads; }
+    explicit UiState(int thread_count)
+        : threads(thread_count), renderer(std::make_unique<Renderer>(thread_count)) {}
+
+    /// The state of a feature, which the feature's own header defines.
+    template <class T> [[nodiscard]] T& get() { return features.get<T>(); }
+    template <class T> [[nodiscard]] const T& get() const { return features.get<T>(); }
 
     Editor editor;
     ViewportState viewport;
     ToolCapture capture;  // the tool on the picture that a button holds
     LayoutState layout;
-    InspectorState inspector;  // tab and switches
-    SensitivityState sensitivity;
-    ProgramState program;
-    MistakePictures mistake_pictures;
-    HighlightShareState highlight_share;  // of the selected object
-    ViewsState views;                     // how the picture is looked at
-    MyPictureState mine;
     Notifications notifications;
     FileDialog files;
     PaletteState palette;
     Loading loading;
     Persistence persistence;
-    ExportState exporting;
-    LectureState lecture;
-    ExamplesState examples;
-    LessonState lesson;
-    LessonListState lessons;
-    PredictState predict;
-    QuizState quiz;
-    MatchState match;
-    AnimateState animate;
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's
@@ -103,8 +78,9 @@ struct UiState {
 
     FramePace pace;
     std::vector<Camera> kept_views;  // kept by hand, of whatever scene; remembered with the settings
-    OutsideState outside;
+    FeatureStates features;
 
+    int threads;  // of each renderer
     std::unique_ptr<Renderer> renderer;
     const Picture* rendered = nullptr;  // the last one drawn
     PictureSize full_size;          // of the picture in the window; for a moment `rendered` may be smaller

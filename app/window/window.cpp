@@ -19,6 +19,7 @@
 #include "models/io/file.h"
 #include "ui/document/averaged_normals.h"
 #include "ui/document/loading.h"
+#include "ui/features/lecture/lecture.h"
 #include "ui/features/lessons/course.h"
 #include "ui/features/lessons/lesson.h"
 #include "ui/preferences/persistence.h"
@@ -173,12 +174,12 @@ void catch_ending_signals() {
     Beginning first = beginning(arguments);
     take_document(state.editor, std::move(first.document));
     state.shipped_scenes = asset_path("scenes");
-    state.lesson.folder = asset_path("lessons");
-    state.lesson.inventory = asset_path("inventory.md");
+    state.get<LessonState>().folder = asset_path("lessons");
+    state.get<LessonState>().inventory = asset_path("inventory.md");
     if (!arguments.more.empty()) {
-        state.lecture.given_scenes = {arguments.scene.file};
-        state.lecture.given_scenes.insert(state.lecture.given_scenes.end(), arguments.more.begin(),
-                                          arguments.more.end());
+        state.get<LectureState>().given_scenes = {arguments.scene.file};
+        state.get<LectureState>().given_scenes.insert(state.get<LectureState>().given_scenes.end(),
+                                                      arguments.more.begin(), arguments.more.end());
     }
     for (const std::string& warning : state.editor.document.warnings) say_warning(warning);
     begin_persistence(state, state_folder());

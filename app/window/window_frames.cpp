@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/failure.h"
+#include "ui/features/lecture/lecture.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -73,7 +74,7 @@ void WindowFrames::measure() {
 
 void WindowFrames::follow_scale() {
     const DisplayScale display = display_scale(extent_, display_);
-    const bool projector = state_.lecture.projector;
+    const bool projector = state_.get<LectureState>().projector;
     const float scale = projector ? display.design * projector_scale : display.design;
     const Theme& wanted = projector     ? projector_theme(state_.dark)
                           : state_.dark ? dark_theme()

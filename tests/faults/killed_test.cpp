@@ -127,7 +127,7 @@ TEST_CASE(worker, "[.]") {
         begin_export(bench.state, small_picture, folder + "/picture.png");
         memory.preferences.width = 700 + step % 500;
         memory.opened.clear();
-        while (bench.state.exporting.job || memory.autosave_writing) (void)bench.frame();
+        while (bench.state.get<ExportState>().job || memory.autosave_writing) (void)bench.frame();
         if (only_once) break;
     }
     end_persistence(bench.state);

@@ -154,7 +154,7 @@ TEST_CASE("whatever fails while a picture is exported, it is the old or the new 
         const Scene edited = bench.scene();
         turn.during([&] {
             as_in_a_frame(bench, [&] { begin_export(bench.state, {{32, 24}, 1}, path); });
-            while (bench.state.exporting.job) (void)bench.frame();
+            while (bench.state.get<ExportState>().job) (void)bench.frame();
         });
         (void)bench.frame();
         CHECK(bench.scene() == edited);

@@ -21,7 +21,7 @@ inline const ImGuiWindow* window_named(const std::string& part) {
 /// Opens a tab and picks what shows at this share of a picture of 1280 x 720.
 inline void ask(HeadlessWindow& bench, InspectorTab tab, glm::dvec2 share = {0.5, 0.5}) {
     bench.frames(2);
-    bench.state.inspector.tab = tab;
+    bench.state.get<InspectorState>().tab = tab;
     bench.state.viewport.probe = share;
     bench.state.viewport.shares_of = {1280, 720};
     bench.frames(3);

@@ -13,6 +13,25 @@
 
 #include "tests/support/catch.h"
 #include "ui/commands/command.h"
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/export/animation.h"
+#include "ui/features/export/export_picture.h"
+#include "ui/features/games/match.h"
+#include "ui/features/games/quiz.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/inspector/mistake_pictures.h"
+#include "ui/features/inspector/outside_view.h"
+#include "ui/features/inspector/program/program_state.h"
+#include "ui/features/inspector/sensitivity.h"
+#include "ui/features/lecture/examples.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/lessons/lessons_dialog.h"
+#include "ui/features/lessons/predict_mode.h"
+#include "ui/features/views/scope.h"
+#include "ui/features/views/term_grid.h"
+#include "ui/features/views/views.h"
+#include "ui/fields/highlight_share.h"
 #include "ui/shell/columns.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
@@ -104,7 +123,7 @@ class HeadlessWindow {
 
     /// Begins a comparison of these parts.
     void compare(std::vector<Variant> parts) {
-        set_parts(state.views.compare.choice, std::move(parts));
+        set_parts(state.get<CompareState>().choice, std::move(parts));
         (void)key(Key::C);
         frames(2);
     }

@@ -30,7 +30,7 @@ inline void type(HeadlessWindow& bench, const std::string& text) {
 
 /// Frames until what is to be done has been asked of the scene in hand.
 inline void wait_for_tasks(HeadlessWindow& bench) {
-    const LessonState& lesson = bench.state.lesson;
+    const LessonState& lesson = bench.state.get<LessonState>();
     do {
         (void)bench.frame();
         std::this_thread::yield();
@@ -40,7 +40,7 @@ inline void wait_for_tasks(HeadlessWindow& bench) {
 
 /// The first question that waits for an answer. Precondition: there is one.
 inline const StationQuestion& asked(const HeadlessWindow& bench) {
-    const LessonState& lesson = bench.state.lesson;
+    const LessonState& lesson = bench.state.get<LessonState>();
     return lesson.station().questions[open_question(lesson).value()];
 }
 

@@ -8,6 +8,9 @@
 
 #include "ui/commands/command_rows.h"
 #include "ui/document/scene_edit.h"
+#include "ui/features/export/animation.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/lessons/predict_mode.h"
 #include "ui/picture/tool.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"

@@ -3,6 +3,7 @@
 #include "ui/commands/command_rows.h"
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
+#include "ui/features/export/animation.h"
 #include "ui/picture/draw_picture.h"
 
 namespace glint {
@@ -69,8 +70,8 @@ void rotate_about_picked(UiState& state) {
 }
 
 void type_numbers(UiState& state) {
-    if (state.animate.open && state.animate.has_keyboard) {
-        state.animate.takes_keys = true;
+    if (state.get<AnimateState>().open && state.get<AnimateState>().has_keyboard) {
+        state.get<AnimateState>().takes_keys = true;
         return;
     }
     state.layout.left = state.types_into_panel = true;

@@ -6,7 +6,11 @@
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
 #include "ui/features/export/clipboard.h"
+#include "ui/features/export/export_picture.h"
 #include "ui/features/export/save_with_command.h"
+#include "ui/features/lecture/examples.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/lessons/lessons_dialog.h"
 #include "ui/picture/draw_picture.h"
 
 namespace glint {
@@ -23,11 +27,12 @@ void ask_scene(UiState& state) {
 }
 
 std::string unless_picture_can_be_written(const UiState& state) {
-    return state.rendered == nullptr ? unless_drawn(nullptr) : unless_busy(bool(state.exporting.job));
+    return state.rendered == nullptr ? unless_drawn(nullptr)
+                                     : unless_busy(bool(state.get<ExportState>().job));
 }
 
 std::string copy_disabled_reason(const UiState& state) {
-    if (state.exporting.job) return unless_busy(true);
+    if (state.get<ExportState>().job) return unless_busy(true);
     return state.rendered == nullptr ? unless_drawn(nullptr) : clipboard_disabled_reason();
 }
 
@@ -59,7 +64,7 @@ std::vector<WindowCommand> file_commands() {
          .run = open_lessons,
          .why_disabled =
              [](const UiState& s) {
-                 return unless(!s.lesson.folder.empty() || s.lesson.course,
+                 return unless(!s.get<LessonState>().folder.empty() || s.get<LessonState>().course,
                                "The lessons of Glint are not installed");
              }},
         {.name = "Save",
@@ -86,8 +91,8 @@ std::vector<WindowCommand> file_commands() {
         {.name = "Export picture…",
          .keys = {{Key::E, ctrl}},
          .menu = Menu::File,
-         .run = [](UiState& s) { s.exporting.open = true; },
-         .why_disabled = [](const UiState& s) { return unless_busy(bool(s.exporting.job)); },
+         .run = [](UiState& s) { s.get<ExportState>().open = true; },
+         .why_disabled = [](const UiState& s) { return unless_busy(bool(s.get<ExportState>().job)); },
          .words = "image png exr resolution"},
         {.name = "Copy picture",
          .keys = {{Key::C, ctrl, shift}},

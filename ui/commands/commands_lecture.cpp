@@ -1,8 +1,13 @@
 // The commands of the menus Lecture and Help.
 #include "ui/commands/command_rows.h"
 #include "ui/document/document_actions.h"
+#include "ui/features/export/animation.h"
+#include "ui/features/games/match.h"
+#include "ui/features/games/quiz.h"
 #include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
+#include "ui/features/lessons/predict_mode.h"
 #include "ui/picture/draw_picture.h"
 
 namespace glint {
@@ -11,13 +16,14 @@ namespace {
 /// Returns the next scene of those that the program was given, else of the folder; for a scene without a
 /// file, of those that come with the program. One that cannot be opened is passed over the next time.
 std::string other_scene(const UiState& state, int step) {
-    const AskedScene& asked = state.lecture.asked;
+    const AskedScene& asked = state.get<LectureState>().asked;
     const std::string& open = state.editor.document.path;
     const bool goes_on = asked.failed && asked.step == step && asked.from == open;
     const std::string& path = goes_on ? asked.path : open;
     const bool has_file = !path.empty() && path != "-";
-    const std::string& place = has_file ? path : state.lecture.last_given;
-    if (const auto given = given_scene_beside(state.lecture.given_scenes, place, step)) return *given;
+    const std::string& place = has_file ? path : state.get<LectureState>().last_given;
+    if (const auto given = given_scene_beside(state.get<LectureState>().given_scenes, place, step))
+        return *given;
     if (has_file) return scene_beside(path, step);
     const auto scenes = folder_scenes(state.shipped_scenes);
     if (state.shipped_scenes.empty() || scenes.empty()) return {};
@@ -25,21 +31,22 @@ std::string other_scene(const UiState& state, int step) {
 }
 
 void open_other(UiState& state, int step) {
-    if (state.lesson.course) return page_lesson(state, step);
+    if (state.get<LessonState>().course) return page_lesson(state, step);
     const std::string path = other_scene(state, step);
     if (path.empty())
         return state.notifications.tell(step > 0 ? "This is the last scene" : "This is the first scene");
-    state.lecture.asked = {state.editor.document.path, path, step, false};
+    state.get<LectureState>().asked = {state.editor.document.path, path, step, false};
     begin_pending(state, Pending::What::Open, path);
 }
 
 /// Another one than the last, so that the command played twice plays two.
 void new_match(UiState& state) {
-    begin_pending(state, Pending::What::Match, std::to_string(state.match.seed + (state.match.on ? 1 : 0)));
+    begin_pending(state, Pending::What::Match,
+                  std::to_string(state.get<MatchState>().seed + (state.get<MatchState>().on ? 1 : 0)));
 }
 
 void switch_projector(UiState& state) {
-    LectureState& lecture = state.lecture;
+    LectureState& lecture = state.get<LectureState>();
     LayoutState& layout = state.layout;
     lecture.projector = !lecture.projector;
     if (lecture.projector) {
@@ -53,20 +60,21 @@ void switch_projector(UiState& state) {
 }
 
 void switch_frozen(UiState& state) {
-    if (state.lecture.frozen)
-        state.lecture.frozen.reset();
+    if (state.get<LectureState>().frozen)
+        state.get<LectureState>().frozen.reset();
     else
         freeze(state);
 }
 
 void switch_animate(UiState& state) {
-    state.animate.open =
-        !state.animate.open || state.animate.job;  // it says how far what is written has come
-    state.animate.playing &= state.animate.open;
+    state.get<AnimateState>().open =
+        !state.get<AnimateState>().open ||
+        state.get<AnimateState>().job;  // it says how far what is written has come
+    state.get<AnimateState>().playing &= state.get<AnimateState>().open;
 }
 
 std::string unless_drawn_on(const UiState& state) {
-    return unless(!state.lecture.pen.lines.empty(), "Nothing is drawn");
+    return unless(!state.get<PenState>().lines.empty(), "Nothing is drawn");
 }
 
 /// Scenes one after another, and what is asked about them.
@@ -86,7 +94,7 @@ std::vector<WindowCommand> asking_commands() {
          .keys = {{Key::Q}},
          .menu = Menu::Lecture,
          .run = switch_prediction,
-         .is_on = [](const UiState& s) { return s.predict.stage != PredictStage::Off; },
+         .is_on = [](const UiState& s) { return s.get<PredictState>().stage != PredictStage::Off; },
          .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
          .line_above = true,
          .noun = "Predict a colour"},
@@ -96,16 +104,18 @@ std::vector<WindowCommand> asking_commands() {
          .run = open_quiz,
          .why_disabled =
              [](const UiState& s) {
-                 return unless(!s.lesson.inventory.empty(), "The quiz of Glint is not installed");
+                 return unless(!s.get<LessonState>().inventory.empty(), "The quiz of Glint is not installed");
              },
          .quiet = true,
          .words = "test game"},
         {.name = "Lecturer: a lesson's questions without its answers",
          .menu = Menu::Lecture,
          .run = switch_lecturer,
-         .is_on = [](const UiState& s) { return s.lesson.lecturer; },
+         .is_on = [](const UiState& s) { return s.get<LessonState>().lecturer; },
          .why_disabled =
-             [](const UiState& s) { return unless(s.lesson.course != nullptr, "No lesson is open"); },
+             [](const UiState& s) {
+                 return unless(s.get<LessonState>().course != nullptr, "No lesson is open");
+             },
          .quiet = true},
     };
 }
@@ -117,7 +127,7 @@ std::vector<WindowCommand> showing_commands() {
          .keys = {{Key::F9}},
          .menu = Menu::Lecture,
          .run = switch_projector,
-         .is_on = [](const UiState& s) { return s.lecture.projector; },
+         .is_on = [](const UiState& s) { return s.get<LectureState>().projector; },
          .line_above = true,
          .quiet = true,
          .words = "presentation font size beamer"},
@@ -131,15 +141,15 @@ std::vector<WindowCommand> showing_commands() {
          .keys = {{Key::F8}},
          .menu = Menu::Lecture,
          .run = switch_frozen,
-         .is_on = [](const UiState& s) { return s.lecture.frozen.has_value(); },
+         .is_on = [](const UiState& s) { return s.get<LectureState>().frozen.has_value(); },
          .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
          .id = CommandId::Freeze,
          .words = "pause hold"},
         {.name = "Pen",
          .keys = {{Key::W}},
          .menu = Menu::Lecture,
-         .run = [](UiState& s) { s.lecture.pen.on ^= true; },
-         .is_on = [](const UiState& s) { return s.lecture.pen.on; },
+         .run = [](UiState& s) { s.get<PenState>().on ^= true; },
+         .is_on = [](const UiState& s) { return s.get<PenState>().on; },
          .id = CommandId::Pen,
          .line_above = true,
          .quiet = true,
@@ -147,30 +157,32 @@ std::vector<WindowCommand> showing_commands() {
         {.name = "Wipe what the pen drew",
          .keys = {{Key::W, !ctrl, shift}},
          .menu = Menu::Lecture,
-         .run = [](UiState& s) { s.lecture.pen.lines.clear(); },
+         .run = [](UiState& s) { s.get<PenState>().lines.clear(); },
          .why_disabled = unless_drawn_on,
          .id = CommandId::WipePen,
          .quiet = true},
         {.name = "Pen: take the last line back",
-         .run = [](UiState& s) { s.lecture.pen.lines.pop_back(); },
+         .run = [](UiState& s) { s.get<PenState>().lines.pop_back(); },
          .why_disabled = unless_drawn_on,
          .quiet = true,
          .words = "undo"},
         {.name = "Pen: the next colour",
-         .run = [](UiState& s) { s.lecture.pen.colour = (s.lecture.pen.colour + 1) % pen_colour_count; },
-         .why_disabled = [](const UiState& s) { return unless(s.lecture.pen.on, "The pen is not in hand"); },
+         .run =
+             [](UiState& s) { s.get<PenState>().colour = (s.get<PenState>().colour + 1) % pen_colour_count; },
+         .why_disabled =
+             [](const UiState& s) { return unless(s.get<PenState>().on, "The pen is not in hand"); },
          .quiet = true},
         {.name = "Animate: turntable, numbers to and fro…",
          .keys = {{Key::T, ctrl}},
          .menu = Menu::Lecture,
          .run = switch_animate,
-         .is_on = [](const UiState& s) { return s.animate.open; },
+         .is_on = [](const UiState& s) { return s.get<AnimateState>().open; },
          .line_above = true,
          .words = "video movie gif webp"},
         {.name = "Step wedge: what does this projector show?",
          .menu = Menu::Lecture,
-         .run = [](UiState& s) { s.lecture.wedge.open ^= true; },
-         .is_on = [](const UiState& s) { return s.lecture.wedge.open; },
+         .run = [](UiState& s) { s.get<WedgeState>().open ^= true; },
+         .is_on = [](const UiState& s) { return s.get<WedgeState>().open; },
          .line_above = true,
          .quiet = true},
         {.name = "Keys and mouse",

@@ -2,6 +2,11 @@
 #include <imgui.h>
 
 #include "ui/commands/command_rows.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/views/compare_view.h"
+#include "ui/features/views/debug_view_controls.h"
+#include "ui/features/views/scope.h"
 #include "ui/features/views/views.h"
 #include "ui/ui.h"
 #include "ui/widgets/theme.h"
@@ -10,13 +15,13 @@ namespace glint {
 namespace {
 
 void switch_magnifier(UiState& state) {
-    zoom_about(state.views.magnifier, state.views.magnifier.zoom > 1 ? 1 : usual_zoom,
+    zoom_about(state.get<MagnifierState>(), state.get<MagnifierState>().zoom > 1 ? 1 : usual_zoom,
                state.viewport.probe.value_or(glm::dvec2(0.5)));
 }
 
 void step_debug_view(UiState& state, int steps) {
-    const DebugView shown = debug_view_after(state.views.debug_view.set.choice.view, steps);
-    show_quantity(state.views, shown);
+    const DebugView shown = debug_view_after(state.get<DebugViewState>().set.choice.view, steps);
+    show_quantity(state, shown);
     const std::string what = shown == DebugView::Picture
                                  ? "The picture again"
                                  : std::string(info_of(shown).label) + " in place of the picture";
@@ -24,13 +29,13 @@ void step_debug_view(UiState& state, int steps) {
 }
 
 bool shows_orientation(const UiState& state) {
-    return state.views.debug_view.set.choice.view == DebugView::Orientation;
+    return state.get<DebugViewState>().set.choice.view == DebugView::Orientation;
 }
 
 void switch_over_range(UiState& state) {
-    DebugViewSet& set = state.views.debug_view.set;
+    DebugViewSet& set = state.get<DebugViewState>().set;
     set.over_range = !set.over_range;
-    if (set.over_range) show_quantity(state.views, DebugView::Picture, state.views.compare.choice.on);
+    if (set.over_range) show_quantity(state, DebugView::Picture, state.get<CompareState>().choice.on);
 }
 
 /// An arrow key asks about the pixel beside the picked one; with Shift it goes ten times as far.
@@ -44,7 +49,9 @@ template <int right, int down> WindowCommand step_command(const char* name, Key 
                     s.left_shows_inspector = true;
                 },
             .why_disabled =
-                [](const UiState& s) { return s.lecture.frozen ? it_is_frozen() : unless_drawn(s.rendered); },
+                [](const UiState& s) {
+                    return s.get<LectureState>().frozen ? it_is_frozen() : unless_drawn(s.rendered);
+                },
             .words = "pick probe step"};
 }
 
@@ -56,23 +63,23 @@ std::vector<WindowCommand> stepping_commands() {
 }
 
 std::string unless_scope(const UiState& state) {
-    return unless(state.views.scope.open && state.rendered != nullptr, "The scope is not open");
+    return unless(state.get<ScopeState>().open && state.rendered != nullptr, "The scope is not open");
 }
 
 std::vector<WindowCommand> scope_commands() {
     return {
         {.name = "Scope: red, green and blue",
-         .run = [](UiState& s) { s.views.scope.channels ^= true; },
-         .is_on = [](const UiState& s) { return s.views.scope.channels; },
+         .run = [](UiState& s) { s.get<ScopeState>().channels ^= true; },
+         .is_on = [](const UiState& s) { return s.get<ScopeState>().channels; },
          .why_disabled = unless_scope},
         {.name = "Scope: what the eye makes of it",
-         .run = [](UiState& s) { s.views.scope.eye ^= true; },
-         .is_on = [](const UiState& s) { return s.views.scope.eye; },
+         .run = [](UiState& s) { s.get<ScopeState>().eye ^= true; },
+         .is_on = [](const UiState& s) { return s.get<ScopeState>().eye; },
          .why_disabled = unless_scope,
          .words = "mach bands"},
         {.name = "Scope: the grey card",
-         .run = [](UiState& s) { switch_card(s.views.scope, s.rendered->size); },
-         .is_on = [](const UiState& s) { return s.views.scope.card; },
+         .run = [](UiState& s) { switch_card(s.get<ScopeState>(), s.rendered->size); },
+         .is_on = [](const UiState& s) { return s.get<ScopeState>().card; },
          .why_disabled = unless_scope,
          .words = "mach bands"},
         {.name = "Scope: copy as command",
@@ -87,16 +94,16 @@ std::vector<WindowCommand> looking_commands() {
         {.name = "Scan-line scope",
          .keys = {{Key::P}},
          .menu = Menu::View,
-         .run = [](UiState& s) { toggle_scope(s.views.scope); },
-         .is_on = [](const UiState& s) { return s.views.scope.open; },
+         .run = [](UiState& s) { toggle_scope(s.get<ScopeState>()); },
+         .is_on = [](const UiState& s) { return s.get<ScopeState>().open; },
          .id = CommandId::Scope,
          .line_above = true,
          .changes_picture = true},
         {.name = "Vectors at the picked point",
          .keys = {{Key::V}},
          .menu = Menu::View,
-         .run = [](UiState& s) { s.inspector.shows_vectors ^= true; },
-         .is_on = [](const UiState& s) { return s.inspector.shows_vectors; }},
+         .run = [](UiState& s) { s.get<InspectorState>().shows_vectors ^= true; },
+         .is_on = [](const UiState& s) { return s.get<InspectorState>().shows_vectors; }},
         {.name = "Back to the point picked before",
          .keys = {{Key::V, !ctrl, shift}},
          .menu = Menu::View,
@@ -122,7 +129,7 @@ std::vector<WindowCommand> looking_commands() {
          .menu = Menu::View,
          .run =
              [](UiState& s) {
-                 show_quantity(s.views, shows_orientation(s) ? DebugView::Picture : DebugView::Orientation);
+                 show_quantity(s, shows_orientation(s) ? DebugView::Picture : DebugView::Orientation);
              },
          .is_on = shows_orientation,
          .changes_picture = true},
@@ -130,7 +137,7 @@ std::vector<WindowCommand> looking_commands() {
          .keys = {{Key::O}},
          .menu = Menu::View,
          .run = switch_over_range,
-         .is_on = [](const UiState& s) { return s.views.debug_view.set.over_range; },
+         .is_on = [](const UiState& s) { return s.get<DebugViewState>().set.over_range; },
          .id = CommandId::OverRange,
          .changes_picture = true,
          .words = "zebra clipped overexposed"},
@@ -138,21 +145,21 @@ std::vector<WindowCommand> looking_commands() {
          .keys = {{Key::M}},
          .menu = Menu::View,
          .run = switch_magnifier,
-         .is_on = [](const UiState& s) { return s.views.magnifier.zoom > 1; },
+         .is_on = [](const UiState& s) { return s.get<MagnifierState>().zoom > 1; },
          .id = CommandId::Magnify,
          .changes_picture = true},
         {.name = "Where the equation is evaluated",
          .keys = {{Key::J}},
          .menu = Menu::View,
-         .run = [](UiState& s) { s.views.lit.dots ^= true; },
-         .is_on = [](const UiState& s) { return s.views.lit.dots; },
+         .run = [](UiState& s) { s.get<LitDotsState>().dots ^= true; },
+         .is_on = [](const UiState& s) { return s.get<LitDotsState>().dots; },
          .id = CommandId::LitDots,
          .changes_picture = true},
         {.name = "Normals as needles where it is evaluated",
          .keys = {{Key::N}},
          .menu = Menu::View,
-         .run = [](UiState& s) { s.views.lit.needles ^= true; },
-         .is_on = [](const UiState& s) { return s.views.lit.needles; },
+         .run = [](UiState& s) { s.get<LitDotsState>().needles ^= true; },
+         .is_on = [](const UiState& s) { return s.get<LitDotsState>().needles; },
          .changes_picture = true},
     };
 }

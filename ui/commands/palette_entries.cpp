@@ -16,7 +16,10 @@
 #include "ui/document/scene_edit.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/inspector/equation/equation_tab.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/tabs.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/lessons/lessons_dialog.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/widgets/parts.h"
@@ -146,7 +149,7 @@ void add_items(Entries& entries, const UiState& state) {
 void add_tabs(Entries& entries) {
     for (const InspectorTabInfo& info : inspector_tabs())
         add(entries, fmt::format("Why: {}", info.label), "Column", [tab = info.tab](UiState& s) {
-            s.inspector.tab = tab;
+            s.get<InspectorState>().tab = tab;
             s.left_shows_inspector = s.layout.right = true;
         });
 }
@@ -197,7 +200,7 @@ void add_answers_of_copy(Entries& entries, const UiState& state) {
 }
 
 void add_animation(Entries& entries, const UiState& state) {
-    const AnimateState& animate = state.animate;
+    const AnimateState& animate = state.get<AnimateState>();
     for (const Motion motion : enumerators<Motion>)
         add(entries, fmt::format("Animate: {}", choice_of(motion).label), "Animation",
             [motion](UiState& s) { begin_animation(s, motion); });
@@ -248,7 +251,7 @@ std::vector<PaletteEntry> palette_entries(const UiState& state) {
     if (is_held(state))
         for (std::size_t i = of_the_scene; i < entries.size(); ++i) entries[i].refused = why_held;
     add_shipped_scenes(entries, state.shipped_scenes);
-    add_lessons(entries, state.lessons.own);
+    add_lessons(entries, state.get<LessonListState>().own);
     for (PaletteEntry& entry : entries)  // a row is one line, whatever an item is called
         for (std::string* text : {&entry.name, &entry.group})
             std::replace_if(text->begin(), text->end(), breaks_line, ' ');

@@ -13,6 +13,18 @@
 #include "models/io/file.h"
 #include "models/memory_limit.h"
 #include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/games/match.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/inspector/outside_view.h"
+#include "ui/features/inspector/sensitivity.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/lessons/predict_mode.h"
+#include "ui/features/views/compare_view.h"
+#include "ui/features/views/debug_view_controls.h"
+#include "ui/features/views/scope.h"
+#include "ui/features/views/term_grid.h"
+#include "ui/features/views/views.h"
 #include "ui/picture/picture_notes.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
@@ -23,17 +35,16 @@ namespace {
 
 /// Whatever draws beside the one picture, or wants more of it than its bytes.
 void put_views_away(UiState& state) {
-    ViewsState& views = state.views;
-    views.compare.choice.on = views.compare.choice.shows_stored = false;
-    views.compare.b_turned = false;
-    forget_parts(views.compare);
-    views.debug_view.set = {};
-    views.debug_view.painter.reset();
-    views.scope.open = false;
-    views.grid.renderer.reset();
-    views.grid.solo.reset();
-    views.grid.muted.clear();
-    state.inspector.instead.reset();
+    CompareState& compare = state.get<CompareState>();
+    compare.choice.on = compare.choice.shows_stored = compare.b_turned = false;
+    forget_parts(compare);
+    state.get<DebugViewState>() = {};
+    state.get<ScopeState>().open = false;
+    TermGridState& grid = state.get<TermGridState>();
+    grid.renderer.reset();
+    grid.solo.reset();
+    grid.muted.clear();
+    state.get<InspectorState>().instead.reset();
     state.explanation.reset();
     state.displayed = state.rendered;
     ++state.picture_serial;
@@ -46,7 +57,7 @@ bool knows_drawn(const UiState& state) { return state.rendered_is_edited && !sta
 void lead_meshes_from(UiState& state, const std::string& next_dir) {
     const std::string& dir = state.editor.document.mesh_dir;
     if (dir == next_dir) return;
-    std::shared_ptr<const Scene>& stored = state.views.compare.choice.stored;
+    std::shared_ptr<const Scene>& stored = state.get<CompareState>().choice.stored;
     if (stored) stored = std::make_shared<const Scene>(with_mesh_paths_from(*stored, dir, next_dir));
 }
 
@@ -59,7 +70,7 @@ void take_scene_back(UiState& state) {
     if (state.persistence.autosave && state.persistence.has_copy_of(editor.scene()))
         state.persistence.autosave.reset();  // the file stays: what it holds is in no other
     if (editor.before) {
-        AskedScene& asked = state.lecture.asked;
+        AskedScene& asked = state.get<LectureState>().asked;
         asked.failed |= asked.path == editor.document.path;
         lead_meshes_from(state, editor.before->document.mesh_dir);
         const std::unique_ptr<Editor> before = std::move(editor.before);
@@ -82,7 +93,7 @@ void begin_pending(UiState& state, Pending::What what, const std::string& path, 
 void take_scene(UiState& state, SceneDocument document) {
     if (document.path.empty() || document.path != state.editor.document.path) {  // another scene
         put_picture_away(state);
-        lay_level(state.views.scope);
+        lay_level(state.get<ScopeState>());
         end_picture_notes(state);
     }
     leave_dialogs_of_scene(state);
@@ -93,15 +104,15 @@ void take_scene(UiState& state, SceneDocument document) {
     let_go_of_fields();
     lead_meshes_from(state, document.mesh_dir);
     take_document(state.editor, std::move(document));
-    if (given_scene_beside(state.lecture.given_scenes, state.editor.document.path, 0))
-        state.lecture.last_given = state.editor.document.path;
-    state.outside.placed = false;
+    if (given_scene_beside(state.get<LectureState>().given_scenes, state.editor.document.path, 0))
+        state.get<LectureState>().last_given = state.editor.document.path;
+    state.get<OutsideState>().placed = false;
     state.viewport.probe.reset();
     state.viewport.probe_before.reset();
     state.viewport.pivot.reset();
     state.viewport.hovered_grip = {};
     state.explanation.reset();
-    state.sensitivity.forget();
+    state.get<SensitivityState>().forget();
     state.mesh_for_object = -1;
     state.palette.open = false;
 }

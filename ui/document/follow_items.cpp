@@ -9,6 +9,9 @@
 
 #include "models/json/json_pointer.h"
 #include "ui/features/export/animation.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/views/debug_view_controls.h"
+#include "ui/features/views/term_grid.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -28,12 +31,12 @@ std::string followed(const std::string& pointer, std::string_view list, const st
 template <class Item>
 void follow_number(UiState& state, std::string_view list, const std::vector<Item>& before,
                    const std::vector<Item>& after) {
-    const std::string& pointer = state.animate.animation.pointer;
+    const std::string& pointer = state.get<AnimateState>().animation.pointer;
     const std::string place = followed(pointer, list, before, after);
     if (place.empty() && !pointer.empty())
         forget_number(state);
     else
-        state.animate.animation.pointer = place;
+        state.get<AnimateState>().animation.pointer = place;
 }
 
 void follow_lights(UiState& state, const std::vector<Light>& before) {
@@ -47,11 +50,11 @@ void follow_lights(UiState& state, const std::vector<Light>& before) {
         if (place >= 0) light = place;
         return place >= 0;
     };
-    (void)follow(state.views.debug_view.set.choice.light);  // where it has gone, its neighbour's
-    TermGridState& grid = state.views.grid;
+    (void)follow(state.get<DebugViewState>().set.choice.light);  // where it has gone, its neighbour's
+    TermGridState& grid = state.get<TermGridState>();
     if (grid.solo && !follow(grid.solo->light)) grid.solo.reset();
     std::erase_if(grid.muted, [&](GridCell& cell) { return !follow(cell.light); });
-    auto& marked = state.inspector.marked;
+    auto& marked = state.get<InspectorState>().marked;
     if (marked && !follow(marked->light)) marked.reset();
     follow_number(state, "/lights/", before, after);
 }

@@ -7,6 +7,8 @@
 
 #include "ui/document/averaged_normals.h"
 #include "ui/document/document_actions.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -52,7 +54,7 @@ void poll_document(UiState& state) {
     Result<SceneDocument> result = loading.document->take();
     loading.document.reset();
     if (const Problem* problem = problem_of(result)) {
-        AskedScene& asked = state.lecture.asked;
+        AskedScene& asked = state.get<LectureState>().asked;
         asked.failed |= asked.path == loading.path;
         return state.notifications.add(with_all_that_opens(*problem));
     }

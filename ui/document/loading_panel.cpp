@@ -9,6 +9,9 @@
 
 #include "ui/document/document_actions.h"
 #include "ui/document/loading.h"
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/export/animation.h"
+#include "ui/features/lecture/lecture.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
@@ -83,10 +86,10 @@ float progress_share(const LoadProgress& progress) {
 
 void loading_panel(UiState& state, const Rect& picture) {
     const LoadJob* job = state.loading.document ? state.loading.document.get() : state.loading.meshes.get();
-    const auto* reading = state.mine.reading.get();
+    const auto* reading = state.get<MyPictureState>().reading.get();
     if (job == nullptr && reading == nullptr) return;
     redraw_within(seconds_a_frame);
-    const double since = job != nullptr ? state.loading.since : state.mine.reading_since;
+    const double since = job != nullptr ? state.loading.since : state.get<MyPictureState>().reading_since;
     if (ImGui::GetTime() - since < shown_after) return;
     const std::string& name = job != nullptr ? job->name() : reading->name();
     const LoadProgress& progress = job != nullptr ? job->progress() : reading->progress();
@@ -105,15 +108,15 @@ void loading_panel(UiState& state, const Rect& picture) {
     if (job != nullptr)
         cancel_loads(state);
     else
-        cancel_reading(state.mine);
+        cancel_reading(state.get<MyPictureState>());
 }
 
 namespace {
 
 /// Whether the window is shown to others: then nothing pops up by itself.
 bool is_shown_to_others(const UiState& state) {
-    return state.lecture.projector || state.lecture.frozen || state.lecture.pen.on ||
-           state.layout.hides_columns || state.layout.hides_all;
+    return state.get<LectureState>().projector || state.get<LectureState>().frozen ||
+           state.get<PenState>().on || state.layout.hides_columns || state.layout.hides_all;
 }
 
 }  // namespace
@@ -134,7 +137,7 @@ void answer_copy(UiState& state, CopyAnswer answer) {
 void recovery_panel(UiState& state, const Rect& picture) {
     auto& left = state.persistence.orphans;
     if (left.empty() || state.pending.asking || state.loading.active() || is_shown_to_others(state)) return;
-    if (state.animate.open) return;  // its panel has that place
+    if (state.get<AnimateState>().open) return;  // its panel has that place
     const float width = begin_over_picture("##recovery", px(470), picture);
     ImGui::PushTextWrapPos(width - px(14));
     ImGui::TextUnformatted(

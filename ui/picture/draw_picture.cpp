@@ -7,7 +7,10 @@
 #include <utility>
 
 #include "ui/document/document_actions.h"
+#include "ui/features/export/animation.h"
 #include "ui/features/inspector/inspector.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/views/compare_view.h"
 #include "ui/features/views/views.h"
 #include "ui/ui.h"
 #include "ui/widgets/shortcut.h"
@@ -19,7 +22,7 @@ namespace {
 /// Whether what is shown is the picture, or such pictures side by side: not measured, not false colours.
 bool shows_pictures(const UiState& state) {
     if (state.displayed == nullptr || state.displayed == state.rendered) return true;
-    const ShownFrom& from = state.views.shown_from;
+    const ShownFrom& from = state.get<ViewsState>().shown_from;
     return from.compare.on && !from.compare.difference && from.debug_view == DebugViewSet{};
 }
 
@@ -30,8 +33,8 @@ bool may_be_small(const UiState& state, bool previewed) {
     const bool light =
         state.viewport.gesture == Gesture::Hand && state.viewport.held.grip.kind == GripKind::Light;
     const bool field = state.viewport.gesture == Gesture::None && ImGui::IsAnyItemActive();
-    return (camera || light || field) && !previewed && !views_need_linear(state.views) &&
-           !(state.views.magnifier.zoom > 1) && shows_pictures(state);
+    return (camera || light || field) && !previewed && !views_need_linear(state) &&
+           !(state.get<MagnifierState>().zoom > 1) && shows_pictures(state);
 }
 
 /// The size of the next picture of a scene that differs (`changed`) from the last one or does not.
@@ -75,15 +78,17 @@ void explain_asked(UiState& state, const PictureView& view) {
 enum class Resting { Nothing, Frozen, Moment, Stored };
 
 Resting resting_of(const UiState& state) {
-    if (state.lecture.frozen) return Resting::Frozen;
-    if (state.animate.frame) return Resting::Moment;
-    return state.views.compare.choice.shows_stored ? Resting::Stored : Resting::Nothing;
+    if (state.get<LectureState>().frozen) return Resting::Frozen;
+    if (state.get<AnimateState>().frame) return Resting::Moment;
+    return state.get<CompareState>().choice.shows_stored ? Resting::Stored : Resting::Nothing;
 }
 
 /// What shows until the user ends it, whatever is edited.
 std::optional<OtherScene> resting_scene(const UiState& state) {
-    if (column_has_turn(state) && state.inspector.instead && state.inspector.instead_rests)
-        return OtherScene{*state.inspector.instead, "the cells that are shown", "The cells that are shown"};
+    if (column_has_turn(state) && state.get<InspectorState>().instead &&
+        state.get<InspectorState>().instead_rests)
+        return OtherScene{*state.get<InspectorState>().instead, "the cells that are shown",
+                          "The cells that are shown"};
     return resting_below_cells(state);
 }
 
@@ -152,16 +157,18 @@ std::string it_is_frozen() {
 
 void freeze(UiState& state) {
     // Of B, or of what plays, nothing is selected.
-    state.lecture.frozen_selection =
+    state.get<LectureState>().frozen_selection =
         is_out_of_hand(state) ? Selection{} : valid_selection(state.editor.selection, state.rendered_scene);
-    state.lecture.frozen = as_made(state, state.rendered_scene);
+    state.get<LectureState>().frozen = as_made(state, state.rendered_scene);
 }
 
 std::optional<Scene> preview_of(const UiState& state) {
     // A preview under the mouse waits until an edit has been drawn and explained: the numbers beside it are
     // those of the edited scene.
-    const bool explains_shown = state.inspector.instead_rests || state.edited_drawn == state.editor.scene();
-    if (column_has_turn(state) && state.inspector.instead && explains_shown) return state.inspector.instead;
+    const bool explains_shown =
+        state.get<InspectorState>().instead_rests || state.edited_drawn == state.editor.scene();
+    if (column_has_turn(state) && state.get<InspectorState>().instead && explains_shown)
+        return state.get<InspectorState>().instead;
     std::optional<OtherScene> resting = resting_scene(state);
     return resting ? std::optional(std::move(resting->scene)) : std::nullopt;
 }
@@ -177,12 +184,12 @@ Scene* editable_scene(UiState& state) { return state.asked_other ? nullptr : &st
 std::optional<OtherScene> resting_below_cells(const UiState& state) {
     switch (resting_of(state)) {
     case Resting::Frozen:
-        return OtherScene{*state.lecture.frozen, "the frozen picture", "Frozen"};
+        return OtherScene{*state.get<LectureState>().frozen, "the frozen picture", "Frozen"};
     case Resting::Moment:
-        return OtherScene{*state.animate.frame, "the animation at this moment", "Animated"};
+        return OtherScene{*state.get<AnimateState>().frame, "the animation at this moment", "Animated"};
     case Resting::Stored:
         return OtherScene{scene_under({Variant::Kind::Stored, 0}, state.editor.scene(),
-                                      state.views.compare.choice.stored.get()),
+                                      state.get<CompareState>().choice.stored.get()),
                           name_of_stored, label_of({Variant::Kind::Stored, 0})};
     case Resting::Nothing:
         break;
@@ -214,7 +221,7 @@ void draw_picture(UiState& state, const PictureView& view) {
     const bool failed = state.rendered != nullptr && view.map.size == state.failed_size;
     const PictureSize size = failed ? state.rendered->size : paced_size(state, view.map.size, changed, moves);
     const bool same_size = state.rendered != nullptr && state.rendered->size == size;
-    const bool linear = views_need_linear(state.views);
+    const bool linear = views_need_linear(state);
     const bool has_linear = state.rendered != nullptr && !state.rendered->linear.empty();
     if (!same_size || changed || (linear && !has_linear)) {
         try {
@@ -240,7 +247,7 @@ void draw_picture(UiState& state, const PictureView& view) {
 
 void learn_pace(UiState& state) {
     if (state.pace.drawn_at == 0) return;
-    const CompareState& compare = state.views.compare;
+    const CompareState& compare = state.get<CompareState>();
     const double parts_ms = compare.choice.on ? compare.ms : 0;
     picture_took(state.pace, state.pace.drawn_at, state.renderer->stats().total_ms + parts_ms);
 }

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "models/scene/transform.h"
+#include "ui/features/views/compare_view.h"
 #include "ui/features/views/views.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
@@ -125,7 +126,7 @@ namespace {
 /// Ctrl and the wheel zoom; once enlarged, the right button moves.
 bool magnifier_hover(ToolFrame& frame) {
     ImGuiIO& io = ImGui::GetIO();
-    MagnifierState& magnifier = frame.state.views.magnifier;
+    MagnifierState& magnifier = frame.state.get<MagnifierState>();
     if (!frame.over) return false;
     if (!io.KeyCtrl || io.MouseWheel == 0)
         return magnifier.zoom > 1 && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
@@ -140,12 +141,13 @@ bool magnifier_hover(ToolFrame& frame) {
 }
 
 int magnifier_press(ToolFrame& frame) {
-    const bool begins = frame.state.views.magnifier.zoom > 1 && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    const bool begins =
+        frame.state.get<MagnifierState>().zoom > 1 && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     return begins ? ImGuiMouseButton_Right : not_taken;
 }
 
 bool magnifier_drag(ToolFrame& frame) {
-    MagnifierState& magnifier = frame.state.views.magnifier;
+    MagnifierState& magnifier = frame.state.get<MagnifierState>();
     if (magnifier.zoom <= 1) return false;
     const glm::dvec2 size(frame.view.map.size.width, frame.view.map.size.height);
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
@@ -159,7 +161,7 @@ bool magnifier_drag(ToolFrame& frame) {
 void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) {
     const Picture& shown = *state.displayed;
     const auto picked = probe_pixel(state.viewport, view.map.size);
-    if (state.views.magnifier.zoom <= 1 || view.units_per_pixel < px(least_square) ||
+    if (state.get<MagnifierState>().zoom <= 1 || view.units_per_pixel < px(least_square) ||
         !(shown.size == view.map.size))
         return;
     const PixelRange range = visible(list, view);
@@ -168,7 +170,7 @@ void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) 
         list.AddLine(view.to_window({x, range.y0}), view.to_window({x, range.y1}), line);
     for (int y = range.y0; y <= range.y1; ++y)
         list.AddLine(view.to_window({range.x0, y}), view.to_window({range.x1, y}), line);
-    const CompareState& compare = state.views.compare;
+    const CompareState& compare = state.get<CompareState>();
     for (const DrawnPart& part : drawn_parts(compare, *state.renderer, view.map.size)) {
         draw_edges(list, view, *part.renderer, within(range, part.rect));
         if (!picked || !part.rect.holds(*picked)) continue;

@@ -34,7 +34,7 @@ ImVec2 to_window(glm::vec2 place, const PictureView& view) {
 /// Whether the pen has drawn as much as it may; then it says so.
 bool is_used_up(UiState& state) {
     std::size_t places = 0;
-    for (const PenLine& line : state.lecture.pen.lines) places += line.places.size();
+    for (const PenLine& line : state.get<PenState>().lines) places += line.places.size();
     if (places < max_places) return false;
     state.notifications.tell(fmt::format("The pen has drawn as much as the picture holds: {} wipes it clean",
                                          keys_of(CommandId::WipePen)),
@@ -44,7 +44,7 @@ bool is_used_up(UiState& state) {
 
 bool begin_line(UiState& state, glm::vec2 place) {
     if (is_used_up(state)) return false;
-    PenState& pen = state.lecture.pen;
+    PenState& pen = state.get<PenState>();
     pen.lines.push_back({{place}, pen.colour});
     return true;
 }
@@ -52,7 +52,7 @@ bool begin_line(UiState& state, glm::vec2 place) {
 /// The other buttons and the wheel still move the camera.
 bool pen_hover(ToolFrame& frame) {
     const ImGuiIO& io = ImGui::GetIO();
-    return frame.state.lecture.pen.on && frame.over && !io.MouseDown[ImGuiMouseButton_Right] &&
+    return frame.state.get<PenState>().on && frame.over && !io.MouseDown[ImGuiMouseButton_Right] &&
            !io.MouseDown[ImGuiMouseButton_Middle] && io.MouseWheel == 0;
 }
 
@@ -63,7 +63,7 @@ int pen_press(ToolFrame& frame) {
 }
 
 bool pen_drag(ToolFrame& frame) {
-    PenState& pen = frame.state.lecture.pen;
+    PenState& pen = frame.state.get<PenState>();
     if (!pen.on || pen.lines.empty()) return false;
     auto& places = pen.lines.back().places;
     const glm::vec2 place = to_place(frame.pixel, frame.view);
@@ -82,7 +82,7 @@ void draw_piece(ImDrawList& list, std::span<const glm::vec2> places, ImU32 colou
     cased_outline(list, corners, colour, line_width, false);
 }
 
-bool put_pen_away(UiState& state) { return std::exchange(state.lecture.pen.on, false); }
+bool put_pen_away(UiState& state) { return std::exchange(state.get<PenState>().on, false); }
 
 }  // namespace
 

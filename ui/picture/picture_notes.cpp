@@ -5,9 +5,14 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/features/export/animation.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/tabs.h"
+#include "ui/features/lecture/lecture.h"
 #include "ui/features/lessons/lesson.h"
+#include "ui/features/views/compare_view.h"
 #include "ui/features/views/debug_view_controls.h"
+#include "ui/features/views/term_grid.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
@@ -31,7 +36,9 @@ struct Reason {
 
 std::string name_if(bool shows, const char* name) { return shows ? name : ""; }
 
-bool is_preview(const UiState& state) { return state.inspector.instead && !state.inspector.instead_rests; }
+bool is_preview(const UiState& state) {
+    return state.get<InspectorState>().instead && !state.get<InspectorState>().instead_rests;
+}
 
 std::string terms_off(const Terms& terms) {
     std::string names;
@@ -53,35 +60,38 @@ std::string debug_view(const DebugViewSet& set) {
 constexpr std::array reasons{
     Reason{Kind::Preview,
            [](const UiState& s, const Scene&) {
-               const std::string& name = s.inspector.preview_name;
+               const std::string& name = s.get<InspectorState>().preview_name;
                return is_preview(s) && !name.empty() ? "Preview: " + name : std::string();
            },
            nullptr},
     Reason{Kind::OtherScene,
            [](const UiState& s, const Scene&) {
-               return name_if(s.lecture.frozen.has_value(), "Frozen picture");
+               return name_if(s.get<LectureState>().frozen.has_value(), "Frozen picture");
            },
-           [](UiState& s) { s.lecture.frozen.reset(); }, CommandId::Freeze},
+           [](UiState& s) { s.get<LectureState>().frozen.reset(); }, CommandId::Freeze},
     Reason{Kind::OtherScene,
            [](const UiState& s, const Scene&) {
-               return name_if(s.animate.frame && !s.lecture.frozen, "Animation");
+               return name_if(s.get<AnimateState>().frame && !s.get<LectureState>().frozen, "Animation");
            },
            [](UiState& s) {
-               s.animate.playing = false;
-               s.animate.frame.reset();
+               s.get<AnimateState>().playing = false;
+               s.get<AnimateState>().frame.reset();
            }},
     Reason{Kind::OtherScene, [](const UiState& s, const Scene&) { return kept_cells(s); },
            [](UiState& s) {
-               s.views.grid.solo.reset();
-               s.views.grid.muted.clear();
-               s.inspector.instead.reset();
+               s.get<TermGridState>().solo.reset();
+               s.get<TermGridState>().muted.clear();
+               s.get<InspectorState>().instead.reset();
            }},
     Reason{Kind::OtherScene,
            [](const UiState& s, const Scene&) {
-               return name_if(s.views.compare.choice.shows_stored && column_has_turn(s) && !is_preview(s),
-                              name_of_stored);
+               return name_if(
+                   s.get<CompareState>().choice.shows_stored && column_has_turn(s) && !is_preview(s),
+                   name_of_stored);
            },
-           [](UiState& s) { s.views.compare.choice.shows_stored = s.views.compare.b_turned = false; },
+           [](UiState& s) {
+               s.get<CompareState>().choice.shows_stored = s.get<CompareState>().b_turned = false;
+           },
            CommandId::ShowB},
     Reason{Kind::InScene, [](const UiState&, const Scene& scene) { return terms_off(scene.shading.terms); },
            [](UiState& s) { s.editor.scene().shading.terms = {}; }, CommandId::None, true},
@@ -90,12 +100,12 @@ constexpr std::array reasons{
            [](UiState& s) { s.editor.scene().shading.mistakes = {}; }, CommandId::None, true},
     Reason{Kind::View,
            [](const UiState& s, const Scene&) {
-               const CompareChoice& choice = s.views.compare.choice;
+               const CompareChoice& choice = s.get<CompareState>().choice;
                return name_if(choice.on, choice.difference ? "Difference" : "Comparison");
            },
-           [](UiState& s) { s.views.compare.choice.on = false; }, CommandId::Compare, true},
-    Reason{Kind::View, [](const UiState& s, const Scene&) { return debug_view(s.views.debug_view.set); },
-           [](UiState& s) { s.views.debug_view.set = {}; }},
+           [](UiState& s) { s.get<CompareState>().choice.on = false; }, CommandId::Compare, true},
+    Reason{Kind::View, [](const UiState& s, const Scene&) { return debug_view(s.get<DebugViewState>().set); },
+           [](UiState& s) { s.get<DebugViewState>().set = {}; }},
 };
 
 std::vector<PictureNote> notes_about(const UiState& state, const Scene& scene) {
@@ -167,7 +177,7 @@ std::string file_warning(const FileNotes& notes) {
 }
 
 std::string kept_cells(const UiState& state) {
-    const InspectorState& inspector = state.inspector;
+    const InspectorState& inspector = state.get<InspectorState>();
     const bool shows = column_has_turn(state) && inspector.instead && inspector.instead_rests;
     return shows ? inspector.preview_name : std::string();
 }
@@ -176,7 +186,7 @@ void picture_badge(UiState& state, const Rect& picture) {
     const std::vector<PictureNote> notes = picture_notes(state);
     if (notes.empty() || is_held(state)) return;  // while a question waits they would give the answer away
     // Below the label of a comparison's first part.
-    const float above = state.views.compare.choice.on ? small_text_height() + px(20) : px(10);
+    const float above = state.get<CompareState>().choice.on ? small_text_height() + px(20) : px(10);
     ImGui::SetNextWindowPos(picture.low + ImVec2(px(10), above));
     ImGui::SetNextWindowBgAlpha(0.88f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));

@@ -6,7 +6,14 @@
 #include <array>
 #include <utility>
 
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/export/animation.h"
 #include "ui/features/inspector/vectors/vectors_tab.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/lessons/predict_mode.h"
+#include "ui/features/views/compare_view.h"
+#include "ui/features/views/debug_view_controls.h"
 #include "ui/features/views/debug_view_legend.h"
 #include "ui/features/views/views.h"
 #include "ui/picture/draw_picture.h"
@@ -26,7 +33,8 @@ namespace {
 /// Says what can be done: in one line, in three where the picture is too narrow for that, or not at all.
 void first_hints(ImDrawList& list, const UiState& state) {
     const bool covered = !state.notifications.list.empty();
-    if (covered || state.viewport.touched || state.views.debug_view.set.choice.view != DebugView::Picture)
+    if (covered || state.viewport.touched ||
+        state.get<DebugViewState>().set.choice.view != DebugView::Picture)
         return;
     const Rect shown = clip_area(list);
     const auto fits = [&](const char* text) {
@@ -90,15 +98,15 @@ bool cancel_loading(UiState& state) {
 
 bool close_shortcuts(UiState& state) { return std::exchange(state.shows_shortcuts, false); }
 bool close_animate(UiState& state) {
-    if (!state.animate.open) return false;
-    if (state.animate.job) {  // what is being written does not go on unseen
-        state.animate.job->cancel();
+    if (!state.get<AnimateState>().open) return false;
+    if (state.get<AnimateState>().job) {  // what is being written does not go on unseen
+        state.get<AnimateState>().job->cancel();
         return true;
     }
-    state.animate.open = state.animate.playing = false;
+    state.get<AnimateState>().open = state.get<AnimateState>().playing = false;
     return true;
 }
-bool close_wedge(UiState& state) { return std::exchange(state.lecture.wedge.open, false); }
+bool close_wedge(UiState& state) { return std::exchange(state.get<WedgeState>().open, false); }
 bool show_panels(UiState& state) { return std::exchange(state.layout.hides_all, false); }
 
 bool forget_probe(UiState& state) {
@@ -108,13 +116,13 @@ bool forget_probe(UiState& state) {
 }
 
 bool leave_prediction(UiState& state) {
-    if (state.predict.stage == PredictStage::Off) return false;
+    if (state.get<PredictState>().stage == PredictStage::Off) return false;
     end_prediction(state);
     return true;
 }
 
 bool leave_my_picture(UiState& state) {
-    if (!state.mine.shown && !state.mine.reading) return false;
+    if (!state.get<MyPictureState>().shown && !state.get<MyPictureState>().reading) return false;
     put_picture_away(state);
     return true;
 }
@@ -145,7 +153,7 @@ void use_tools(UiState& state, const PictureView& view, const UiInput& input) {
 
 /// How often the equation is evaluated: of a comparison in the part under the mouse, else in the first one.
 std::string evaluations_under(const UiState& state, const PictureView& view) {
-    const CompareState& compare = state.views.compare;
+    const CompareState& compare = state.get<CompareState>();
     const std::vector<DrawnPart> parts = drawn_parts(compare, *state.renderer, view.map.size);
     const glm::ivec2 pixel = nearest_pixel(view.map.size, view.to_pixel(ImGui::GetIO().MousePos));
     const auto holds = [pixel](const DrawnPart& part) { return part.rect.holds(pixel); };
@@ -162,11 +170,11 @@ void draw_tools(ImDrawList& list, UiState& state, const PictureView& view) {
     if (is_held(state)) return lesson_tool.draw(list, state, view);  // there is nothing to take hold of
     hand_tool.draw(list, state, view);
     magnifier_tool.draw(list, state, view);
-    draw_lit_dots(list, state.views.lit, view);
-    if (state.views.lit.dots)
-        draw_evaluations(list, evaluations_under(state, view), state.views.compare.choice.on);
+    draw_lit_dots(list, state.get<LitDotsState>(), view);
+    if (state.get<LitDotsState>().dots)
+        draw_evaluations(list, evaluations_under(state, view), state.get<CompareState>().choice.on);
     compare_tool.draw(list, state, view);
-    draw_debug_view_legend(list, state.views.debug_view, state.rendered_scene, view,
+    draw_debug_view_legend(list, state.get<DebugViewState>(), state.rendered_scene, view,
                            probe_pixel(state.viewport, view.map.size));
     scope_tool.draw(list, state, view);
     lesson_tool.draw(list, state, view);
@@ -189,7 +197,7 @@ PictureView view_of(const Scene& scene, const Rect& centre, const UiState& state
     view.map = screen_map(scene.camera, {pixels(room.x), pixels(room.y), true});
     view.bounds = scene_bounds(scene);
     view.dome = sun_dome(scene.camera.target, view.bounds, view.map);
-    magnify(view, area, state.views.magnifier);
+    magnify(view, area, state.get<MagnifierState>());
     return view;
 }
 
@@ -234,17 +242,17 @@ void picture_overlay(UiState& state, const Layout& layout) {
         draw_point_vectors(list, state, view);
         first_hints(list, state);
     }
-    draw_pen(list, state.lecture.pen, view);
+    draw_pen(list, state.get<PenState>(), view);
     const Rect in_sight = clip_area(list);
     list.PopClipRect();
     ImGui::End();
     if (!state.layout.hides_all) picture_badge(state, in_sight);
-    pen_bar(state.lecture.pen, in_sight);
+    pen_bar(state.get<PenState>(), in_sight);
     // Over a clean picture only what needs an eye is said.
     if (state.layout.hides_all)
         std::erase_if(state.notifications.list, [](const Notification& n) { return n.tone == Tone::Done; });
     // Beside the legend of a false colour, which is read while they stand.
-    const float legend = state.layout.hides_all ? 0 : legend_width(state.views.debug_view);
+    const float legend = state.layout.hides_all ? 0 : legend_width(state.get<DebugViewState>());
     draw_notifications(state.notifications, layout.centre.high - px(18) * ImVec2(1, 1), layout.centre.low.y,
                        std::max(layout.centre.size().x - px(36) - legend, px(160)));
 }

@@ -2,6 +2,9 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/predict_mode.h"
+#include "ui/features/views/scope.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/viewport.h"
 #include "ui/ui.h"
@@ -18,16 +21,16 @@ void follow_shape(UiState& state, PictureSize size) {
     const glm::dvec2 scale(to[0][0] / from[0][0], to[1][1] / from[1][1]);
     const auto follow = [&scale](glm::dvec2& share) { share = (share - 0.5) * scale + 0.5; };
     for (std::optional<glm::dvec2>* probe :
-         {&state.viewport.probe, &state.viewport.probe_before, &state.predict.probe})
+         {&state.viewport.probe, &state.viewport.probe_before, &state.get<PredictState>().probe})
         if (*probe) follow(**probe);
-    ScopeState& scope = state.views.scope;
+    ScopeState& scope = state.get<ScopeState>();
     if (scope.open && !scope.armed) {  // else nothing was laid on anything yet
         for (glm::dvec2* share : {&scope.from, &scope.to, &scope.card_at}) follow(*share);
         scope.card_size *= scale;
     }
     const auto aspect = [](PictureSize of) { return double(of.width) / of.height; };
     const glm::vec2 in_heights(scale.x * aspect(size) / aspect(before), scale.y);
-    for (PenLine& line : state.lecture.pen.lines)
+    for (PenLine& line : state.get<PenState>().lines)
         for (glm::vec2& place : line.places) place *= in_heights;
 }
 

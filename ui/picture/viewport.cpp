@@ -7,6 +7,10 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "ui/features/export/animation.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/views/compare_view.h"
+#include "ui/features/views/debug_view_controls.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/orbit.h"
 #include "ui/picture/tool.h"
@@ -166,7 +170,7 @@ ViewportFrame viewport_frame(UiState& state, const PictureView& view) {
 
 /// The part of a comparison under the cursor; nothing where no parts are shown.
 std::optional<Variant> variant_under(const UiState& state, const ViewportFrame& frame) {
-    const CompareState& compare = state.views.compare;
+    const CompareState& compare = state.get<CompareState>();
     if (state.displayed == nullptr) return {};
     const glm::ivec2 pixel = nearest_pixel(frame.view.map.size, cursor_px(frame));
     const int part = part_of(compare, pixel, state.displayed->size);
@@ -182,15 +186,15 @@ const Renderer* renderer_under(const UiState& state, const ViewportFrame& frame)
     if (!part) return frame.renderer;
     if (part->kind == Variant::Kind::Stored || part->kind == Variant::Kind::Mine) return nullptr;
     const glm::ivec2 pixel = nearest_pixel(frame.view.map.size, cursor_px(frame));
-    return part_renderer(state.views.compare, pixel, state.displayed->size);
+    return part_renderer(state.get<CompareState>(), pixel, state.displayed->size);
 }
 
 /// Whether highlights and terminators of the edited scene are seen under the cursor: not in cells of the
 /// grid, in false colours, in a difference, or in a part that shows another model or scene.
 bool shows_effects(const UiState& state, const ViewportFrame& frame) {
-    if (state.resting || state.views.debug_view.set.choice.view != DebugView::Picture) return false;
+    if (state.resting || state.get<DebugViewState>().set.choice.view != DebugView::Picture) return false;
     const std::optional<Variant> part = variant_under(state, frame);
-    if (!part) return !state.views.compare.choice.on && state.displayed != nullptr;
+    if (!part) return !state.get<CompareState>().choice.on && state.displayed != nullptr;
     return part->kind == Variant::Kind::Edited || part->kind == Variant::Kind::Mode ||
            part->kind == Variant::Kind::Interpolation;
 }
@@ -225,7 +229,7 @@ bool hand_hover(ToolFrame& tool) {
     ViewportFrame seen = frame;
     seen.renderer = renderer_under(tool.state, frame);
     find_main_light(state, seen, cursor_px(frame));
-    if (tool.state.lecture.frozen) return tool.over;
+    if (tool.state.get<LectureState>().frozen) return tool.over;
     wheel(state, frame);
     set_cursor(state);
     return tool.over;
@@ -233,15 +237,15 @@ bool hand_hover(ToolFrame& tool) {
 
 int hand_press(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
-    if (tool.state.lecture.frozen && state.gesture == Gesture::None) {
+    if (tool.state.get<LectureState>().frozen && state.gesture == Gesture::None) {
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
             tool.state.notifications.tell(it_is_frozen(), Tone::Warning);
         return not_taken;
     }
     // What a lesson plays goes on until a hand comes, which may want what moves there.
-    if (tool.state.animate.frame && !tool.state.animate.open &&
+    if (tool.state.get<AnimateState>().frame && !tool.state.get<AnimateState>().open &&
         ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-        tool.state.animate.playing = false;
+        tool.state.get<AnimateState>().playing = false;
         return not_taken;
     }
     ViewportFrame frame = viewport_frame(tool.state, tool.view);
@@ -273,7 +277,7 @@ void hand_release(ToolFrame& tool) {
 
 bool hand_cancel(UiState& state) { return cancel_gesture(state.viewport, state.editor.scene()); }
 std::string hand_hint(const UiState& state) {
-    if (state.lecture.frozen && state.viewport.hovered)
+    if (state.get<LectureState>().frozen && state.viewport.hovered)
         return "Frozen · " + keys_of(CommandId::Freeze) + ": go on";
     return gesture_hint(state.viewport, state.editor.scene());
 }
@@ -282,7 +286,8 @@ void hand_draw(ImDrawList& list, UiState& state, const PictureView& view) {
     ViewportFrame frame = viewport_frame(state, view);
     if (!state.resting || !is_out_of_hand(state)) return draw_overlay(list, state.viewport, frame);
     Scene& shown = state.resting->scene;
-    Selection selection = state.lecture.frozen ? state.lecture.frozen_selection : Selection{};
+    Selection selection =
+        state.get<LectureState>().frozen ? state.get<LectureState>().frozen_selection : Selection{};
     const bool is_drawn = state.rendered_scene == shown && state.rendered->size == view.map.size;
     draw_overlay(
         list, state.viewport,

@@ -8,6 +8,12 @@
 #include <utility>
 
 #include "models/io/file.h"
+#include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/views/compare_view.h"
+#include "ui/features/views/debug_view_controls.h"
+#include "ui/features/views/scope.h"
+#include "ui/features/views/views.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
@@ -33,7 +39,8 @@ Result<std::monostate> write_settings(const Persistence& memory) {
 /// The file to open again: a lesson's, as long as what it shows was not saved under a name.
 const std::string& open_file(const UiState& state) {
     const std::string& scene = state.editor.document.path;
-    return scene.empty() && state.lesson.course ? state.lesson.course->lesson.path : scene;
+    return scene.empty() && state.get<LessonState>().course ? state.get<LessonState>().course->lesson.path
+                                                            : scene;
 }
 
 void note_recent(UiState& state) {
@@ -62,9 +69,9 @@ void note_preferences(UiState& state) {
     now.views = views_to_remember(state);
     now.layout.lesson = now.layout.hides_columns = now.layout.hides_all =
         false;  // the picture alone is for a moment
-    if (state.lecture.projector) {
-        now.layout.left = state.lecture.left_before;
-        now.layout.right = state.lecture.right_before;
+    if (state.get<LectureState>().projector) {
+        now.layout.left = state.get<LectureState>().left_before;
+        now.layout.right = state.get<LectureState>().right_before;
     }
     const double time = ImGui::GetTime();
     if (!(now == memory.preferences)) memory.preferences_changed = time;
@@ -141,12 +148,12 @@ void end_persistence(UiState& state, bool keeps_copy) {
 void reset_layout(UiState& state) {
     state.layout = {};
     state.dark = true;
-    state.views.scope.open = false;
+    state.get<ScopeState>().open = false;
     ViewPreferences first_day;
     first_day.kept = state.kept_views;
-    state.views.compare.choice.on = false;
-    state.views.debug_view.set = {};
-    state.views.lit = {};
+    state.get<CompareState>().choice.on = false;
+    state.get<DebugViewState>().set = {};
+    state.get<LitDotsState>() = {};
     recall_views(state, first_day);
     state.persistence.preferences.width = state.persistence.preferences.height = 0;
     state.persistence.preferences.maximized = false;

@@ -8,6 +8,10 @@
 #include "models/json/json.h"
 #include "models/scene_file/scene_file.h"
 #include "models/utf8.h"
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/games/match.h"
+#include "ui/features/views/compare_view.h"
+#include "ui/features/views/scope.h"
 #include "ui/picture/orbit.h"
 #include "ui/preferences/persistence.h"
 #include "ui/ui.h"
@@ -175,24 +179,24 @@ template <class P, class Visit> void preference_fields(P& p, const Visit& visit)
 }  // namespace
 
 ViewPreferences views_to_remember(const UiState& state) {
-    const ScopeState& scope = state.views.scope;
+    const ScopeState& scope = state.get<ScopeState>();
     ViewPreferences views{
-        state.views.compare.choice, scope.from, scope.to, scope.channels, scope.eye, state.kept_views};
-    if (state.mine.shown) views.compare = state.mine.compare_before;
-    if (state.match.on) views.compare = state.match.compare_before;
+        state.get<CompareState>().choice, scope.from, scope.to, scope.channels, scope.eye, state.kept_views};
+    if (state.get<MyPictureState>().shown) views.compare = state.get<MyPictureState>().compare_before;
+    if (state.get<MatchState>().on) views.compare = state.get<MatchState>().compare_before;
     views.compare.stored.reset();  // a scene is not a preference
     views.compare.shows_stored = views.compare.on = false;
     return views;
 }
 
 void recall_views(UiState& state, const ViewPreferences& views) {
-    CompareChoice& choice = state.views.compare.choice;
+    CompareChoice& choice = state.get<CompareState>().choice;
     const auto stored = choice.stored;
     const auto mine = choice.mine;
     choice = views.compare;
     choice.stored = stored;
     choice.mine = mine;
-    ScopeState& scope = state.views.scope;
+    ScopeState& scope = state.get<ScopeState>();
     scope.from = views.scope_from;
     scope.to = views.scope_to;
     scope.channels = views.scope_channels;

@@ -6,8 +6,13 @@
 #include <utility>
 
 #include "ui/document/document_actions.h"
+#include "ui/features/games/match.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/tabs.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
+#include "ui/features/lessons/predict_mode.h"
+#include "ui/fields/highlight_share.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
@@ -38,7 +43,7 @@ void selected_panel(UiState& state, const PictureView& view) {
         (void)light_panel(scene.lights[index], "/lights/" + number, scene.camera, view.dome, view.map);
         break;
     case Selection::Kind::Object:
-        requests.about_mesh = highlight_words(state.highlight_share, scene, index, view.map.size);
+        requests.about_mesh = highlight_words(state.get<HighlightShareState>(), scene, index, view.map.size);
         (void)object_panel(scene.objects[index], "/objects/" + number, scene.shading.reflection, requests);
         break;
     case Selection::Kind::Shading:
@@ -123,7 +128,8 @@ constexpr float caption_margin = 12;  // logical pixels, on both sides
 std::string caption_of(const UiState& state) {
     if (!state.layout.caption || state.layout.hides_all) return {};
     // The lesson says what is to be said of its scene: in its column, or here where that is hidden.
-    if (state.lesson.course) return state.layout.hides_columns ? lesson_caption(state) : std::string();
+    if (state.get<LessonState>().course)
+        return state.layout.hides_columns ? lesson_caption(state) : std::string();
     return shown_scene(state).about;
 }
 
@@ -173,7 +179,8 @@ enum class LeftPart { Lesson, Scene, Why };
 LeftPart left_part(const UiState& state, const Layout& layout) {
     const bool held = is_held(state);  // there is nothing to be edited then, and nothing to be asked
     if (layout.inspector_in_left && state.left_shows_inspector && !held) return LeftPart::Why;
-    return state.layout.lesson && (held || !state.lesson.shows_scene) ? LeftPart::Lesson : LeftPart::Scene;
+    return state.layout.lesson && (held || !state.get<LessonState>().shows_scene) ? LeftPart::Lesson
+                                                                                  : LeftPart::Scene;
 }
 
 void left_tabs(UiState& state, const Layout& layout) {
@@ -186,19 +193,19 @@ void left_tabs(UiState& state, const Layout& layout) {
         ImGui::SameLine(0, px(2));
         if (!wanted) return;
         state.left_shows_inspector = part == LeftPart::Why;
-        state.lesson.shows_scene = part == LeftPart::Scene;
+        state.get<LessonState>().shows_scene = part == LeftPart::Scene;
     };
-    if (state.layout.lesson) tab(state.match.on ? "Game" : "Lesson", LeftPart::Lesson);
+    if (state.layout.lesson) tab(state.get<MatchState>().on ? "Game" : "Lesson", LeftPart::Lesson);
     ImGui::BeginDisabled(is_held(state));
     tab("Scene", LeftPart::Scene);
     if (layout.inspector_in_left) tab("Why", LeftPart::Why);
     ImGui::EndDisabled();
     if (!state.layout.lesson) return ImGui::NewLine();
     const float right = ImGui::GetWindowContentRegionMax().x;
-    if (state.lesson.course) {
+    if (state.get<LessonState>().course) {
         const float width = ImGui::CalcTextSize("Lecturer").x + px(16);
         ImGui::SameLine(right - width - ImGui::GetFrameHeight() - px(4));
-        if (chosen_button("Lecturer", state.lesson.lecturer, width)) switch_lecturer(state);
+        if (chosen_button("Lecturer", state.get<LessonState>().lecturer, width)) switch_lecturer(state);
         tooltip("Lecturer", "Shows questions without a way to answer them, for a room; nothing is noted");
     }
     ImGui::SameLine(right - ImGui::GetFrameHeight());
@@ -214,7 +221,7 @@ void left_tabs(UiState& state, const Layout& layout) {
 void left_column(UiState& state, const Layout& layout, const PictureView& view) {
     if (!layout.has_left) return;
     begin_area("##left", layout.left);
-    if (state.types_into_panel) state.lesson.shows_scene = true;
+    if (state.types_into_panel) state.get<LessonState>().shows_scene = true;
     const bool in_two = state.layout.lesson || layout.inspector_in_left;
     if (in_two)
         left_tabs(state, layout);
@@ -222,7 +229,7 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
         column_heading("SCENE");
     switch (left_part(state, layout)) {
     case LeftPart::Lesson:
-        state.match.on ? match_column(state) : lesson_column(state);
+        state.get<MatchState>().on ? match_column(state) : lesson_column(state);
         break;
     case LeftPart::Scene:
         scene_column(state, view);
@@ -249,8 +256,8 @@ void held_note() {
 }  // namespace
 
 void inspector_columns(UiState& state, const Layout& layout, const PictureView& view) {
-    state.inspector.instead.reset();
-    state.inspector.preview_name.clear();
+    state.get<InspectorState>().instead.reset();
+    state.get<InspectorState>().preview_name.clear();
     const bool in_left =
         layout.inspector_in_left && layout.has_left && left_part(state, layout) == LeftPart::Why;
     if (!layout.has_right && !in_left) return;

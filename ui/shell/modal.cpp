@@ -11,7 +11,12 @@
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
 #include "ui/document/document_actions.h"
+#include "ui/features/diagnosis/my_picture.h"
 #include "ui/features/export/animation.h"
+#include "ui/features/export/export_picture.h"
+#include "ui/features/games/quiz.h"
+#include "ui/features/lecture/examples.h"
+#include "ui/features/lessons/lessons_dialog.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -101,9 +106,10 @@ void use_file(UiState& state, const std::string& path) {
     case FilePurpose::SaveAnswers:
         return save_answers(state, path);
     case FilePurpose::SaveFrames:
-        return begin_frames(state, path, state.exporting.options.size, state.exporting.options.samples);
+        return begin_frames(state, path, state.get<ExportState>().options.size,
+                            state.get<ExportState>().options.samples);
     case FilePurpose::ExportPicture:
-        return begin_export(state, state.exporting.options, path);
+        return begin_export(state, state.get<ExportState>().options, path);
     case FilePurpose::SaveScene:
         if (is_among_shipped(state, path)) {
             state.files.ask(FilePurpose::SaveScene, std::filesystem::path(path).filename().string());
@@ -121,10 +127,10 @@ Modal modal_of(const UiState& state) {
     if (state.pending.asking) return Modal::Unsaved;
     if (state.asks_overwrite) return Modal::Changed;
     if (state.files.open) return Modal::Files;
-    if (state.exporting.open) return Modal::Export;
-    if (state.examples.open) return Modal::Examples;
-    if (state.lessons.open) return Modal::Lessons;
-    if (state.quiz.open) return Modal::Quiz;
+    if (state.get<ExportState>().open) return Modal::Export;
+    if (state.get<ExamplesState>().open) return Modal::Examples;
+    if (state.get<LessonListState>().open) return Modal::Lessons;
+    if (state.get<QuizState>().open) return Modal::Quiz;
     return Modal::None;
 }
 
@@ -144,25 +150,25 @@ void leave_modal(UiState& state) {
         state.pending = {};
         return;
     case Modal::Export:
-        state.exporting.open = false;
+        state.get<ExportState>().open = false;
         return;
     case Modal::Examples:
-        state.examples.open = false;
+        state.get<ExamplesState>().open = false;
         return;
     case Modal::Lessons:
-        state.lessons.open = false;
+        state.get<LessonListState>().open = false;
         return;
     case Modal::Quiz:
-        state.quiz.open = false;
+        state.get<QuizState>().open = false;
         return;
     }
 }
 
 void leave_dialogs_of_scene(UiState& state) {
     const bool files = state.files.open && is_about_scene(state.files.purpose);
-    if (!files && !state.exporting.open && !state.asks_overwrite) return;
+    if (!files && !state.get<ExportState>().open && !state.asks_overwrite) return;
     if (files) state.files.open = false;
-    state.exporting.open = state.asks_overwrite = false;
+    state.get<ExportState>().open = state.asks_overwrite = false;
     state.notifications.add(Tone::Warning,
                             fmt::format("The dialog was closed: it was about {}", state.editor.title()));
 }

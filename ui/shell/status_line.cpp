@@ -7,6 +7,8 @@
 #include <string>
 
 #include "ui/features/inspector/tabs.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/views/compare_view.h"
 #include "ui/picture/tool.h"
 #include "ui/shell/columns.h"
 #include "ui/widgets/fonts.h"
@@ -28,7 +30,7 @@ std::string redone_stages(const FrameStats& stats) {
 
 std::string stats_text(const UiState& state, bool roomy) {
     const FrameStats& stats = state.renderer->stats();
-    const CompareState& compare = state.views.compare;
+    const CompareState& compare = state.get<CompareState>();
     const double parts_ms = compare.choice.on ? compare.ms : 0;  // beside the picture itself
     const std::size_t lights = state.rendered_scene.lights.size();
     std::string text = fmt::format("{} {}  ·  {} {}  ·  {:5.1f} ms", with_thousands(stats.triangles),

@@ -56,10 +56,10 @@ TEST_CASE("the interval of a number that is chosen begins within what it may be"
     bench.scene().camera.projection = Perspective{120};
     begin_animation(bench.state, Motion::PingPong);
     const auto choose = [&](const char* search, const char* name) {
-        bench.state.animate.search = search;
+        bench.state.get<AnimateState>().search = search;
         bench.frames(4);
         bench.click(bench.control(name));
-        return bench.state.animate.animation.to;
+        return bench.state.get<AnimateState>().animation.to;
     };
     CHECK(choose("samples", "Window: area samples") == 36);  // of 32 the nearest square
     CHECK(choose("view angle", "Camera: view angle") == 60);
@@ -77,7 +77,7 @@ TEST_CASE("what is typed after a click on Back and forth is searched for", "[ui]
         bench.type(std::string(1, letter).c_str());
         bench.frames(1);
     }
-    CHECK(bench.state.animate.search == "rough");
+    CHECK(bench.state.get<AnimateState>().search == "rough");
     CHECK(bench.scene() == before);
 }
 
@@ -129,11 +129,11 @@ TEST_CASE("frames are written into one file by the extension .gif or .webp", "[u
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
-    bench.state.animate.animation.frames = 2;
-    bench.state.animate.frames_a_second = 50;
+    bench.state.get<AnimateState>().animation.frames = 2;
+    bench.state.get<AnimateState>().frames_a_second = 50;
     for (const char* name : {"TURN.GIF", "turn.webp"}) {
         begin_frames(bench.state, folder.path(name), {40, 30}, 1);
-        while (bench.state.animate.job) bench.frame();
+        while (bench.state.get<AnimateState>().job) bench.frame();
         CHECK(bench.state.notifications.list.back().text == fmt::format("Wrote {} with 2 frames", name));
     }
     CHECK(folder.names() == std::vector<std::string>{"TURN.GIF", "turn.webp"});
@@ -146,22 +146,22 @@ TEST_CASE("frames are written as numbered pictures that carry their scenes", "[u
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
-    bench.state.animate.animation = {Motion::PingPong, "/lights/0/intensity", 0, 1, 4};
+    bench.state.get<AnimateState>().animation = {Motion::PingPong, "/lights/0/intensity", 0, 1, 4};
     begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
-    while (bench.state.animate.job) bench.frame();
+    while (bench.state.get<AnimateState>().job) bench.frame();
     CHECK(folder.names() ==
           std::vector<std::string>{"turn-0001.png", "turn-0002.png", "turn-0003.png", "turn-0004.png"});
     const auto third = open_document(folder.path("turn-0003.png"));
     REQUIRE(problem_of(third) == nullptr);
     CHECK(std::get<SceneDocument>(third).scene.lights[0].intensity == 1);
     begin_frames(bench.state, folder.path("turn.gif"), {40, 30}, 1);
-    while (bench.state.animate.job) bench.frame();
+    while (bench.state.get<AnimateState>().job) bench.frame();
     CHECK(bytes_of(folder.path("turn.gif")).substr(0, 6) == "GIF89a");
     CHECK(bench.state.notifications.list.back().text == "Wrote turn.gif with 4 frames");
     bench.scene().shading.terms.specular = false;
     bench.key(Key::I);
     begin_frames(bench.state, folder.path("turn.gif"), {40, 30}, 1);
-    while (bench.state.animate.job) (void)bench.frame();
+    while (bench.state.get<AnimateState>().job) (void)bench.frame();
     CHECK(bench.state.notifications.list.back().text ==
           "Wrote turn.gif with 4 frames: Off: specular. Not in the file: View: Normals");
 }
@@ -171,23 +171,23 @@ TEST_CASE("the progress of frames counts frames, also where the meshes of each a
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
-    bench.state.animate.animation = {Motion::PingPong, "/objects/0/mesh/detail", 8, 700, 6};
+    bench.state.get<AnimateState>().animation = {Motion::PingPong, "/objects/0/mesh/detail", 8, 700, 6};
     begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
-    while (bench.state.animate.job) {
-        const LoadProgress& progress = bench.state.animate.job->progress();
+    while (bench.state.get<AnimateState>().job) {
+        const LoadProgress& progress = bench.state.get<AnimateState>().job->progress();
         const auto total = progress.total.load();
         CHECK((total == 0 || total == 6));
         (void)bench.frame();
     }
     CHECK(folder.names().size() == 6);
-    CHECK(bench.state.animate.open);  // where it was said, whoever asked for them
+    CHECK(bench.state.get<AnimateState>().open);  // where it was said, whoever asked for them
 }
 
 TEST_CASE("a number without effect is not offered to be animated", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.scene().lights.assign(1, Light{});
     bench.scene().lights[0].name = "Bulb";
-    bench.state.animate.search = "bulb cutoff";
+    bench.state.get<AnimateState>().search = "bulb cutoff";
     begin_animation(bench.state, Motion::PingPong);
     const auto offers_cutoff = [&] {
         bench.frames(4);
@@ -204,39 +204,39 @@ TEST_CASE("the animation is chosen and played without a mouse", "[ui][window][an
     bench.frames(2);
     (void)bench.key(Key::T, true);
     bench.frames(3);
-    REQUIRE(bench.state.animate.open);
+    REQUIRE(bench.state.get<AnimateState>().open);
     (void)bench.key(Key::Tab);
     bench.frames(4);
     REQUIRE(ImGui::GetIO().WantTextInput);
     bench.type("12");
-    CHECK(bench.state.animate.animation.frames == 12);
+    CHECK(bench.state.get<AnimateState>().animation.frames == 12);
     let_go_of_fields();
     bench.frames(2);
     (void)bench.key(Key::Enter);
-    CHECK(bench.state.animate.playing);
+    CHECK(bench.state.get<AnimateState>().playing);
     (void)bench.key(Key::Enter);
-    CHECK_FALSE(bench.state.animate.playing);
+    CHECK_FALSE(bench.state.get<AnimateState>().playing);
     // Elsewhere Tab leads to the panel of what is selected, and Enter plays nothing.
     bench.click(bench.at_pixel({5, 5}));
     bench.frames(2);
     (void)bench.key(Key::Enter);
-    CHECK_FALSE(bench.state.animate.playing);
+    CHECK_FALSE(bench.state.get<AnimateState>().playing);
     (void)bench.key(Key::Tab);
     bench.frames(4);
-    CHECK_FALSE(bench.state.animate.has_keyboard);
+    CHECK_FALSE(bench.state.get<AnimateState>().has_keyboard);
 }
 
 TEST_CASE("an end of the interval stays within the range of the number", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     begin_animation(bench.state, Motion::PingPong);
-    bench.state.animate.animation.pointer = "/objects/0/material/shininess";  // 0 to 10000
+    bench.state.get<AnimateState>().animation.pointer = "/objects/0/material/shininess";  // 0 to 10000
     bench.frames(4);
     bench.click(bench.control("From"));
     bench.frames(2);
     bench.type("1e9");
     bench.frames(2);
-    CHECK(bench.state.animate.animation.from == 10000);
+    CHECK(bench.state.get<AnimateState>().animation.from == 10000);
 }
 
 TEST_CASE("numbered frames are asked about before they are replaced", "[ui][window][animate]") {
@@ -257,17 +257,17 @@ TEST_CASE("numbered frames are asked about before they are replaced", "[ui][wind
     bench.frames(2);
     CHECK(bench.state.files.asks_overwrite);
     CHECK(bench.state.files.open);
-    CHECK_FALSE(bench.state.animate.job);
+    CHECK_FALSE(bench.state.get<AnimateState>().job);
     CHECK(bytes_of(folder.path("turn-0007.png")) == "precious");
 }
 
 TEST_CASE("a line more in a panel is drawn at once with the room that it takes", "[ui][window][animate]") {
     HeadlessWindow bench;
-    bench.state.animate.open = true;
+    bench.state.get<AnimateState>().open = true;
     bench.frames(10);
     CHECK(bench.frame().sleep_s > 0);
     const ImVec2 before = bench.area_of("Play").low;
-    bench.state.animate.refused = "A line\nand one more";
+    bench.state.get<AnimateState>().refused = "A line\nand one more";
     CHECK(bench.frame().sleep_s == 0);
     CHECK(bench.frame().sleep_s > 0);
     CHECK(bench.area_of("Play").low.y > before.y);
@@ -277,13 +277,13 @@ TEST_CASE("what plays is shown and leaves the scene and its history alone", "[ui
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
-    bench.state.animate.open = bench.state.animate.playing = true;
-    bench.state.animate.began = ImGui::GetTime();
+    bench.state.get<AnimateState>().open = bench.state.get<AnimateState>().playing = true;
+    bench.state.get<AnimateState>().began = ImGui::GetTime();
     bench.frames(20);
     CHECK_FALSE(bench.state.rendered_scene == before);
     CHECK(bench.scene() == before);
     CHECK_FALSE(bench.state.editor.history.can_undo());
-    bench.state.animate.playing = false;
+    bench.state.get<AnimateState>().playing = false;
     bench.frames(3);
     CHECK(bench.state.rendered_scene == before);
 }
@@ -293,7 +293,7 @@ TEST_CASE(
     "[ui][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
-    AnimateState& animate = bench.state.animate;
+    AnimateState& animate = bench.state.get<AnimateState>();
     const std::string detail = "/objects/0/mesh/detail";
     const auto plays = [&](const std::string& pointer, double from, double to) {
         animate.animation = {Motion::PingPong, pointer, from, to, 6};
@@ -321,28 +321,28 @@ TEST_CASE(
 TEST_CASE("while a mesh is built beside the window, what plays has the mesh that is seen", "[ui][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
-    bench.state.animate.open = bench.state.animate.playing = true;
+    bench.state.get<AnimateState>().open = bench.state.get<AnimateState>().playing = true;
     bench.frames(2);
     const MeshPtr seen = bench.scene().objects[0].mesh;
     bench.scene().objects[0].source = PrimitiveMesh{Primitive::Sphere, 1500};
     bench.scene().objects[0].mesh = nullptr;
     poll_animation(bench.state);  // in the frame of the edit, after its panel
-    REQUIRE(bench.state.animate.frame);
-    CHECK(bench.state.animate.frame->objects[0].mesh == seen);
+    REQUIRE(bench.state.get<AnimateState>().frame);
+    CHECK(bench.state.get<AnimateState>().frame->objects[0].mesh == seen);
 }
 
 TEST_CASE("a number whose light is gone moves no other light in its place", "[ui][animate]") {
     HeadlessWindow bench;
     bench.scene().lights.push_back(bench.scene().lights[1]);
     bench.scene().lights[2].name = "Lamp";
-    bench.state.animate.animation = {Motion::PingPong, "/lights/1/intensity", 0, 1, 4};
-    bench.state.animate.open = bench.state.animate.playing = true;
+    bench.state.get<AnimateState>().animation = {Motion::PingPong, "/lights/1/intensity", 0, 1, 4};
+    bench.state.get<AnimateState>().open = bench.state.get<AnimateState>().playing = true;
     bench.frames(3);
-    CHECK(bench.state.animate.playing);
+    CHECK(bench.state.get<AnimateState>().playing);
     bench.scene().lights.erase(bench.scene().lights.begin() + 1);
     bench.frames(3);
-    CHECK_FALSE(bench.state.animate.playing);
-    CHECK(bench.state.animate.animation.pointer.empty());
+    CHECK_FALSE(bench.state.get<AnimateState>().playing);
+    CHECK(bench.state.get<AnimateState>().animation.pointer.empty());
     REQUIRE_FALSE(bench.state.notifications.list.empty());
     CHECK(bench.state.notifications.list.back().text == "Animate: there is no “Bulb: intensity” any more");
     CHECK(bench.state.rendered_scene == bench.scene());
@@ -352,28 +352,28 @@ TEST_CASE("Escape closes Animate", "[ui][animate]") {
     HeadlessWindow bench;
     bench.key(Key::T, true);
     bench.frames(2);
-    REQUIRE(bench.state.animate.open);
+    REQUIRE(bench.state.get<AnimateState>().open);
     bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.animate.open);
+    CHECK_FALSE(bench.state.get<AnimateState>().open);
 }
 
 TEST_CASE("Escape ends the writing of frames first, and the panel says so", "[ui][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
-    bench.state.animate.animation.frames = 2000;
+    bench.state.get<AnimateState>().animation.frames = 2000;
     begin_frames(bench.state, folder.path("turn.png"), {640, 480}, 8);
     bench.frames(2);
-    REQUIRE(bench.state.animate.job);
+    REQUIRE(bench.state.get<AnimateState>().job);
     bench.key(Key::T, true);  // nor is it put away while they are written
-    CHECK(bench.state.animate.open);
+    CHECK(bench.state.get<AnimateState>().open);
     bench.key(Key::Escape);
-    CHECK(bench.state.animate.open);
-    while (bench.state.animate.job) bench.frame();
+    CHECK(bench.state.get<AnimateState>().open);
+    while (bench.state.get<AnimateState>().job) bench.frame();
     CHECK(bench.notes_with("writing was cancelled") == 1);
     CHECK(folder.names().size() < 2000);
     bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.animate.open);
+    CHECK_FALSE(bench.state.get<AnimateState>().open);
 }
 
 TEST_CASE("what cannot be written is said before it is drawn", "[ui][animate][export]") {
@@ -382,14 +382,14 @@ TEST_CASE("what cannot be written is said before it is drawn", "[ui][animate][ex
     bench.frames(2);
     for (const char* name : {"none/turn.gif", "none/turn.png"}) {
         begin_frames(bench.state, folder.path(name), {40, 30}, 1);
-        CHECK_FALSE(bench.state.animate.job);
+        CHECK_FALSE(bench.state.get<AnimateState>().job);
     }
     std::filesystem::create_directory(frame_path(folder.path("turn.png"), 2));  // in the third frame's place
     begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
-    CHECK_FALSE(bench.state.animate.job);
+    CHECK_FALSE(bench.state.get<AnimateState>().job);
     CHECK(bench.notes_with("is a directory") == 1);
     begin_export(bench.state, {{40, 30}, 1}, folder.path("none/turn.png"));
-    CHECK_FALSE(bench.state.exporting.job);
+    CHECK_FALSE(bench.state.get<ExportState>().job);
     CHECK(bench.notes_with("no such file or directory") >= 1);
 }
 
@@ -402,11 +402,11 @@ TEST_CASE("frames are not asked a name for while no number is chosen that would 
     bench.click(bench.control("Write frames"));
     bench.frames(2);
     CHECK_FALSE(bench.state.files.open);
-    CHECK(bench.state.animate.refused.find("No number is chosen") == 0);
-    bench.state.animate.open = false;
+    CHECK(bench.state.get<AnimateState>().refused.find("No number is chosen") == 0);
+    bench.state.get<AnimateState>().open = false;
     ask_for_frames(bench.state);  // as Ctrl+K does
     CHECK_FALSE(bench.state.files.open);
-    CHECK(bench.state.animate.open);
+    CHECK(bench.state.get<AnimateState>().open);
     begin_animation(bench.state, Motion::Turntable);
     ask_for_frames(bench.state);
     CHECK(bench.state.files.open);

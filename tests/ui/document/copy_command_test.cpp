@@ -66,10 +66,10 @@ TEST_CASE("where something is composed in its place it is said that the scene's 
         return bench.state.notifications.list.at(0).text;
     };
     CHECK(told().starts_with("The command that draws this picture is on the clipboard: 64 × 48"));
-    bench.state.views.debug_view.set.choice.view = DebugView::Normal;
+    bench.state.get<DebugViewState>().set.choice.view = DebugView::Normal;
     CHECK(told().starts_with("The command that draws the scene's own picture is on"));
-    bench.state.views.debug_view.set.choice.view = DebugView::Picture;
-    bench.state.views.compare.choice.on = true;
+    bench.state.get<DebugViewState>().set.choice.view = DebugView::Picture;
+    bench.state.get<CompareState>().choice.on = true;
     CHECK(told().starts_with("The command that draws the scene's own picture is on"));
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("Copy as command gives the size and samples of the last export", "[ui]
     Bench bench;
     TemporaryDirectory folder;
     begin_export(bench.state, {{80, 60}, 4}, folder.path("beside.png"));
-    while (bench.state.exporting.job) (void)bench.frame();
+    while (bench.state.get<ExportState>().job) (void)bench.frame();
     bench.copy();
     CHECK(bench.copied("--size 80x60 --samples 4 -o beside.png"));
     CHECK(bench.state.notifications.list.back().text.find("80 × 60") != std::string::npos);
@@ -101,12 +101,12 @@ TEST_CASE("the command that draws a picture of several samples with one says so"
 
 TEST_CASE("the export dialog copies the command of what it would write", "[ui][window][export]") {
     Bench bench;
-    bench.state.exporting.options = {{333, 222}, 8};
-    bench.state.exporting.open = true;
+    bench.state.get<ExportState>().options = {{333, 222}, 8};
+    bench.state.get<ExportState>().open = true;
     bench.frames(3);
     bench.click(bench.control("Copy as command"));
     CHECK(bench.copied("--size 333x222 --samples 8"));
-    CHECK(bench.state.exporting.open);  // the picture can still be written
+    CHECK(bench.state.get<ExportState>().open);  // the picture can still be written
 }
 
 TEST_CASE("one key saves the picture under a free name and copies the command that draws it",
@@ -126,7 +126,7 @@ TEST_CASE("one key saves the picture under a free name and copies the command th
             CHECK(command.ends_with(std::string(" -o ") + name));
             const PictureSize size = bench.state.rendered->size;
             CHECK(command.find(fmt::format(" --size {}x{} ", size.width, size.height)) != std::string::npos);
-            while (bench.state.exporting.job) bench.frames(1);
+            while (bench.state.get<ExportState>().job) bench.frames(1);
             const auto picture = read_png(folder.path(name));
             REQUIRE(problem_of(picture) == nullptr);
             CHECK(std::get<Picture>(picture).size.width == size.width);
@@ -137,7 +137,7 @@ TEST_CASE("one key saves the picture under a free name and copies the command th
 
 TEST_CASE("the sizes that an export offers are equally wide", "[ui][window][export]") {
     Bench bench;
-    bench.state.exporting.open = true;
+    bench.state.get<ExportState>().open = true;
     bench.frames(3);
     const float width = bench.area_of("HD").size().x;
     for (const char* name : {"As shown", "Full HD", "4K", "Square"}) {
@@ -169,13 +169,13 @@ TEST_CASE(
     bench.scene().camera.eye.x += 0.5f;
     bench.key(Key::P);
     bench.frames(3);
-    REQUIRE(bench.state.views.scope.open);
+    REQUIRE(bench.state.get<ScopeState>().open);
     bench.click(bench.control("Copy as command"));
     bench.frames(1);
     REQUIRE(bench.clipboard.find("glint profile ") == 0);
     const Json printed =
         json_or_null(printed_by(glint_program + bench.clipboard.substr(5) + " --format json"));
-    const auto& samples = bench.state.views.scope.samples;
+    const auto& samples = bench.state.get<ScopeState>().samples;
     const Json::array_t& intensity = elements_of(*find_member(printed, "intensity"));
     REQUIRE(intensity.size() == samples.size());
     CHECK(samples.size() > 300);
@@ -301,7 +301,7 @@ TEST_CASE("B keeps its own meshes when another document is opened", "[ui][window
     REQUIRE(bench.state.displayed->rgba == first.rgba);
     check_command_draws_what_is_shown(bench, folder);
     begin_export(bench.state, {first.size, 1}, folder.path("shown.png"));
-    while (bench.state.exporting.job) (void)bench.frame();
+    while (bench.state.get<ExportState>().job) (void)bench.frame();
     const auto carried = open_document(folder.path("shown.png"));
     REQUIRE(problem_of(carried) == nullptr);
     const Mesh& mesh = *std::get<SceneDocument>(carried).scene.objects[0].mesh;
@@ -333,7 +333,7 @@ TEST_CASE("a picture that was opened and saved as a scene is drawn by its comman
     const PictureSize size = bench.state.rendered->size;
     REQUIRE(9 * size.width < 16 * size.height);  // narrow, so that it is fitted
     begin_export(bench.state, {size, 1}, folder.path("s.png"));
-    while (bench.state.exporting.job) (void)bench.frame();
+    while (bench.state.get<ExportState>().job) (void)bench.frame();
     open_file(bench, folder.path("s.png"));
     REQUIRE_FALSE(save_file(bench.state.editor, folder.path("saved.json"), bench.scene()));
     bench.frames(2);

@@ -72,11 +72,11 @@ TEST_CASE("an example is opened by a click on its picture", "[ui]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = shipped_folder;
     run_command(bench.state, command_named("Examples…"));
-    while (bench.state.examples.pictures.taken < 4) bench.frames(1);
+    while (bench.state.get<ExamplesState>().pictures.taken < 4) bench.frames(1);
     bench.frames(2);
-    CHECK(bench.state.examples.pictures.words[1].find("camera") != std::string::npos);
+    CHECK(bench.state.get<ExamplesState>().pictures.words[1].find("camera") != std::string::npos);
     // Two of the pictures differ, and neither is empty.
-    const PictureSheet& sheet = bench.state.examples.pictures.sheet;
+    const PictureSheet& sheet = bench.state.get<ExamplesState>().pictures.sheet;
     const auto middle = [&sheet](int i) {
         const std::size_t at =
             sheet.picture.pixel(i * sheet.cell.width + sheet.cell.width / 2, sheet.cell.height / 2);
@@ -85,10 +85,10 @@ TEST_CASE("an example is opened by a click on its picture", "[ui]") {
     };
     CHECK(middle(0) != middle(2));
     CHECK(middle(0)[2] == 255);
-    const std::string path = bench.state.examples.list[1].path;
+    const std::string path = bench.state.get<ExamplesState>().list[1].path;
     bench.click(bench.control("Worked camera"));
     bench.wait_for_loads();
-    CHECK_FALSE(bench.state.examples.open);
+    CHECK_FALSE(bench.state.get<ExamplesState>().open);
     CHECK(bench.state.editor.document.path == path);
 }
 
@@ -99,26 +99,26 @@ TEST_CASE("an example is opened by the arrow keys and Enter, and the chosen one 
     run_command(bench.state, command_named("Examples…"));
     bench.frames(2);
     bench.key(Key::Enter);  // nothing is chosen yet
-    CHECK(bench.state.examples.open);
+    CHECK(bench.state.get<ExamplesState>().open);
     bench.key(Key::Right);
-    CHECK(bench.state.examples.chosen == 0);
+    CHECK(bench.state.get<ExamplesState>().chosen == 0);
     bench.key(Key::Left);
-    CHECK(bench.state.examples.chosen == 0);
+    CHECK(bench.state.get<ExamplesState>().chosen == 0);
     bench.key(Key::Right);
     bench.key(Key::Down);
-    const int columns = bench.state.examples.chosen - 1;
+    const int columns = bench.state.get<ExamplesState>().chosen - 1;
     CHECK(columns > 1);
-    const int last = static_cast<int>(bench.state.examples.list.size()) - 1;
+    const int last = static_cast<int>(bench.state.get<ExamplesState>().list.size()) - 1;
     for (int i = 0; i < 100; ++i) bench.key(Key::Down);
-    CHECK(bench.state.examples.chosen > last - columns);
+    CHECK(bench.state.get<ExamplesState>().chosen > last - columns);
     for (int i = 0; i < 10; ++i) bench.key(Key::Right);
-    CHECK(bench.state.examples.chosen == last);
+    CHECK(bench.state.get<ExamplesState>().chosen == last);
     bench.frames(2);
-    const Example chosen = bench.state.examples.list.back();
+    const Example chosen = bench.state.get<ExamplesState>().list.back();
     (void)bench.control(chosen.title);  // is in sight
     bench.key(Key::Enter);
     bench.wait_for_loads();
-    CHECK_FALSE(bench.state.examples.open);
+    CHECK_FALSE(bench.state.get<ExamplesState>().open);
     CHECK(bench.state.editor.document.path == chosen.path);
 }
 

@@ -155,7 +155,7 @@ TEST_CASE("a picture saved or exported elsewhere reopens with its meshes", "[ui]
     take_document(bench.state.editor, opened(path));
     bench.frames(2);
     begin_export(bench.state, {{64, 36}, 4}, exported);
-    while (bench.state.exporting.job) bench.frame();
+    while (bench.state.get<ExportState>().job) bench.frame();
     CHECK(bench.state.notifications.list.back().text ==
           "Saved exported.png in " + folder.path("pictures") + " (64 × 36, 4 samples a pixel)");
     bench.key(Key::F12);
@@ -164,7 +164,7 @@ TEST_CASE("a picture saved or exported elsewhere reopens with its meshes", "[ui]
     bench.state.files.name = "saved.png";
     bench.frames(2);
     bench.key(Key::Enter);
-    while (bench.state.exporting.job) bench.frame();
+    while (bench.state.get<ExportState>().job) bench.frame();
     for (const std::string& picture : {exported, saved}) {
         const SceneDocument again = opened(picture);
         CHECK(again.scene.objects.at(0).mesh->face_count() == 1);
@@ -187,7 +187,7 @@ struct PictureWindow : HeadlessWindow {
         state.files.name = name;
         frames(2);
         (void)key(Key::Enter);
-        while (state.exporting.job) (void)frame();
+        while (state.get<ExportState>().job) (void)frame();
         REQUIRE(state.notifications.list.size() == 1);
         return state.notifications.list.front();
     }
@@ -246,8 +246,8 @@ TEST_CASE("a comparison or a debug view is reported as missing in the saved pict
 TEST_CASE("a kept cell of Light × term is named when it is saved, and in the file", "[ui][window][export]") {
     PictureWindow bench;
     bench.scene().about = "Two lights";
-    bench.state.inspector.tab = InspectorTab::Grid;
-    bench.state.views.grid.solo = GridCell{1, 1};
+    bench.state.get<InspectorState>().tab = InspectorTab::Grid;
+    bench.state.get<TermGridState>().solo = GridCell{1, 1};
     bench.frames(4);
     const Notification note = bench.save("cell.png");
     CHECK(bench.warning == "With: Only Bulb: diffuse");
@@ -274,9 +274,9 @@ TEST_CASE("the dialog of Export is answered by keys, and a size that is typed is
     HeadlessWindow bench;
     bench.frames(2);
     (void)bench.key(Key::E, true);
-    REQUIRE(bench.state.exporting.open);
+    REQUIRE(bench.state.get<ExportState>().open);
     bench.frames(2);
-    const ExportOptions& options = bench.state.exporting.options;
+    const ExportOptions& options = bench.state.get<ExportState>().options;
     for (int i = 0; i < 5; ++i) (void)bench.key(Key::Left);
     CHECK(options.samples == 1);
     (void)bench.key(Key::Right);
@@ -294,7 +294,7 @@ TEST_CASE("the dialog of Export is answered by keys, and a size that is typed is
     REQUIRE(ImGui::GetIO().WantTextInput);
     clipboard.clear();
     for (const Key key : {Key::S, Key::C, Key::Left, Key::Enter}) (void)bench.key(key);
-    CHECK(bench.state.exporting.open);
+    CHECK(bench.state.get<ExportState>().open);
     CHECK(clipboard.empty());
     CHECK(options.samples == 8);
     bench.click(bench.control("Height") + ImVec2(0, 60));  // elsewhere in the dialog
@@ -302,7 +302,7 @@ TEST_CASE("the dialog of Export is answered by keys, and a size that is typed is
     REQUIRE_FALSE(ImGui::GetIO().WantTextInput);
     (void)bench.key(Key::Enter);
     bench.frames(2);
-    CHECK_FALSE(bench.state.exporting.open);
+    CHECK_FALSE(bench.state.get<ExportState>().open);
     CHECK(bench.state.files.open);
     CHECK(bench.state.files.purpose == FilePurpose::ExportPicture);
 }
@@ -357,7 +357,7 @@ TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its la
     fs::permissions(script, fs::perms::owner_all);
     CHECK(why_disabled(bench.state, test::command_named("Copy picture")).empty());
     run_command(bench.state, test::command_named("Copy picture"));
-    while (bench.state.exporting.job) bench.frame();
+    while (bench.state.get<ExportState>().job) bench.frame();
     CHECK(bench.state.notifications.list.back().tone == Tone::Done);
     CHECK(bytes_of(folder.path("words")) == "-selection clipboard -t image/png -i\n");
     const auto got = read_png(folder.path("got.png"));
@@ -365,7 +365,7 @@ TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its la
     CHECK(std::get<Picture>(got).rgba == bench.state.rendered->rgba);
     (void)folder.file("xclip", "#!/bin/sh\nexit 3\n");
     run_command(bench.state, test::command_named("Copy picture"));
-    while (bench.state.exporting.job) bench.frame();
+    while (bench.state.get<ExportState>().job) bench.frame();
     CHECK(bench.state.notifications.list.back().tone == Tone::Error);
     setenv("PATH", path_before.c_str(), 1);
     display != nullptr ? setenv("DISPLAY", display_before.c_str(), 1) : unsetenv("DISPLAY");
@@ -376,7 +376,7 @@ TEST_CASE("a size typed into one field of the export sets both", "[ui][export][w
     bench.frames(2);
     (void)bench.key(Key::E, true);
     bench.frames(3);
-    PictureSize& size = bench.state.exporting.options.size;
+    PictureSize& size = bench.state.get<ExportState>().options.size;
     const auto type = [&](const char* text) {
         bench.click(bench.control("Width"));
         bench.frames(2);

@@ -26,8 +26,8 @@ void take_three(HeadlessWindow& bench) {
 
 /// Deletes what is selected while that number goes to and fro.
 void delete_while_it_goes(HeadlessWindow& bench, const char* number, const Selection& selection) {
-    bench.state.animate.animation.motion = Motion::PingPong;
-    bench.state.animate.animation.pointer = number;
+    bench.state.get<AnimateState>().animation.motion = Motion::PingPong;
+    bench.state.get<AnimateState>().animation.pointer = number;
     bench.state.editor.selection = selection;
     bench.frames(2);
     run_command(bench.state, test::command_named("Delete"));
@@ -62,23 +62,24 @@ TEST_CASE("what is shown of a light stays its own when the one before it goes, c
           "[ui][window]") {
     HeadlessWindow bench;
     take_three(bench);
-    bench.state.views.debug_view.set.choice.light = 1;
-    bench.state.views.grid.solo = GridCell{1, 2};
-    bench.state.views.grid.muted = {{-1, 1}, {0, 0}, {2, 1}};
-    bench.state.animate.animation.motion = Motion::PingPong;
-    bench.state.animate.animation.pointer = "/lights/1/intensity";
+    bench.state.get<DebugViewState>().set.choice.light = 1;
+    bench.state.get<TermGridState>().solo = GridCell{1, 2};
+    bench.state.get<TermGridState>().muted = {{-1, 1}, {0, 0}, {2, 1}};
+    bench.state.get<AnimateState>().animation.motion = Motion::PingPong;
+    bench.state.get<AnimateState>().animation.pointer = "/lights/1/intensity";
     bench.frames(2);
     const auto check_second = [&](int place) {
-        CHECK(bench.state.views.debug_view.set.choice.light == place);
-        CHECK(bench.state.views.grid.solo == GridCell{place, 2});
-        CHECK(bench.state.animate.animation.pointer == "/lights/" + std::to_string(place) + "/intensity");
+        CHECK(bench.state.get<DebugViewState>().set.choice.light == place);
+        CHECK(bench.state.get<TermGridState>().solo == GridCell{place, 2});
+        CHECK(bench.state.get<AnimateState>().animation.pointer ==
+              "/lights/" + std::to_string(place) + "/intensity");
         CHECK(bench.scene().lights[static_cast<std::size_t>(place)].intensity == 2);
         CHECK(bench.state.notifications.list.empty());
     };
     run_command(bench.state, test::command_named("Delete"));
     bench.frames(2);
     check_second(0);
-    CHECK(bench.state.views.grid.muted == std::vector<GridCell>{{-1, 1}, {1, 1}});
+    CHECK(bench.state.get<TermGridState>().muted == std::vector<GridCell>{{-1, 1}, {1, 1}});
     bench.state.editor.selection = {Selection::Kind::Light, 1};
     run_command(bench.state, test::command_named("Undo"));
     bench.frames(2);
@@ -95,7 +96,7 @@ TEST_CASE("the number that goes to and fro goes with its light, though others ar
     HeadlessWindow bench;
     take_three(bench);
     delete_while_it_goes(bench, "/lights/1/intensity", {Selection::Kind::Light, 1});
-    CHECK(bench.state.animate.animation.pointer.empty());
+    CHECK(bench.state.get<AnimateState>().animation.pointer.empty());
     CHECK(bench.state.notifications.list.back().text == "Animate: there is no “Light: intensity” any more");
 }
 
@@ -106,6 +107,6 @@ TEST_CASE("a number of an object goes with it when one before it is deleted", "[
     scene.objects.resize(2, scene.objects[0]);
     scene.objects[1].transform.translate.x = 3;
     delete_while_it_goes(bench, "/objects/1/transform/translate/0", {Selection::Kind::Object, 0});
-    CHECK(bench.state.animate.animation.pointer == "/objects/0/transform/translate/0");
+    CHECK(bench.state.get<AnimateState>().animation.pointer == "/objects/0/transform/translate/0");
     CHECK(bench.state.notifications.list.empty());
 }

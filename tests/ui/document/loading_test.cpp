@@ -379,7 +379,7 @@ TEST_CASE("what is kept while a mesh is built has the mesh that is seen, and ope
         CHECK(same_description(std::get<SceneDocument>(open_document(path)).scene, seen));
         CHECK(bench.state.editor.unsaved());
         run_command(bench.state, CommandId::StoreB);
-        CHECK(*bench.state.views.compare.choice.stored == seen);
+        CHECK(*bench.state.get<CompareState>().choice.stored == seen);
         (void)shortest_command(bench.state, [&](const SceneDocument& document, const Scene&) {
             CHECK(document.scene == seen);
             return std::string();
@@ -390,8 +390,8 @@ TEST_CASE("what is kept while a mesh is built has the mesh that is seen, and ope
           "Saved own.json, with the mesh as it was: the new one is being built");
     CHECK(bench.state.notifications.list.back().text.starts_with("Stored as B"));
     freeze(bench.state);
-    CHECK(*bench.state.lecture.frozen == seen);
-    bench.state.lecture.frozen.reset();
+    CHECK(*bench.state.get<LectureState>().frozen == seen);
+    bench.state.get<LectureState>().frozen.reset();
     gate.open.set_value();
     bench.wait_for_loads();
     CHECK(bench.scene().objects[0].mesh->face_count() == 1000 * 500);

@@ -98,10 +98,10 @@ TEST_CASE(
         begin_persistence(bench.state, folder.path("state"));
         bench.frames(2);
         recall_views(bench.state, odd_views());
-        toggle_scope(bench.state.views.scope);
-        bench.state.views.compare.choice.on = true;
-        bench.state.views.debug_view.set = {{DebugView::Depth, 0}, true};
-        bench.state.views.lit.dots = bench.state.views.lit.needles = true;
+        toggle_scope(bench.state.get<ScopeState>());
+        bench.state.get<CompareState>().choice.on = true;
+        bench.state.get<DebugViewState>().set = {{DebugView::Depth, 0}, true};
+        bench.state.get<LitDotsState>().dots = bench.state.get<LitDotsState>().needles = true;
         bench.key(Key::B, true);
         bench.frames(2);
         end_persistence(bench.state);
@@ -110,13 +110,13 @@ TEST_CASE(
     begin_persistence(bench.state, folder.path("state"));
     bench.frames(2);
     CHECK(views_to_remember(bench.state) == odd_views());
-    CHECK_FALSE(bench.state.views.scope.open);
-    CHECK_FALSE(bench.state.views.compare.choice.on);
-    CHECK(bench.state.views.debug_view.set.choice.view == DebugView::Picture);
-    CHECK_FALSE(bench.state.views.debug_view.set.over_range);
-    CHECK_FALSE(bench.state.views.lit.dots);
-    CHECK_FALSE(bench.state.views.lit.needles);
-    CHECK_FALSE(bench.state.views.compare.choice.stored);
+    CHECK_FALSE(bench.state.get<ScopeState>().open);
+    CHECK_FALSE(bench.state.get<CompareState>().choice.on);
+    CHECK(bench.state.get<DebugViewState>().set.choice.view == DebugView::Picture);
+    CHECK_FALSE(bench.state.get<DebugViewState>().set.over_range);
+    CHECK_FALSE(bench.state.get<LitDotsState>().dots);
+    CHECK_FALSE(bench.state.get<LitDotsState>().needles);
+    CHECK_FALSE(bench.state.get<CompareState>().choice.stored);
     bench.key(Key::U);
     CHECK(bench.scene().camera == odd_views().kept[0]);
     bench.key(Key::B, true);
@@ -124,7 +124,7 @@ TEST_CASE(
     ViewPreferences kept;
     kept.kept = odd_views().kept;
     CHECK(views_to_remember(bench.state) == kept);
-    CHECK(bench.state.views.compare.choice.stored);
+    CHECK(bench.state.get<CompareState>().choice.stored);
 }
 
 TEST_CASE("the folder that the window makes is for its owner alone; one that is there stays as it is",

@@ -189,7 +189,7 @@ TEST_CASE("a dialog that was left does not hold up what opens next", "[ui]") {
     for (const Key key : {Key::O, Key::E}) {
         bench.key(key, true);
         bench.frames(2);
-        bench.state.files.open = bench.state.exporting.open = false;  // by whatever came between
+        bench.state.files.open = bench.state.get<ExportState>().open = false;  // by whatever came between
         bench.frames(2);
         bench.key(Key::K, true);  // a window that appears
         bench.frames(2);

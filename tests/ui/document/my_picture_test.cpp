@@ -39,7 +39,7 @@ void drop(HeadlessWindow& bench, const std::string& path) {
 
 /// Frames until nothing is read or searched any more.
 void wait_for_answer(HeadlessWindow& bench) {
-    const MyPictureState& mine = bench.state.mine;
+    const MyPictureState& mine = bench.state.get<MyPictureState>();
     do {
         (void)bench.frame();
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -54,8 +54,8 @@ void bring(HeadlessWindow& bench, const TemporaryDirectory& folder, const Pictur
 }
 
 const Diagnosis& found(const HeadlessWindow& bench) {
-    REQUIRE(bench.state.mine.answer);
-    return bench.state.mine.answer->diagnosis;
+    REQUIRE(bench.state.get<MyPictureState>().answer);
+    return bench.state.get<MyPictureState>().answer->diagnosis;
 }
 
 }  // namespace
@@ -68,13 +68,13 @@ TEST_CASE("a dropped picture stands beside the scene, and its mistake is named a
     const TemporaryDirectory folder;
     bring(bench, folder, flipped_picture(bench));
     CHECK(bench.scene() == start);
-    CHECK(bench.state.inspector.tab == InspectorTab::MyPicture);
+    CHECK(bench.state.get<InspectorState>().tab == InspectorTab::MyPicture);
     CHECK(found(bench).verdict == Verdict::Mistake);
     REQUIRE_FALSE(found(bench).candidates.empty());
     CHECK(name_of(found(bench).candidates.front().mistakes) == "normals_flipped");
 
     // The right half of the window shows the picture: there a lit ball is dark.
-    const CompareChoice& choice = bench.state.views.compare.choice;
+    const CompareChoice& choice = bench.state.get<CompareState>().choice;
     REQUIRE(choice.on);
     CHECK(label_of(choice.parts.back()) == "My picture");
     const Picture& shown = *bench.state.displayed;
@@ -89,7 +89,8 @@ TEST_CASE("a dropped picture stands beside the scene, and its mistake is named a
     CHECK(bench.scene().shading.mistakes.normals_flipped);
     CHECK(mistakes_on(bench.scene().shading.mistakes) == 1);
     test::rest(bench);
-    CHECK(bench.state.mine.current);  // it is a mistake that is looked for: nothing is searched anew
+    CHECK(bench.state.get<MyPictureState>()
+              .current);  // it is a mistake that is looked for: nothing is searched anew
     bench.key(Key::Z, true);
     CHECK(bench.scene() == start);
     bench.click(test::in_column(bench, flipped_switch));
@@ -102,11 +103,11 @@ TEST_CASE("a picture that is brought ends the freeze: it stands beside the scene
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::F8);
-    REQUIRE(bench.state.lecture.frozen);
+    REQUIRE(bench.state.get<LectureState>().frozen);
     bench.scene().global_ambient = {1, 1, 1};
     const TemporaryDirectory folder;
     bring(bench, folder, flipped_picture(bench));
-    CHECK_FALSE(bench.state.lecture.frozen);
+    CHECK_FALSE(bench.state.get<LectureState>().frozen);
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
@@ -116,12 +117,12 @@ TEST_CASE("under the mistake that it was drawn with the scene differs from the p
     bench.frames(2);
     const TemporaryDirectory folder;
     bring(bench, folder, flipped_picture(bench, {960, 540}));
-    bench.state.views.compare.choice.difference = true;
+    bench.state.get<CompareState>().choice.difference = true;
     bench.frames(2);
-    CHECK(bench.state.views.compare.numbers.max_error > 50);
+    CHECK(bench.state.get<CompareState>().numbers.max_error > 50);
     bench.scene().shading.mistakes.normals_flipped = true;
     bench.frames(2);
-    CHECK(bench.state.views.compare.numbers.mean[0] < 0.5);  // pixels are not of one size
+    CHECK(bench.state.get<CompareState>().numbers.mean[0] < 0.5);  // pixels are not of one size
 }
 
 TEST_CASE("what happened at the display is taken away from the picture that is compared",
@@ -136,8 +137,8 @@ TEST_CASE("what happened at the display is taken away from the picture that is c
                     &turned.rgba[4 * turned.pixel(0, brought_size.height - 1 - y)]);
     bring(bench, folder, turned);
     CHECK(found(bench).display.change.upside_down);
-    REQUIRE(bench.state.views.compare.choice.mine);
-    CHECK(bench.state.views.compare.choice.mine->rgba == upright.rgba);
+    REQUIRE(bench.state.get<CompareState>().choice.mine);
+    CHECK(bench.state.get<CompareState>().choice.mine->rgba == upright.rgba);
 }
 
 TEST_CASE("the experiment is one step, picks its pixel, and shows there what it said", "[ui][window][mine]") {
@@ -159,10 +160,10 @@ TEST_CASE("the experiment is one step, picks its pixel, and shows there what it 
     CHECK(rgb_at(drawn, drawn.pixel(experiment.pixel.x, experiment.pixel.y)) == experiment.shows[0]);
     wait_for_answer(bench);
     bench.frames(30);
-    CHECK(bench.state.mine.current);  // the picture is still of the scene before
+    CHECK(bench.state.get<MyPictureState>().current);  // the picture is still of the scene before
     bench.key(Key::Z, true);
     CHECK(bench.scene() == start);
-    CHECK(bench.state.mine.current);
+    CHECK(bench.state.get<MyPictureState>().current);
     CHECK_FALSE(bench.state.editor.history.can_undo());
 
     // A change of the camera is an edit here, no look.
@@ -205,20 +206,20 @@ TEST_CASE("the search ends when it is told to, and begins anew when the scene ch
     bench.frames(2);
     const TemporaryDirectory folder;
     drop(bench, folder.file("mine.png", png_bytes(flipped_picture(bench, {800, 450}), "")));
-    while (!bench.state.mine.job) (void)bench.frame();
+    while (!bench.state.get<MyPictureState>().job) (void)bench.frame();
     bench.frames(2);
     bench.click(test::in_column(bench, "Cancel the search"));
-    CHECK_FALSE(bench.state.mine.job);
+    CHECK_FALSE(bench.state.get<MyPictureState>().job);
     wait_for_answer(bench);
-    CHECK_FALSE(bench.state.mine.answer);
+    CHECK_FALSE(bench.state.get<MyPictureState>().answer);
     CHECK(bench.state.notifications.list.empty());
-    REQUIRE(bench.state.mine.shown);
+    REQUIRE(bench.state.get<MyPictureState>().shown);
     bench.scene().lights[0].intensity = 0.5f;
     bench.frames(2);
     wait_for_answer(bench);
-    REQUIRE(bench.state.mine.answer);
+    REQUIRE(bench.state.get<MyPictureState>().answer);
     bench.click(test::in_column(bench, "Put my picture away"));
-    CHECK_FALSE(bench.state.mine.shown);
+    CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 
 TEST_CASE("a picture that takes long to be read says so, and can be left", "[ui][window][mine]") {
@@ -229,14 +230,14 @@ TEST_CASE("a picture that takes long to be read says so, and can be left", "[ui]
         while (!goes_on && !progress.cancelled) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return Problem{"slow.png", "", "was left", ""};
     };
-    bench.state.mine.reading = std::make_unique<Job<BroughtPicture>>("slow.png", wait);
-    bench.state.mine.reading_since = ImGui::GetTime();
+    bench.state.get<MyPictureState>().reading = std::make_unique<Job<BroughtPicture>>("slow.png", wait);
+    bench.state.get<MyPictureState>().reading_since = ImGui::GetTime();
     bench.frames(2);
     CHECK(test::window_named("##loading") == nullptr);  // what is quick does not flash
     bench.frames(30);
     REQUIRE(test::window_named("##loading") != nullptr);
     bench.click(bench.control("Cancel"));
-    CHECK(bench.state.mine.reading == nullptr);
+    CHECK(bench.state.get<MyPictureState>().reading == nullptr);
     bench.frames(2);
     CHECK(bench.state.notifications.list.empty());
     goes_on = true;
@@ -246,9 +247,9 @@ TEST_CASE("what cannot be compared is said, and what cannot be read is one line"
     HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();
-    bench.state.inspector.tab = InspectorTab::Vectors;
-    bench.state.views.compare.choice.gain = 4;
-    const CompareChoice compared = bench.state.views.compare.choice;
+    bench.state.get<InspectorState>().tab = InspectorTab::Vectors;
+    bench.state.get<CompareState>().choice.gain = 4;
+    const CompareChoice compared = bench.state.get<CompareState>().choice;
     const TemporaryDirectory folder;
     Scene other = bench.scene();
     Renderer renderer(1);
@@ -260,11 +261,11 @@ TEST_CASE("what cannot be compared is said, and what cannot be read is one line"
                 narrow.rgba.push_back(wide.rgba[4 * wide.pixel(x * 4 / 3, y) + c]);
     bring(bench, folder, narrow);
     CHECK(found(bench).verdict == Verdict::NotComparable);
-    CHECK(bench.state.inspector.tab == InspectorTab::MyPicture);
+    CHECK(bench.state.get<InspectorState>().tab == InspectorTab::MyPicture);
     bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.mine.shown);
-    CHECK(bench.state.inspector.tab == InspectorTab::Vectors);
-    CHECK(bench.state.views.compare.choice == compared);
+    CHECK_FALSE(bench.state.get<MyPictureState>().shown);
+    CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Vectors);
+    CHECK(bench.state.get<CompareState>().choice == compared);
     CHECK(bench.state.notifications.list.empty());
 
     const std::string whole = png_bytes(wide, "");
@@ -274,9 +275,9 @@ TEST_CASE("what cannot be compared is said, and what cannot be read is one line"
     const std::string& said = bench.state.notifications.list[0].text;
     CHECK(said.find("cut.png: ") != std::string::npos);
     CHECK(std::count(said.begin(), said.end(), '\n') == 0);
-    CHECK_FALSE(bench.state.mine.shown);
+    CHECK_FALSE(bench.state.get<MyPictureState>().shown);
     CHECK(bench.scene() == start);
-    CHECK(bench.state.views.compare.choice == compared);
+    CHECK(bench.state.get<CompareState>().choice == compared);
 }
 
 TEST_CASE("a picture that carries its scene opens it; the command compares it all the same",
@@ -289,7 +290,7 @@ TEST_CASE("a picture that carries its scene opens it; the command compares it al
     drop(bench, path);
     bench.wait_for_loads();
     CHECK(bench.state.editor.document.path == path);
-    CHECK_FALSE(bench.state.mine.shown);
+    CHECK_FALSE(bench.state.get<MyPictureState>().shown);
     run_command(bench.state, test::command_named("Compare my picture…"));
     REQUIRE(bench.state.files.open);
     bench.state.files.folder = folder.path();
@@ -297,10 +298,10 @@ TEST_CASE("a picture that carries its scene opens it; the command compares it al
     bench.frames(2);
     bench.key(Key::Enter);
     wait_for_answer(bench);
-    CHECK(bench.state.mine.shown);
+    CHECK(bench.state.get<MyPictureState>().shown);
     CHECK(found(bench).verdict == Verdict::Mistake);
     run_command(bench.state, test::command_named("Put my picture away"));
-    CHECK_FALSE(bench.state.mine.shown);
+    CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 
 TEST_CASE("a picture is read into the window in every format that has no scene", "[ui][window][mine]") {
@@ -315,9 +316,9 @@ TEST_CASE("a picture is read into the window in every format that has no scene",
          {std::pair{"mine.pfm", PictureFormat::Pfm}, {"mine.exr", PictureFormat::Exr}}) {
         drop(bench, folder.file(name, picture_bytes(drawn, format, scene.display.exposure, "")));
         wait_for_answer(bench);
-        CHECK(bench.state.mine.name == name);
-        REQUIRE(bench.state.mine.shown);
-        CHECK(bench.state.mine.shown->rgba == drawn.rgba);
+        CHECK(bench.state.get<MyPictureState>().name == name);
+        REQUIRE(bench.state.get<MyPictureState>().shown);
+        CHECK(bench.state.get<MyPictureState>().shown->rgba == drawn.rgba);
     }
 }
 
@@ -376,16 +377,16 @@ TEST_CASE("a picture is put away when another scene comes, and compared again by
     other.path = folder.path() + "/other.json";
     take_scene(bench.state, other);
     bench.frames(2);
-    CHECK_FALSE(bench.state.mine.shown);
-    CHECK_FALSE(bench.state.views.compare.choice.on);
-    bench.state.inspector.tab = InspectorTab::MyPicture;
+    CHECK_FALSE(bench.state.get<MyPictureState>().shown);
+    CHECK_FALSE(bench.state.get<CompareState>().choice.on);
+    bench.state.get<InspectorState>().tab = InspectorTab::MyPicture;
     bench.frames(2);
     bench.click(test::in_column(bench, "Compare mine.png again"));
     wait_for_answer(bench);
     CHECK(found(bench).verdict == Verdict::Mistake);
     take_scene(bench.state, other);  // the same file, read again
     bench.frames(2);
-    CHECK(bench.state.mine.shown);
+    CHECK(bench.state.get<MyPictureState>().shown);
 }
 
 TEST_CASE("where no thread can search it is said once, and again when the scene changes",
@@ -399,15 +400,15 @@ TEST_CASE("where no thread can search it is said once, and again when the scene 
         const test::NoThreads none;
         bench.scene().global_ambient = {1, 1, 1};
         bench.frames(60);
-        CHECK(bench.state.mine.settled);
-        CHECK_FALSE(bench.state.mine.current);
+        CHECK(bench.state.get<MyPictureState>().settled);
+        CHECK_FALSE(bench.state.get<MyPictureState>().current);
         CHECK(told() == 1);
         CHECK(bench.state.editor.history.can_undo());  // the frame went on to its end
     }
     bench.scene().global_ambient = {0.5f, 0.5f, 0.5f};
     bench.frames(2);
     wait_for_answer(bench);
-    CHECK(bench.state.mine.current);
+    CHECK(bench.state.get<MyPictureState>().current);
 }
 
 TEST_CASE("Escape that ends the typing of a name leaves the picture and the pen", "[ui][window][mine]") {
@@ -415,22 +416,22 @@ TEST_CASE("Escape that ends the typing of a name leaves the picture and the pen"
     bench.frames(2);
     const TemporaryDirectory folder;
     bring(bench, folder, flipped_picture(bench));
-    bench.state.lecture.pen.on = true;
+    bench.state.get<PenState>().on = true;
     bench.state.editor.selection = {Selection::Kind::Light, 0};
     bench.frames(2);
     bench.click(bench.control("Name"));
     bench.frames(2);
     REQUIRE(ImGui::GetIO().WantTextInput);
     bench.key(Key::Escape);
-    CHECK(bench.state.lecture.pen.on);
-    CHECK(bench.state.mine.shown);
+    CHECK(bench.state.get<PenState>().on);
+    CHECK(bench.state.get<MyPictureState>().shown);
     let_go_of_fields();  // as the field does it by a key of ImGui
     bench.frames(2);
     bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.lecture.pen.on);
-    CHECK(bench.state.mine.shown);
+    CHECK_FALSE(bench.state.get<PenState>().on);
+    CHECK(bench.state.get<MyPictureState>().shown);
     bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.mine.shown);
+    CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 
 TEST_CASE("the bytes of a picture of linear numbers follow the display of the scene", "[ui][window][mine]") {
@@ -448,7 +449,7 @@ TEST_CASE("the bytes of a picture of linear numbers follow the display of the sc
     scene.display.transfer = bench.scene().display.transfer = other;
     bench.frames(2);
     wait_for_answer(bench);
-    CHECK(bench.state.mine.shown->rgba == renderer.render(scene, brought_size).rgba);
+    CHECK(bench.state.get<MyPictureState>().shown->rgba == renderer.render(scene, brought_size).rgba);
     CHECK(found(bench).verdict == Verdict::Mistake);
     CHECK(found(bench).display.change.encodings() == 0);
 }

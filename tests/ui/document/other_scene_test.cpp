@@ -76,7 +76,7 @@ TEST_CASE("the last picture answers only for a scene with its surfaces", "[ui][o
     CHECK_FALSE(answers());
     bench.frames(1);
     CHECK(answers());
-    bench.state.inspector.instead = before;  // another scene on the screen
+    bench.state.get<InspectorState>().instead = before;  // another scene on the screen
     bench.frames(1);
     CHECK_FALSE(answers());
 }
@@ -109,7 +109,7 @@ TEST_CASE("while an animation plays, the column is of its scene, whatever the ed
     Scene played = bench.scene();
     played.lights[0].intensity = 0.5f;
     bench.scene().objects.resize(1);
-    bench.state.animate.frame = played;
+    bench.state.get<AnimateState>().frame = played;
     bench.frames(1);
     Renderer alone(1);
     (void)alone.render(played, bench.state.rendered->size);

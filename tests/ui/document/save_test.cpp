@@ -241,7 +241,7 @@ TEST_CASE("what was asked of one scene is not answered for another that comes in
         open(bench, bench.state.editor.document.path == one ? two : one);
         CHECK(modal_of(bench.state) == Modal::None);
     }
-    bench.state.exporting.open = true;
+    bench.state.get<ExportState>().open = true;
     open(bench, two);
     CHECK(modal_of(bench.state) == Modal::None);
     bench.state.asks_overwrite = true;

@@ -16,7 +16,7 @@ TEST_CASE("the inspector names the object that stands before a light, and only t
         test::ask(bench, InspectorTab::Equation, {pixel_of_1280x720.x / 1280, pixel_of_1280x720.y / 720});
         REQUIRE(bench.state.explanation);
         const Explanation& why = *bench.state.explanation;
-        return blocked_words(bench.state, why, asked_point(bench.state.inspector, why), 0);
+        return blocked_words(bench.state, why, asked_point(bench.state.get<InspectorState>(), why), 0);
     };
     // The pixel of docs/lecture_map.md, row 2: on the floor, behind what stands on it.
     const std::string words = words_at({652, 558});
@@ -54,7 +54,7 @@ TEST_CASE("an object that only marks where a light is does not stand in its way"
     REQUIRE(bench.state.explanation->hit);
     const Explanation why = *bench.state.explanation;
     const auto words = [&] {
-        return blocked_words(bench.state, why, asked_point(bench.state.inspector, why), 0);
+        return blocked_words(bench.state, why, asked_point(bench.state.get<InspectorState>(), why), 0);
     };
     CHECK(words().empty());
     // Halfway it is an obstacle like any other.

@@ -45,7 +45,7 @@ TEST_CASE("beside a mesh whose corners are lit stands how much of its highlight 
     HeadlessWindow bench;
     bench.state.editor.document = lost_highlight();
     bench.frames(2);
-    HighlightShareState& kept = bench.state.highlight_share;
+    HighlightShareState& kept = bench.state.get<HighlightShareState>();
     const auto words = [&] { return highlight_words(kept, bench.scene(), 0, size); };
     CHECK(words() == "Highlight: 0.00 of what Phong shading shows");
     bench.scene() = with_detail(64);

@@ -16,7 +16,7 @@ namespace {
 
 /// Runs frames until all are drawn. The clock of ImGui goes with the frames, the job's with the machine.
 bool wait_for_pictures(HeadlessWindow& bench) {
-    const MistakePictures& m = bench.state.mistake_pictures;
+    const MistakePictures& m = bench.state.get<MistakePictures>();
     for (int i = 0; i < 4000; ++i) {
         bench.frames(1);
         if (m.begun && !m.pictures.job) return m.pictures.taken == 53;
@@ -27,7 +27,7 @@ bool wait_for_pictures(HeadlessWindow& bench) {
 
 /// The bytes at that place of the sheet.
 std::vector<std::uint8_t> shown(const HeadlessWindow& bench, std::size_t index) {
-    const PictureSheet& sheet = bench.state.mistake_pictures.pictures.sheet;
+    const PictureSheet& sheet = bench.state.get<MistakePictures>().pictures.sheet;
     const int left = static_cast<int>(index) % sheet.columns * sheet.cell.width,
               top = static_cast<int>(index) / sheet.columns * sheet.cell.height;
     std::vector<std::uint8_t> bytes;
@@ -49,7 +49,8 @@ std::string words_at(const HeadlessWindow& bench, bool Mistakes::*flag) {
     const auto rows = mistakes_as_seen();
     const auto at = std::find_if(rows.begin(), rows.end(),
                                  [&](std::size_t place) { return mistake_names()[place].flag == flag; });
-    return bench.state.mistake_pictures.pictures.words.at(static_cast<std::size_t>(at - rows.begin()) + 1);
+    return bench.state.get<MistakePictures>().pictures.words.at(static_cast<std::size_t>(at - rows.begin()) +
+                                                                1);
 }
 
 }  // namespace
@@ -62,7 +63,7 @@ TEST_CASE(
     test::ask(bench, InspectorTab::Mistakes);
     REQUIRE(wait_for_pictures(bench));
     const Scene right = bench.scene();
-    const SmallPictures& pictures = bench.state.mistake_pictures.pictures;
+    const SmallPictures& pictures = bench.state.get<MistakePictures>().pictures;
     const PictureSize cell = pictures.sheet.cell;
     CHECK(cell == PictureSize{96, 72, true});
     const auto right_bytes = drawn(right, cell, 4);
@@ -97,7 +98,7 @@ TEST_CASE("small pictures wait until no button is down and the scene has stood s
     ImGui::GetIO().MousePos = {5, 5};
     ImGui::GetIO().MouseDown[0] = true;
     test::ask(bench, InspectorTab::Mistakes);
-    const MistakePictures& m = bench.state.mistake_pictures;
+    const MistakePictures& m = bench.state.get<MistakePictures>();
     bench.frames(60);
     CHECK_FALSE(m.pictures.job);
     ImGui::GetIO().MouseDown[0] = false;
@@ -116,7 +117,7 @@ TEST_CASE("small pictures are of the scene that a drag ends with, which is copie
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     REQUIRE(wait_for_pictures(bench));
-    const MistakePictures& m = bench.state.mistake_pictures;
+    const MistakePictures& m = bench.state.get<MistakePictures>();
     ImGui::GetIO().MousePos = {5, 5};
     bench.button(true);
     bench.scene().lights[0].intensity = 0.9f;
@@ -137,7 +138,7 @@ TEST_CASE("another scene, camera or size makes other small pictures; a mistake t
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     REQUIRE(wait_for_pictures(bench));
-    const SmallPictures& pictures = bench.state.mistake_pictures.pictures;
+    const SmallPictures& pictures = bench.state.get<MistakePictures>().pictures;
     const auto before = shown(bench, 0);
     bench.scene().lights[0].intensity *= 0.5f;
     bench.frames(1);
@@ -163,9 +164,9 @@ TEST_CASE("another scene, camera or size makes other small pictures; a mistake t
 TEST_CASE("nobody looks at the mistakes: none is drawn, and no mesh is kept for them", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
-    const MistakePictures& m = bench.state.mistake_pictures;
+    const MistakePictures& m = bench.state.get<MistakePictures>();
     while (!m.pictures.job) bench.frames(1);
-    bench.state.inspector.tab = InspectorTab::Equation;
+    bench.state.get<InspectorState>().tab = InspectorTab::Equation;
     bench.frames(1);
     CHECK_FALSE(m.begun);
     CHECK(m.asked.objects.empty());
@@ -181,6 +182,6 @@ TEST_CASE("nobody looks at the mistakes: none is drawn, and no mesh is kept for 
     bench.frames(60);
     CHECK_FALSE(m.pictures.job);
     CHECK(m.pictures.sheet.serial == serial);
-    bench.state.inspector.tab = InspectorTab::Mistakes;
+    bench.state.get<InspectorState>().tab = InspectorTab::Mistakes;
     CHECK(wait_for_pictures(bench));
 }

@@ -259,7 +259,7 @@ TEST_CASE("plots: the tab draws for every scene that is shipped, and without lig
     }
     bench.scene().lights.clear();
     bench.frames(2);
-    CHECK(bench.state.inspector.tab == InspectorTab::Plots);
+    CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Plots);
 }
 
 TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and backwards", "[ui][plots]") {

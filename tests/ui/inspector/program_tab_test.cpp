@@ -75,14 +75,14 @@ TEST_CASE("a light's place dragged past gluLookAt keeps its numbers and changes 
     const Scene start = bench.scene();
     REQUIRE(start.lights[0].space == LightSpace::World);
     const ImVec2 grip = test::in_column(bench, "grip of light 0");
-    REQUIRE(grip.y > bench.state.inspector.look_at_y);
-    bench.drag(grip, {grip.x, bench.state.inspector.look_at_y - 20});
+    REQUIRE(grip.y > bench.state.get<InspectorState>().look_at_y);
+    bench.drag(grip, {grip.x, bench.state.get<InspectorState>().look_at_y - 20});
     CHECK(bench.scene().lights[0].space == LightSpace::Camera);
     CHECK(bench.scene().lights[0].position == start.lights[0].position);
-    CHECK(test::in_column(bench, "grip of light 0").y < bench.state.inspector.look_at_y);
+    CHECK(test::in_column(bench, "grip of light 0").y < bench.state.get<InspectorState>().look_at_y);
     // What that is in a program is named.
     bench.click(test::in_column(bench, "Mistake: Light in wrong space"));
-    CHECK(bench.state.inspector.tab == InspectorTab::Mistakes);
+    CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Mistakes);
     bench.key(Key::Z, true);
     CHECK(bench.scene() == start);
 }

@@ -30,7 +30,7 @@ struct StoredWindow : HeadlessWindow {
         scene().lights[0].intensity = 3;
         frames(2);
         edited = scene();
-        state.inspector.tab = InspectorTab::Equation;
+        state.get<InspectorState>().tab = InspectorTab::Equation;
     }
     ImVec2 at_share(double x, double y) {
         const PictureSize size = state.rendered->size;
@@ -175,7 +175,7 @@ TEST_CASE("a copy and a command of a picture are of the scene that it shows", "[
     const auto exported = [&] {
         const std::string path = folder.path("shown.pfm");
         begin_export(bench.state, {bench.state.rendered->size, 1}, path);
-        while (bench.state.exporting.job) bench.frames(1);
+        while (bench.state.get<ExportState>().job) bench.frames(1);
         bench.frames(2);
         return std::get<Picture>(read_pfm(path)).linear;
     };
@@ -236,11 +236,12 @@ TEST_CASE("a colour is predicted of the edited scene alone, whatever is compared
     bench.frames(2);
     bench.key(Key::Q);
     bench.frames(3);
-    CHECK_FALSE(bench.state.views.compare.choice.on);
-    REQUIRE(bench.state.predict.stage == PredictStage::Change);
+    CHECK_FALSE(bench.state.get<CompareState>().choice.on);
+    REQUIRE(bench.state.get<PredictState>().stage == PredictStage::Change);
     Renderer alone(1);
     (void)alone.render(bench.edited, bench.state.rendered->size);
-    CHECK(bench.state.predict.before == alone.explain(bench.state.asked.x, bench.state.asked.y).byte);
+    CHECK(bench.state.get<PredictState>().before ==
+          alone.explain(bench.state.asked.x, bench.state.asked.y).byte);
 }
 
 TEST_CASE("cells of the grid that stay are asked, and exported, as they are shown, and stay under a hand",
@@ -248,7 +249,7 @@ TEST_CASE("cells of the grid that stay are asked, and exported, as they are show
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::ask(bench, InspectorTab::Grid);
-    bench.state.views.grid.solo = GridCell{1, 1};
+    bench.state.get<TermGridState>().solo = GridCell{1, 1};
     bench.frames(3);
     const auto alone = [&] { return with_cells(bench.scene(), {GridCell{1, 1}}); };
     const auto check_asked = [&] {
@@ -310,7 +311,7 @@ TEST_CASE("a part is explained as it shows B, a frozen or a played scene, under 
     check_explains(bench.edited, ShadingMode::Flat);
     Scene played = bench.edited;
     played.lights[0].intensity = 1;
-    bench.state.animate.frame = played;
+    bench.state.get<AnimateState>().frame = played;
     bench.frames(1);
     check_explains(played, ShadingMode::Flat);
     bench.frames(1);
@@ -334,7 +335,7 @@ TEST_CASE("of a scene that plays nothing is taken hold of, and a press ends what
     for (const bool in_panel : {false, true}) {
         HeadlessWindow bench({1280, 1000});
         bench.frames(2);
-        AnimateState& animate = bench.state.animate;
+        AnimateState& animate = bench.state.get<AnimateState>();
         animate.animation = {Motion::Turntable, "", 0, 0, 48};
         animate.open = in_panel;
         animate.playing = true;
@@ -371,20 +372,20 @@ TEST_CASE("a highlight is taken hold of where it is seen, and not where another 
     const std::ptrdiff_t seen = std::ssize(seen_at);
     CHECK(seen > 3);
     const auto found = [&] { return std::count_if(seen_at.begin(), seen_at.end(), is_highlight); };
-    bench.state.inspector.tab = InspectorTab::Grid;
-    bench.state.views.grid.solo = GridCell{0, 1};
+    bench.state.get<InspectorState>().tab = InspectorTab::Grid;
+    bench.state.get<TermGridState>().solo = GridCell{0, 1};
     bench.frames(3);
     CHECK(found() == 0);
-    bench.state.views.grid.solo.reset();
+    bench.state.get<TermGridState>().solo.reset();
     bench.frames(3);
     CHECK(found() == seen);
     bench.compare({variant_of(Reflection::Lambert), {}});
     CHECK(found() == 0);
-    set_parts(bench.state.views.compare.choice, {variant_of(ShadingMode::Gouraud), {}});
+    set_parts(bench.state.get<CompareState>().choice, {variant_of(ShadingMode::Gouraud), {}});
     bench.frames(2);
     CHECK(found() == seen);
     bench.key(Key::C);
-    bench.state.views.debug_view.set.choice.view = DebugView::Normal;
+    bench.state.get<DebugViewState>().set.choice.view = DebugView::Normal;
     bench.frames(2);
     CHECK(found() == 0);
 }
@@ -393,19 +394,19 @@ TEST_CASE("while B is looked at, n·l is that of a light of B, and the cells are
           "[ui][window][compare]") {
     StoredWindow bench;
     bench.key(Key::B);
-    DebugViewChoice& choice = bench.state.views.debug_view.set.choice;
+    DebugViewChoice& choice = bench.state.get<DebugViewState>().set.choice;
     choice = {.view = DebugView::NDotL, .light = 1};  // the edited scene has one light
-    bench.state.inspector.tab = InspectorTab::Grid;
+    bench.state.get<InspectorState>().tab = InspectorTab::Grid;
     bench.frames(3);
     CHECK(choice.light == 1);
-    CHECK(bench.state.views.grid.drawn_of == bench.b);
-    bench.state.views.grid.solo = GridCell{1, 1};
+    CHECK(bench.state.get<TermGridState>().drawn_of == bench.b);
+    bench.state.get<TermGridState>().solo = GridCell{1, 1};
     bench.frames(3);
     const auto cell_of = [](const Scene& scene) { return with_cells(scene, {{1, 1}}); };
     CHECK(bench.state.rendered_scene == cell_of(bench.b));
     bench.key(Key::B);
     bench.frames(3);
     CHECK(choice.light == 1);
-    CHECK(bench.state.views.grid.drawn_of == bench.edited);
+    CHECK(bench.state.get<TermGridState>().drawn_of == bench.edited);
     CHECK(bench.state.rendered_scene == bench.edited);  // it has no such cell
 }

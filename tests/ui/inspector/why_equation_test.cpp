@@ -316,8 +316,8 @@ TEST_CASE("pointing at n·h lights up the arrow h of that light", "[ui][window][
     bench.scene().shading.reflection = Reflection::BlinnPhong;
     test::ask(bench, InspectorTab::Equation);
     (void)test::rest_on(bench, "angle n·h");
-    CHECK(bench.state.inspector.pointed_vector == Symbol::H);
-    CHECK(bench.state.inspector.pointed_light == 0);
+    CHECK(bench.state.get<InspectorState>().pointed_vector == Symbol::H);
+    CHECK(bench.state.get<InspectorState>().pointed_light == 0);
 }
 
 TEST_CASE("what is copied is what glint explain prints, in each format", "[ui][window][why]") {

@@ -46,16 +46,16 @@ TEST_CASE("over a frozen picture no mistake is named, and what ends while the mo
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     (void)test::rest_on(bench, first_switch());
-    CHECK_FALSE(bench.state.inspector.preview_name.empty());
+    CHECK_FALSE(bench.state.get<InspectorState>().preview_name.empty());
     test::rest(bench);
     bench.key(Key::F8);
     (void)test::rest_on(bench, first_switch());
-    CHECK(bench.state.inspector.preview_name.empty());
+    CHECK(bench.state.get<InspectorState>().preview_name.empty());
     REQUIRE(bench.state.asked_other);
     bench.key(Key::F8);
     bench.frames(3);
     CHECK_FALSE(bench.state.asked_other);
-    CHECK_FALSE(bench.state.inspector.preview_name.empty());
+    CHECK_FALSE(bench.state.get<InspectorState>().preview_name.empty());
     REQUIRE(bench.state.explanation);
     const glm::vec3 sum = bench.state.explanation->sum;
     test::rest(bench);
@@ -84,7 +84,7 @@ TEST_CASE("the status line opens the list of mistakes at the one that is on", "[
         bench.scene().shading.mistakes.*mistake.flag = true;
         bench.frames(2);
         bench.click(bench.control("/shading/mistakes"));
-        CHECK(bench.state.inspector.tab == InspectorTab::Mistakes);
+        CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Mistakes);
         bench.frames(3);
         const Rect shown = bench.area_of(row, test::right_column(bench));  // in sight
         CHECK(shown.high.y <= test::right_column(bench).high.y);

@@ -68,7 +68,7 @@ TEST_CASE("while a scene with other objects is on the screen the models wait", "
     other.objects.push_back(other.objects.front());
     other.objects.back().transform.translate = {0, 0, 1.5f};
     for (int i = 0; i < 3; ++i) {
-        bench.state.inspector.instead = other;
+        bench.state.get<InspectorState>().instead = other;
         bench.frames(1);
     }
     CHECK(bench.state.rendered_scene.objects.size() == 2);
@@ -105,6 +105,6 @@ TEST_CASE("the first tabs stand in the bar, the others open from behind More, wh
     bench.frames(2);
     bench.click(bench.control("Sensitivity"));
     bench.frames(2);
-    CHECK(bench.state.inspector.tab == InspectorTab::Sensitivity);
+    CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Sensitivity);
     CHECK(lists("Sensitivity ▾"));
 }

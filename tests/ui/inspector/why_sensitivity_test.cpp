@@ -19,11 +19,11 @@ namespace {
 
 /// Runs frames until the job is done. The clock of ImGui goes with the frames, the job's with the machine.
 bool wait_for_numbers(HeadlessWindow& bench) {
-    for (int i = 0; i < 4000 && !bench.state.sensitivity.current; ++i) {
+    for (int i = 0; i < 4000 && !bench.state.get<SensitivityState>().current; ++i) {
         bench.frames(1);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    return bench.state.sensitivity.current;
+    return bench.state.get<SensitivityState>().current;
 }
 
 /// A number or switch of the scene, as its file has it; the pointer's tokens have no "~".
@@ -50,8 +50,8 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
     const auto made = sensitivities(bench.state.editor.document, bench.state.rendered->size,
                                     bench.state.explanation->x, bench.state.explanation->y, 1);
     const auto& expected = std::get<Sensitivities>(made);
-    REQUIRE(bench.state.sensitivity.shown);
-    const Sensitivities& shown = *bench.state.sensitivity.shown;
+    REQUIRE(bench.state.get<SensitivityState>().shown);
+    const Sensitivities& shown = *bench.state.get<SensitivityState>().shown;
     REQUIRE(shown.numbers.size() == expected.numbers.size());
     for (std::size_t i = 0; i < shown.numbers.size(); ++i) {
         CHECK(shown.numbers[i].pointer == expected.numbers[i].pointer);
@@ -60,13 +60,14 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
     CHECK(shown.no_effect == expected.no_effect);
     // Still: no frame is asked for and no job begins.
     bench.frames(30);
-    CHECK_FALSE(bench.state.sensitivity.job);
+    CHECK_FALSE(bench.state.get<SensitivityState>().job);
     // Moved: the old numbers are marked as such.
     bench.scene().lights.front().intensity = 0.5f;
     bench.frames(2);
-    CHECK_FALSE(bench.state.sensitivity.current);
+    CHECK_FALSE(bench.state.get<SensitivityState>().current);
     REQUIRE(wait_for_numbers(bench));
-    CHECK(bench.state.sensitivity.shown->numbers.front().change != expected.numbers.front().change);
+    CHECK(bench.state.get<SensitivityState>().shown->numbers.front().change !=
+          expected.numbers.front().change);
 }
 
 TEST_CASE("where no thread can measure the column says so, until the scene changes", "[ui][window][why]") {
@@ -77,16 +78,16 @@ TEST_CASE("where no thread can measure the column says so, until the scene chang
         const test::NoThreads none;
         test::ask(bench, InspectorTab::Sensitivity, {0.5, 0.45});
         REQUIRE(wait_for_numbers(bench));
-        CHECK_FALSE(bench.state.sensitivity.shown);
-        CHECK(bench.state.sensitivity.why_none.find("no thread can do it") != std::string::npos);
+        CHECK_FALSE(bench.state.get<SensitivityState>().shown);
+        CHECK(bench.state.get<SensitivityState>().why_none.find("no thread can do it") != std::string::npos);
         CHECK(bench.state.notifications.list.empty());  // no frame was given up
         bench.frames(30);
-        CHECK_FALSE(bench.state.sensitivity.job);
+        CHECK_FALSE(bench.state.get<SensitivityState>().job);
     }
     bench.scene().lights.front().intensity = 0.5f;
     bench.frames(2);
     REQUIRE(wait_for_numbers(bench));
-    CHECK(bench.state.sensitivity.shown);
+    CHECK(bench.state.get<SensitivityState>().shown);
 }
 
 TEST_CASE("of more lights than are measured the column says so", "[ui][window][why]") {
@@ -96,8 +97,8 @@ TEST_CASE("of more lights than are measured the column says so", "[ui][window][w
     bench.state.left_shows_inspector = true;
     test::ask(bench, InspectorTab::Sensitivity, {0.5, 0.45});
     REQUIRE(wait_for_numbers(bench));
-    CHECK_FALSE(bench.state.sensitivity.shown);
-    CHECK(bench.state.sensitivity.why_none == "More than 64 lights take too long.");
+    CHECK_FALSE(bench.state.get<SensitivityState>().shown);
+    CHECK(bench.state.get<SensitivityState>().why_none == "More than 64 lights take too long.");
 }
 
 TEST_CASE("until it is measured again the numbers keep the names of what they were of", "[ui][window][why]") {
@@ -115,12 +116,12 @@ TEST_CASE("until it is measured again the numbers keep the names of what they we
     REQUIRE(is_listed("Ball: move y"));
     bench.scene().objects.erase(bench.scene().objects.begin());
     bench.frames(1);
-    REQUIRE_FALSE(bench.state.sensitivity.current);
+    REQUIRE_FALSE(bench.state.get<SensitivityState>().current);
     CHECK(is_listed("Ball: move y"));
     // Of another document none is shown.
     take_scene(bench.state, first_scene());
     bench.frames(2);
-    CHECK_FALSE(bench.state.sensitivity.shown);
+    CHECK_FALSE(bench.state.get<SensitivityState>().shown);
     CHECK_FALSE(is_listed("Ball: move y"));
 }
 
@@ -190,12 +191,12 @@ TEST_CASE("in a part of a comparison the numbers are of that part's picture", "[
     CHECK(bench.state.explanation->mode == ShadingMode::Flat);
     Scene flat = bench.scene();
     flat.shading.mode = ShadingMode::Flat;
-    CHECK(bench.state.sensitivity.shown_scene == flat);
+    CHECK(bench.state.get<SensitivityState>().shown_scene == flat);
     // Exposure multiplies the pixel: it moves by as much as its sum.
-    const auto exposure =
-        std::find_if(bench.state.sensitivity.rank.begin(), bench.state.sensitivity.rank.end(),
-                     [](const Sensitivity& s) { return s.pointer == "/display/exposure"; });
-    REQUIRE(exposure != bench.state.sensitivity.rank.end());
+    const auto exposure = std::find_if(bench.state.get<SensitivityState>().rank.begin(),
+                                       bench.state.get<SensitivityState>().rank.end(),
+                                       [](const Sensitivity& s) { return s.pointer == "/display/exposure"; });
+    REQUIRE(exposure != bench.state.get<SensitivityState>().rank.end());
     const glm::vec3 sum = bench.state.explanation->sum;
     CHECK(exposure->effect.x == Approx(sum.x).epsilon(1e-3));
 }

@@ -78,7 +78,7 @@ TEST_CASE("the arrow n ends where a unit normal of its length shows", "[ui][wind
     const glm::dvec3 tip = glm::dvec3(point.point.world) + 92 * per_pixel * glm::dvec3(point.normal.world);
     const ImVec2 at = bench.at_pixel(project(map, tip).pixel);
     CHECK(draws_near(at, 1.5f));
-    bench.state.inspector.shows_vectors = false;
+    bench.state.get<InspectorState>().shows_vectors = false;
     bench.frames(2);
     CHECK_FALSE(draws_near(at, 1.5f));
     CHECK(bench.scene() == start);
@@ -141,9 +141,9 @@ TEST_CASE("the steps of r and the length of n belong to the window, not to the s
     test::ask(bench, InspectorTab::Vectors, {0.45, 0.4});
     const Scene start = bench.scene();
     for (int step = 0; step <= 4; ++step) {
-        bench.state.inspector.mirror_step = step;
-        bench.state.inspector.normal_length = 2;
-        bench.state.inspector.shows_facet = true;
+        bench.state.get<InspectorState>().mirror_step = step;
+        bench.state.get<InspectorState>().normal_length = 2;
+        bench.state.get<InspectorState>().shows_facet = true;
         bench.frames(2);
     }
     CHECK(bench.scene() == start);
@@ -158,7 +158,7 @@ TEST_CASE("the light of the vectors is the selected one, else the one that adds 
     CHECK(asked_light(bench.state, point)->index == 1);
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     CHECK(asked_light(bench.state, point)->index == 0);
-    bench.state.inspector.pointed_light = 1;
+    bench.state.get<InspectorState>().pointed_light = 1;
     CHECK(asked_light(bench.state, point)->index == 1);
     CHECK(asked_light(bench.state, ExplainedPoint{}) == nullptr);
 }

@@ -63,7 +63,7 @@ TEST_CASE("the difference falls while the hand comes closer, wherever one looks 
           "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
     open_game(bench, 2);  // the exponent alone
-    const MatchState& match = bench.state.match;
+    const MatchState& match = bench.state.get<MatchState>();
     REQUIRE(match.on);
     CHECK(match.now == match.first);
     const float wanted = match.task.target.objects[0].material.shininess;
@@ -142,14 +142,14 @@ TEST_CASE("a game that was saved under a name is work, and its changes are asked
     bench.click(bench.control("Another"));
     bench.frames(2);
     CHECK(bench.state.pending.asking);
-    CHECK(bench.state.match.seed == 2);
+    CHECK(bench.state.get<MatchState>().seed == 2);
     bench.state.pending = {};
     bench.frames(2);
     run_command(bench.state, test::command_named("Match the target"));
     CHECK(bench.state.pending.asking);
-    CHECK(bench.state.match.seed == 2);
+    CHECK(bench.state.get<MatchState>().seed == 2);
     finish_pending(bench.state);
-    CHECK(bench.state.match.seed == 3);
+    CHECK(bench.state.get<MatchState>().seed == 3);
 }
 
 TEST_CASE("what a game compares is not remembered for the next window", "[ui][window][match]") {
@@ -166,24 +166,24 @@ TEST_CASE("a game puts away what was shown before it, and Escape ends what plays
     HeadlessWindow bench;
     bench.frames(2);
     const auto play = [&] {
-        if (!bench.state.animate.open)
+        if (!bench.state.get<AnimateState>().open)
             run_command(bench.state, test::command_named("Animate: turntable, numbers to and fro…"));
         bench.frames(2);
-        bench.state.animate.animation.motion = Motion::Turntable;
+        bench.state.get<AnimateState>().animation.motion = Motion::Turntable;
         bench.click(bench.control("Play"));
         bench.frames(2);
-        REQUIRE(bench.state.animate.playing);
+        REQUIRE(bench.state.get<AnimateState>().playing);
     };
     play();
     (void)bench.key(Key::Escape);
     bench.frames(2);
-    CHECK_FALSE(bench.state.animate.open);
-    CHECK_FALSE(bench.state.animate.playing);
-    CHECK_FALSE(bench.state.animate.frame);
+    CHECK_FALSE(bench.state.get<AnimateState>().open);
+    CHECK_FALSE(bench.state.get<AnimateState>().playing);
+    CHECK_FALSE(bench.state.get<AnimateState>().frame);
     play();
     begin_match(bench.state, 3);
     bench.frames(3);
-    CHECK_FALSE(bench.state.animate.playing);
+    CHECK_FALSE(bench.state.get<AnimateState>().playing);
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
@@ -191,12 +191,12 @@ TEST_CASE("another stored scene is not the target beside it", "[ui][window][matc
     HeadlessWindow bench({1280, 1000});
     open_game(bench, 2);
     bench.click(bench.control("Target beside it"));
-    bench.state.views.compare.choice.stored = std::make_shared<const Scene>(bench.scene());
+    bench.state.get<CompareState>().choice.stored = std::make_shared<const Scene>(bench.scene());
     bench.frames(2);
     bench.click(bench.control("Target beside it"));
     bench.frames(2);
-    CHECK(bench.state.views.compare.choice.on);
-    CHECK(*bench.state.views.compare.choice.stored == bench.state.match.task.target);
+    CHECK(bench.state.get<CompareState>().choice.on);
+    CHECK(*bench.state.get<CompareState>().choice.stored == bench.state.get<MatchState>().task.target);
 }
 
 namespace {
@@ -205,8 +205,8 @@ namespace {
 void open_game_with_picture(HeadlessWindow& bench, const TemporaryDirectory& folder) {
     open_game(bench, 2);
     bench.click(bench.control("Target beside it"));
-    bring_picture(bench.state, folder.file("mine.png", png_bytes(bench.state.match.target, "")));
-    while (!bench.state.mine.shown) (void)bench.frame();
+    bring_picture(bench.state, folder.file("mine.png", png_bytes(bench.state.get<MatchState>().target, "")));
+    while (!bench.state.get<MyPictureState>().shown) (void)bench.frame();
     bench.frames(2);
 }
 
@@ -218,20 +218,20 @@ TEST_CASE("an own picture is not the target beside it, and goes with its game", 
     open_game_with_picture(bench, folder);
     bench.click(bench.control("Target beside it"));
     bench.frames(2);
-    const CompareChoice& choice = bench.state.views.compare.choice;
+    const CompareChoice& choice = bench.state.get<CompareState>().choice;
     CHECK(choice.on);
     CHECK(choice.parts.back().kind == Variant::Kind::Stored);
     bring_picture(bench.state, folder.path("mine.png"));
     bench.state.editor.saved = bench.scene();
     bench.click(bench.control("Another"));
     bench.frames(2);
-    CHECK(bench.state.match.on);
-    CHECK_FALSE(bench.state.mine.shown);
+    CHECK(bench.state.get<MatchState>().on);
+    CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 
 TEST_CASE("B that was stored during a game stays, and the target goes", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
-    const CompareChoice& choice = bench.state.views.compare.choice;
+    const CompareChoice& choice = bench.state.get<CompareState>().choice;
     bench.frames(2);
     run_command(bench.state, CommandId::StoreB);
     const auto before = choice.stored;
@@ -255,8 +255,8 @@ TEST_CASE("a picture that came during a game stays beside the scene when the gam
     open_game_with_picture(bench, folder);
     bench.click(bench.control("Leave"));
     bench.frames(2);
-    const CompareChoice& choice = bench.state.views.compare.choice;
-    CHECK_FALSE(bench.state.match.on);
+    const CompareChoice& choice = bench.state.get<CompareState>().choice;
+    CHECK_FALSE(bench.state.get<MatchState>().on);
     CHECK(choice.on);
     CHECK(choice.parts.back().kind == Variant::Kind::Mine);
     CHECK(choice.mine);
@@ -285,26 +285,26 @@ TEST_CASE("the game is played by its buttons: hint, target beside, again, anothe
     open_game(bench, 2);
     bench.click(bench.control("A hint"));
     bench.frames(1);
-    CHECK(bench.state.match.hint.find("specular term") != std::string::npos);
+    CHECK(bench.state.get<MatchState>().hint.find("specular term") != std::string::npos);
     bench.click(bench.control("Target beside it"));
     bench.frames(2);
-    CHECK(bench.state.views.compare.choice.on);
-    CHECK(*bench.state.views.compare.choice.stored == bench.state.match.task.target);
+    CHECK(bench.state.get<CompareState>().choice.on);
+    CHECK(*bench.state.get<CompareState>().choice.stored == bench.state.get<MatchState>().task.target);
     bench.scene().objects[0].material.shininess = 3;
     bench.frames(2);
     bench.click(bench.control("Begin again"));
     bench.frames(2);
-    CHECK(bench.scene() == bench.state.match.task.start);
+    CHECK(bench.scene() == bench.state.get<MatchState>().task.start);
     bench.scene().objects[0].material.shininess = 3;
     bench.frames(2);
     bench.click(bench.control("Another"));
     bench.frames(2);
-    CHECK(bench.state.match.seed == 3);
+    CHECK(bench.state.get<MatchState>().seed == 3);
     CHECK_FALSE(bench.state.pending.asking);  // it was play, and nobody's work
     bench.click(bench.control("Leave"));
     bench.frames(2);
-    CHECK_FALSE(bench.state.match.on);
-    CHECK_FALSE(bench.state.views.compare.choice.on);
+    CHECK_FALSE(bench.state.get<MatchState>().on);
+    CHECK_FALSE(bench.state.get<CompareState>().choice.on);
 }
 
 namespace {
@@ -312,13 +312,13 @@ namespace {
 /// Opens the quiz of a window that keeps its memory in `folder`.
 void open_quiz_in(HeadlessWindow& bench, const std::string& folder) {
     begin_persistence(bench.state, folder);
-    bench.state.lesson.inventory = project_file("assets/inventory.md");
+    bench.state.get<LessonState>().inventory = project_file("assets/inventory.md");
     bench.frames(2);
     test::command_named("Quiz: what do you believe about lighting?").run(bench.state);
     do {
         (void)bench.frame();
         std::this_thread::yield();
-    } while (!bench.state.quiz.pages);
+    } while (!bench.state.get<QuizState>().pages);
     bench.frames(2);
 }
 
@@ -339,13 +339,13 @@ TEST_CASE("the quiz is answered by keys, and the next window goes on with it unt
         (void)bench.key(Key::PageUp);
         (void)bench.key(Key::PageUp);
         (void)bench.key(Key::PageUp);
-        CHECK(bench.state.quiz.at == 0);
+        CHECK(bench.state.get<QuizState>().at == 0);
         (void)bench.key(Key::A);
     }
     {
         HeadlessWindow bench({1280, 1000});
         open_quiz_in(bench, folder.path("state"));
-        QuizState& quiz = bench.state.quiz;
+        QuizState& quiz = bench.state.get<QuizState>();
         CHECK(quiz.at == 1);  // the first without an answer
         CHECK(Taken(quiz.taken.begin(), quiz.taken.begin() + 4) == Taken{0, {}, 3, {}});
         quiz.after = true;
@@ -355,27 +355,27 @@ TEST_CASE("the quiz is answered by keys, and the next window goes on with it unt
     }
     HeadlessWindow bench({1280, 1000});
     open_quiz_in(bench, folder.path("state"));
-    CHECK(bench.state.quiz.taken == Taken(24));
-    CHECK_FALSE(bench.state.quiz.after);
-    bench.click(bench.control(bench.state.quiz.pages->pages[0].options[2]));
-    CHECK(bench.state.quiz.taken[0] == 2u);
+    CHECK(bench.state.get<QuizState>().taken == Taken(24));
+    CHECK_FALSE(bench.state.get<QuizState>().after);
+    bench.click(bench.control(bench.state.get<QuizState>().pages->pages[0].options[2]));
+    CHECK(bench.state.get<QuizState>().taken[0] == 2u);
     bench.click(bench.control("Next question"));
     bench.click(bench.control("Begin again"));
-    CHECK(bench.state.quiz.at == 0);
-    CHECK(bench.state.quiz.taken == Taken(24));
+    CHECK(bench.state.get<QuizState>().at == 0);
+    CHECK(bench.state.get<QuizState>().taken == Taken(24));
     bench.frames(2);
     bench.click(bench.control("Bring them back"));
-    CHECK(bench.state.quiz.taken[0] == 2u);
+    CHECK(bench.state.get<QuizState>().taken[0] == 2u);
 }
 
 TEST_CASE("the quiz is answered in the window, and what it saves is counted by glint quiz",
           "[ui][window][quiz][long]") {
     const std::string inventory = project_file("assets/inventory.md");
     HeadlessWindow bench({1280, 1000});
-    bench.state.lesson.inventory = inventory;
+    bench.state.get<LessonState>().inventory = inventory;
     bench.frames(2);
     test::command_named("Quiz: what do you believe about lighting?").run(bench.state);
-    QuizState& quiz = bench.state.quiz;
+    QuizState& quiz = bench.state.get<QuizState>();
     do {
         (void)bench.frame();
         std::this_thread::yield();

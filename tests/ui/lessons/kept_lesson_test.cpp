@@ -28,7 +28,7 @@ struct OwnWorkWindow : HeadlessWindow {
     OwnWorkWindow() : HeadlessWindow({1280, 1000}) {
         frames(2);
         test::drop(*this, folder.file("l.md", small_lesson("Look.\n")));
-        REQUIRE(state.lesson.course);
+        REQUIRE(state.get<LessonState>().course);
     }
     void save_and_change() {
         REQUIRE_FALSE(save_file(state.editor, path, scene()));
@@ -42,7 +42,7 @@ struct OwnWorkWindow : HeadlessWindow {
         CHECK(state.editor.document.path == path);
         finish_pending(state);  // Don't save
         frames(2);
-        CHECK(scene() == state.lesson.station().revealed);
+        CHECK(scene() == state.get<LessonState>().station().revealed);
         CHECK(state.editor.document.path.empty());
     }
     LessonFolder folder;
@@ -75,9 +75,9 @@ TEST_CASE("a lesson asks before work that was saved under a name goes, whatever 
         bench.save_and_change();
         bench.click(bench.control("Lecturer"));
         bench.frames(2);
-        CHECK(bench.state.lesson.lecturer);
+        CHECK(bench.state.get<LessonState>().lecturer);
         bench.check_asks_first();
-        CHECK_FALSE(bench.state.lesson.lecturer);
+        CHECK_FALSE(bench.state.get<LessonState>().lecturer);
     }
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("a lesson puts its scene back unasked where nobody has saved the one i
     bench.frames(2);
     bench.click(bench.control("Begin again"));
     CHECK_FALSE(bench.state.pending.asking);
-    CHECK(bench.scene() == bench.state.lesson.station().revealed);
+    CHECK(bench.scene() == bench.state.get<LessonState>().station().revealed);
 }
 
 TEST_CASE("progress is kept of lessons whose names are not UTF-8, of each its own", "[ui][window][lesson]") {
@@ -100,10 +100,10 @@ TEST_CASE("progress is kept of lessons whose names are not UTF-8, of each its ow
         begin_persistence(bench.state, folder.path("state"));
         bench.frames(2);
         test::drop(bench, path);
-        REQUIRE(bench.state.lesson.course);
+        REQUIRE(bench.state.get<LessonState>().course);
         for (; pages > 0; --pages) (void)bench.key(Key::PageDown);
         bench.frames(2);
-        return bench.state.lesson.progress.station;
+        return bench.state.get<LessonState>().progress.station;
     };
     CHECK(station_of(first, 1) == 1);
     CHECK(station_of(second, 0) == 0);
@@ -127,7 +127,7 @@ TEST_CASE("a file of progress that cannot be read, or that is full, stays as it 
         test::drop(bench, folder.file("l.md", small_lesson(two_steps)));
         (void)bench.key(Key::PageDown);
         bench.frames(2);
-        REQUIRE(bench.state.lesson.progress.station == 1);
+        REQUIRE(bench.state.get<LessonState>().progress.station == 1);
         CHECK(bytes_of(file) == kept);
         CHECK(is_told(bench, "What is answered and done here cannot be remembered: "));
     }
@@ -144,7 +144,7 @@ TEST_CASE("what was asked of one lesson's scene does no task of the next lesson"
     bench.frames(2);
     const auto next = std::get<std::shared_ptr<const Course>>(open_course(undone));
     test::drop(bench, with_task("a.md", "1 = 1"));
-    LessonState& lesson = bench.state.lesson;
+    LessonState& lesson = bench.state.get<LessonState>();
     REQUIRE(lesson.course);
     test::wait_for_tasks(bench);
     CHECK(lesson.progress.tasks[0][0]);
@@ -170,5 +170,5 @@ TEST_CASE("a lesson that the window opens with at a question takes what is typed
     begin_lesson(bench.state, std::get<std::shared_ptr<const Course>>(opened));  // before the first frame
     bench.frames(4);
     bench.type("7");
-    CHECK(bench.state.lesson.typed == "7");
+    CHECK(bench.state.get<LessonState>().typed == "7");
 }

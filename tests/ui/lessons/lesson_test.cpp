@@ -29,7 +29,7 @@ struct LambertWindow : HeadlessWindow {
         (void)key(Key::PageDown);
         frames(3);
     }
-    LessonState& lesson() { return state.lesson; }
+    LessonState& lesson() { return state.get<LessonState>(); }
     void answer(const std::string& text) {
         click(control("Your answer"));
         test::type(*this, text);
@@ -45,7 +45,7 @@ bool says(const HeadlessWindow& bench, const std::string& part) {
 }
 
 bool asks_for(const HeadlessWindow& bench, PredictionKind kind) {
-    return open_question(bench.state.lesson) && test::asked(bench).asks->kind == kind;
+    return open_question(bench.state.get<LessonState>()) && test::asked(bench).asks->kind == kind;
 }
 /// Turns the lesson's pages until one asks for such an answer.
 void turn_to(HeadlessWindow& bench, PredictionKind kind) {
@@ -82,12 +82,12 @@ TEST_CASE("an answer stands beside the right one, and its number is marked in th
     const ImVec2 mark = bench.control("Marked number");
     CHECK(column.holds(mark));
     // It goes after a while, and a click brings it back.
-    bench.state.inspector.marked.reset();
-    bench.state.inspector.tab = InspectorTab::Mistakes;
+    bench.state.get<InspectorState>().marked.reset();
+    bench.state.get<InspectorState>().tab = InspectorTab::Mistakes;
     bench.frames(1);
     bench.click(bench.control("Where it stands in the equation"));
     bench.frames(2);
-    CHECK(bench.state.inspector.tab == InspectorTab::Equation);
+    CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Equation);
     CHECK(column.holds(bench.control("Marked number")));
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("a choice is answered by its letter and Enter, and the palette opens w
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::drop(bench, test::shipped_lesson("05-lambert"));
-    LessonState& lesson = bench.state.lesson;
+    LessonState& lesson = bench.state.get<LessonState>();
     turn_to(bench, PredictionKind::Choice);
     const Scene held = bench.scene();
     (void)bench.key(Key::Z, true);
@@ -199,7 +199,7 @@ TEST_CASE("a choice is answered by its letter and Enter, and the palette opens w
     REQUIRE(asks_for(bench, PredictionKind::Choice));
     (void)bench.key(Key::B);
     CHECK(lesson.chosen == Json(1));
-    CHECK_FALSE(bench.state.views.compare.choice.shows_stored);
+    CHECK_FALSE(bench.state.get<CompareState>().choice.shows_stored);
     (void)bench.key(Key::C);
     CHECK(lesson.chosen == Json(2));
     const std::size_t open = *open_question(lesson);
@@ -213,7 +213,7 @@ TEST_CASE("a curve that is drawn from edge to edge is whole, and what is drawn c
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::drop(bench, test::shipped_lesson("15-mach-bands"));
-    LessonState& lesson = bench.state.lesson;
+    LessonState& lesson = bench.state.get<LessonState>();
     turn_to(bench, PredictionKind::Sketch);
     const Rect plot = bench.area_of("Sketch");
     const float middle = (plot.low.y + plot.high.y) / 2;
@@ -253,7 +253,7 @@ struct LightWindow : HeadlessWindow {
                                                   "e = explain --pixel 16,16\n"
                                                   "done: e.pixel[0] > 99\n"
                                                   "solution: /lights/0/position=[0,0,9]\n```\n")));
-        REQUIRE(state.lesson.course);
+        REQUIRE(state.get<LessonState>().course);
     }
     void type_into_x(const char* letters) {
         state.notifications.list.clear();
@@ -271,20 +271,20 @@ struct LightWindow : HeadlessWindow {
 TEST_CASE("what is typed into a lesson's field is seen: what the lesson plays ends", "[ui][window][lesson]") {
     LightWindow bench;
     const auto play = [&] {
-        bench.state.animate.animation = {Motion::PingPong, "/lights/0/position/1", 0, 9, 75};
-        bench.state.animate.playing = true;
+        bench.state.get<AnimateState>().animation = {Motion::PingPong, "/lights/0/position/1", 0, 9, 75};
+        bench.state.get<AnimateState>().playing = true;
         bench.frames(2);
     };
     play();
-    CHECK(bench.state.animate.playing);
+    CHECK(bench.state.get<AnimateState>().playing);
     bench.type_into_x("25");
     CHECK(bench.state.rendered_scene == bench.scene());
     CHECK(bench.scene().lights[0].position == glm::vec4(25, 2, 3, 1));
-    bench.state.animate.open = true;  // there a button ends it
+    bench.state.get<AnimateState>().open = true;  // there a button ends it
     play();
     bench.type_into_x("7");
     CHECK(bench.scene().lights[0].position == glm::vec4(7, 2, 3, 1));
-    CHECK(bench.state.animate.playing);
+    CHECK(bench.state.get<AnimateState>().playing);
 }
 
 TEST_CASE("a lesson's fields of a light take what its panel takes, and have none for w",
@@ -385,12 +385,12 @@ TEST_CASE("what was typed and not locked in does not answer the next page's ques
     test::drop(bench, folder.file("two.md", own_lesson(asks + "## Two\n\n" + asks)));
     bench.click(bench.control("Your answer"));
     test::type(bench, "7");
-    CHECK(bench.state.lesson.typed == "7");
+    CHECK(bench.state.get<LessonState>().typed == "7");
     bench.key(Key::PageDown);
     bench.frames(3);
     REQUIRE(test::asked(bench).asks->kind == PredictionKind::Number);
-    CHECK(bench.state.lesson.typed.empty());
-    CHECK_FALSE(can_lock(bench.state.lesson));
+    CHECK(bench.state.get<LessonState>().typed.empty());
+    CHECK_FALSE(can_lock(bench.state.get<LessonState>()));
 }
 
 TEST_CASE("PgDn and PgUp turn the lesson's pages while a number is typed, and each begins with its scene",
@@ -399,7 +399,7 @@ TEST_CASE("PgDn and PgUp turn the lesson's pages while a number is typed, and ea
     bench.click(bench.control("Your answer"));
     test::type(bench, "0.");
     bench.key(Key::F9);
-    CHECK(bench.state.lecture.projector);
+    CHECK(bench.state.get<LectureState>().projector);
     bench.key(Key::F9);
     bench.click(bench.control("Your answer"));
     bench.key(Key::PageDown);
@@ -425,15 +425,15 @@ TEST_CASE("a lesson asks before unsaved edits are lost, and the answer no leaves
     const Scene edited = bench.scene();
     test::drop(bench, test::shipped_lesson("05-lambert"));
     CHECK(bench.state.pending.asking);
-    CHECK_FALSE(bench.state.lesson.course);
+    CHECK_FALSE(bench.state.get<LessonState>().course);
     bench.key(Key::Escape);
     bench.frames(2);
     CHECK(bench.scene() == edited);
-    CHECK_FALSE(bench.state.lesson.course);
+    CHECK_FALSE(bench.state.get<LessonState>().course);
     test::drop(bench, test::shipped_lesson("05-lambert"));
     finish_pending(bench.state);
     bench.wait_for_loads();
-    CHECK(bench.state.lesson.course);
+    CHECK(bench.state.get<LessonState>().course);
     // And the lesson's scene is nobody's file: it is saved under a name of one's own.
     CHECK(bench.state.editor.document.path.empty());
 }
@@ -449,14 +449,14 @@ TEST_CASE("an error in a lesson is one line with its number, and the open scene 
                                                          "tolerance: 1\n```\n")));
     CHECK(says(bench, "wrong.md:13:"));
     CHECK(bench.scene() == before);
-    CHECK_FALSE(bench.state.lesson.course);
+    CHECK_FALSE(bench.state.get<LessonState>().course);
     // What only shows when it is run, too.
     test::drop(bench, folder.file("late.md", own_lesson("```scene\nset: /lights/9/intensity=1\n```\n")));
     CHECK(says(bench, "late.md:11:"));
     CHECK(bench.scene() == before);
     // And one that is right opens from anybody's folder.
     test::drop(bench, folder.file("right.md", own_lesson("Look.\n")));
-    REQUIRE(bench.state.lesson.course);
+    REQUIRE(bench.state.get<LessonState>().course);
     CHECK(bench.scene().objects[0].name == "Ball");
 }
 
@@ -476,45 +476,48 @@ TEST_CASE("progress is kept with every answer, and a lesson goes on where it was
         bench.frames(3);
     }
     HeadlessWindow bench({1280, 1000});
-    bench.state.lesson.folder = std::filesystem::path(test::shipped_lesson("x")).parent_path().string();
+    bench.state.get<LessonState>().folder =
+        std::filesystem::path(test::shipped_lesson("x")).parent_path().string();
     begin_persistence(bench.state, folder.path());
     bench.frames(2);
     // It was the lesson of a folder that the window did not know as the program's: by its whole path.
     const auto text = read_file(folder.path("lessons.json"), 100000);
     CHECK(std::get<std::string>(text).find("lessons/05-lambert.md") != std::string::npos);
-    bench.state.lesson.folder.clear();
+    bench.state.get<LessonState>().folder.clear();
     test::drop(bench, test::shipped_lesson("05-lambert"));
-    CHECK(bench.state.lesson.progress.station == 1);
-    CHECK(bench.state.lesson.given()[0].value == Json(0.4));
-    CHECK(bench.scene() == bench.state.lesson.station().revealed);
+    CHECK(bench.state.get<LessonState>().progress.station == 1);
+    CHECK(bench.state.get<LessonState>().given()[0].value == Json(0.4));
+    CHECK(bench.scene() == bench.state.get<LessonState>().station().revealed);
     open_lessons(bench.state);
     bench.frames(2);
-    REQUIRE(bench.state.lessons.beside.size() >= 17);
-    REQUIRE(bench.state.lessons.beside[6].record);
-    CHECK(bench.state.lessons.beside[6].record->score.locked == 1);
-    CHECK(bench.state.lessons.beside[6].record->at == 1);
+    REQUIRE(bench.state.get<LessonListState>().beside.size() >= 17);
+    REQUIRE(bench.state.get<LessonListState>().beside[6].record);
+    CHECK(bench.state.get<LessonListState>().beside[6].record->score.locked == 1);
+    CHECK(bench.state.get<LessonListState>().beside[6].record->at == 1);
 }
 
 TEST_CASE("a lesson is opened by the arrow keys and Enter, of a list that goes round",
           "[ui][window][lesson]") {
     HeadlessWindow bench;
-    bench.state.lesson.folder = std::filesystem::path(test::shipped_lesson("x")).parent_path().string();
+    bench.state.get<LessonState>().folder =
+        std::filesystem::path(test::shipped_lesson("x")).parent_path().string();
     open_lessons(bench.state);
     bench.frames(2);
     bench.key(Key::Enter);  // nothing is chosen yet
-    CHECK(bench.state.lessons.open);
-    const LessonEntry last = bench.state.lessons.own.back();
+    CHECK(bench.state.get<LessonListState>().open);
+    const LessonEntry last = bench.state.get<LessonListState>().own.back();
     bench.key(Key::Down);
-    CHECK(bench.state.lessons.chosen == 0);
+    CHECK(bench.state.get<LessonListState>().chosen == 0);
     bench.key(Key::Up);
-    CHECK(bench.state.lessons.chosen == static_cast<int>(bench.state.lessons.own.size()) - 1);
+    CHECK(bench.state.get<LessonListState>().chosen ==
+          static_cast<int>(bench.state.get<LessonListState>().own.size()) - 1);
     bench.frames(2);
     (void)bench.control(last.title);  // is in sight
     bench.key(Key::Enter);
     bench.wait_for_loads();
-    CHECK_FALSE(bench.state.lessons.open);
-    REQUIRE(bench.state.lesson.course);
-    CHECK(bench.state.lesson.course->lesson.path == last.path);
+    CHECK_FALSE(bench.state.get<LessonListState>().open);
+    REQUIRE(bench.state.get<LessonState>().course);
+    CHECK(bench.state.get<LessonState>().course->lesson.path == last.path);
 }
 
 TEST_CASE("answers that cannot be kept are told of, once", "[ui][window][lesson]") {
@@ -540,8 +543,8 @@ TEST_CASE("a picture that is dropped while a lesson asks does not cover what is 
     const Picture picture = *bench.state.rendered;
     test::drop(bench, folder.file("mine.png", png_bytes(picture, "")));
     bench.frames(20);
-    CHECK_FALSE(bench.state.mine.shown);
-    CHECK_FALSE(bench.state.mine.reading);
+    CHECK_FALSE(bench.state.get<MyPictureState>().shown);
+    CHECK_FALSE(bench.state.get<MyPictureState>().reading);
     CHECK(says(bench, "The lesson asks first"));
 }
 
@@ -597,7 +600,7 @@ TEST_CASE("a scene that would tell the answer is shown when the answer is given"
                                                       "```predict number\nquestion: How?\n"
                                                       "e = explain --pixel 16,16\nanswer: e.sum[0]\n"
                                                       "tolerance: 1\n```\n")));
-    REQUIRE(open_question(bench.state.lesson));
+    REQUIRE(open_question(bench.state.get<LessonState>()));
     CHECK(bench.state.rendered_scene.lights[0].intensity == 2);
     bench.click(bench.control("Show it without"));
     bench.frames(2);
@@ -612,19 +615,19 @@ TEST_CASE("a lesson of one's own is among the recent files, and goes on from the
     begin_persistence(bench.state, folder.path("state"));
     bench.frames(2);
     test::drop(bench, mine);
-    REQUIRE(bench.state.lesson.course);
+    REQUIRE(bench.state.get<LessonState>().course);
     REQUIRE(bench.state.persistence.preferences.recent == std::vector<std::string>{mine});
     bench.click(bench.control("Leave"));
     bench.frames(2);
-    CHECK_FALSE(bench.state.lesson.course);
+    CHECK_FALSE(bench.state.get<LessonState>().course);
     bench.click(bench.control("File"));
     bench.frames(2);
     bench.click(bench.control("Open recent"));
     bench.frames(2);
     bench.click(bench.control(mine.c_str()));
     bench.wait_for_loads();
-    REQUIRE(bench.state.lesson.course);
-    CHECK(bench.state.lesson.course->lesson.path == mine);
+    REQUIRE(bench.state.get<LessonState>().course);
+    CHECK(bench.state.get<LessonState>().course->lesson.path == mine);
 }
 
 TEST_CASE("the lesson's text stays where it is when the first thing is dragged", "[ui][window][lesson]") {
@@ -640,20 +643,20 @@ TEST_CASE("what a lesson plays of a light that is gone is told, and nothing play
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::drop(bench, test::shipped_lesson("03-falloff"));
-    while (bench.state.lesson.station().reveal == nullptr ||
-           bench.state.lesson.station().reveal->play.empty()) {
+    while (bench.state.get<LessonState>().station().reveal == nullptr ||
+           bench.state.get<LessonState>().station().reveal->play.empty()) {
         (void)bench.key(Key::PageDown);
         bench.frames(3);
     }
-    REQUIRE(bench.state.lesson.station().reveal->play == "/lights/0/position/0");
+    REQUIRE(bench.state.get<LessonState>().station().reveal->play == "/lights/0/position/0");
     bench.click(bench.control("Show it without"));
     bench.frames(3);
     bench.scene().lights.clear();
     bench.frames(2);
-    REQUIRE_FALSE(bench.state.animate.playing);
+    REQUIRE_FALSE(bench.state.get<AnimateState>().playing);
     bench.click(bench.control("Play it"));
     bench.frames(3);
-    CHECK_FALSE(bench.state.animate.playing);
+    CHECK_FALSE(bench.state.get<AnimateState>().playing);
     CHECK(says(bench, "there is no “/lights/0/position/0” any more"));
 }
 
@@ -662,16 +665,16 @@ TEST_CASE("each page plays what it says, whatever the page before played and who
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::drop(bench, test::shipped_lesson("03-falloff"));
-    const auto& station = [&]() -> const Station& { return bench.state.lesson.station(); };
+    const auto& station = [&]() -> const Station& { return bench.state.get<LessonState>().station(); };
     const auto turn = [&](Key key) {
         (void)bench.key(key);
         bench.frames(3);
-        if (!open_question(bench.state.lesson)) return;
+        if (!open_question(bench.state.get<LessonState>())) return;
         reveal_unanswered(bench.state);
         bench.frames(3);
     };
     while (station().reveal == nullptr || station().reveal->play.empty()) turn(Key::PageDown);
-    CHECK(bench.state.animate.playing);
+    CHECK(bench.state.get<AnimateState>().playing);
     bench.state.notifications.list.clear();
     turn(Key::PageDown);
     CHECK_FALSE(says(bench, "any more"));
@@ -680,8 +683,8 @@ TEST_CASE("each page plays what it says, whatever the page before played and who
     bench.state.notifications.list.clear();
     turn(Key::PageUp);
     bench.frames(2);
-    CHECK(bench.state.animate.playing);
-    CHECK(bench.state.animate.animation.pointer == station().reveal->play);
+    CHECK(bench.state.get<AnimateState>().playing);
+    CHECK(bench.state.get<AnimateState>().animation.pointer == station().reveal->play);
     CHECK_FALSE(says(bench, "any more"));
 }
 
@@ -689,13 +692,13 @@ TEST_CASE("another scene ends the lesson, and so does its cross", "[ui][window][
     LambertWindow bench;
     bench.click(bench.control("Leave"));
     bench.frames(2);
-    CHECK_FALSE(bench.state.lesson.course);
+    CHECK_FALSE(bench.state.get<LessonState>().course);
     CHECK(bench.scene().objects.size() == 7);
     test::drop(bench, test::shipped_lesson("05-lambert"));
-    REQUIRE(bench.state.lesson.course);
+    REQUIRE(bench.state.get<LessonState>().course);
     bench.key(Key::N, true);
     bench.frames(2);
-    CHECK_FALSE(bench.state.lesson.course);
+    CHECK_FALSE(bench.state.get<LessonState>().course);
 }
 
 TEST_CASE("letters beside a dot and with an index have the equation's colours, words have not",

@@ -14,7 +14,7 @@ struct PredictWindow : HeadlessWindow {
     PredictWindow() : HeadlessWindow({1280, 1000}) {
         frames(2);
         (void)key(Key::Q);
-        CHECK(state.predict.stage == PredictStage::Pick);
+        CHECK(state.get<PredictState>().stage == PredictStage::Pick);
         const PictureSize size = state.rendered->size;
         click(at_pixel({size.width / 2.0, size.height / 2.0}));
         frames(2);
@@ -26,9 +26,9 @@ struct PredictWindow : HeadlessWindow {
 TEST_CASE("a picked pixel stands still while the scene changes, and shows then what it is",
           "[ui][window][lesson]") {
     PredictWindow bench;
-    REQUIRE(bench.state.predict.stage == PredictStage::Change);
+    REQUIRE(bench.state.get<PredictState>().stage == PredictStage::Change);
     const Scene before = bench.state.rendered_scene;
-    const std::array<int, 3> was = bench.state.predict.before;
+    const std::array<int, 3> was = bench.state.get<PredictState>().before;
     bench.scene().lights.clear();
     bench.scene().global_ambient = {};
     bench.frames(3);
@@ -38,45 +38,45 @@ TEST_CASE("a picked pixel stands still while the scene changes, and shows then w
     CHECK(test::window_named("Models") == nullptr);
     const Rect picker = bench.area_of("Colour to predict");
     bench.click(picker.low + ImVec2(30, 30));
-    REQUIRE(bench.state.predict.mine != Json());
+    REQUIRE(bench.state.get<PredictState>().mine != Json());
     bench.click(bench.control("Lock the colour in"));
     bench.frames(4);
-    CHECK(bench.state.predict.stage == PredictStage::Revealed);
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Revealed);
     CHECK(bench.state.rendered_scene == bench.scene());
-    REQUIRE(bench.state.predict.answer);
+    REQUIRE(bench.state.get<PredictState>().answer);
     CHECK(was[0] > 20);
-    CHECK(*bench.state.predict.answer == std::array<int, 3>{0, 0, 0});  // no light at all
+    CHECK(*bench.state.get<PredictState>().answer == std::array<int, 3>{0, 0, 0});  // no light at all
     (void)bench.control("You said");
     (void)bench.control("It is");
     CHECK(test::window_named("Equation") != nullptr);
     // From the next edit on it is what it was.
     bench.scene().global_ambient = {1, 1, 1};
     bench.frames(3);
-    CHECK(*bench.state.predict.answer == std::array<int, 3>{0, 0, 0});
+    CHECK(*bench.state.get<PredictState>().answer == std::array<int, 3>{0, 0, 0});
     (void)bench.control("It was");
 }
 
 TEST_CASE("a colour is predicted without a mouse, once a pixel is picked", "[ui][window][lesson]") {
     PredictWindow bench;
-    REQUIRE(bench.state.predict.stage == PredictStage::Change);
+    REQUIRE(bench.state.get<PredictState>().stage == PredictStage::Change);
     bench.scene().lights.clear();
     bench.frames(2);
     (void)bench.key(Key::Enter);
-    CHECK(bench.state.predict.stage == PredictStage::Change);  // nothing is said yet
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);  // nothing is said yet
     bench.frames(4);
     REQUIRE(ImGui::GetIO().WantTextInput);
     bench.type("7");  // in place of red
     (void)bench.key(Key::Enter);
-    CHECK(bench.state.predict.stage == PredictStage::Change);  // it ends the typing
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);  // it ends the typing
     let_go_of_fields();
     bench.frames(2);
     (void)bench.key(Key::Enter);
     bench.frames(4);
-    CHECK(bench.state.predict.stage == PredictStage::Revealed);
-    CHECK(std::round(255 * elements_of(bench.state.predict.mine)[0].get<double>()) == 7);
-    REQUIRE(bench.state.predict.answer);
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Revealed);
+    CHECK(std::round(255 * elements_of(bench.state.get<PredictState>().mine)[0].get<double>()) == 7);
+    REQUIRE(bench.state.get<PredictState>().answer);
     (void)bench.key(Key::Enter);
-    CHECK(bench.state.predict.stage == PredictStage::Change);
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);
 }
 
 TEST_CASE("a prediction that begins again asks for a pixel where the one before is gone",
@@ -84,15 +84,15 @@ TEST_CASE("a prediction that begins again asks for a pixel where the one before 
     PredictWindow bench;
     bench.click(bench.control("Lock the colour in"));
     bench.frames(4);
-    REQUIRE(bench.state.predict.answer);
+    REQUIRE(bench.state.get<PredictState>().answer);
     const bool gone = GENERATE(true, false);
     if (gone) ask_about(bench.state.viewport, {});
     bench.frames(2);
     bench.click(bench.control("Predict again"));
     bench.frames(2);
-    CHECK(bench.state.predict.stage == (gone ? PredictStage::Pick : PredictStage::Change));
-    CHECK(bench.state.lecture.frozen.has_value() == !gone);
-    CHECK(bench.state.predict.mine == Json());
+    CHECK(bench.state.get<PredictState>().stage == (gone ? PredictStage::Pick : PredictStage::Change));
+    CHECK(bench.state.get<LectureState>().frozen.has_value() == !gone);
+    CHECK(bench.state.get<PredictState>().mine == Json());
 }
 
 TEST_CASE("what a pixel was before is the edited scene's colour, not that of a part that showed there",
@@ -108,7 +108,7 @@ TEST_CASE("what a pixel was before is the edited scene's colour, not that of a p
     const auto edited = bench.state.renderer->explain(asked.x, asked.y).byte;
     REQUIRE_FALSE(asked.byte == edited);
     bench.key(Key::Q);
-    CHECK(bench.state.predict.before == edited);
+    CHECK(bench.state.get<PredictState>().before == edited);
 }
 
 TEST_CASE("Esc, the key itself and another scene give a prediction up", "[ui][window][lesson]") {
@@ -117,13 +117,13 @@ TEST_CASE("Esc, the key itself and another scene give a prediction up", "[ui][wi
     bench.frames(2);
     bench.key(Key::Escape);
     bench.frames(2);
-    CHECK(bench.state.predict.stage == PredictStage::Off);
-    CHECK_FALSE(bench.state.lecture.frozen);
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Off);
+    CHECK_FALSE(bench.state.get<LectureState>().frozen);
     CHECK(bench.state.rendered_scene == bench.scene());
     bench.key(Key::Q);
-    CHECK(bench.state.predict.stage == PredictStage::Change);  // the pixel is still picked
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);  // the pixel is still picked
     bench.key(Key::Q);
-    CHECK_FALSE(bench.state.lecture.frozen);
+    CHECK_FALSE(bench.state.get<LectureState>().frozen);
     bench.key(Key::Q);
     test::drop(bench, test::shipped_lesson("05-lambert"));
     bench.state.pending.asking = false;
@@ -138,8 +138,8 @@ TEST_CASE("the picture of a prediction is that of the scene, whatever the mouse 
     (void)test::rest_on(bench, "s  specular");
     REQUIRE_FALSE(bench.state.rendered_scene == edited);
     bench.key(Key::Q);
-    REQUIRE(bench.state.predict.stage == PredictStage::Change);
-    CHECK(*bench.state.lecture.frozen == edited);
+    REQUIRE(bench.state.get<PredictState>().stage == PredictStage::Change);
+    CHECK(*bench.state.get<LectureState>().frozen == edited);
     bench.frames(2);
     CHECK(bench.state.rendered_scene == edited);
 }
@@ -147,25 +147,25 @@ TEST_CASE("the picture of a prediction is that of the scene, whatever the mouse 
 TEST_CASE("a prediction begins whatever is frozen or plays", "[ui][window][lesson]") {
     HeadlessWindow bench;
     bench.frames(2);
-    bench.state.animate.animation.motion = Motion::Turntable;
-    bench.state.animate.playing = true;
+    bench.state.get<AnimateState>().animation.motion = Motion::Turntable;
+    bench.state.get<AnimateState>().playing = true;
     bench.frames(3);
-    REQUIRE(bench.state.animate.frame);
+    REQUIRE(bench.state.get<AnimateState>().frame);
     switch_prediction(bench.state);
     bench.frames(2);
-    CHECK_FALSE(bench.state.animate.frame);
-    REQUIRE(bench.state.predict.stage == PredictStage::Pick);
+    CHECK_FALSE(bench.state.get<AnimateState>().frame);
+    REQUIRE(bench.state.get<PredictState>().stage == PredictStage::Pick);
     bench.click(bench.at_pixel({200, 300}));
     bench.frames(3);
-    CHECK(bench.state.predict.stage == PredictStage::Change);
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);
 }
 
 TEST_CASE(
     "whatever is looked at or asked while a prediction waits, the picked pixel of the scene is revealed",
     "[ui][window][lesson]") {
     PredictWindow bench;
-    REQUIRE(bench.state.predict.stage == PredictStage::Change);
-    const std::array<int, 3> was = bench.state.predict.before;
+    REQUIRE(bench.state.get<PredictState>().stage == PredictStage::Change);
+    const std::array<int, 3> was = bench.state.get<PredictState>().before;
     bench.key(Key::B, true);
     const int looked_at = GENERATE(0, 1, 2);
     CAPTURE(looked_at);
@@ -180,21 +180,22 @@ TEST_CASE(
     bench.frames(2);
     bench.click(bench.control("Lock the colour in"));
     bench.frames(4);
-    REQUIRE(bench.state.predict.answer);
-    CHECK(*bench.state.predict.answer == (looked_at == 1 ? std::array<int, 3>{0, 0, 0} : was));
+    REQUIRE(bench.state.get<PredictState>().answer);
+    CHECK(*bench.state.get<PredictState>().answer == (looked_at == 1 ? std::array<int, 3>{0, 0, 0} : was));
 }
 
 TEST_CASE("a prediction's pixel stays where it is on the surface when the window changes its shape",
           "[ui][window][lesson]") {
     PredictWindow bench;
-    const std::array<int, 3> was = bench.state.predict.before;
+    const std::array<int, 3> was = bench.state.get<PredictState>().before;
     ImGui::GetIO().DisplaySize = {1600, 900};
     bench.frames(3);
     bench.click(bench.control("Lock the colour in"));
     bench.frames(4);
-    REQUIRE(bench.state.predict.answer);
-    for (std::size_t c = 0; c < 3; ++c) CHECK(std::abs((*bench.state.predict.answer)[c] - was[c]) <= 6);
-    CHECK(*bench.state.viewport.probe == *bench.state.predict.probe);
+    REQUIRE(bench.state.get<PredictState>().answer);
+    for (std::size_t c = 0; c < 3; ++c)
+        CHECK(std::abs((*bench.state.get<PredictState>().answer)[c] - was[c]) <= 6);
+    CHECK(*bench.state.viewport.probe == *bench.state.get<PredictState>().probe);
 }
 
 TEST_CASE("a pixel of B that is picked to be predicted is one of the scene", "[ui][window][lesson]") {
@@ -207,6 +208,6 @@ TEST_CASE("a pixel of B that is picked to be predicted is one of the scene", "[u
     const PictureSize size = bench.state.rendered->size;
     bench.click(bench.at_pixel({size.width / 2.0, size.height / 2.0}));
     bench.frames(4);
-    CHECK(bench.state.predict.stage == PredictStage::Change);
-    CHECK_FALSE(bench.state.views.compare.choice.shows_stored);
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);
+    CHECK_FALSE(bench.state.get<CompareState>().choice.shows_stored);
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// While a question waits, nothing that a hand does changes the scene, and nothing is read off the picture.
 void check_held(HeadlessWindow& bench) {
-    const Station& station = bench.state.lesson.station();
+    const Station& station = bench.state.get<LessonState>().station();
     REQUIRE(bench.scene() == station.asked);
     for (const Key key : {Key::Digit1, Key::D, Key::L, Key::P, Key::C, Key::I}) bench.key(key);
     const ImVec2 middle = bench.at_pixel({double(bench.state.rendered->size.width) / 2, 120});
@@ -21,13 +21,13 @@ void check_held(HeadlessWindow& bench) {
     CHECK(bench.scene() == station.asked);
     CHECK(bench.state.rendered_scene == station.asked);
     CHECK_FALSE(bench.state.explanation);
-    CHECK_FALSE(bench.state.views.scope.open);
-    CHECK_FALSE(bench.state.views.compare.choice.on);
-    CHECK(bench.state.views.debug_view.set == DebugViewSet{});
+    CHECK_FALSE(bench.state.get<ScopeState>().open);
+    CHECK_FALSE(bench.state.get<CompareState>().choice.on);
+    CHECK(bench.state.get<DebugViewState>().set == DebugViewSet{});
 }
 
 void answer_all(HeadlessWindow& bench) {
-    LessonState& lesson = bench.state.lesson;
+    LessonState& lesson = bench.state.get<LessonState>();
     while (const auto open = open_question(lesson)) {
         CAPTURE(test::asked(bench).asks->question);
         check_held(bench);
@@ -46,21 +46,21 @@ void answer_all(HeadlessWindow& bench) {
 }
 
 void check_revealed(HeadlessWindow& bench) {
-    const Station& station = bench.state.lesson.station();
-    if (!bench.state.animate.playing) CHECK(bench.state.rendered_scene == station.revealed);
-    bench.state.animate.playing = false;
+    const Station& station = bench.state.get<LessonState>().station();
+    if (!bench.state.get<AnimateState>().playing) CHECK(bench.state.rendered_scene == station.revealed);
+    bench.state.get<AnimateState>().playing = false;
     bench.frames(2);
     CHECK(bench.scene() == station.revealed);
     if (station.reveal == nullptr) return;
-    CHECK(bench.state.views.scope.open == station.reveal->along.has_value());
+    CHECK(bench.state.get<ScopeState>().open == station.reveal->along.has_value());
     if (!station.reveal->pick) return;
     REQUIRE(bench.state.explanation);
-    CHECK(bench.state.inspector.tab != InspectorTab::MyPicture);
+    CHECK(bench.state.get<InspectorState>().tab != InspectorTab::MyPicture);
 }
 
 /// By what the lesson says is a way to do it.
 void do_tasks(HeadlessWindow& bench) {
-    LessonState& lesson = bench.state.lesson;
+    LessonState& lesson = bench.state.get<LessonState>();
     const Station& station = lesson.station();
     std::size_t number = 0;
     for (const StationPart& part : station.after) {
@@ -94,7 +94,7 @@ TEST_CASE("every lesson is walked through by hand: held, predicted, revealed, do
     std::sort(files.begin(), files.end());
     HeadlessWindow bench({1280, 1500});
     bench.frames(2);
-    LessonState& lesson = bench.state.lesson;
+    LessonState& lesson = bench.state.get<LessonState>();
     int answered = 0, done = 0;
     for (const std::string& file : files) {
         CAPTURE(file);

@@ -37,7 +37,7 @@ void check_columns(HeadlessWindow& bench, ShadingMode mode, int first, int end) 
 }
 
 void check_three(HeadlessWindow& bench) {
-    const CompareChoice& choice = bench.state.views.compare.choice;
+    const CompareChoice& choice = bench.state.get<CompareState>().choice;
     const int width = bench.state.rendered->size.width;
     const int one = first_of(choice, 1, width), two = first_of(choice, 2, width);
     check_columns(bench, ShadingMode::Flat, 0, one);
@@ -47,7 +47,7 @@ void check_three(HeadlessWindow& bench) {
 
 ImVec2 on_line(HeadlessWindow& bench, int wipe) {
     const PictureSize size = bench.state.rendered->size;
-    const int column = first_of(bench.state.views.compare.choice, wipe + 1, size.width);
+    const int column = first_of(bench.state.get<CompareState>().choice, wipe + 1, size.width);
     return bench.at_pixel({column, size.height * 0.3});
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("after a frame that failed a comparison begins afresh, with the mouse 
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
-    const CompareState& compare = bench.state.views.compare;
+    const CompareState& compare = bench.state.get<CompareState>();
     const PictureSize size = bench.state.rendered->size;
     const glm::ivec2 middle{size.width / 2, size.height / 2};
     REQUIRE(part_renderer(compare, middle, size) != bench.state.renderer.get());
@@ -82,10 +82,10 @@ TEST_CASE("after a frame that failed a comparison begins afresh, with the mouse 
     give_up_frame(bench.state, std::runtime_error("no luck"));
     ImGui::Render();
     REQUIRE_FALSE(compare.choice.on);
-    bench.state.views.compare.choice.on = true;
+    bench.state.get<CompareState>().choice.on = true;
     CHECK(part_renderer(compare, middle, size) == nullptr);  // what drew it is gone
     CHECK(drawn_parts(compare, *bench.state.renderer, size).size() == 1);
-    bench.state.views.compare.choice.on = false;
+    bench.state.get<CompareState>().choice.on = false;
     bench.key(Key::C);
     bench.frames(1);
     check_three(bench);
@@ -98,17 +98,17 @@ TEST_CASE("a dragged wipe line moves the parts' border to the hand and draws no 
     comparing(bench);
     const Scene before = bench.scene();
     const auto serial = bench.state.picture_serial;
-    const Renderer* flat = bench.state.views.compare.drawn_by[0];
+    const Renderer* flat = bench.state.get<CompareState>().drawn_by[0];
     bench.drag(on_line(bench, 0), bench.at_pixel({70, 100}));
     const int width = bench.state.rendered->size.width;
-    CHECK(first_of(bench.state.views.compare.choice, 1, width) == 70);
+    CHECK(first_of(bench.state.get<CompareState>().choice, 1, width) == 70);
     CHECK(bench.state.picture_serial > serial);
     CHECK(flat->stats().redone == std::array{false, false, false, false});
     check_three(bench);
     CHECK(bench.scene() == before);
     // A line stops before its neighbour.
     bench.drag(on_line(bench, 0), bench.at_pixel({width - 5.0, 100}));
-    const auto& wipes = bench.state.views.compare.choice.wipes;
+    const auto& wipes = bench.state.get<CompareState>().choice.wipes;
     CHECK(wipes[0] < wipes[1]);
     check_three(bench);
 }
@@ -117,7 +117,7 @@ TEST_CASE("a pixel picked in a part is explained as that part drew it", "[ui][wi
     HeadlessWindow bench;
     comparing(bench);
     const PictureSize size = bench.state.rendered->size;
-    const CompareChoice& choice = bench.state.views.compare.choice;
+    const CompareChoice& choice = bench.state.get<CompareState>().choice;
     const ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong};
     for (int part = 0; part < 3; ++part) {
         const int x =
@@ -140,7 +140,7 @@ TEST_CASE("the difference shows the first part against the last, with the number
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
-    CompareChoice& choice = bench.state.views.compare.choice;
+    CompareChoice& choice = bench.state.get<CompareState>().choice;
     choice.difference = true;
     choice.gain = 8;
     bench.frames(1);
@@ -152,8 +152,8 @@ TEST_CASE("the difference shows the first part against the last, with the number
                   &last = b.render(phong, bench.state.rendered->size);
     const auto numbers = std::get<Comparison>(compare(first, last));
     REQUIRE(numbers.max_error > 0);
-    CHECK(bench.state.views.compare.numbers.max == numbers.max);
-    CHECK(bench.state.views.compare.numbers.mean == numbers.mean);
+    CHECK(bench.state.get<CompareState>().numbers.max == numbers.max);
+    CHECK(bench.state.get<CompareState>().numbers.mean == numbers.mean);
     int wrong = 0;
     for (std::size_t i = 0; i < first.rgba.size(); ++i) {
         const int far = std::min(8 * std::abs(int(first.rgba[i]) - int(last.rgba[i])), 255);
@@ -166,8 +166,8 @@ TEST_CASE("a part that lacks its scene or picture says so, and shows the scene a
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
-    const CompareState& compare = bench.state.views.compare;
-    CompareChoice& choice = bench.state.views.compare.choice;
+    const CompareState& compare = bench.state.get<CompareState>();
+    CompareChoice& choice = bench.state.get<CompareState>().choice;
     set_parts(choice, {{}, {Variant::Kind::Stored, 0}, {Variant::Kind::Mine, 0}});
     bench.frames(2);
     CHECK(part_label(compare, 0) == "As edited");
@@ -183,8 +183,8 @@ TEST_CASE("a part that lacks its scene or picture says so, and shows the scene a
 TEST_CASE("a part that shows another scene than the edited one is called by it", "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
-    const CompareState& compare = bench.state.views.compare;
-    CompareChoice& choice = bench.state.views.compare.choice;
+    const CompareState& compare = bench.state.get<CompareState>();
+    CompareChoice& choice = bench.state.get<CompareState>().choice;
     choice.stored = std::make_shared<const Scene>(bench.scene());
     set_parts(choice, {{}, {Variant::Kind::Stored, 0}});
     const auto label = [&] {
@@ -198,8 +198,8 @@ TEST_CASE("a part that shows another scene than the edited one is called by it",
     CHECK(label() == "Frozen");
     bench.key(Key::F8);
     choice.shows_stored = false;
-    bench.state.animate.animation.motion = Motion::Turntable;
-    bench.state.animate.playing = true;
+    bench.state.get<AnimateState>().animation.motion = Motion::Turntable;
+    bench.state.get<AnimateState>().playing = true;
     CHECK(label() == "Animated");
     CHECK(part_label(compare, 1) == "B, stored");
 }
@@ -221,7 +221,7 @@ TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][
     bench.frames(2);
     CHECK(bench.state.rendered_scene == edited);
     // And as a part beside the edited scene.
-    set_parts(bench.state.views.compare.choice, {{}, {Variant::Kind::Stored, 0}});
+    set_parts(bench.state.get<CompareState>().choice, {{}, {Variant::Kind::Stored, 0}});
     bench.key(Key::C);
     bench.frames(1);
     const PictureSize size = bench.state.rendered->size;
@@ -235,15 +235,15 @@ TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][
 TEST_CASE("the scope reads what a comparison shows", "[ui][window][compare][scope]") {
     HeadlessWindow bench;
     comparing(bench);
-    bench.state.views.scope.open = true;
+    bench.state.get<ScopeState>().open = true;
     bench.frames(2);
     Scene flat = bench.scene();
     flat.shading.mode = ShadingMode::Flat;
     Renderer renderer(1);
     const Picture& full = renderer.render(flat, bench.state.rendered->size, true);
-    const int end = first_of(bench.state.views.compare.choice, 1, full.size.width);
+    const int end = first_of(bench.state.get<CompareState>().choice, 1, full.size.width);
     int hits = 0, wrong = 0;
-    for (const ProfileSample& s : bench.state.views.scope.samples)
+    for (const ProfileSample& s : bench.state.get<ScopeState>().samples)
         if (s.pixel.x < end) {
             wrong += s.color != full.linear_at(s.pixel.x, s.pixel.y);
             hits += s.seen.has_value();
@@ -258,20 +258,20 @@ TEST_CASE("clicking a part's label lists settings, and the one chosen is drawn t
     comparing(bench);
     const int width = bench.state.rendered->size.width;
     bench.click(bench.at_pixel({width / 6.0, 16}));
-    CHECK(bench.state.views.compare.asked == 0);
+    CHECK(bench.state.get<CompareState>().asked == 0);
     bench.frames(2);
     CHECK(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
     CHECK_FALSE(bench.state.viewport.probe);
-    bench.state.views.compare.choice.parts[0] = variant_of(ShadingMode::Facet);
+    bench.state.get<CompareState>().choice.parts[0] = variant_of(ShadingMode::Facet);
     bench.frames(1);
-    check_columns(bench, ShadingMode::Facet, 0, first_of(bench.state.views.compare.choice, 1, width));
+    check_columns(bench, ShadingMode::Facet, 0, first_of(bench.state.get<CompareState>().choice, 1, width));
 }
 
 TEST_CASE("stacked parts follow from top to bottom, each equal to the full picture of its mode",
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
-    CompareChoice& choice = bench.state.views.compare.choice;
+    CompareChoice& choice = bench.state.get<CompareState>().choice;
     choice.stacked = true;
     bench.frames(1);
     const auto check = [&] {
@@ -321,21 +321,22 @@ TEST_CASE("while a hand moves something, a comparison that is too slow is drawn 
     bench.move(bench.at_pixel({70, 30}));
     REQUIRE(bench.state.pace.drawn_at > 0);
     const double own = bench.state.renderer->stats().total_ms;
-    CHECK(bench.state.views.compare.ms > 0);
-    const double all = own + bench.state.views.compare.ms;
+    CHECK(bench.state.get<CompareState>().ms > 0);
+    const double all = own + bench.state.get<CompareState>().ms;
     if (bench.state.pace.drawn_at == 1) CHECK(bench.state.pace.full_ms == Approx(all));
     bench.state.pace.divisor = 2;
     bench.move(bench.at_pixel({80, 30}));
     CHECK(bench.state.displayed->size == divided(full, 2));
     CHECK(bench.state.displayed->size == bench.state.rendered->size);
-    check_columns(bench, ShadingMode::Gouraud, first_of(bench.state.views.compare.choice, 1, full.width / 2),
-                  first_of(bench.state.views.compare.choice, 2, full.width / 2));
+    check_columns(bench, ShadingMode::Gouraud,
+                  first_of(bench.state.get<CompareState>().choice, 1, full.width / 2),
+                  first_of(bench.state.get<CompareState>().choice, 2, full.width / 2));
     bench.button(false, 1);
     bench.frames(2);
     CHECK(bench.state.displayed->size == full);
     check_three(bench);
     // What is measured is never a smaller picture.
-    bench.state.views.compare.choice.difference = true;
+    bench.state.get<CompareState>().choice.difference = true;
     bench.frames(1);
     bench.button(true, 1);
     bench.move(bench.at_pixel({90, 30}));
@@ -349,7 +350,7 @@ TEST_CASE("B pressed stays, B held shows the stored scene while it is held", "[u
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::B, true);
-    const bool& shows = bench.state.views.compare.choice.shows_stored;
+    const bool& shows = bench.state.get<CompareState>().choice.shows_stored;
     UiInput press, hold;
     press.presses.push_back({Key::B, false, false, false});
     press.b_held = hold.b_held = true;
@@ -381,8 +382,8 @@ TEST_CASE("B that is put away while it is held stays away when it is let go of",
     press.b_held = hold.b_held = true;
     (void)bench.frame(press);
     for (int i = 0; i < 40; ++i) (void)bench.frame(hold);  // two thirds of a second
-    REQUIRE(bench.state.views.compare.choice.shows_stored);
+    REQUIRE(bench.state.get<CompareState>().choice.shows_stored);
     put_all_away(bench.state);
     bench.frames(2);
-    CHECK_FALSE(bench.state.views.compare.choice.shows_stored);
+    CHECK_FALSE(bench.state.get<CompareState>().choice.shows_stored);
 }

@@ -71,7 +71,7 @@ TEST_CASE("grid: a click shows one term alone while the tab is open, and edits n
     test::ask(bench, InspectorTab::Grid);
     bench.frames(30);
     const Scene before = bench.scene();
-    TermGridState& grid = bench.state.views.grid;
+    TermGridState& grid = bench.state.get<TermGridState>();
     CHECK(grid.next == grid_cells(before).size());
     const PictureSize cell = grid.sheet.cell;
     CHECK(grid.sheet.picture.size.width == 3 * cell.width);
@@ -92,7 +92,7 @@ TEST_CASE("grid: a click shows one term alone while the tab is open, and edits n
     bench.frames(2);
     CHECK(bench.state.rendered_scene.lights[0].specular == glm::vec3(0));
     CHECK(bench.state.rendered_scene.lights[1] == before.lights[1]);
-    bench.state.inspector.tab = InspectorTab::Equation;
+    bench.state.get<InspectorState>().tab = InspectorTab::Equation;
     bench.frames(3);
     CHECK(bench.state.rendered_scene == before);
     CHECK_FALSE(bench.state.editor.history.can_undo());
@@ -113,7 +113,7 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing 
         ImGui::GetIO().MouseWheel = 0;
     }
     ImGui::GetIO().KeyCtrl = false;
-    CHECK(bench.state.views.magnifier.zoom == 32);
+    CHECK(bench.state.get<MagnifierState>().zoom == 32);
     CHECK(bench.scene() == before);
     CHECK(bench.state.picture_serial == serial);
     bench.frames(1);
@@ -124,14 +124,14 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing 
     CHECK(std::abs(bench.state.explanation->x - 300) <= 1);
     CHECK(std::abs(bench.state.explanation->y - 200) <= 1);
     bench.key(Key::M);
-    CHECK(bench.state.views.magnifier.zoom == 1);
+    CHECK(bench.state.get<MagnifierState>().zoom == 1);
     // Several steps that come in one slow frame, and one of a wheel that turns smoothly.
     ImGui::GetIO().KeyCtrl = true;
     for (const auto& [steps, zoom] : {std::pair{3.0f, 8}, {-2.0f, 2}, {0.2f, 4}, {9.0f, 64}, {-9.0f, 1}}) {
         ImGui::GetIO().MouseWheel = steps;
         bench.frames(1);
         ImGui::GetIO().MouseWheel = 0;
-        CHECK(bench.state.views.magnifier.zoom == zoom);
+        CHECK(bench.state.get<MagnifierState>().zoom == zoom);
     }
     ImGui::GetIO().KeyCtrl = false;
 }
@@ -162,7 +162,7 @@ TEST_CASE("what lies in a corner of the picture lies in the corner that is seen 
     bench.key(Key::M);
     bench.frames(2);
     const Rect now = bench.area_of("On the picture");
-    CHECK(bench.state.views.magnifier.zoom > 4);
+    CHECK(bench.state.get<MagnifierState>().zoom > 4);
     CHECK(length_of(now.low - room.low) <= length_of(before.low - room.low));
     CHECK(room.holds(now.low));
     CHECK(room.holds(now.high));
@@ -214,15 +214,15 @@ TEST_CASE("dots: the counter is the renderer's", "[ui][window][dots]") {
     bench.key(Key::J);
     bench.key(Key::N);
     bench.frames(2);
-    REQUIRE(bench.state.views.lit.found.value() != nullptr);
-    CHECK(bench.state.views.lit.found.value()->at(0).dots.size() > 100);
+    REQUIRE(bench.state.get<LitDotsState>().found.value() != nullptr);
+    CHECK(bench.state.get<LitDotsState>().found.value()->at(0).dots.size() > 100);
     const std::string text = evaluations_text(*bench.state.renderer, bench.state.rendered_scene);
     CHECK(text.find(std::to_string(bench.state.renderer->stats().evaluations)) != std::string::npos);
     CHECK(text.find("pixels × 2 lights") != std::string::npos);
     bench.key(Key::J);
     bench.key(Key::N);
     bench.frames(1);
-    CHECK(bench.state.views.lit.found.value() == nullptr);
+    CHECK(bench.state.get<LitDotsState>().found.value() == nullptr);
 }
 
 TEST_CASE(
@@ -231,13 +231,13 @@ TEST_CASE(
     "[ui][window][dots][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
-    set_parts(bench.state.views.compare.choice,
+    set_parts(bench.state.get<CompareState>().choice,
               {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
     bench.key(Key::C);
     bench.key(Key::J);
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;
-    const auto* found = bench.state.views.lit.found.value();
+    const auto* found = bench.state.get<LitDotsState>().found.value();
     REQUIRE(found != nullptr);
     REQUIRE(found->size() == 2);
     CHECK(found->at(0).rect.high.x == found->at(1).rect.low.x);

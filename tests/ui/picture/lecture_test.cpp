@@ -109,7 +109,7 @@ TEST_CASE("PgDn goes through the scenes that the program was given, in their ord
         given.push_back(folder.file(name, scene_text(first_scene().scene)));
     (void)folder.file("b.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
-    bench.state.lecture.given_scenes = given;
+    bench.state.get<LectureState>().given_scenes = given;
     UiInput drop;
     drop.dropped = {given[0]};
     (void)bench.frame(drop);
@@ -139,7 +139,7 @@ TEST_CASE("a page that cannot be opened is said, and PgDn and PgUp go on behind 
     HeadlessWindow bench;
     if (given)
         for (const char* name : {"1.json", "2.json", "3.json", "4.json"})
-            bench.state.lecture.given_scenes.push_back(folder.path(name));
+            bench.state.get<LectureState>().given_scenes.push_back(folder.path(name));
     UiInput drop;
     drop.dropped = {folder.path("1.json")};
     (void)bench.frame(drop);
@@ -175,7 +175,7 @@ TEST_CASE("PgDn goes on behind a scene for whose picture there is no memory", "[
     HeadlessWindow bench;
     for (const auto& [name, scene] :
          {std::pair("1.json", first_scene().scene), {"2.json", large.scene}, {"3.json", first_scene().scene}})
-        bench.state.lecture.given_scenes.push_back(folder.file(name, scene_text(scene)));
+        bench.state.get<LectureState>().given_scenes.push_back(folder.file(name, scene_text(scene)));
     begin_open(bench.state, folder.path("1.json"));
     bench.wait_for_loads();
     const test::MemoryLimit limit(std::uint64_t{100} << 20);
@@ -258,17 +258,17 @@ TEST_CASE("the pen draws on what is under it and leaves the scene alone", "[ui][
     bench.key(Key::W);
     bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({300, 200}));
     CHECK(bench.scene() == before);
-    REQUIRE(bench.state.lecture.pen.lines.size() == 1);
+    REQUIRE(bench.state.get<PenState>().lines.size() == 1);
     const PictureSize size = bench.state.rendered->size;
-    const glm::vec2 first = bench.state.lecture.pen.lines[0].places.front();
+    const glm::vec2 first = bench.state.get<PenState>().lines[0].places.front();
     CHECK(first.x * float(size.height) == Approx(100 - size.width / 2.0).margin(0.6));
     CHECK(first.y * float(size.height) == Approx(100 - size.height / 2.0).margin(0.6));
     bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({160, 130}), 1);  // the camera still moves
     CHECK_FALSE(bench.scene().camera == before.camera);
     bench.key(Key::W, false, true);
-    CHECK(bench.state.lecture.pen.lines.empty());
+    CHECK(bench.state.get<PenState>().lines.empty());
     bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.lecture.pen.on);
+    CHECK_FALSE(bench.state.get<PenState>().on);
 }
 
 TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
@@ -284,16 +284,16 @@ TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
     run_command(bench.state, test::command_named("Step wedge: what does this projector show?"));
     bench.frames(2);
     bench.click({60, 120});
-    CHECK(bench.state.lecture.wedge.rows[0].seen == 0);
+    CHECK(bench.state.get<WedgeState>().rows[0].seen == 0);
     bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.lecture.wedge.open);
+    CHECK_FALSE(bench.state.get<WedgeState>().open);
 }
 
 TEST_CASE("the pen draws lines of any length, up to what the picture holds", "[ui][lecture]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::W);
-    PenState& pen = bench.state.lecture.pen;
+    PenState& pen = bench.state.get<PenState>();
     pen.lines.push_back({});
     for (int i = 0; i < 18'000; ++i)
         pen.lines[0].places.emplace_back(0.001f * float(i % 300), 0.00001f * float(i));

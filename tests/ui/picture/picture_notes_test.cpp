@@ -27,8 +27,8 @@ struct Change {
 
 std::vector<Change> changes() {
     const auto keep_cell = [](HeadlessWindow& bench, bool alone) {
-        TermGridState& grid = bench.state.views.grid;
-        bench.state.inspector.tab = InspectorTab::Grid;
+        TermGridState& grid = bench.state.get<TermGridState>();
+        bench.state.get<InspectorState>().tab = InspectorTab::Grid;
         if (alone)
             grid.solo = GridCell{1, 1};
         else
@@ -38,8 +38,8 @@ std::vector<Change> changes() {
         {"Frozen picture", [](HeadlessWindow& bench) { (void)bench.key(Key::F8); }},
         {"Animation",
          [](HeadlessWindow& bench) {
-             bench.state.animate.animation.motion = Motion::Turntable;
-             bench.state.animate.playing = true;
+             bench.state.get<AnimateState>().animation.motion = Motion::Turntable;
+             bench.state.get<AnimateState>().playing = true;
          }},
         {"Only Bulb: diffuse", [keep_cell](HeadlessWindow& bench) { keep_cell(bench, true); }},
         {"Without Bulb: specular", [keep_cell](HeadlessWindow& bench) { keep_cell(bench, false); }},

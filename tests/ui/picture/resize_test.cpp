@@ -42,7 +42,7 @@ TEST_CASE("a frozen comparison explains a pixel that it has when the window gets
     HeadlessWindow window;
     window.frames(2);
     run_command(window.state, command(CommandId::Compare));
-    window.state.views.compare.choice.wipes = {0.6, 0.8};
+    window.state.get<CompareState>().choice.wipes = {0.6, 0.8};
     ask_at(window, {0.5, 0.6});  // another renderer drew it there
     REQUIRE(window.state.explanation->hit);
     REQUIRE(window.state.explanation->mode == ShadingMode::Flat);

@@ -29,7 +29,7 @@ std::vector<ProfileSample> fresh_profile(HeadlessWindow& bench) {
     Renderer renderer(1);
     const PictureSize size = bench.state.rendered->size;
     const Picture& picture = renderer.render(bench.scene(), size, true);
-    const ScopeState& scope = bench.state.views.scope;
+    const ScopeState& scope = bench.state.get<ScopeState>();
     return profile(renderer, picture, pixel_of(scope.from, size), pixel_of(scope.to, size));
 }
 
@@ -50,11 +50,11 @@ TEST_CASE("the scope's key puts its tool in hand, and a drag lays the line where
     bench.frames(2);
     const Scene before = bench.scene();
     bench.key(Key::P);
-    CHECK(bench.state.views.scope.armed);
+    CHECK(bench.state.get<ScopeState>().armed);
     bench.frames(1);
     const glm::dvec2 from{90, 60}, to{400, 200};
     bench.drag(bench.at_pixel(from), bench.at_pixel(to));
-    const ScopeState& scope = bench.state.views.scope;
+    const ScopeState& scope = bench.state.get<ScopeState>();
     const PictureSize size = bench.state.rendered->size;
     CHECK_FALSE(scope.armed);
     CHECK(pixel_of(scope.from, size) == glm::ivec2(from));
@@ -68,7 +68,7 @@ TEST_CASE("the scope's key puts its tool in hand, and a drag lays the line where
 TEST_CASE("the scope's line lies level again in another scene, and stays where the same one is read again",
           "[ui][window][scope]") {
     HeadlessWindow bench;
-    ScopeState& scope = bench.state.views.scope;
+    ScopeState& scope = bench.state.get<ScopeState>();
     const ScopeState level;
     SceneDocument one, other;
     one.path = "one.json";
@@ -89,7 +89,7 @@ TEST_CASE("the end of the scope's line lies on the pixel where the hand let go, 
     for (const float width : {1280.0f, 1279.0f, 1260.0f, 1203.0f}) {
         HeadlessWindow bench({width, 800});
         with_line(bench);
-        const ScopeState& scope = bench.state.views.scope;
+        const ScopeState& scope = bench.state.get<ScopeState>();
         for (int x = 300; x < 340; x += 3) {
             const glm::dvec2 end(pixel_of(scope.to, bench.state.rendered->size));
             bench.drag(bench.at_pixel(end + 0.5), bench.at_pixel({x, 60}));
@@ -103,18 +103,18 @@ TEST_CASE("the end of the scope's line lies on the pixel where the hand let go, 
 TEST_CASE("the scope holds what the command prints, also while a light is dragged", "[ui][window][scope]") {
     HeadlessWindow bench;
     with_line(bench);
-    check_equal(bench.state.views.scope.samples, fresh_profile(bench));
-    const double before = bench.state.views.scope.samples[100].intensity;
+    check_equal(bench.state.get<ScopeState>().samples, fresh_profile(bench));
+    const double before = bench.state.get<ScopeState>().samples[100].intensity;
     bench.scene().lights[0].position = {-1, 0.2f, 1, 0};
     bench.frames(1);
-    check_equal(bench.state.views.scope.samples, fresh_profile(bench));
-    CHECK(bench.state.views.scope.samples[100].intensity != before);
+    check_equal(bench.state.get<ScopeState>().samples, fresh_profile(bench));
+    CHECK(bench.state.get<ScopeState>().samples[100].intensity != before);
 }
 
 TEST_CASE("the scope's ends and its line are dragged; Shift keeps it level", "[ui][window][scope]") {
     HeadlessWindow bench;
     with_line(bench);
-    ScopeState& scope = bench.state.views.scope;
+    ScopeState& scope = bench.state.get<ScopeState>();
     const PictureSize size = bench.state.rendered->size;
     const Camera camera = bench.scene().camera;
     const glm::ivec2 from = pixel_of(scope.from, size), to = pixel_of(scope.to, size);
@@ -139,11 +139,11 @@ TEST_CASE("a click with the scope's tool takes the whole scan line; Escape puts 
     bench.key(Key::P);
     bench.frames(1);
     bench.click(bench.at_pixel({100.5, 77.5}));
-    const ScopeState& scope = bench.state.views.scope;
+    const ScopeState& scope = bench.state.get<ScopeState>();
     const PictureSize size = bench.state.rendered->size;
     CHECK(pixel_of(scope.from, size) == glm::ivec2(0, 77));
     CHECK(pixel_of(scope.to, size) == glm::ivec2(size.width - 1, 77));
-    bench.state.views.scope.armed = true;
+    bench.state.get<ScopeState>().armed = true;
     bench.key(Key::Escape);
     CHECK_FALSE(scope.armed);
     CHECK(scope.open);
@@ -157,7 +157,7 @@ TEST_CASE("pointing at the scope's panel takes the sample under the cursor", "[u
     const float left = layout.scope.low.x + 4 + 56, right = layout.scope.high.x - 4 - 96 - 6;
     bench.move({left + 0.25f * (right - left), layout.scope.high.y - 90});
     bench.frames(1);
-    const ScopeState& scope = bench.state.views.scope;
+    const ScopeState& scope = bench.state.get<ScopeState>();
     REQUIRE(scope.hovered >= 0);
     const double share =
         scope.samples[static_cast<std::size_t>(scope.hovered)].position / scope.samples.back().position;
@@ -171,7 +171,7 @@ TEST_CASE("the grey card lies beside the sharpest bend and leaves the picture al
     HeadlessWindow bench;
     with_line(bench);
     const std::vector<std::uint8_t> bytes = bench.state.rendered->rgba;
-    ScopeState& scope = bench.state.views.scope;
+    ScopeState& scope = bench.state.get<ScopeState>();
     scope.card = true;
     place_card(scope, bench.state.rendered->size);
     bench.frames(2);

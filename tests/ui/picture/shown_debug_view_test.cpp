@@ -14,7 +14,8 @@ TEST_CASE("a key goes through the quantities and round to the picture again", "[
         const auto serial = bench.state.picture_serial;
         bench.key(Key::I);
         bench.frames(1);
-        CHECK(bench.state.views.debug_view.set.choice.view == static_cast<DebugView>(i % debug_view_count));
+        CHECK(bench.state.get<DebugViewState>().set.choice.view ==
+              static_cast<DebugView>(i % debug_view_count));
         CHECK(bench.state.picture_serial > serial);
         REQUIRE(bench.state.displayed != nullptr);
         CHECK(bench.state.displayed->size == bench.state.rendered->size);
@@ -22,18 +23,18 @@ TEST_CASE("a key goes through the quantities and round to the picture again", "[
     CHECK(bench.state.displayed == bench.state.rendered);
     CHECK(bench.scene() == before);
     bench.key(Key::I, false, true);
-    CHECK(bench.state.views.debug_view.set.choice.view == DebugView::Specular);
+    CHECK(bench.state.get<DebugViewState>().set.choice.view == DebugView::Specular);
 }
 
 TEST_CASE("a quantity follows the scene as it is edited, and is not painted again while nothing changes",
           "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
-    show_quantity(bench.state.views, DebugView::NDotL);
+    show_quantity(bench.state, DebugView::NDotL);
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;
     const auto check = [&] {
-        const DebugViewPainter& painter = *bench.state.views.debug_view.painter;
+        const DebugViewPainter& painter = *bench.state.get<DebugViewState>().painter;
         const Explanation e = bench.state.renderer->explain(size.width / 2, size.height / 2);
         REQUIRE(e.hit);
         CHECK(painter.value_at(e.x, e.y) == e.at.lights[0].n_dot_l);
@@ -50,13 +51,14 @@ TEST_CASE("a quantity follows the scene as it is edited, and is not painted agai
 TEST_CASE("a scene that loses its lights has n·l nowhere", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
-    show_quantity(bench.state.views, DebugView::NDotL);
-    bench.state.views.debug_view.set.choice.light = 1;
+    show_quantity(bench.state, DebugView::NDotL);
+    bench.state.get<DebugViewState>().set.choice.light = 1;
     bench.frames(2);
     bench.scene().lights.clear();
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;
-    CHECK(bench.state.views.debug_view.painter->value_text(size.width / 2, size.height / 2) == "background");
+    CHECK(bench.state.get<DebugViewState>().painter->value_text(size.width / 2, size.height / 2) ==
+          "background");
 }
 
 TEST_CASE("a comparison and a quantity take each other's place", "[ui][window][debug_view]") {
@@ -64,9 +66,9 @@ TEST_CASE("a comparison and a quantity take each other's place", "[ui][window][d
     bench.frames(2);
     bench.key(Key::C);
     bench.key(Key::I);
-    CHECK_FALSE(bench.state.views.compare.choice.on);
+    CHECK_FALSE(bench.state.get<CompareState>().choice.on);
     bench.key(Key::C);
-    CHECK(bench.state.views.debug_view.set.choice.view == DebugView::Picture);
+    CHECK(bench.state.get<DebugViewState>().set.choice.view == DebugView::Picture);
 }
 
 TEST_CASE("over-range stripes lie over the picture that is shown and leave the drawn one alone",
@@ -78,14 +80,14 @@ TEST_CASE("over-range stripes lie over the picture that is shown and leave the d
     const std::vector<std::uint8_t> bytes = bench.state.rendered->rgba;
     bench.key(Key::O);
     bench.frames(1);
-    CHECK(bench.state.views.debug_view.clipped > 100);
+    CHECK(bench.state.get<DebugViewState>().clipped > 100);
     CHECK(bench.state.displayed->rgba != bytes);
     CHECK((unpainted_picture(bench.state).rgba == bytes));  // what big pixels say
-    bench.state.views.debug_view.set.choice.view = DebugView::Depth;
+    bench.state.get<DebugViewState>().set.choice.view = DebugView::Depth;
     bench.frames(1);
     CHECK(bench.state.displayed->rgba != bytes);
     CHECK((unpainted_picture(bench.state).rgba == bytes));
-    bench.state.views.debug_view.set.choice.view = DebugView::Picture;
+    bench.state.get<DebugViewState>().set.choice.view = DebugView::Picture;
     bench.frames(1);
     CHECK(bench.state.rendered->rgba == bytes);
     bench.key(Key::O);
@@ -98,7 +100,7 @@ TEST_CASE("a key shows front and back of faces and takes them away again", "[ui]
     bench.frames(2);
     bench.key(Key::N, false, true);
     bench.frames(2);
-    CHECK(bench.state.views.debug_view.set.choice.view == DebugView::Orientation);
+    CHECK(bench.state.get<DebugViewState>().set.choice.view == DebugView::Orientation);
     CHECK(bench.state.displayed != bench.state.rendered);
     bench.key(Key::N, false, true);
     bench.frames(2);
@@ -109,7 +111,7 @@ TEST_CASE("the legend of the normals has the picture's colours, turned away ones
           "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
-    show_quantity(bench.state.views, DebugView::Normal);
+    show_quantity(bench.state, DebugView::Normal);
     bench.frames(2);
     const auto drawn = [](std::array<std::uint8_t, 3> c) {
         const ImDrawData* data = ImGui::GetDrawData();

@@ -186,7 +186,7 @@ TEST_CASE("the words of the outside view stand apart", "[ui][window]") {
         HeadlessWindow bench;
         take_document(bench.state.editor, std::get<SceneDocument>(open_document(
                                               project_file("assets/scenes/") + name + ".json", {})));
-        bench.state.inspector.tab = InspectorTab::Outside;
+        bench.state.get<InspectorState>().tab = InspectorTab::Outside;
         bench.frames(3);
         std::vector<Rect> words;
         for (const NamedControl& control : bench.controls())
@@ -207,22 +207,23 @@ TEST_CASE("the words of the outside view stand apart", "[ui][window]") {
 TEST_CASE("a hand in the outside view turns that alone, and a click there selects a light",
           "[ui][hands][window]") {
     HeadlessWindow bench;
-    bench.state.inspector.tab = InspectorTab::Outside;
+    bench.state.get<InspectorState>().tab = InspectorTab::Outside;
     bench.frames(3);
-    REQUIRE(bench.state.outside.placed);
+    REQUIRE(bench.state.get<OutsideState>().placed);
     const Scene before = bench.scene();
     const ImVec2 right = lay_out({1280, 800}, bench.state.layout, 1).right.low;
     const ImVec2 from{right.x + 170, right.y + 200};
-    const Camera start = bench.state.outside.camera;
+    const Camera start = bench.state.get<OutsideState>().camera;
     bench.drag(from, {from.x + 60, from.y - 20});
-    CHECK_FALSE(bench.state.outside.camera == start);
-    CHECK(bench.state.outside.camera.target == start.target);
+    CHECK_FALSE(bench.state.get<OutsideState>().camera == start);
+    CHECK(bench.state.get<OutsideState>().camera.target == start.target);
     CHECK(bench.scene() == before);
     CHECK_FALSE(bench.state.editor.history.can_undo());
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     REQUIRE(bench.scene().lights[1].kind == LightKind::Point);
     const Rect view = bench.area_of("Outside view");
-    const ScreenMap map = screen_map(bench.state.outside.camera, {int(view.size().x), int(view.size().y)});
+    const ScreenMap map =
+        screen_map(bench.state.get<OutsideState>().camera, {int(view.size().x), int(view.size().y)});
     const glm::dvec2 bulb = project(map, glm::dvec3(bench.scene().lights[1].position)).pixel;
     bench.click({view.low.x + float(bulb.x), view.low.y + float(bulb.y)});
     CHECK(selected_light(bench.state.editor.selection) == 1);

@@ -67,8 +67,8 @@ TEST_CASE("a preview shows for a frame and leaves the scene, the history and the
     REQUIRE(bench.state.explanation.has_value());
     const glm::vec3 sum = bench.state.explanation->sum;
     const Scene scene = bench.scene();
-    bench.state.inspector.instead = scene;
-    bench.state.inspector.instead->lights.clear();
+    bench.state.get<InspectorState>().instead = scene;
+    bench.state.get<InspectorState>().instead->lights.clear();
     bench.frame();
     CHECK(bench.state.rendered_scene.lights.empty());
     CHECK(bench.scene() == scene);
@@ -90,16 +90,16 @@ TEST_CASE(
         return scene;
     };
     CHECK_FALSE(preview_of(bench.state).has_value());
-    CompareChoice& compare = bench.state.views.compare.choice;
+    CompareChoice& compare = bench.state.get<CompareState>().choice;
     compare.stored = std::make_shared<const Scene>(with_ambient(4));
     CHECK_FALSE(preview_of(bench.state).has_value());  // stored, and not looked at
     compare.shows_stored = true;
     CHECK(preview_of(bench.state)->global_ambient.x == 4);
-    bench.state.inspector.instead = with_ambient(3);
+    bench.state.get<InspectorState>().instead = with_ambient(3);
     CHECK(preview_of(bench.state)->global_ambient.x == 3);
-    bench.state.animate.frame = with_ambient(2);
+    bench.state.get<AnimateState>().frame = with_ambient(2);
     CHECK(preview_of(bench.state)->global_ambient.x == 2);
-    bench.state.lecture.frozen = with_ambient(1);
+    bench.state.get<LectureState>().frozen = with_ambient(1);
     CHECK(preview_of(bench.state)->global_ambient.x == 1);
 }
 
@@ -122,9 +122,9 @@ TEST_CASE("B is one scene, however often what is compared is copied and remember
     bench.key(Key::C);
     bench.key(Key::B, true);
     bench.frames(3);
-    const ViewsState& views = bench.state.views;
-    REQUIRE(views.compare.choice.stored != nullptr);
-    CHECK(&*views.shown_from.compare.stored == &*views.compare.choice.stored);
+    const CompareChoice& choice = bench.state.get<CompareState>().choice;
+    REQUIRE(choice.stored != nullptr);
+    CHECK(bench.state.get<ViewsState>().shown_from.compare.stored == choice.stored);
 }
 
 TEST_CASE("Escape leaves the innermost thing first, one a press", "[ui][window]") {
@@ -134,16 +134,17 @@ TEST_CASE("Escape leaves the innermost thing first, one a press", "[ui][window]"
     UiState& state = bench.state;
     const Scene before = bench.scene();
     bench.key(Key::P);
-    state.layout.hides_all = state.lecture.pen.on = state.lecture.wedge.open = state.shows_shortcuts = true;
+    state.layout.hides_all = state.get<PenState>().on = state.get<WedgeState>().open = state.shows_shortcuts =
+        true;
     bench.frames(1);
     state.asks_overwrite = true;
     const auto open_now = [&] {
         return std::vector<bool>{state.asks_overwrite,
                                  state.shows_shortcuts,
-                                 state.lecture.wedge.open,
-                                 state.lecture.pen.on,
+                                 state.get<WedgeState>().open,
+                                 state.get<PenState>().on,
                                  state.layout.hides_all,
-                                 state.views.scope.armed,
+                                 state.get<ScopeState>().armed,
                                  state.viewport.probe.has_value()};
     };
     std::vector<bool> left(7, true);
@@ -476,7 +477,7 @@ TEST_CASE("what is saved by the window opens in it again, as a scene and as a pi
     bench.state.files.name = "made.png";
     bench.frames(2);
     bench.key(Key::Enter);
-    while (bench.state.exporting.job) bench.frame();
+    while (bench.state.get<ExportState>().job) bench.frame();
     bench.frames(2);
     for (const char* name : {"made.json", "made.png"}) {
         bench.key(Key::N, true);

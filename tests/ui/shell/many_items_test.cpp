@@ -114,7 +114,8 @@ TEST_CASE("the equation lays out the cards of the lights in sight, and all can b
     CHECK(bench.controls_named("angle n·l") < 40);
     (void)test::in_column(bench, "/lights/299/falloff/constant");
     // A number that a lesson leads to is brought into sight from anywhere.
-    bench.state.inspector.marked = {Quantity::Falloff, 100, ImGui::GetTime() + 1, ImGui::GetTime() + 1};
+    bench.state.get<InspectorState>().marked = {Quantity::Falloff, 100, ImGui::GetTime() + 1,
+                                                ImGui::GetTime() + 1};
     bench.frames(4);
     (void)test::in_column(bench, "/lights/100/falloff/constant");
 }
@@ -142,9 +143,9 @@ TEST_CASE("light by term draws the rows in sight, and all can be scrolled to", "
     CHECK(bench.controls_named("diffuse") < 40);
     bench.click(HeadlessWindow::middle_of(
         bench.area_of("specular", {test::right_column(bench).middle(), test::right_column(bench).high})));
-    REQUIRE(bench.state.views.grid.solo);
-    CHECK(bench.state.views.grid.solo->term == 2);
-    CHECK(bench.state.views.grid.solo->light > many - 10);
+    REQUIRE(bench.state.get<TermGridState>().solo);
+    CHECK(bench.state.get<TermGridState>().solo->term == 2);
+    CHECK(bench.state.get<TermGridState>().solo->light > many - 10);
 }
 
 TEST_CASE("the program of many objects and lights is written in sight, and all of it can be scrolled to",
@@ -162,5 +163,5 @@ TEST_CASE("the program of many objects and lights is written in sight, and all o
     bench.frames(2);
     bench.scroll_to_end();
     (void)test::in_column(bench, "/objects/149/transform/translate/0");
-    CHECK(bench.state.inspector.look_at_y < 0);  // far above, and known
+    CHECK(bench.state.get<InspectorState>().look_at_y < 0);  // far above, and known
 }

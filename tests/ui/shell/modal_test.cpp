@@ -24,8 +24,9 @@ void start_afresh(HeadlessWindow& bench) {
     for (int i = 0; i < 6; ++i) (void)bench.key(Key::Escape);
     UiState& state = bench.state;
     state.layout = {};
-    state.shows_shortcuts = state.animate.open = state.lecture.wedge.open = state.lecture.pen.on = false;
-    state.views.scope.open = false;
+    state.shows_shortcuts = state.get<AnimateState>().open = state.get<WedgeState>().open =
+        state.get<PenState>().on = false;
+    state.get<ScopeState>().open = false;
     take_scene(state, first_scene());
     state.editor.saved.lights.clear();
     bench.frames(2);
@@ -140,7 +141,7 @@ TEST_CASE("a mesh of a path that cannot be made absolute is refused in one line,
     REQUIRE(bench.state.notifications.list.size() == 1);
     CHECK(bench.state.notifications.list[0].text ==
           "rel/x.obj: cannot be made absolute: No such file or directory; expected a path from the root");
-    CHECK(bench.state.views.compare.choice.on);
+    CHECK(bench.state.get<CompareState>().choice.on);
     CHECK_FALSE(bench.state.loading.active());
 }
 

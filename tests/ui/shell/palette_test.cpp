@@ -67,7 +67,7 @@ TEST_CASE("names are found as files and commands write them", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.shipped_scenes = project_file("assets/scenes");
-    bench.state.lesson.folder = project_file("assets/lessons");
+    bench.state.get<LessonState>().folder = project_file("assets/lessons");
     list_own_lessons(bench.state);
     CHECK(found(bench.state, "05-lambert").at(0).name == "Lesson: 05 Lambert's law: the beam gets wider");
     CHECK(found(bench.state, "spot-cone").at(0).name == "Scene: spot cone");
@@ -77,10 +77,10 @@ TEST_CASE("names are found as files and commands write them", "[ui][palette]") {
 
 TEST_CASE("a lesson is found by its number, its title and its topic", "[ui][palette]") {
     HeadlessWindow bench;
-    bench.state.lesson.folder = project_file("assets/lessons");
+    bench.state.get<LessonState>().folder = project_file("assets/lessons");
     bench.frames(2);
     (void)bench.key(Key::K, true);
-    REQUIRE_FALSE(bench.state.lessons.own.empty());
+    REQUIRE_FALSE(bench.state.get<LessonListState>().own.empty());
     const std::string name = "Lesson: 05 Lambert's law: the beam gets wider";
     for (const char* text : {"lesson 05", "beam gets wider", "lambert's law", "cosine", "lambert"}) {
         CAPTURE(text);
@@ -93,7 +93,7 @@ TEST_CASE("a lesson is found by its number, its title and its topic", "[ui][pale
     std::vector<std::string> numbers;
     for (const PaletteEntry& entry : found(bench.state, "lesson"))
         if (entry.name.starts_with("Lesson: ")) numbers.push_back(entry.name.substr(8, 2));
-    CHECK(numbers.size() == bench.state.lessons.own.size());
+    CHECK(numbers.size() == bench.state.get<LessonListState>().own.size());
     CHECK(std::is_sorted(numbers.begin(), numbers.end()));
 }
 
@@ -110,12 +110,12 @@ TEST_CASE("the comparison's difference and what the scope shows are found while 
     for (const char* text :
          {"difference of the parts", "twice as strong", "one above the other", "scope red", "eye makes"})
         found(bench.state, text).at(0).run(bench.state);
-    const CompareChoice& choice = bench.state.views.compare.choice;
+    const CompareChoice& choice = bench.state.get<CompareState>().choice;
     CHECK(choice.difference);
     CHECK(choice.gain == 2);
     CHECK(choice.stacked);
-    CHECK(bench.state.views.scope.channels);
-    CHECK(bench.state.views.scope.eye);
+    CHECK(bench.state.get<ScopeState>().channels);
+    CHECK(bench.state.get<ScopeState>().eye);
 }
 
 TEST_CASE("the scope's card and its copying, and the pen's colour and last line are found, too",
@@ -129,12 +129,12 @@ TEST_CASE("the scope's card and its copying, and the pen's colour and last line 
     (void)bench.key(Key::W);
     bench.frames(2);
     found(bench.state, "grey card").at(0).run(bench.state);
-    const ScopeState& scope = bench.state.views.scope;
+    const ScopeState& scope = bench.state.get<ScopeState>();
     CHECK(scope.card);
     CHECK(scope.card_at.x != 0.5);  // it lies beside the line's sharpest bend
     found(bench.state, "scope copy").at(0).run(bench.state);
     CHECK(std::string(ImGui::GetClipboardText()).find("glint profile ") != std::string::npos);
-    PenState& pen = bench.state.lecture.pen;
+    PenState& pen = bench.state.get<PenState>();
     for (int i = 0; i < pen_colour_count; ++i) {
         CHECK(pen.colour == i);
         found(bench.state, "next colour").at(0).run(bench.state);
@@ -244,7 +244,7 @@ TEST_CASE("the palette plays the animation, and leads to its number without a mo
     bench.frames(2);
     found(bench.state, "back and forth").at(0).run(bench.state);
     bench.frames(4);
-    CHECK(bench.state.animate.open);
+    CHECK(bench.state.get<AnimateState>().open);
     CHECK(ImGui::GetIO().WantTextInput);
     bench.type("eye z");
     constexpr int return_key = 90;
@@ -253,12 +253,12 @@ TEST_CASE("the palette plays the animation, and leads to its number without a mo
     (void)bench.frame();
     ImGui::GetIO().KeysDown[return_key] = false;
     bench.frames(2);
-    CHECK(bench.state.animate.animation.pointer == "/camera/eye/2");
+    CHECK(bench.state.get<AnimateState>().animation.pointer == "/camera/eye/2");
     found(bench.state, "play the animation").at(0).run(bench.state);
     bench.frames(2);
-    CHECK(bench.state.animate.playing);
+    CHECK(bench.state.get<AnimateState>().playing);
     found(bench.state, "stop the animation").at(0).run(bench.state);
-    CHECK_FALSE(bench.state.animate.playing);
+    CHECK_FALSE(bench.state.get<AnimateState>().playing);
     found(bench.state, "write frames").at(0).run(bench.state);
     CHECK(bench.state.files.open);
     CHECK(bench.state.files.purpose == FilePurpose::SaveFrames);
@@ -401,7 +401,7 @@ TEST_CASE("after Enter found nothing the palette goes on taking letters", "[ui][
 TEST_CASE("each entry of the palette is found by its full name", "[ui][palette]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = project_file("assets/scenes");
-    bench.state.lesson.folder = project_file("assets/lessons");
+    bench.state.get<LessonState>().folder = project_file("assets/lessons");
     list_own_lessons(bench.state);
     bench.frames(2);
     const std::vector<PaletteEntry> entries = palette_entries(bench.state);
@@ -525,7 +525,7 @@ TEST_CASE("the palette leads to every tab of the column", "[ui][palette]") {
         bench.state.layout.right = false;
         for (const PaletteEntry& entry : palette_entries(bench.state))
             if (entry.name == std::string("Why: ") + info.label) entry.run(bench.state);
-        CHECK(bench.state.inspector.tab == info.tab);
+        CHECK(bench.state.get<InspectorState>().tab == info.tab);
         CHECK(bench.state.layout.right);
     }
 }

@@ -130,11 +130,12 @@ TEST_CASE("the scope's line and what the pen drew stay on what they lie on in ev
     };
     const auto place_of = [&](glm::dvec2 share) { return glm::vec2((share - 0.5) * size() / size().y); };
     bench.click(bench.at_pixel(size() * glm::dvec2(0.45, 0.4)));
-    ScopeState& scope = bench.state.views.scope;
+    ScopeState& scope = bench.state.get<ScopeState>();
     scope.open = true;  // the panel below it gives the picture another shape
     scope.from = scope.card_at = *bench.state.viewport.probe;
-    const auto& drawn = bench.state.lecture.pen.lines;
-    bench.state.lecture.pen.lines = {{{place_of(scope.from), place_of(scope.card_at + scope.card_size)}, 0}};
+    const auto& drawn = bench.state.get<PenState>().lines;
+    bench.state.get<PenState>().lines = {
+        {{place_of(scope.from), place_of(scope.card_at + scope.card_size)}, 0}};
     bench.frames(3);
     const glm::dvec2 shape = size();
     for (const Key key : {Key::F11, Key::F9, Key::F10}) {
@@ -232,9 +233,9 @@ TEST_CASE("the copy of unsaved work is not offered while the window is shown to 
         bench.key(key);
         CHECK(offers());
     }
-    bench.state.animate.open = true;  // its panel stands in the same place
+    bench.state.get<AnimateState>().open = true;  // its panel stands in the same place
     CHECK_FALSE(offers());
-    bench.state.animate.open = false;
+    bench.state.get<AnimateState>().open = false;
     // Nor is it cut off where the column on the left leaves the picture little room.
     ImGui::GetIO().DisplaySize = {640, 500};
     REQUIRE(offers());

@@ -40,9 +40,9 @@ void draw_all_sizes(HeadlessWindow& bench) {
 }
 
 void open_everything(UiState& state) {
-    state.views.scope.open = true;
-    state.lecture.wedge.open = state.lecture.pen.on = state.animate.open = true;
-    state.shows_shortcuts = state.inspector.shows_vectors = true;
+    state.get<ScopeState>().open = true;
+    state.get<WedgeState>().open = state.get<PenState>().on = state.get<AnimateState>().open = true;
+    state.shows_shortcuts = state.get<InspectorState>().shows_vectors = true;
     state.viewport.probe = glm::dvec2(0.5, 0.5);
     state.notifications.add(Tone::Warning, "A warning that is longer than the window is wide");
 }
@@ -69,7 +69,7 @@ TEST_CASE("a window of any size is drawn, down to nothing, with everything open 
         open_everything(bench.state);
         for (const InspectorTabInfo& info : inspector_tabs()) {
             INFO("tab " << info.label);
-            bench.state.inspector.tab = info.tab;
+            bench.state.get<InspectorState>().tab = info.tab;
             draw_all_sizes(bench);
         }
         for (const Key key : {Key::C, Key::M, Key::I, Key::K, Key::O, Key::E}) {

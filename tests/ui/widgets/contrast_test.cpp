@@ -161,7 +161,7 @@ TEST_CASE("every control can be read in all its states, in all themes",
     HeadlessWindow bench({1600, 1000});
     apply_theme(projector ? projector_theme(!light) : light ? light_theme() : dark_theme(), 1);
     bench.state.viewport.probe = glm::dvec2(0.5, 0.5);
-    bench.state.views.compare.choice.on = true;
+    bench.state.get<CompareState>().choice.on = true;
     using Kind = Selection::Kind;
     std::size_t letters = 0;
     Checked checked;

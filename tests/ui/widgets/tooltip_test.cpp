@@ -99,7 +99,7 @@ TEST_CASE("a number of B, which cannot be edited, does not say how it is edited"
     bench.frames(2);
     bench.key(Key::B, true);
     bench.scene().lights[0].name = "edited";
-    bench.state.inspector.tab = InspectorTab::Equation;
+    bench.state.get<InspectorState>().tab = InspectorTab::Equation;
     bench.click(bench.at_pixel(
         glm::dvec2(bench.state.rendered->size.width, bench.state.rendered->size.height) / 2.0));
     bench.frames(2);

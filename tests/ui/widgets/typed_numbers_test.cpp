@@ -37,7 +37,7 @@ class Typist {
     void type_into_all(const Selection& selection, InspectorTab tab, const std::string& letters = "0.5") {
         letters_ = letters;
         bench_.state.editor.selection = selection;
-        bench_.state.inspector.tab = tab;
+        bench_.state.get<InspectorState>().tab = tab;
         bench_.frames(3);
         for (const Shown& shown : in_sight()) {
             INFO(shown.name << " " << shown.key);

@@ -11,7 +11,11 @@
 #include "diagnose/search/undone.h"
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/lecture/lecture.h"
 #include "ui/features/lessons/lesson.h"
+#include "ui/features/views/compare_view.h"
+#include "ui/features/views/debug_view_controls.h"
 #include "ui/features/views/fitted_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
@@ -48,13 +52,13 @@ PictureAnswer answer_of(const SceneDocument& document, const Picture& wrong, boo
 }
 
 void show_answer(UiState& state, PictureAnswer answer) {
-    MyPictureState& mine = state.mine;
+    MyPictureState& mine = state.get<MyPictureState>();
     mine.chosen = 0;
     mine.sheet.reset(thumbnail_size(mine.shown->size), 1,
                      std::max(1, static_cast<int>(answer.thumbnails.size())));
     for (std::size_t i = 0; i < answer.thumbnails.size(); ++i)
         mine.sheet.put(static_cast<int>(i), answer.thumbnails[i]);
-    state.views.compare.choice.mine = answer.mine;
+    state.get<CompareState>().choice.mine = answer.mine;
     mine.answer = std::move(answer);
     mine.current = true;
 }
@@ -67,12 +71,12 @@ BroughtPicture brought(const std::string& path, const std::shared_ptr<const Pict
 
 /// Puts a picture that was read beside the scene, and its tab into sight.
 void take_picture(UiState& state, BroughtPicture picture) {
-    MyPictureState& mine = state.mine;
-    CompareChoice& choice = state.views.compare.choice;
+    MyPictureState& mine = state.get<MyPictureState>();
+    CompareChoice& choice = state.get<CompareState>().choice;
     leave(mine.job, mine.left_jobs);
     if (!mine.shown) {
         mine.compare_before = choice;
-        state.inspector.tab_before = state.inspector.tab;
+        state.get<InspectorState>().tab_before = state.get<InspectorState>().tab;
     }
     mine.path = picture.path;
     mine.name = mine.reading->name();
@@ -86,15 +90,15 @@ void take_picture(UiState& state, BroughtPicture picture) {
     choice.mine = mine.shown;
     choice.on = true;
     choice.shows_stored = false;
-    state.lecture.frozen.reset();  // it would stand beside a scene that is not the edited one
+    state.get<LectureState>().frozen.reset();  // it would stand beside a scene that is not the edited one
     set_parts(choice, {{}, {Variant::Kind::Mine, 0}});
-    state.views.debug_view.set.choice.view = DebugView::Picture;
-    state.inspector.tab = InspectorTab::MyPicture;
+    state.get<DebugViewState>().set.choice.view = DebugView::Picture;
+    state.get<InspectorState>().tab = InspectorTab::MyPicture;
     state.left_shows_inspector = state.layout.right = true;
 }
 
 void poll_reading(UiState& state) {
-    MyPictureState& mine = state.mine;
+    MyPictureState& mine = state.get<MyPictureState>();
     drop_ended(mine.left_readings);
     if (!mine.reading) return;
     redraw_within(look_again);
@@ -108,7 +112,7 @@ void poll_reading(UiState& state) {
 }
 
 void begin_diagnosis(UiState& state) {
-    MyPictureState& mine = state.mine;
+    MyPictureState& mine = state.get<MyPictureState>();
     SceneDocument document = state.editor.document;
     document.scene = mine.asked_of;
     mine.job = std::make_unique<Job<PictureAnswer>>(
@@ -119,12 +123,12 @@ void begin_diagnosis(UiState& state) {
 
 /// Recomputes the bytes of a linear picture when the open scene's transfer function has changed.
 void keep_shown_by_the_display(UiState& state) {
-    MyPictureState& mine = state.mine;
+    MyPictureState& mine = state.get<MyPictureState>();
     const Display& display = state.editor.scene().display;
     if (!mine.file->rgba.empty() || display.transfer == mine.display.transfer) return;
     mine.shown = brought(mine.path, mine.file, display).shown;
     mine.display = display;
-    state.views.compare.choice.mine = mine.shown;
+    state.get<CompareState>().choice.mine = mine.shown;
 }
 
 }  // namespace
@@ -140,7 +144,7 @@ void bring_picture(UiState& state, const std::string& path) {
     if (is_held(state))
         return state.notifications.add(Tone::Warning,
                                        "The lesson asks first: answer, and drop the picture then");
-    MyPictureState& mine = state.mine;
+    MyPictureState& mine = state.get<MyPictureState>();
     cancel_reading(mine);
     mine.reading_since = ImGui::GetTime();
     const Display display = state.editor.scene().display;
@@ -155,8 +159,8 @@ void bring_picture(UiState& state, const std::string& path) {
 }
 
 void put_picture_away(UiState& state) {
-    MyPictureState& mine = state.mine;
-    CompareChoice& choice = state.views.compare.choice;
+    MyPictureState& mine = state.get<MyPictureState>();
+    CompareChoice& choice = state.get<CompareState>().choice;
     cancel_reading(mine);
     leave(mine.job, mine.left_jobs);
     if (!mine.shown) return;
@@ -168,7 +172,8 @@ void put_picture_away(UiState& state) {
     mine.tried.reset();
     mine.right.reset();
     mine.mistaken.reset();
-    if (state.inspector.tab == InspectorTab::MyPicture) state.inspector.tab = state.inspector.tab_before;
+    if (state.get<InspectorState>().tab == InspectorTab::MyPicture)
+        state.get<InspectorState>().tab = state.get<InspectorState>().tab_before;
 }
 
 void cancel_reading(MyPictureState& mine) { leave(mine.reading, mine.left_readings); }
@@ -198,7 +203,7 @@ std::string why_no_pairs(const MyPictureState& mine) {
 
 void poll_my_picture(UiState& state) {
     poll_reading(state);
-    MyPictureState& mine = state.mine;
+    MyPictureState& mine = state.get<MyPictureState>();
     drop_ended(mine.left_jobs);
     if (!mine.shown) return;
     keep_shown_by_the_display(state);
@@ -240,15 +245,16 @@ void try_experiment(UiState& state, const Experiment& experiment) {
     Scene& scene = state.editor.scene();
     state.editor.edits_camera |= std::get<Scene>(changed).camera != scene.camera;
     scene = std::get<Scene>(changed);
-    state.mine.tried = TriedExperiment{experiment, under_mistakes(scene, {})};
+    state.get<MyPictureState>().tried = TriedExperiment{experiment, under_mistakes(scene, {})};
     const PictureSize size = state.rendered->size;
     const glm::dvec2 there = glm::dvec2(experiment.pixel) + 0.5;
-    const glm::dvec2 here = pixels_between(scene.camera, state.mine.shown->size, size)(there);
+    const glm::dvec2 here =
+        pixels_between(scene.camera, state.get<MyPictureState>().shown->size, size)(there);
     if (is_inside(size, here)) ask_about(state.viewport, here / glm::dvec2(size.width, size.height));
 }
 
 const Experiment* offered_experiment(const UiState& state) {
-    const MyPictureState& mine = state.mine;
+    const MyPictureState& mine = state.get<MyPictureState>();
     // Its pointers are those of the scene that was asked about.
     if (!mine.answer || !mine.current || shown_experiment(state) != nullptr) return nullptr;
     const std::optional<Experiment>& found = mine.answer->diagnosis.experiment;
@@ -256,7 +262,7 @@ const Experiment* offered_experiment(const UiState& state) {
 }
 
 const Experiment* shown_experiment(const UiState& state) {
-    const auto& tried = state.mine.tried;
+    const auto& tried = state.get<MyPictureState>().tried;
     return tried && under_mistakes(state.editor.scene(), {}) == tried->scene ? &tried->experiment : nullptr;
 }
 

@@ -49,7 +49,7 @@ void offer(UiState& state, const MistakeSet& mistakes, bool clicked) {
 }
 
 void heading(UiState& state) {
-    const MyPictureState& mine = state.mine;
+    const MyPictureState& mine = state.get<MyPictureState>();
     const PictureSize size = mine.shown->size;
     ImGui::AlignTextToFramePadding();
     mono_text(fmt::format("{}×{}", size.width, size.height));
@@ -121,7 +121,7 @@ void offer_pairs(MyPictureState& mine) {
 
 /// Draws a candidate's small picture and its words, in rows as high as they need.
 void candidate_row(UiState& state, const Candidate& candidate, std::size_t index) {
-    MyPictureState& mine = state.mine;
+    MyPictureState& mine = state.get<MyPictureState>();
     const PictureSize cell = mine.sheet.cell;
     const ImVec2 small = px(shown_share) * ImVec2(float(cell.width), float(cell.height));
     const float pad = px(5), width = ImGui::GetContentRegionAvail().x, left = small.x + 3 * pad;
@@ -157,7 +157,7 @@ void candidate_row(UiState& state, const Candidate& candidate, std::size_t index
 }
 
 void candidates(UiState& state) {
-    const Diagnosis& d = state.mine.answer->diagnosis;
+    const Diagnosis& d = state.get<MyPictureState>().answer->diagnosis;
     if (d.candidates.empty()) return;
     if (d.verdict != Verdict::Mistake) section_heading("Nearest");
     for (std::size_t i = 0; i < d.candidates.size(); ++i) {
@@ -165,7 +165,7 @@ void candidates(UiState& state) {
         candidate_row(state, d.candidates[i], i);
         ImGui::PopID();
     }
-    const Candidate& c = d.candidates[std::min(state.mine.chosen, d.candidates.size() - 1)];
+    const Candidate& c = d.candidates[std::min(state.get<MyPictureState>().chosen, d.candidates.size() - 1)];
     section_heading(fmt::format("Clearest at pixel {}, {}", c.pixel.x, c.pixel.y).c_str());
     colour_line("mine", c.mine);
     colour_line("right", c.reference);
@@ -192,7 +192,8 @@ void experiment(UiState& state) {
                               keys_of(CommandId::Undo)));
     }
     small_dim(fmt::format("Pixel {}, {} of a picture of {}×{} then has:", e->pixel.x, e->pixel.y,
-                          state.mine.shown->size.width, state.mine.shown->size.height));
+                          state.get<MyPictureState>().shown->size.width,
+                          state.get<MyPictureState>().shown->size.height));
     for (std::size_t i = 0; i < e->shows.size(); ++i)
         colour_line(title_of(e->mistakes[i]).c_str(), e->shows[i]);
 }
@@ -201,7 +202,7 @@ void nothing_brought(UiState& state) {
     inspector_empty_state(
         "Drop a picture of this scene on the window that your own program drew (.png, .pfm, .exr): Glint "
         "names the mistake in it.");
-    const std::string& path = state.mine.path;
+    const std::string& path = state.get<MyPictureState>().path;
     if (path.empty()) return;
     const std::string again =
         whole_label(fmt::format("Compare {} again", std::filesystem::path(path).filename().string()));
@@ -233,7 +234,7 @@ void colour_line(const char* what, Rgb colour) {
 }
 
 void my_picture_tab(UiState& state, const PictureView&) {
-    MyPictureState& mine = state.mine;
+    MyPictureState& mine = state.get<MyPictureState>();
     if (!mine.shown) {
         if (mine.reading) return wrapped_dim("Reading " + mine.reading->name());
         return nothing_brought(state);

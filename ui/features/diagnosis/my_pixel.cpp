@@ -9,6 +9,7 @@
 
 #include "ui/features/diagnosis/my_picture.h"
 #include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/features/views/fitted_picture.h"
 #include "ui/picture/screen.h"
 #include "ui/ui.h"
@@ -23,7 +24,7 @@ namespace {
 /// scene is drawn.
 Explanation explained_under(UiState& state, std::unique_ptr<Renderer>& renderer, const MistakeSet& mistakes,
                             glm::ivec2 pixel) {
-    if (!renderer) renderer = std::make_unique<Renderer>(state.views.threads);
+    if (!renderer) renderer = std::make_unique<Renderer>(state.threads);
     (void)renderer->render(under_mistakes(state.editor.scene(), mistakes), state.rendered->size);
     return renderer->explain(pixel.x, pixel.y);
 }
@@ -70,7 +71,7 @@ void number_cell(float value, const ImVec4& colour) {
 /// Rows of what differs stand out.
 void term_table(const UiState& state, const Explanation& right, const Explanation& mistaken) {
     constexpr std::array channels{"red", "green", "blue"};
-    const int channel = state.inspector.channel;
+    const int channel = state.get<InspectorState>().channel;
     const float width = std::min(px(70), (ImGui::GetContentRegionAvail().x - px(100)) / 2);
     if (!ImGui::BeginTable("##mine", 3, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
@@ -109,7 +110,7 @@ const Candidate* chosen_candidate(const MyPictureState& mine) {
 }  // namespace
 
 std::optional<PixelOfMine> pixel_of_mine(UiState& state) {
-    MyPictureState& mine = state.mine;
+    MyPictureState& mine = state.get<MyPictureState>();
     const Scene& scene = state.editor.scene();
     if (!mine.shown || !state.explanation) return {};
     const glm::ivec2 pixel{state.explanation->x, state.explanation->y};
@@ -130,7 +131,7 @@ std::optional<PixelOfMine> pixel_of_mine(UiState& state) {
 }
 
 void my_pixel(UiState& state) {
-    if (!state.mine.shown) return;
+    if (!state.get<MyPictureState>().shown) return;
     section_heading("In my picture");
     const std::optional<PixelOfMine> pixel = pixel_of_mine(state);
     if (!pixel) return wrapped_dim("My picture does not reach this pixel.");
@@ -140,7 +141,8 @@ void my_pixel(UiState& state) {
         colour_line(fmt::format("mine, pixel {}, {}", pixel->place.x, pixel->place.y).c_str(), pixel->mine);
     colour_line("right", bytes_of(pixel->right));
     if (!pixel->mistaken) return;
-    colour_line(title_of(chosen_candidate(state.mine)->mistakes).c_str(), bytes_of(*pixel->mistaken));
+    colour_line(title_of(chosen_candidate(state.get<MyPictureState>())->mistakes).c_str(),
+                bytes_of(*pixel->mistaken));
     if (pixel->right.hit && pixel->mistaken->hit) term_table(state, pixel->right, *pixel->mistaken);
 }
 

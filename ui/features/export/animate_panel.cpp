@@ -98,7 +98,7 @@ void choose_number(AnimateState& animate, const Scene& scene) {
 }
 
 void write_buttons(UiState& state) {
-    AnimateState& animate = state.animate;
+    AnimateState& animate = state.get<AnimateState>();
     if (animate.job) {
         const LoadProgress& progress = animate.job->progress();
         const auto done = progress.done.load(), total = progress.total.load();
@@ -125,7 +125,7 @@ void write_buttons(UiState& state) {
 }  // namespace
 
 void animate_panel(UiState& state) {
-    AnimateState& animate = state.animate;
+    AnimateState& animate = state.get<AnimateState>();
     if (!animate.open) return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({window.x / 2, px(top_height + views_height + 44)}, ImGuiCond_Appearing,

@@ -15,6 +15,7 @@
 #include "models/fields/scene_numbers.h"
 #include "models/json/json_pointer.h"
 #include "ui/document/document_actions.h"
+#include "ui/features/export/export_picture.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/widgets/widgets.h"
 
@@ -23,7 +24,7 @@ namespace {
 
 /// After lights or objects went, were renamed or came with another scene, the pointer may lead to another.
 void forget_number_that_is_gone(UiState& state) {
-    AnimateState& animate = state.animate;
+    AnimateState& animate = state.get<AnimateState>();
     if (animate.animation.pointer.empty()) return;
     const Scene& scene = state.editor.scene();
     const std::optional<SceneNumber> number = number_at(scene, animate.animation.pointer);
@@ -85,20 +86,20 @@ std::string number_words(const Scene& scene, const SceneNumber& number) {
 }
 
 void begin_animation(UiState& state, Motion motion) {
-    state.animate.open = true;
-    state.animate.animation.motion = motion;
-    state.animate.takes_keys = true;
-    state.animate.refused.clear();
+    state.get<AnimateState>().open = true;
+    state.get<AnimateState>().animation.motion = motion;
+    state.get<AnimateState>().takes_keys = true;
+    state.get<AnimateState>().refused.clear();
 }
 
 void switch_playing(UiState& state) {
-    state.animate.playing = !state.animate.playing;
-    state.animate.open |= state.animate.playing;
-    state.animate.began = ImGui::GetTime();
+    state.get<AnimateState>().playing = !state.get<AnimateState>().playing;
+    state.get<AnimateState>().open |= state.get<AnimateState>().playing;
+    state.get<AnimateState>().began = ImGui::GetTime();
 }
 
 bool animate_by_key(UiState& state, KeyPress press) {
-    const AnimateState& animate = state.animate;
+    const AnimateState& animate = state.get<AnimateState>();
     if (!(press == KeyPress{Key::Enter}) || !animate.open || !animate.has_keyboard) return false;
     if (animate.job || !animate.refused.empty()) return false;
     switch_playing(state);
@@ -106,15 +107,15 @@ bool animate_by_key(UiState& state, KeyPress press) {
 }
 
 void ask_for_frames(UiState& state) {
-    if (refuses_no_number(state.animate)) {
-        state.animate.open = true;  // it says why
+    if (refuses_no_number(state.get<AnimateState>())) {
+        state.get<AnimateState>().open = true;  // it says why
         return;
     }
     state.files.ask(FilePurpose::SaveFrames, offered_name(state, ".gif"));
 }
 
 void forget_number(UiState& state) {
-    AnimateState& animate = state.animate;
+    AnimateState& animate = state.get<AnimateState>();
     const std::string gone = animate.number.empty() ? animate.animation.pointer : animate.number;
     animate.number.clear();
     animate.animation.pointer.clear();
@@ -125,7 +126,7 @@ void forget_number(UiState& state) {
 }
 
 void poll_animation(UiState& state) {
-    AnimateState& animate = state.animate;
+    AnimateState& animate = state.get<AnimateState>();
     poll_job(animate.job, state.notifications);
     forget_number_that_is_gone(state);
     animate.frame.reset();

@@ -95,7 +95,7 @@ void sample_row(ExportOptions& options, const UiInput& input) {
 }
 
 void export_buttons(UiState& state, const UiInput& input) {
-    ExportState& exporting = state.exporting;
+    ExportState& exporting = state.get<ExportState>();
     const bool saves = state.rendered != nullptr && !exporting.job;
     ImGui::BeginDisabled(!saves);
     if (ImGui::Button("Save here and copy its command", {-1, 0}) || (saves && answers(input, Key::S))) {
@@ -128,7 +128,7 @@ void export_buttons(UiState& state, const UiInput& input) {
 }  // namespace
 
 void export_dialog(UiState& state, const UiInput& input) {
-    ExportState& exporting = state.exporting;
+    ExportState& exporting = state.get<ExportState>();
     static constexpr const char* id = "Export the picture##export";
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});

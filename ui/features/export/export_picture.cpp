@@ -12,6 +12,7 @@
 #include "renderer/image/image_file.h"
 #include "ui/document/document_actions.h"
 #include "ui/features/export/clipboard.h"
+#include "ui/features/views/views.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/picture_notes.h"
 #include "ui/ui.h"
@@ -40,7 +41,7 @@ SceneDocument shown_document(const UiState& state) {
 void begin_picture(UiState& state, const ExportOptions& options, const std::string& path,
                    const std::function<Result<Notification>(const std::string& bytes)>& deliver) {
     const int threads = state.renderer->stats().threads;
-    state.exporting.job = std::make_unique<Job<Notification>>(
+    state.get<ExportState>().job = std::make_unique<Job<Notification>>(
         fs::path(path).filename().string(),
         [document = shown_document(state), options, path, threads,
          deliver](LoadProgress& progress) -> Result<Notification> {
@@ -94,7 +95,7 @@ void ask_for_picture(UiState& state, FilePurpose purpose) {
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path) {
     const std::string name = fs::path(path).filename().string();
     if (const auto problem = why_not_writable(path)) return state.notifications.add(*problem);
-    state.exporting.last = {options, name, state.editor.document.path};
+    state.get<ExportState>().last = {options, name, state.editor.document.path};
     std::error_code failed;  // a folder that is gone is told of when it is written to
     const std::string folder = fs::absolute(path, failed).lexically_normal().parent_path().string();
     begin_picture(state, options, path,
@@ -112,7 +113,7 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
 
 /// What is copied, in words: not what is composed in the place of the scene's picture.
 static const char* copied_words(const UiState& state) {
-    return is_composed(state.views) ? "the scene's own picture" : "this picture";
+    return is_composed(state) ? "the scene's own picture" : "this picture";
 }
 
 void begin_copy(UiState& state) {
@@ -141,13 +142,13 @@ void copy_render_command(UiState& state, const ExportOptions& options, const std
 }
 
 void copy_last_command(UiState& state) {
-    const std::optional<LastExport>& last = state.exporting.last;
+    const std::optional<LastExport>& last = state.get<ExportState>().last;
     if (last && last->document == state.editor.document.path)
         return copy_render_command(state, last->options, last->file);
     copy_render_command(state, {state.full_size, 1}, offered_name(state, ".png"));
 }
 
-void poll_export(UiState& state) { poll_job(state.exporting.job, state.notifications); }
+void poll_export(UiState& state) { poll_job(state.get<ExportState>().job, state.notifications); }
 
 void poll_job(std::unique_ptr<Job<Notification>>& job, Notifications& notifications) {
     if (!job) return;

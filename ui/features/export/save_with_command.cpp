@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "ui/document/document_actions.h"
+#include "ui/features/export/export_picture.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -31,7 +32,7 @@ void save_with_command(UiState& state, const ExportOptions& options) {
 }
 
 void save_with_command(UiState& state) {
-    const std::optional<LastExport>& last = state.exporting.last;
+    const std::optional<LastExport>& last = state.get<ExportState>().last;
     const bool again = last && last->document == state.editor.document.path;
     save_with_command(state, again ? last->options : ExportOptions{state.full_size, 1});
 }

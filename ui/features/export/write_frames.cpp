@@ -95,7 +95,7 @@ std::optional<Problem> why_not_all_writable(const FrameJob& job) {
 }  // namespace
 
 void begin_frames(UiState& state, const std::string& path, PictureSize size, int samples) {
-    AnimateState& animate = state.animate;
+    AnimateState& animate = state.get<AnimateState>();
     const FrameJob job{document_as_made(state),
                        animate.animation,
                        path,

@@ -6,8 +6,11 @@
 #include <algorithm>
 
 #include "ui/document/document_actions.h"
+#include "ui/features/diagnosis/my_picture.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
 #include "ui/features/lessons/prose.h"
+#include "ui/features/views/compare_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
@@ -33,10 +36,10 @@ bool has_target_as_b(const MatchState& match, const CompareChoice& choice) {
 }
 
 void show_beside(UiState& state, bool beside) {
-    CompareChoice& choice = state.views.compare.choice;
+    CompareChoice& choice = state.get<CompareState>().choice;
     choice.on = beside;
     if (!beside) return;
-    choice.stored = std::make_shared<const Scene>(state.match.task.target);
+    choice.stored = std::make_shared<const Scene>(state.get<MatchState>().task.target);
     choice.shows_stored = choice.difference = false;
     set_parts(choice, {{}, {Variant::Kind::Stored, 0}});
 }
@@ -86,8 +89,8 @@ void begin_match(UiState& state, std::uint64_t seed) {
     document.scene = task.start;
     cancel_loads(state);
     take_scene(state, std::move(document));
-    MatchState& match = state.match;
-    match.compare_before = state.views.compare.choice;
+    MatchState& match = state.get<MatchState>();
+    match.compare_before = state.get<CompareState>().choice;
     put_all_away(state);
     match.task = std::move(task);
     match.seed = seed;
@@ -100,29 +103,30 @@ void begin_match(UiState& state, std::uint64_t seed) {
     match.solved = match.shows_hint = false;
     match.hint.clear();
     match.on = true;
-    state.lesson.shows_scene = state.left_shows_inspector = false;
+    state.get<LessonState>().shows_scene = state.left_shows_inspector = false;
     show_beside(state, false);
 }
 
 void end_match(UiState& state) {
-    MatchState& match = state.match;
+    MatchState& match = state.get<MatchState>();
     if (!match.on) return;
     match.on = false;
-    CompareChoice &choice = state.views.compare.choice, &before = match.compare_before;
+    CompareChoice &choice = state.get<CompareState>().choice, &before = match.compare_before;
     if (has_target_as_b(match, choice)) {  // it goes with its game
         choice.stored = before.stored;
         choice.shows_stored = false;
     } else {  // the user has stored it meanwhile
         before.stored = choice.stored;
     }
-    if (state.mine.shown)  // it came during the game and stays; the old comparison returns when it goes
-        state.mine.compare_before = before;
+    if (state.get<MyPictureState>()
+            .shown)  // it came during the game and stays; the old comparison returns when it goes
+        state.get<MyPictureState>().compare_before = before;
     else
         choice = before;
 }
 
 void poll_match(UiState& state) {
-    MatchState& match = state.match;
+    MatchState& match = state.get<MatchState>();
     if (!match.on || match.asked_of == state.editor.scene() || awaits_mesh(state)) return;
     match.asked_of = state.editor.scene();
     match.now = distance_to_target(match, match.asked_of);
@@ -133,13 +137,13 @@ void poll_match(UiState& state) {
 
 void forget_play(UiState& state) {
     Editor& editor = state.editor;
-    if (!state.match.on || !editor.document.path.empty()) return;
+    if (!state.get<MatchState>().on || !editor.document.path.empty()) return;
     editor.saved = editor.scene();
     editor.saved_edited_camera = editor.history.edited_camera();
 }
 
 void match_column(UiState& state) {
-    MatchState& match = state.match;
+    MatchState& match = state.get<MatchState>();
     ImGui::PushFont(fonts().heading);
     ImGui::TextUnformatted("Match the target");
     ImGui::PopFont();
@@ -155,7 +159,7 @@ void match_column(UiState& state) {
             "it is, until the picture is this one.");
     hint(match, match.asked_of);
     ImGui::Dummy({0, px(4)});
-    const CompareChoice& choice = state.views.compare.choice;
+    const CompareChoice& choice = state.get<CompareState>().choice;
     const bool beside =
         choice.on && has_target_as_b(match, choice) && choice.parts.back().kind == Variant::Kind::Stored;
     if (chosen_button("Target beside it", beside)) show_beside(state, !beside);

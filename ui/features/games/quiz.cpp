@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "models/io/file.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
 #include "ui/features/lessons/prose.h"
 #include "ui/shell/modal.h"
@@ -71,7 +72,7 @@ std::string text_of(const QuizState& quiz, const QuizAnswers& answers) {
 /// What is kept, as far as it fits these questions.
 std::optional<QuizAnswers> kept_answers(const UiState& state) {
     constexpr std::size_t longest_file = 1 << 16;
-    const QuizState& quiz = state.quiz;
+    const QuizState& quiz = state.get<QuizState>();
     if (state.persistence.folder.empty()) return {};
     const Result<std::string> text = read_file(kept_file(state), longest_file);
     if (problem_of(text) != nullptr) return {};
@@ -84,7 +85,7 @@ std::optional<QuizAnswers> kept_answers(const UiState& state) {
 
 /// What was answered in a window before; goes on at the first question that was not.
 void recall_answers(UiState& state) {
-    QuizState& quiz = state.quiz;
+    QuizState& quiz = state.get<QuizState>();
     quiz.taken.assign(quiz.pages->pages.size(), {});
     quiz.kept = answers_of(quiz);
     const std::optional<QuizAnswers> answers = kept_answers(state);
@@ -97,7 +98,7 @@ void recall_answers(UiState& state) {
 }
 
 void keep_answers(UiState& state) {
-    QuizState& quiz = state.quiz;
+    QuizState& quiz = state.get<QuizState>();
     const QuizAnswers now = answers_of(quiz);
     if (now == quiz.kept) return;
     const char* const answers = "What is answered here";
@@ -113,7 +114,7 @@ void begin_quiz_again(QuizState& quiz) {
 }
 
 void take_pages(UiState& state) {
-    QuizState& quiz = state.quiz;
+    QuizState& quiz = state.get<QuizState>();
     Result<QuizPages> read = quiz.loading->take();
     quiz.loading.reset();
     if (const Problem* problem = problem_of(read)) {
@@ -155,7 +156,7 @@ void page(QuizState& quiz) {
 }
 
 void last_page(UiState& state) {
-    QuizState& quiz = state.quiz;
+    QuizState& quiz = state.get<QuizState>();
     prose_line(fmt::format("You answered {} of {} questions.", count_taken(quiz), quiz.taken.size()));
     prose_line(
         "What is right is not shown here: the lessons explain it, and after them you are asked again.");
@@ -211,16 +212,17 @@ void ways_on(QuizState& quiz) {
 }  // namespace
 
 void open_quiz(UiState& state) {
-    QuizState& quiz = state.quiz;
+    QuizState& quiz = state.get<QuizState>();
     quiz.open = true;
     if (quiz.pages || quiz.loading) return;
     quiz.loading = std::make_unique<Job<QuizPages>>(
-        "Quiz",
-        [path = state.lesson.inventory](LoadProgress& progress) { return read_pages(path, progress); });
+        "Quiz", [path = state.get<LessonState>().inventory](LoadProgress& progress) {
+            return read_pages(path, progress);
+        });
 }
 
 void quiz_dialog(UiState& state, const UiInput& input) {
-    QuizState& quiz = state.quiz;
+    QuizState& quiz = state.get<QuizState>();
     if (quiz.loading && quiz.loading->done()) take_pages(state);
     if (quiz.loading) redraw_within(0.05);
     if (!quiz.open) return;
@@ -252,7 +254,8 @@ void quiz_dialog(UiState& state, const UiInput& input) {
 }
 
 void save_answers(UiState& state, const std::string& path) {
-    const auto written = write_file_at_once(path, text_of(state.quiz, answers_of(state.quiz)));
+    const auto written =
+        write_file_at_once(path, text_of(state.get<QuizState>(), answers_of(state.get<QuizState>())));
     if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
     std::error_code not_there;
     if (!state.persistence.folder.empty()) std::filesystem::remove(kept_file(state), not_there);

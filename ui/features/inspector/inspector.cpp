@@ -30,7 +30,8 @@ const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& po
                             [index](const ExplainedLight& light) { return light.index == index; });
     };
     if (point.lights.empty()) return nullptr;
-    if (const auto it = find(state.inspector.pointed_light); it != point.lights.end()) return &*it;
+    if (const auto it = find(state.get<InspectorState>().pointed_light); it != point.lights.end())
+        return &*it;
     const Selection& selection = state.editor.selection;
     if (selection.kind == Selection::Kind::Light)
         if (const auto it = find(selection.index); it != point.lights.end()) return &*it;
@@ -52,9 +53,9 @@ Scene with_term_alone(Scene scene, Symbol term) {
 void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests) {
     if (same_description(scene, state.editor.scene())) return;  // a click has just taken it
     if (!column_has_turn(state)) return;
-    state.inspector.instead = scene;
-    state.inspector.instead_rests = rests;
-    state.inspector.preview_name = name;
+    state.get<InspectorState>().instead = scene;
+    state.get<InspectorState>().instead_rests = rests;
+    state.get<InspectorState>().preview_name = name;
 }
 
 Scene with_light_alone(Scene scene, int light) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnose/search/mistake_set.h"
+#include "ui/features/export/animation.h"
 #include "ui/features/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
@@ -64,7 +65,7 @@ class DrawUnderMistakes {
 
 /// Whether nothing moves and all meshes are there.
 bool at_rest(const UiState& state) {
-    return !ImGui::IsAnyMouseDown() && !state.animate.frame && !awaits_mesh(state);
+    return !ImGui::IsAnyMouseDown() && !state.get<AnimateState>().frame && !awaits_mesh(state);
 }
 
 /// Notices that other pictures are wanted than those begun last.
@@ -97,7 +98,7 @@ std::span<const std::size_t> mistakes_as_seen() {
 }
 
 void look_at_mistake_pictures(UiState& state, PictureSize size) {
-    MistakePictures& m = state.mistake_pictures;
+    MistakePictures& m = state.get<MistakePictures>();
     m.looked_at = true;
     ask_again(m, state.editor.scene(), size);
     take_small_pictures(m.pictures);

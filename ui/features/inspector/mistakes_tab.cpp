@@ -88,15 +88,15 @@ std::string mistakes_text(const Mistakes& mistakes) {
 
 void show_mistake(UiState& state, const MistakeName* mistake) {
     const auto on = names_on(state.editor.scene().shading.mistakes);
-    state.inspector.wanted_mistake = mistake == nullptr && !on.empty() ? on.front() : mistake;
-    state.inspector.tab = InspectorTab::Mistakes;
+    state.get<InspectorState>().wanted_mistake = mistake == nullptr && !on.empty() ? on.front() : mistake;
+    state.get<InspectorState>().tab = InspectorTab::Mistakes;
     state.layout.right = state.left_shows_inspector = true;
 }
 
 void mistakes_tab(UiState& state, const PictureView& view) {
     const PictureSize size = small_size(ImGui::GetContentRegionAvail().x, view.map.size.keeps_width);
     look_at_mistake_pictures(state, size);
-    const SmallLook look{state.mistake_pictures.pictures, size};
+    const SmallLook look{state.get<MistakePictures>().pictures, size};
     // In a low window it goes with the list, which would have no room left.
     const bool stays = ImGui::GetContentRegionAvail().y > 4 * look.extent().y;
     if (stays) right_row(state, look);
@@ -104,7 +104,7 @@ void mistakes_tab(UiState& state, const PictureView& view) {
     if (!stays) right_row(state, look);
     Mistakes& mistakes = state.editor.scene().shading.mistakes;
     const MistakeName* const pointed =
-        mistake_rows(mistakes, look, std::exchange(state.inspector.wanted_mistake, nullptr));
+        mistake_rows(mistakes, look, std::exchange(state.get<InspectorState>().wanted_mistake, nullptr));
     ImGui::EndChild();
     if (pointed == nullptr) return;
     const bool on = mistakes.*pointed->flag;

@@ -7,6 +7,7 @@
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/tabs.h"
+#include "ui/features/plots/plots_tab.h"
 #include "ui/fields/field_panel.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
@@ -87,7 +88,7 @@ void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode
     mono_text(shown_vector(explanation.sum));
     ImGui::EndGroup();
     how(explanation, shading);
-    normal_line(state.inspector, explanation);
+    normal_line(state.get<InspectorState>(), explanation);
     if (mode != ShadingMode::Phong) small_dim("minus Phong: " + shown_vector(explanation.sum - phong.sum));
     ImGui::EndGroup();
     ImGui::PopID();
@@ -105,7 +106,7 @@ void like_line(UiState& state, const Explanation& explanation) {
     const auto object = static_cast<std::size_t>(explanation.object_index);
     const float n = explanation.material.shininess;
     if (explanation.reflection != Reflection::Phong || object >= scene.objects.size() || n <= 0) return;
-    const double like = state.views.plots.blinn_like.of(n, [n] { return blinn_shininess_like(n); });
+    const double like = state.get<PlotsState>().blinn_like.of(n, [n] { return blinn_shininess_like(n); });
     section_heading("Blinn against Phong");
     wrapped_dim(fmt::format(
         "Blinn's (n·h)ˢ comes nearest to this Phong highlight of shininess {:.4g} with {:.4g}.", n, like));

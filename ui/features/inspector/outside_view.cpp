@@ -115,7 +115,7 @@ Camera outside_camera(const Scene& scene, const PictureView& main, PictureSize s
 }
 
 void outside_tab(UiState& state, const PictureView& main) {
-    OutsideState& outside = state.outside;
+    OutsideState& outside = state.get<OutsideState>();
     const Scene& scene = state.editor.scene();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 extent{std::max(room.x, px(60)),

@@ -11,6 +11,7 @@
 
 #include "ui/document/loading.h"
 #include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
@@ -118,7 +119,7 @@ void select_owner(UiState& state, const std::string& pointer, const NamedNumber&
 
 /// A line: how much, as a bar and in figures, and of what. A click selects it.
 void number_row(UiState& state, const Sensitivity& number, double most) {
-    const NamedNumber named = named_number(number.pointer, state.sensitivity.shown_scene);
+    const NamedNumber named = named_number(number.pointer, state.get<SensitivityState>().shown_scene);
     const float line = ImGui::GetTextLineHeight();
     ImGui::PushID(number.pointer.c_str());
     const bool clicked =
@@ -152,7 +153,7 @@ void owners(UiState& state, const char* title, const std::vector<std::string>& p
     };
     std::vector<Line> lines;
     for (const std::string& pointer : pointers) {
-        const NamedNumber named = named_number(pointer, state.sensitivity.shown_scene);
+        const NamedNumber named = named_number(pointer, state.get<SensitivityState>().shown_scene);
         const auto same = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
             return line.named.owner == named.owner && line.named.selection == named.selection;
         });
@@ -192,7 +193,7 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
     if (!state.explanation)
         return inspector_empty_state(
             "Here every number of the scene is sorted by how much it matters there.");
-    SensitivityState& job = state.sensitivity;
+    SensitivityState& job = state.get<SensitivityState>();
     if (state.asked_part == Variant{})
         poll_sensitivity(job, state.editor.document, view.map.size, state.asked);
     else

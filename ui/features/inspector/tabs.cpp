@@ -10,6 +10,7 @@
 #include "renderer/explain/explain_words.h"
 #include "ui/features/diagnosis/my_picture.h"
 #include "ui/features/inspector/equation/equation_tab.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/outside_view.h"
 #include "ui/features/inspector/vectors/vectors_tab.h"
 #include "ui/features/plots/plots_tab.h"
@@ -210,12 +211,13 @@ void draw_beside_other(UiState& state, const InspectorTabInfo& info, const Pictu
 std::span<const InspectorTabInfo> inspector_tabs() { return tabs; }
 
 void inspector(UiState& state, const PictureView& view) {
-    const std::optional<Symbol> pointed_vector = std::exchange(state.inspector.pointed_vector, std::nullopt);
-    const int pointed_light = std::exchange(state.inspector.pointed_light, -1);
+    const std::optional<Symbol> pointed_vector =
+        std::exchange(state.get<InspectorState>().pointed_vector, std::nullopt);
+    const int pointed_light = std::exchange(state.get<InspectorState>().pointed_light, -1);
     heading(state);
-    tab_bar(state.inspector);
+    tab_bar(state.get<InspectorState>());
     for (const InspectorTabInfo& info : tabs) {
-        if (info.tab != state.inspector.tab) continue;
+        if (info.tab != state.get<InspectorState>().tab) continue;
         ImGui::BeginChild(info.label);  // each tab keeps its own place of scrolling
         if (state.asked_other)
             draw_beside_other(state, info, view);
@@ -223,7 +225,8 @@ void inspector(UiState& state, const PictureView& view) {
             info.draw(state, view);
         ImGui::EndChild();
     }
-    if (pointed_vector != state.inspector.pointed_vector || pointed_light != state.inspector.pointed_light)
+    if (pointed_vector != state.get<InspectorState>().pointed_vector ||
+        pointed_light != state.get<InspectorState>().pointed_light)
         redraw_within(0);  // the picture's arrows were drawn before
 }
 

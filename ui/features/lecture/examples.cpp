@@ -79,7 +79,7 @@ std::vector<Example> examples_in(const std::string& folder) {
 }
 
 void open_examples(UiState& state) {
-    ExamplesState& examples = state.examples;
+    ExamplesState& examples = state.get<ExamplesState>();
     examples.open = true;
     examples.chosen = -1;
     if (!examples.list.empty()) return;
@@ -91,7 +91,7 @@ void open_examples(UiState& state) {
 }
 
 void examples_dialog(UiState& state, const UiInput& input) {
-    ExamplesState& examples = state.examples;
+    ExamplesState& examples = state.get<ExamplesState>();
     take_small_pictures(examples.pictures);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const ImVec2 size{std::min(px(980), window.x - px(40)), std::min(px(720), window.y - px(40))};

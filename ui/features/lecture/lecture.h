@@ -103,8 +103,6 @@ struct LectureState {
     bool left_before = true, right_before = true;  // the columns that it found
     std::optional<Scene> frozen;                   // shown whatever is edited; set by freeze()
     Selection frozen_selection;                    // in it
-    PenState pen;
-    WedgeState wedge;
     /// The scenes of the command line, a lecture in an order of one's own: PgDn and PgUp go through these
     /// while one of them is open, else through the open scene's folder.
     std::vector<std::string> given_scenes;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
 #include "ui/features/lessons/prose.h"
 #include "ui/ui.h"
@@ -170,7 +171,7 @@ std::string given_words(const Prediction& question, const GivenAnswer& given) {
 }
 
 void answer_fields(UiState& state, const StationQuestion& question) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     const Prediction& asks = *question.asks;
     bool entered = false;
     switch (asks.kind) {
@@ -229,7 +230,7 @@ std::string why_no_answer(const LessonState& lesson) {
 bool can_lock(const LessonState& lesson) { return why_no_answer(lesson).empty(); }
 
 bool answer_by_key(UiState& state, KeyPress press) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     const auto open = open_question(lesson);
     if (!open || lesson.lecturer) return false;
     if (press == KeyPress{Key::Enter} && can_lock(lesson)) {
@@ -243,7 +244,7 @@ bool answer_by_key(UiState& state, KeyPress press) {
 
 void revealed_answer(UiState& state, const StationQuestion& question, const GivenAnswer& given) {
     const Prediction& asks = *question.asks;
-    revealed_value(state.lesson, question, given);
+    revealed_value(state.get<LessonState>(), question, given);
     if (given.locked && asks.kind != PredictionKind::Choice) {
         const double off = how_far(asks.kind, given.value, question.right.value);
         const bool exact = off < 1e-3 * question.right.tolerance;
@@ -255,8 +256,8 @@ void revealed_answer(UiState& state, const StationQuestion& question, const Give
         else
             warning_text(words + ".");
     }
-    if (given.skipped && !state.lesson.lecturer) small_dim("You did not predict it.");
-    const Reveal* reveal = state.lesson.station().reveal;
+    if (given.skipped && !state.get<LessonState>().lecturer) small_dim("You did not predict it.");
+    const Reveal* reveal = state.get<LessonState>().station().reveal;
     if (reveal == nullptr || !reveal->pick) return;
     const char* const label = asks.term.empty() ? "The pixel's equation" : "Where it stands in the equation";
     if (ImGui::SmallButton(label)) show_in_equation(state, asks);

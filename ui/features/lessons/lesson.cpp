@@ -5,9 +5,15 @@
 #include <optional>
 
 #include "ui/document/document_actions.h"
+#include "ui/features/export/animation.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/features/inspector/sensitivity.h"
 #include "ui/features/lessons/lesson_parts.h"
 #include "ui/features/lessons/lesson_progress.h"
 #include "ui/features/lessons/predict_mode.h"
+#include "ui/features/views/compare_view.h"
+#include "ui/features/views/scope.h"
+#include "ui/features/views/views.h"
 #include "ui/picture/picture_notes.h"
 #include "ui/ui.h"
 #include "ui/widgets/numbers/expression.h"
@@ -26,7 +32,7 @@ void set_scene(UiState& state, const Scene& scene) {
     give_up_meshes(state);  // the step that goes before has the meshes that are seen
     remember_step(editor, false);
     editor.scene() = scene;
-    state.sensitivity.forget();
+    state.get<SensitivityState>().forget();
     editor.followed.reset();  // its lights are others, not those before that came or went
     editor.document.path.clear();
     editor.document.stamp = {};
@@ -45,7 +51,7 @@ void forget_input(LessonState& lesson) {
 
 /// The item that the first task's hand is to move is selected: its handles show.
 void select_for_tasks(UiState& state) {
-    for (const StationPart& part : state.lesson.station().after) {
+    for (const StationPart& part : state.get<LessonState>().station().after) {
         if (part.task == nullptr) continue;
         for (const std::string& pointer : part.task->controls) {
             const std::optional<Selection> item = selection_in(pointer);
@@ -61,20 +67,20 @@ void select_for_tasks(UiState& state) {
 constexpr int frames_of_layout = 3;  // until the picture has its new room
 
 void show_reveal(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     const Station& station = lesson.station();
     set_scene(state, station.revealed);
     lesson.scrolls_down = !station.questions.empty();
     if (station.reveal == nullptr) return select_for_tasks(state);
     lesson.lays_line = frames_of_layout;
     if (station.reveal->pick) {
-        state.inspector.tab = InspectorTab::Equation;
+        state.get<InspectorState>().tab = InspectorTab::Equation;
         ask_about(state.viewport, share_of_lesson_pixel(state, glm::dvec2(*station.reveal->pick) + 0.5));
         for (const StationQuestion& question : station.questions)
             if (!question.asks->term.empty()) mark_in_equation(state, *question.asks);
     }
     if (station.reveal->along) {
-        state.views.scope.open = true;
+        state.get<ScopeState>().open = true;
     }
     if (!station.reveal->play.empty()) play_reveal(state);
     select_for_tasks(state);
@@ -82,7 +88,7 @@ void show_reveal(UiState& state) {
 
 /// Arrives at the station where the progress stands.
 void arrive(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     forget_input(lesson);
     put_all_away(state);
     lesson.watched.reset();
@@ -106,21 +112,20 @@ void ask_first(UiState& state, Pending::What what, const std::string& path = {})
 }  // namespace
 
 void put_all_away(UiState& state) {
-    ViewsState& views = state.views;
-    views.compare.choice.on = false;
+    state.get<CompareState>().choice.on = false;
     end_picture_notes(state);
-    views.scope.open = views.scope.armed = false;
-    views.magnifier = {};
-    views.lit.dots = views.lit.needles = false;
-    state.animate.open = false;
-    state.animate.animation.pointer.clear();
-    state.animate.number.clear();
+    state.get<ScopeState>().open = state.get<ScopeState>().armed = false;
+    state.get<MagnifierState>() = {};
+    state.get<LitDotsState>().dots = state.get<LitDotsState>().needles = false;
+    state.get<AnimateState>().open = false;
+    state.get<AnimateState>().animation.pointer.clear();
+    state.get<AnimateState>().number.clear();
     ask_about(state.viewport, {});
     state.explanation.reset();
 }
 
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     end_prediction(state);
     lesson.course = std::move(course);
     lesson.progress = lesson.written = recall_progress(state, *lesson.course);
@@ -130,10 +135,10 @@ void begin_lesson(UiState& state, std::shared_ptr<const Course> course) {
 }
 
 void leave_lesson(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     if (!lesson.course) return;
     keep_progress(state);
-    state.animate.playing = false;
+    state.get<AnimateState>().playing = false;
     forget_input(lesson);
     lesson.course.reset();
     lesson.watched.reset();
@@ -147,19 +152,20 @@ std::optional<std::size_t> open_question(const LessonState& lesson) {
     return static_cast<std::size_t>(open - given.begin());
 }
 
-bool is_held(const UiState& state) { return open_question(state.lesson).has_value(); }
+bool is_held(const UiState& state) { return open_question(state.get<LessonState>()).has_value(); }
 
 void go_on(UiState& state, int steps) { ask_first(state, Pending::What::Page, std::to_string(steps)); }
 
 void page_lesson(UiState& state, int steps) {
-    if (state.lesson.lecturer && steps > 0 && open_question(state.lesson)) return reveal_unanswered(state);
+    if (state.get<LessonState>().lecturer && steps > 0 && open_question(state.get<LessonState>()))
+        return reveal_unanswered(state);
     go_on(state, steps);
 }
 
 namespace {
 
 void turn_page(UiState& state, int steps) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     const auto wanted = static_cast<std::ptrdiff_t>(lesson.progress.station) + steps;
     if (wanted < 0) return state.notifications.tell("This is where the lesson begins");
     if (wanted >= std::ssize(lesson.course->stations))
@@ -169,7 +175,7 @@ void turn_page(UiState& state, int steps) {
 }
 
 void become_student(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     lesson.lecturer = false;
     const std::size_t station = lesson.progress.station;
     lesson.progress = lesson.written;
@@ -178,20 +184,20 @@ void become_student(UiState& state) {
 }
 
 void restart(UiState& state) {
-    state.lesson.progress = fresh_progress(*state.lesson.course);
+    state.get<LessonState>().progress = fresh_progress(*state.get<LessonState>().course);
     arrive(state);
 }
 
 void restore_scene(UiState& state) {
-    LessonState& lesson = state.lesson;
-    state.animate.playing = false;
+    LessonState& lesson = state.get<LessonState>();
+    state.get<AnimateState>().playing = false;
     set_scene(state, open_question(lesson) ? lesson.station().asked : lesson.station().revealed);
 }
 
 }  // namespace
 
 void switch_lecturer(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     if (lesson.lecturer) return ask_first(state, Pending::What::Student);
     keep_progress(state);
     lesson.lecturer = true;
@@ -203,7 +209,7 @@ void begin_again(UiState& state) { ask_first(state, Pending::What::Again); }
 void back_to_scene(UiState& state) { ask_first(state, Pending::What::Station); }
 
 void finish_in_lesson(UiState& state, const Pending& now) {
-    if (!state.lesson.course) return;
+    if (!state.get<LessonState>().course) return;
     if (now.what == Pending::What::Page) turn_page(state, std::atoi(now.path.c_str()));
     if (now.what == Pending::What::Student) become_student(state);
     if (now.what == Pending::What::Again) restart(state);
@@ -211,7 +217,7 @@ void finish_in_lesson(UiState& state, const Pending& now) {
 }
 
 void lock_in(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     if (!can_lock(lesson)) return;
     const std::size_t open = *open_question(lesson);
     const bool is_number = lesson.station().questions[open].asks->kind == PredictionKind::Number;
@@ -222,19 +228,19 @@ void lock_in(UiState& state) {
 }
 
 void reveal_unanswered(UiState& state) {
-    for (GivenAnswer& given : state.lesson.given()) given.skipped |= !given.locked;
-    forget_input(state.lesson);
+    for (GivenAnswer& given : state.get<LessonState>().given()) given.skipped |= !given.locked;
+    forget_input(state.get<LessonState>());
     show_reveal(state);
 }
 
 bool has_strayed(const UiState& state) {
-    const LessonState& lesson = state.lesson;
+    const LessonState& lesson = state.get<LessonState>();
     return !open_question(lesson) && !(state.editor.scene() == lesson.station().revealed);
 }
 
 void play_reveal(UiState& state) {
-    const Reveal& reveal = *state.lesson.station().reveal;
-    AnimateState& animate = state.animate;
+    const Reveal& reveal = *state.get<LessonState>().station().reveal;
+    AnimateState& animate = state.get<AnimateState>();
     constexpr int frames = 75;  // three seconds there and back
     animate.playing = !animate.playing;
     animate.animation = {Motion::PingPong, reveal.play, reveal.play_from, reveal.play_to, frames};
@@ -246,7 +252,7 @@ void play_reveal(UiState& state) {
 namespace {
 
 void lay_line(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     if (lesson.lays_line <= 0 || state.rendered == nullptr) return;
     --lesson.lays_line;
     redraw_within(0);
@@ -255,7 +261,7 @@ void lay_line(UiState& state) {
     if (reveal->pick && state.viewport.probe)
         state.viewport.probe = share_of_lesson_pixel(state, glm::dvec2(*reveal->pick) + 0.5);
     if (!reveal->along) return;
-    ScopeState& scope = state.views.scope;
+    ScopeState& scope = state.get<ScopeState>();
     scope.from = share_of_lesson_pixel(state, glm::dvec2(reveal->along->first) + 0.5);
     scope.to = share_of_lesson_pixel(state, glm::dvec2(reveal->along->second) + 0.5);
 }
@@ -264,15 +270,15 @@ void lay_line(UiState& state) {
 
 void hold_lesson(UiState& state) {
     lay_line(state);
-    const auto open = open_question(state.lesson);
+    const auto open = open_question(state.get<LessonState>());
     if (!open) return;
     Editor& editor = state.editor;
-    const Scene& asked = state.lesson.station().asked;
+    const Scene& asked = state.get<LessonState>().station().asked;
     if (!(editor.scene() == asked)) {
         (void)cancel_gesture(state.viewport, editor.scene());
         editor.scene() = asked;
     }
-    state.inspector.instead.reset();
+    state.get<InspectorState>().instead.reset();
     state.viewport.touched = true;
     if (state.viewport.probe) ask_about(state.viewport, {});
 }

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/features/export/animation.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
+#include "ui/features/lessons/lessons_dialog.h"
 #include "ui/features/lessons/prose.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
@@ -24,7 +27,7 @@ const std::string& step_title(const Course& course, std::size_t station) {
 
 /// A stroke for each station, to be clicked: answered ones are full, the one that is shown is high.
 void station_strokes(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     const std::size_t count = lesson.course->stations.size();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, high = px(14), step = width / float(count);
@@ -49,7 +52,7 @@ void station_strokes(UiState& state) {
 }
 
 void heading(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     const bool has_title = !lesson.course->lesson.steps[lesson.station().step].title.empty();
     small_dim(has_title ? lesson.course->lesson.title : lesson.course->lesson.topic);
     station_strokes(state);
@@ -84,19 +87,19 @@ void posed(const StationQuestion& question) {
 }
 
 void questions(UiState& state) {
-    const Station& station = state.lesson.station();
-    const auto open = open_question(state.lesson);
-    if (open && !state.lesson.course->lesson.steps[station.step].picture.empty())
+    const Station& station = state.get<LessonState>().station();
+    const auto open = open_question(state.get<LessonState>());
+    if (open && !state.get<LessonState>().course->lesson.steps[station.step].picture.empty())
         small_dim("Until you have answered, the picture shows another setting: it would tell the answer.");
     for (std::size_t i = 0; i < station.questions.size(); ++i) {
-        if (open && i > *open && !state.lesson.lecturer) return;
+        if (open && i > *open && !state.get<LessonState>().lecturer) return;
         const StationQuestion& question = station.questions[i];
         ImGui::PushID(static_cast<int>(i));
         asked(open == i ? "WHAT DO YOU THINK?" : "QUESTION", question.asks->question);
-        const GivenAnswer& given = state.lesson.given()[i];
+        const GivenAnswer& given = state.get<LessonState>().given()[i];
         if (!open)
             revealed_answer(state, question, given);
-        else if (state.lesson.lecturer)
+        else if (state.get<LessonState>().lecturer)
             posed(question);
         else if (i < *open)
             small_dim(given_words(*question.asks, given));
@@ -104,19 +107,19 @@ void questions(UiState& state) {
             answer_fields(state, question);
         ImGui::Dummy({0, px(8)});
         ImGui::PopID();
-        if (open != open_question(state.lesson)) return redraw_within(0);  // it was locked in
+        if (open != open_question(state.get<LessonState>())) return redraw_within(0);  // it was locked in
     }
-    if (!open || !state.lesson.lecturer) return;
+    if (!open || !state.get<LessonState>().lecturer) return;
     if (main_button("Show the answer")) reveal_unanswered(state);
     tooltip("Show the answer", "PgDn does it, too");
 }
 
 void told(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     const Station& station = lesson.station();
     if (std::exchange(lesson.scrolls_down, false)) ImGui::SetScrollHereY(0.6f);
     if (station.reveal != nullptr && !station.reveal->play.empty()) {
-        if (ImGui::Button(state.animate.playing ? "Stop" : "Play it")) play_reveal(state);
+        if (ImGui::Button(state.get<AnimateState>().playing ? "Stop" : "Play it")) play_reveal(state);
         tooltip("Play it", "To and fro, between the two ends");
     }
     const bool current = lesson.watched && lesson.watched->station == lesson.progress.station;
@@ -138,7 +141,7 @@ void told(UiState& state) {
 
 /// Where the last station is answered: how it went.
 void summary(UiState& state) {
-    const LessonState& lesson = state.lesson;
+    const LessonState& lesson = state.get<LessonState>();
     if (lesson.progress.station + 1 < lesson.course->stations.size()) return;
     const CourseScore score = score_of(*lesson.course, lesson.progress);
     std::string text = fmt::format("The end of this lesson. {} of {} questions predicted, {} of them right",
@@ -152,7 +155,7 @@ void summary(UiState& state) {
 
 /// The row below: back, where one is, on.
 void ways_on(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     const std::size_t at = lesson.progress.station, count = lesson.course->stations.size();
     const bool open = open_question(lesson).has_value();
     ImGui::Separator();
@@ -176,7 +179,7 @@ void ways_on(UiState& state) {
 
 /// Whoever has explored finds the way back.
 void way_back(UiState& state) {
-    if (open_question(state.lesson)) return;
+    if (open_question(state.get<LessonState>())) return;
     ImGui::BeginDisabled(!has_strayed(state));
     if (ImGui::Button("Back to the lesson's scene", {ImGui::GetContentRegionAvail().x, 0}))
         back_to_scene(state);
@@ -187,13 +190,13 @@ void way_back(UiState& state) {
 /// The way back has its row before anything is dragged: the text must not jump under the hand.
 float height_below(const UiState& state) {
     const float row = ImGui::GetFrameHeightWithSpacing();
-    return row + px(8) + (open_question(state.lesson) ? 0 : row);
+    return row + px(8) + (open_question(state.get<LessonState>()) ? 0 : row);
 }
 
 }  // namespace
 
 void lesson_column(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     if (!lesson.course) return;  // it was left in this frame
     heading(state);
     ImGui::BeginChild("##lesson", {0, -height_below(state)});
@@ -210,7 +213,7 @@ void lesson_column(UiState& state) {
 }
 
 std::string lesson_caption(const UiState& state) {
-    const LessonState& lesson = state.lesson;
+    const LessonState& lesson = state.get<LessonState>();
     if (!lesson.course) return {};
     if (const auto open = open_question(lesson)) return lesson.station().questions[*open].asks->question;
     return step_title(*lesson.course, lesson.progress.station);

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "ui/features/inspector/inspector.h"
 #include "ui/features/lessons/lesson.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
@@ -52,7 +53,7 @@ std::pair<TermPlace, int> place_of(std::string_view term) {
 void mark_in_equation(UiState& state, const Prediction& question) {
     constexpr double seen_s = 5, scrolls_s = 0.3;
     const auto [place, light] = place_of(question.term);
-    InspectorState& inspector = state.inspector;
+    InspectorState& inspector = state.get<InspectorState>();
     inspector.tab = place.tab;
     inspector.world_frame = question.term.find("world") != std::string::npos;
     if (!question.term.empty())
@@ -65,7 +66,7 @@ void mark_in_equation(UiState& state, const Prediction& question) {
 }
 
 void show_in_equation(UiState& state, const Prediction& question) {
-    const Station& station = state.lesson.station();
+    const Station& station = state.get<LessonState>().station();
     if (station.reveal == nullptr || !station.reveal->pick) return;
     mark_in_equation(state, question);
     ask_about(state.viewport, share_of_lesson_pixel(state, glm::dvec2(*station.reveal->pick) + 0.5));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/prose.h"
 #include "ui/features/plots/plot.h"
 #include "ui/widgets/fonts.h"

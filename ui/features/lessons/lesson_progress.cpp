@@ -6,6 +6,7 @@
 
 #include "models/io/file.h"
 #include "models/utf8.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -76,7 +77,7 @@ Result<std::monostate> write_records(const UiState& state, const Json& records) 
 
 /// The record of the lesson goes into the file, beside all others. What cannot be read is not written over.
 Result<std::monostate> keep_record(const UiState& state) {
-    const LessonState& lesson = state.lesson;
+    const LessonState& lesson = state.get<LessonState>();
     Result<Json> read = read_records(state);
     if (const Problem* problem = problem_of(read)) return *problem;
     const Course& course = *lesson.course;
@@ -152,13 +153,14 @@ Json lesson_records(const UiState& state) {
 
 CourseProgress recall_progress(const UiState& state, const Course& course) {
     const Json records = lesson_records(state);
-    const Json* record = find_member(records, record_key(state.lesson.folder, course.lesson.path));
+    const Json* record =
+        find_member(records, record_key(state.get<LessonState>().folder, course.lesson.path));
     if (record == nullptr) return fresh_progress(course);
     return read_progress(*record, course).value_or(fresh_progress(course));
 }
 
 void keep_progress(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     if (!lesson.course || lesson.lecturer || lesson.progress == lesson.written) return;
     const char* const answers = "What is answered and done here";
     if (!can_keep(state, answers)) return;

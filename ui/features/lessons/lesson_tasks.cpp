@@ -5,7 +5,9 @@
 
 #include "models/fields/scene_numbers.h"
 #include "models/json/json_pointer.h"
+#include "ui/features/export/animation.h"
 #include "ui/features/inspector/equation/words.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
 #include "ui/features/lessons/lesson_progress.h"
 #include "ui/ui.h"
@@ -42,7 +44,7 @@ Result<std::vector<bool>> done_tasks(const WatchedTasks& asked, LessonRunner& ru
 }
 
 void begin_watching(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     if (!lesson.runner) lesson.runner = std::make_unique<LessonRunner>(1);
     lesson.asked_of = {lesson.course, state.editor.scene(), lesson.progress.station, {}};
     lesson.watching = std::make_unique<Job<std::vector<bool>>>(
@@ -52,7 +54,7 @@ void begin_watching(UiState& state) {
 }
 
 void take_watched(UiState& state) {
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     Result<std::vector<bool>> result = lesson.watching->take();
     lesson.watching.reset();
     WatchedTasks asked = std::exchange(lesson.asked_of, {});
@@ -69,14 +71,14 @@ void take_watched(UiState& state) {
 /// What a hand or a field moves is to be seen: what the lesson plays ends. The panel Animate has its own
 /// button.
 void end_motion(UiState& state) {
-    if (!state.animate.open) state.animate.playing = false;
+    if (!state.get<AnimateState>().open) state.get<AnimateState>().playing = false;
 }
 
 }  // namespace
 
 void poll_lesson(UiState& state) {
     constexpr double look_again = 0.03;  // seconds
-    LessonState& lesson = state.lesson;
+    LessonState& lesson = state.get<LessonState>();
     if (lesson.watching && lesson.watching->done()) take_watched(state);
     if (lesson.watching) redraw_within(look_again);
     if (!lesson.course) return;

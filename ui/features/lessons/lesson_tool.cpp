@@ -34,14 +34,14 @@ Shown shown_question(const LessonState& lesson, PredictionKind kind) {
 
 bool lesson_hover(ToolFrame& frame) {
     if (!is_held(frame.state) || !frame.over) return false;
-    const bool clicks =
-        !frame.state.lesson.lecturer && shown_question(frame.state.lesson, PredictionKind::Click).is_open;
+    const bool clicks = !frame.state.get<LessonState>().lecturer &&
+                        shown_question(frame.state.get<LessonState>(), PredictionKind::Click).is_open;
     if (clicks) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     return true;  // no other tool has the mouse
 }
 
 int lesson_press(ToolFrame& frame) {
-    LessonState& lesson = frame.state.lesson;
+    LessonState& lesson = frame.state.get<LessonState>();
     const bool clicks =
         !lesson.lecturer && ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (!clicks || !shown_question(lesson, PredictionKind::Click).is_open) return not_taken;
@@ -63,9 +63,9 @@ ImVec2 place_of(const UiState& state, const PictureView& view, const Json& pixel
 }
 
 void draw_click(ImDrawList& list, const UiState& state, const PictureView& view) {
-    const Shown shown = shown_question(state.lesson, PredictionKind::Click);
+    const Shown shown = shown_question(state.get<LessonState>(), PredictionKind::Click);
     if (shown.question == nullptr) return;
-    const Json& mine = shown.is_open ? state.lesson.chosen : shown.given->value;
+    const Json& mine = shown.is_open ? state.get<LessonState>().chosen : shown.given->value;
     const ImU32 own = to_u32(theme().warning), white = to_u32({1, 1, 1, 1});
     const bool has_mine = elements_of(mine).size() == 2;
     if (!shown.is_open) {
@@ -79,7 +79,7 @@ void draw_click(ImDrawList& list, const UiState& state, const PictureView& view)
 
 /// The line along which a curve is sketched, with its ends named as in the plot.
 void draw_sketch_line(ImDrawList& list, const UiState& state, const PictureView& view) {
-    const Shown shown = shown_question(state.lesson, PredictionKind::Sketch);
+    const Shown shown = shown_question(state.get<LessonState>(), PredictionKind::Sketch);
     if (shown.question == nullptr) return;
     const auto end = [&](glm::ivec2 pixel) {
         const glm::dvec2 middle = glm::dvec2(pixel) + 0.5;
@@ -104,14 +104,14 @@ const Tool lesson_tool{lesson_hover, lesson_press, nullptr, nullptr, nullptr, le
 glm::dvec2 share_of_lesson_pixel(const UiState& state, glm::dvec2 pixel) {
     const PictureSize size = state.rendered != nullptr ? state.rendered->size : PictureSize{16, 9};
     const PixelsBetween between =
-        pixels_between(state.editor.scene().camera, state.lesson.course->lesson.size, size);
+        pixels_between(state.editor.scene().camera, state.get<LessonState>().course->lesson.size, size);
     return between(pixel) / glm::dvec2(size.width, size.height);
 }
 
 glm::dvec2 lesson_pixel_of_share(const UiState& state, glm::dvec2 share) {
     const PictureSize size = state.rendered->size;
-    return pixels_between(state.editor.scene().camera, size,
-                          state.lesson.course->lesson.size)(share * glm::dvec2(size.width, size.height));
+    return pixels_between(state.editor.scene().camera, size, state.get<LessonState>().course->lesson.size)(
+        share * glm::dvec2(size.width, size.height));
 }
 
 std::size_t sketch_length(const Prediction& question) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "ui/document/document_actions.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
@@ -32,7 +33,7 @@ std::vector<LessonEntry> lessons_in(const UiState& state, const std::string& fol
             entry.title = lesson->title;
             entry.topic = lesson->topic;
         }
-        if (const Json* record = find_member(records, record_key(state.lesson.folder, path)))
+        if (const Json* record = find_member(records, record_key(state.get<LessonState>().folder, path)))
             entry.record = read_record(*record);
         entries.push_back(std::move(entry));
     }
@@ -87,26 +88,27 @@ std::string number_of(const LessonEntry& entry) {
 }
 
 void list_own_lessons(UiState& state) {
-    state.lessons.own =
-        state.lesson.folder.empty() ? std::vector<LessonEntry>() : lessons_in(state, state.lesson.folder);
+    state.get<LessonListState>().own = state.get<LessonState>().folder.empty()
+                                           ? std::vector<LessonEntry>()
+                                           : lessons_in(state, state.get<LessonState>().folder);
 }
 
 void open_lessons(UiState& state) {
-    LessonListState& lessons = state.lessons;
+    LessonListState& lessons = state.get<LessonListState>();
     lessons.open = true;
     lessons.chosen = -1;
     keep_progress(state);
     list_own_lessons(state);
     lessons.beside.clear();
-    if (!state.lesson.course) return;
-    const std::string folder = fs::path(state.lesson.course->lesson.path).parent_path().string();
+    if (!state.get<LessonState>().course) return;
+    const std::string folder = fs::path(state.get<LessonState>().course->lesson.path).parent_path().string();
     std::error_code failed;
-    if (!fs::equivalent(folder.empty() ? "." : folder, state.lesson.folder, failed))
+    if (!fs::equivalent(folder.empty() ? "." : folder, state.get<LessonState>().folder, failed))
         lessons.beside = lessons_in(state, folder.empty() ? "." : folder);
 }
 
 void lessons_dialog(UiState& state, const UiInput& input) {
-    LessonListState& lessons = state.lessons;
+    LessonListState& lessons = state.get<LessonListState>();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const ImVec2 size{std::min(px(680), window.x - px(40)), std::min(px(720), window.y - px(40))};
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -124,7 +126,8 @@ void lessons_dialog(UiState& state, const UiInput& input) {
         if (!lessons.beside.empty())
             section_heading(entries == &lessons.beside ? "Beside the open lesson" : "Of Glint");
         for (const LessonEntry& entry : *entries) {
-            const bool is_open = state.lesson.course && state.lesson.course->lesson.path == entry.path;
+            const bool is_open =
+                state.get<LessonState>().course && state.get<LessonState>().course->lesson.path == entry.path;
             const bool is_chosen = index++ == lessons.chosen;
             if (lesson_row(entry, is_open, is_chosen) || (is_chosen && entered)) chosen = entry.path;
             if (is_chosen && lessons.chosen != before) ImGui::SetScrollHereY(0.5f);

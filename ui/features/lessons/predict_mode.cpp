@@ -9,8 +9,11 @@
 
 #include "ui/commands/command.h"
 #include "ui/document/loading.h"
+#include "ui/features/export/animation.h"
+#include "ui/features/lecture/lecture.h"
 #include "ui/features/lessons/lesson_parts.h"
 #include "ui/features/lessons/prose.h"
+#include "ui/features/views/compare_view.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
@@ -26,42 +29,43 @@ Json json_of(const std::array<int, 3>& colour) {
 /// What is predicted is a colour of the edited scene: no part of a comparison, and not what is frozen, plays
 /// or is B.
 void show_edited_alone(UiState& state) {
-    state.views.compare.choice.on = state.views.compare.choice.shows_stored = false;
-    state.animate.playing = false;
-    state.animate.frame.reset();
-    state.lecture.frozen.reset();
+    state.get<CompareState>().choice.on = state.get<CompareState>().choice.shows_stored = false;
+    state.get<AnimateState>().playing = false;
+    state.get<AnimateState>().frame.reset();
+    state.get<LectureState>().frozen.reset();
 }
 
 /// From the picked pixel on, if it has a colour now; else one is asked for.
 void begin_prediction(UiState& state) {
     show_edited_alone(state);
-    state.predict = {};
-    state.predict.stage = PredictStage::Pick;
+    state.get<PredictState>() = {};
+    state.get<PredictState>().stage = PredictStage::Pick;
     redraw_within(0);  // poll_prediction() goes on
 }
 
 /// Precondition: the picked pixel is explained, of the edited scene.
 void stop_picture(UiState& state) {
     show_edited_alone(state);
-    PredictState& predict = state.predict;
+    PredictState& predict = state.get<PredictState>();
     predict.stage = PredictStage::Change;
     predict.probe = state.viewport.probe;
     predict.before = state.explanation->byte;
     freeze(state);
-    state.lecture.frozen = as_made(state, state.editor.scene());  // not what the mouse over a term may show
+    state.get<LectureState>().frozen =
+        as_made(state, state.editor.scene());  // not what the mouse over a term may show
 }
 
 /// Shows the predicted pixel as it is now, whatever was looked at or asked meanwhile.
 void reveal(UiState& state) {
-    state.predict.stage = PredictStage::Revealed;
+    state.get<PredictState>().stage = PredictStage::Revealed;
     show_edited_alone(state);
-    state.viewport.probe = state.predict.probe;
+    state.viewport.probe = state.get<PredictState>().probe;
     state.explanation.reset();
     redraw_within(0);
 }
 
 void lock_in_colour(UiState& state) {
-    PredictState& predict = state.predict;
+    PredictState& predict = state.get<PredictState>();
     if (predict.mine == Json()) predict.mine = json_of(predict.before);
     reveal(state);
 }
@@ -72,7 +76,7 @@ void pick_panel() {
 }
 
 void change_panel(UiState& state) {
-    PredictState& predict = state.predict;
+    PredictState& predict = state.get<PredictState>();
     prose_line("Change what you like: the picture stands still. What colour will the pixel have?");
     colour_row("It was", json_of(predict.before));
     ImGui::Dummy({0, px(4)});
@@ -96,7 +100,7 @@ void change_panel(UiState& state) {
 }
 
 void revealed_panel(UiState& state) {
-    const PredictState& predict = state.predict;
+    const PredictState& predict = state.get<PredictState>();
     if (!predict.answer) return small_dim("The picture is drawn.");
     const Json answer = json_of(*predict.answer);
     colour_row("You said", predict.mine);
@@ -120,19 +124,19 @@ void revealed_panel(UiState& state) {
 }  // namespace
 
 void switch_prediction(UiState& state) {
-    if (state.predict.stage != PredictStage::Off) return end_prediction(state);
+    if (state.get<PredictState>().stage != PredictStage::Off) return end_prediction(state);
     state.layout.right = state.left_shows_inspector = true;
     state.layout.hides_columns = false;
     begin_prediction(state);
 }
 
 void end_prediction(UiState& state) {
-    if (state.predict.stage == PredictStage::Change) state.lecture.frozen.reset();
-    state.predict = {};
+    if (state.get<PredictState>().stage == PredictStage::Change) state.get<LectureState>().frozen.reset();
+    state.get<PredictState>() = {};
 }
 
 bool predict_by_key(UiState& state, KeyPress press) {
-    PredictState& predict = state.predict;
+    PredictState& predict = state.get<PredictState>();
     if (!(press == KeyPress{Key::Enter})) return false;
     if (predict.stage == PredictStage::Revealed && predict.answer) {
         begin_prediction(state);
@@ -149,14 +153,15 @@ bool predict_by_key(UiState& state, KeyPress press) {
 }
 
 void poll_prediction(UiState& state) {
-    PredictState& predict = state.predict;
+    PredictState& predict = state.get<PredictState>();
     if (predict.stage == PredictStage::Pick && state.viewport.probe) {
         if (is_explained(state))
             stop_picture(state);
         else if (is_out_of_hand(state))  // B, or a frozen picture, was clicked: the scene is shown first
             show_edited_alone(state);
     }
-    if (predict.stage == PredictStage::Change && !state.lecture.frozen) end_prediction(state);  // by F8
+    if (predict.stage == PredictStage::Change && !state.get<LectureState>().frozen)
+        end_prediction(state);  // by F8
     if (predict.stage != PredictStage::Revealed || predict.answer) return;
     if (!state.viewport.probe) return end_prediction(state);
     const bool drawn = state.rendered_is_edited && state.rendered_scene == state.editor.scene();
@@ -165,7 +170,7 @@ void poll_prediction(UiState& state) {
 }
 
 bool predict_panel(UiState& state) {
-    switch (state.predict.stage) {
+    switch (state.get<PredictState>().stage) {
     case PredictStage::Off:
         return true;
     case PredictStage::Pick:
@@ -176,7 +181,7 @@ bool predict_panel(UiState& state) {
         return false;
     case PredictStage::Revealed:
         revealed_panel(state);
-        return state.predict.answer.has_value();
+        return state.get<PredictState>().answer.has_value();
     }
     return true;  // not reached
 }

@@ -82,7 +82,7 @@ int plotted_light(const UiState& state) {
     if (selection.kind == Selection::Kind::Light && exists(selection.index)) return selection.index;
     if (state.explanation && state.explanation->hit)
         if (const ExplainedLight* light =
-                asked_light(state, asked_point(state.inspector, *state.explanation));
+                asked_light(state, asked_point(state.get<InspectorState>(), *state.explanation));
             light != nullptr && exists(light->index))
             return light->index;
     return 0;
@@ -90,7 +90,7 @@ int plotted_light(const UiState& state) {
 
 void plots_tab(UiState& state, const PictureView& view) {
     const Scene& scene = asked_scene(state);
-    PlotsState& plots = state.views.plots;
+    PlotsState& plots = state.get<PlotsState>();
     if (scene.lights.empty()) return wrapped_dim("The curves are those of a light: add one (L).");
     const int light = plotted_light(state);
     int chosen = light;

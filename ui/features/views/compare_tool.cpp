@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/features/views/compare_view.h"
+#include "ui/features/views/scope.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
@@ -117,9 +118,9 @@ void settings_popup(CompareState& state) {
 
 /// Lines are dragged, labels clicked. The scope's line that is about to be drawn may begin on either.
 bool compare_hover(ToolFrame& frame) {
-    CompareState& state = frame.state.views.compare;
+    CompareState& state = frame.state.get<CompareState>();
     state.under = state.label_under = -1;
-    if (!state.choice.on || !frame.over || frame.state.views.scope.armed) return false;
+    if (!state.choice.on || !frame.over || frame.state.get<ScopeState>().armed) return false;
     find_under(state, frame.view);
     if (state.under >= 0)
         ImGui::SetMouseCursor(state.choice.stacked ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
@@ -128,7 +129,7 @@ bool compare_hover(ToolFrame& frame) {
 }
 
 int compare_press(ToolFrame& frame) {
-    CompareState& state = frame.state.views.compare;
+    CompareState& state = frame.state.get<CompareState>();
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return not_taken;
     state.dragged = state.under;
     if (state.label_under >= 0) {
@@ -139,7 +140,7 @@ int compare_press(ToolFrame& frame) {
 }
 
 bool compare_drag(ToolFrame& frame) {
-    CompareState& state = frame.state.views.compare;
+    CompareState& state = frame.state.get<CompareState>();
     if (!state.choice.on || state.dragged >= static_cast<int>(state.choice.wipes.size())) {
         state.dragged = -1;
         return false;
@@ -149,10 +150,10 @@ bool compare_drag(ToolFrame& frame) {
     return true;
 }
 
-void compare_release(ToolFrame& frame) { frame.state.views.compare.dragged = -1; }
+void compare_release(ToolFrame& frame) { frame.state.get<CompareState>().dragged = -1; }
 
 std::string compare_hint(const UiState& ui) {
-    const CompareState& state = ui.views.compare;
+    const CompareState& state = ui.get<CompareState>();
     if (!state.choice.on) return {};
     if (state.under >= 0 || state.dragged >= 0) return "Drag the line";
     return state.label_under >= 0 ? "Click: what this part shows" : "";
@@ -185,7 +186,7 @@ void difference_caption(ImDrawList& list, const CompareState& state) {
 
 /// Lines and labels; the list of a part's settings once its label was clicked.
 void draw_compare(ImDrawList& list, UiState& ui, const PictureView& view) {
-    CompareState& state = ui.views.compare;
+    CompareState& state = ui.get<CompareState>();
     if (!state.choice.on) return;
     if (!state.choice.difference) {
         for (int i = 0; i < static_cast<int>(state.choice.wipes.size()); ++i) draw_wipe(list, state, i, view);

@@ -104,7 +104,7 @@ void draw_card(ImDrawList& list, const ScopeState& scope, const PictureView& vie
 }
 
 bool scope_hover(ToolFrame& frame) {
-    ScopeState& scope = frame.state.views.scope;
+    ScopeState& scope = frame.state.get<ScopeState>();
     scope.under = Hand::None;
     if (!scope.open || !frame.over) return false;
     scope.under = under_cursor(scope, frame.view, frame.pixel / size_of(frame.view));
@@ -118,7 +118,7 @@ glm::dvec2 share_under(const ToolFrame& frame) {
 }
 
 int scope_press(ToolFrame& frame) {
-    ScopeState& scope = frame.state.views.scope;
+    ScopeState& scope = frame.state.get<ScopeState>();
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return not_taken;
     scope.hand = scope.under;
     scope.last = share_under(frame);
@@ -129,7 +129,7 @@ int scope_press(ToolFrame& frame) {
 
 /// Shift keeps the line level or upright.
 bool scope_drag(ToolFrame& frame) {
-    ScopeState& scope = frame.state.views.scope;
+    ScopeState& scope = frame.state.get<ScopeState>();
     if (!scope.open || scope.hand == Hand::None) return false;
     if (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0)
         drag(scope, frame.view, share_under(frame));
@@ -139,7 +139,7 @@ bool scope_drag(ToolFrame& frame) {
 
 /// A press that never moved is the scan line through that pixel.
 void scope_release(ToolFrame& frame) {
-    ScopeState& scope = frame.state.views.scope;
+    ScopeState& scope = frame.state.get<ScopeState>();
     const glm::dvec2 drawn =
         (scope.to - scope.from) * size_of(frame.view) * double(frame.view.units_per_pixel);
     if (scope.hand == Hand::New) {
@@ -152,10 +152,10 @@ void scope_release(ToolFrame& frame) {
     scope.hand = Hand::None;
 }
 
-bool disarm_scope(UiState& state) { return std::exchange(state.views.scope.armed, false); }
+bool disarm_scope(UiState& state) { return std::exchange(state.get<ScopeState>().armed, false); }
 
 std::string scope_hint(const UiState& state) {
-    const ScopeState& scope = state.views.scope;
+    const ScopeState& scope = state.get<ScopeState>();
     if (!scope.open) return {};
     switch (scope.hand != Hand::None ? scope.hand : scope.under) {
     case Hand::None:
@@ -182,7 +182,7 @@ std::string with_sign(double slope) {
 
 /// Line, ends, card, and the sample pointed at in the panel.
 void draw_scope_line(ImDrawList& list, UiState& state, const PictureView& view) {
-    const ScopeState& scope = state.views.scope;
+    const ScopeState& scope = state.get<ScopeState>();
     if (!scope.open) return;
     if (scope.card) draw_card(list, scope, view);
     const ImVec2 from = place_of(scope.from, view), to = place_of(scope.to, view);

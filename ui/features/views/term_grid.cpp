@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "ui/features/export/animation.h"
 #include "ui/features/inspector/inspector.h"
+#include "ui/features/lecture/lecture.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
@@ -238,8 +240,8 @@ void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size)
 }
 
 void term_grid_tab(UiState& state, const PictureView& view) {
-    TermGridState& grid = state.views.grid;
-    if (state.lecture.frozen || state.animate.frame)
+    TermGridState& grid = state.get<TermGridState>();
+    if (state.get<LectureState>().frozen || state.get<AnimateState>().frame)
         return wrapped_dim(
             "While the picture is frozen, or an animation plays, no cell changes what it shows.");
     const std::optional<OtherScene> other = resting_below_cells(state);

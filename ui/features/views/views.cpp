@@ -5,6 +5,10 @@
 #include "ui/commands/command.h"
 #include "ui/features/export/clipboard.h"
 #include "ui/features/export/export_picture.h"
+#include "ui/features/lessons/lesson.h"
+#include "ui/features/views/compare_view.h"
+#include "ui/features/views/debug_view_controls.h"
+#include "ui/features/views/scope.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/area.h"
@@ -24,16 +28,16 @@ const Picture& scope_reads(const UiState& state) {
 
 /// The picture that shows: the drawn one, or what is composed of it.
 const Picture& shown_picture(UiState& state) {
-    ViewsState& views = state.views;
-    DebugViewState& debug = views.debug_view;
+    CompareState& compare = state.get<CompareState>();
+    DebugViewState& debug = state.get<DebugViewState>();
     if (debug.set.choice.view != DebugView::Picture) {
-        if (!debug.painter) debug.painter = std::make_unique<DebugViewPainter>(views.threads);
+        if (!debug.painter) debug.painter = std::make_unique<DebugViewPainter>(state.threads);
         return debug.painter->paint(debug.set.choice, state.rendered_scene, *state.renderer,
                                     state.rendered->size);
     }
     const Picture& shown =
-        views.compare.choice.on
-            ? compose(views.compare, {state.rendered_scene, *state.rendered, *state.renderer, views.threads})
+        compare.choice.on
+            ? compose(compare, {state.rendered_scene, *state.rendered, *state.renderer, state.threads})
             : *state.rendered;
     if (!debug.set.over_range || shown.linear.empty()) return shown;
     debug.striped = shown;
@@ -44,18 +48,20 @@ const Picture& shown_picture(UiState& state) {
 }  // namespace
 
 const Picture& unpainted_picture(const UiState& state) {
-    const ViewsState& views = state.views;
-    if (views.debug_view.set.choice.view != DebugView::Picture) return *state.rendered;
-    if (state.displayed != &views.debug_view.striped) return *state.displayed;
-    return views.compare.choice.on ? views.compare.picture : *state.rendered;
+    const DebugViewState& debug = state.get<DebugViewState>();
+    if (debug.set.choice.view != DebugView::Picture) return *state.rendered;
+    if (state.displayed != &debug.striped) return *state.displayed;
+    const CompareState& compare = state.get<CompareState>();
+    return compare.choice.on ? compare.picture : *state.rendered;
 }
 
 namespace {
 
 /// Composes again when what it is made from has changed.
 void update_shown(UiState& state) {
-    ViewsState& views = state.views;
-    const ShownFrom from{views.compare.choice, views.debug_view.set, !state.rendered->linear.empty()};
+    ViewsState& views = state.get<ViewsState>();
+    const ShownFrom from{state.get<CompareState>().choice, state.get<DebugViewState>().set,
+                         !state.rendered->linear.empty()};
     const bool drawn = views.shown_serial != state.picture_serial;
     if (!drawn && from == views.shown_from) return;
     const Picture* before = state.displayed;
@@ -69,7 +75,7 @@ void update_shown(UiState& state) {
 /// Lets the renderer of the picked pixel's part explain it.
 void ask_part(UiState& state) {
     if (!state.explanation || !(state.rendered_scene == shown_scene(state))) return;
-    const CompareState& compare = state.views.compare;
+    const CompareState& compare = state.get<CompareState>();
     const glm::ivec2 pixel{state.explanation->x, state.explanation->y};
     const Renderer* renderer = part_renderer(compare, pixel, state.displayed->size);
     if (renderer == nullptr || renderer == state.renderer.get()) return;
@@ -101,12 +107,13 @@ void command_button(UiState& state, const char* label, CommandId id, const char*
 /// While pictures are compared their controls come first: where they would not fit, the buttons go that the
 /// menu View has, too.
 void views_bar(UiState& state) {
-    float& whole_width = state.views.bar_width;
+    float& whole_width = state.get<ViewsState>().bar_width;
     const float begin = ImGui::GetCursorScreenPos().x;
-    const bool is_whole = !state.views.compare.choice.on || whole_width <= ImGui::GetContentRegionAvail().x;
+    const bool is_whole =
+        !state.get<CompareState>().choice.on || whole_width <= ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(fonts().small);
-    if (debug_view_controls(state.views.debug_view, shown_scene(state)))
-        state.views.compare.choice.on = false;  // they take each other's place
+    if (debug_view_controls(state.get<DebugViewState>(), shown_scene(state)))
+        state.get<CompareState>().choice.on = false;  // they take each other's place
     if (is_whole) {
         command_button(state, "Over-range", CommandId::OverRange,
                        "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
@@ -126,21 +133,21 @@ void views_bar(UiState& state) {
             state, "Dots", CommandId::LitDots,
             "A dot where the equation is evaluated (some dots are left out), and the evaluations per frame");
     }
-    compare_controls(state.views.compare);
+    compare_controls(state.get<CompareState>());
     if (is_whole) whole_width = ImGui::GetCursorScreenPos().x - begin;
     ImGui::PopFont();
 }
 
 }  // namespace
 
-void show_quantity(ViewsState& views, DebugView view, bool keep_comparing) {
-    views.debug_view.set.choice.view = view;
-    if (!keep_comparing) views.compare.choice.on = false;
+void show_quantity(UiState& state, DebugView view, bool keep_comparing) {
+    state.get<DebugViewState>().set.choice.view = view;
+    if (!keep_comparing) state.get<CompareState>().choice.on = false;
 }
 
 void copy_profile_command(UiState& state) {
     const PictureSize size = state.rendered->size;
-    const ScopeState& scope = state.views.scope;
+    const ScopeState& scope = state.get<ScopeState>();
     const std::string command = shortest_command(state, [&](const SceneDocument& of, const Scene& in_file) {
         return profile_command_text(of, in_file, size, pixel_of(scope.from, size), pixel_of(scope.to, size));
     });
@@ -154,24 +161,25 @@ void copy_profile_command(UiState& state) {
             "single command prints those of the comparison or view shown here");
 }
 
-bool is_composed(const ViewsState& views) {
-    return views.compare.choice.on || views.debug_view.set.choice.view != DebugView::Picture;
+bool is_composed(const UiState& state) {
+    return state.get<CompareState>().choice.on ||
+           state.get<DebugViewState>().set.choice.view != DebugView::Picture;
 }
 
-void begin_views(UiState& state) { state.layout.scope = state.views.scope.open; }
+void begin_views(UiState& state) { state.layout.scope = state.get<ScopeState>().open; }
 
-bool views_need_linear(const ViewsState& views) {
-    return views.scope.open || views.debug_view.set.over_range;
+bool views_need_linear(const UiState& state) {
+    return state.get<ScopeState>().open || state.get<DebugViewState>().set.over_range;
 }
 
 void update_views(UiState& state) {
-    state.views.compare.resting = state.resting ? state.resting->label : std::string();
+    state.get<CompareState>().resting = state.resting ? state.resting->label : std::string();
     update_shown(state);
-    update_scope(state.views.scope, *state.renderer, scope_reads(state));
+    update_scope(state.get<ScopeState>(), *state.renderer, scope_reads(state));
     ask_part(state);
     const PictureSize size = state.rendered->size;
-    update_lit_dots(state.views.lit, drawn_parts(state.views.compare, *state.renderer, size), size,
-                    state.picture_serial);
+    update_lit_dots(state.get<LitDotsState>(), drawn_parts(state.get<CompareState>(), *state.renderer, size),
+                    size, state.picture_serial);
 }
 
 void views_windows(UiState& state, const Layout& layout) {
@@ -184,7 +192,8 @@ void views_windows(UiState& state, const Layout& layout) {
     }
     if (layout.has_scope && state.rendered != nullptr) {
         begin_area("##scope", layout.scope, ImGuiWindowFlags_NoScrollWithMouse);
-        if (scope_panel(state.views.scope, layout.scope, state.rendered->size)) copy_profile_command(state);
+        if (scope_panel(state.get<ScopeState>(), layout.scope, state.rendered->size))
+            copy_profile_command(state);
         ImGui::End();
     }
 }
@@ -192,7 +201,7 @@ void views_windows(UiState& state, const Layout& layout) {
 void follow_b_key(UiState& state, bool held) {
     constexpr double long_press = 0.4;  // seconds
     constexpr int enough_frames = 2;    // one slow frame makes no long press
-    CompareState& compare = state.views.compare;
+    CompareState& compare = state.get<CompareState>();
     if (!compare.b_turned) return;
     if (held) {
         ++compare.b_frames;

@@ -9,11 +9,8 @@
 #include <vector>
 
 #include "renderer/renderer.h"
-#include "ui/features/plots/plots_tab.h"
 #include "ui/features/views/compare_view.h"
 #include "ui/features/views/debug_view_controls.h"
-#include "ui/features/views/scope.h"
-#include "ui/features/views/term_grid.h"
 #include "ui/picture/screen.h"
 #include "ui/shell/layout.h"
 #include "ui/widgets/kept.h"
@@ -92,14 +89,6 @@ struct ShownFrom {
 
 /// The ways in which the picture is looked at; none of it is the scene's.
 struct ViewsState {
-    ScopeState scope;
-    CompareState compare;
-    DebugViewState debug_view;
-    PlotsState plots;
-    MagnifierState magnifier;
-    LitDotsState lit;
-    TermGridState grid;
-    int threads = 0;  // of further renderers
     // What the shown picture was made from:
     ShownFrom shown_from;
     std::uint64_t shown_serial = 0;  // UiState::picture_serial then
@@ -107,16 +96,16 @@ struct ViewsState {
 };
 
 /// Shows one quantity in place of the picture. It and a comparison take each other's place.
-void show_quantity(ViewsState& views, DebugView view, bool keep_comparing = false);
+void show_quantity(UiState& state, DebugView view, bool keep_comparing = false);
 
 /// Whether parts of a comparison or a quantity show in the place of the scene's own picture.
-[[nodiscard]] bool is_composed(const ViewsState& views);
+[[nodiscard]] bool is_composed(const UiState& state);
 
 /// Asks for the room of panels that are open; before the layout.
 void begin_views(UiState& state);
 
 /// Whether something shown is read off Picture::linear.
-[[nodiscard]] bool views_need_linear(const ViewsState& views);
+[[nodiscard]] bool views_need_linear(const UiState& state);
 
 /// Brings all that is read off the picture up to date; after it was drawn, or kept.
 void update_views(UiState& state);

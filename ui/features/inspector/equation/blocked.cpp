@@ -57,8 +57,9 @@ std::vector<int> blocker_indices(const Scene& scene, const ExplainedPoint& point
 std::string blocked_words(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                           std::size_t which) {
     const Scene& scene = asked_scene(state);
-    const BlockedKey key{state.picture_serial, {explanation.x, explanation.y}, state.inspector.corner};
-    auto& blocked = state.inspector.blocked;
+    const BlockedKey key{
+        state.picture_serial, {explanation.x, explanation.y}, state.get<InspectorState>().corner};
+    auto& blocked = state.get<InspectorState>().blocked;
     const bool slow = triangle_count(scene) * point.lights.size() > at_once;
     if (slow && ImGui::IsAnyMouseDown() && !blocked.is_of(key)) return "";
     const std::vector<int>& by = blocked.of(key, [&] { return blocker_indices(scene, point); });

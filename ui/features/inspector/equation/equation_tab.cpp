@@ -115,8 +115,8 @@ void tone_line(const ExplainedTone& tone, int channel) {
 }
 
 void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint& point) {
-    const int channel = state.inspector.channel;
-    const auto& marked = state.inspector.marked;
+    const int channel = state.get<InspectorState>().channel;
+    const auto& marked = state.get<InspectorState>().marked;
     const bool is_marked = marked && marked->light < 0;
     const QuantityMark mark(is_marked ? std::optional(marked->quantity) : std::nullopt, false);
     if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel);
@@ -129,11 +129,11 @@ void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint&
 
 void light_cards(UiState& state, const Explanation& explanation, const ExplainedPoint& point) {
     const auto& lights = point.lights;
-    const auto& marked = state.inspector.marked;
+    const auto& marked = state.get<InspectorState>().marked;
     const auto wanted = std::find_if(lights.begin(), lights.end(), [&](const ExplainedLight& light) {
         return marked && marked->light == light.index;
     });
-    state.inspector.cards.draw(
+    state.get<InspectorState>().cards.draw(
         static_cast<int>(lights.size()),
         [&](int i) { light_card(state, explanation, point, static_cast<std::size_t>(i)); },
         static_cast<int>(wanted - lights.begin()));
@@ -207,7 +207,7 @@ void equation_tab(UiState& state, const PictureView&) {
             "why a "
             "light that you expect adds nothing.");
     const Explanation& explanation = *state.explanation;
-    forget_old_mark(state.inspector);
+    forget_old_mark(state.get<InspectorState>());
     if (!explanation.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
     if (static_cast<std::size_t>(explanation.object_index) >= asked_scene(state).objects.size()) return;
     formula(explanation.reflection);
@@ -216,12 +216,12 @@ void equation_tab(UiState& state, const PictureView&) {
     display_lines(state, explanation);
     my_pixel(state);
     if (explanation.reflection != Reflection::None) {
-        section_heading(section_title(state.inspector, explanation).c_str());
+        section_heading(section_title(state.get<InspectorState>(), explanation).c_str());
         mistakes_note(asked_scene(state));
-        lit_at(state.inspector, explanation, asked_scene(state).shading);
+        lit_at(state.get<InspectorState>(), explanation, asked_scene(state).shading);
         interpolations(state, explanation);
         against_phong(state, explanation);
-        const ExplainedPoint& point = asked_point(state.inspector, explanation);
+        const ExplainedPoint& point = asked_point(state.get<InspectorState>(), explanation);
         unlit(state, explanation, point);
         light_cards(state, explanation, point);
         if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");

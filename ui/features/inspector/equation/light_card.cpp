@@ -72,7 +72,7 @@ void angle(TextLine& line, UiState& state, Quantity cosine, Symbol to, float val
     const Rect area{low, last_item().high};
     line.gap(8);
     list_control(fmt::format("angle {}", row_of(cosine).letter).c_str(), "", area);
-    if (is_pointed_at(area)) state.inspector.pointed_vector = to;
+    if (is_pointed_at(area)) state.get<InspectorState>().pointed_vector = to;
 }
 
 void angles(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
@@ -254,7 +254,7 @@ bool light_term(UiState& state, const EquationLine& term, int light) {
     const Scene& scene = asked_scene(state);
     ImGui::PushID(static_cast<int>(term.term));
     ImGui::BeginGroup();
-    const bool edited = draw_line(term, {scene, editable_scene(state)}, state.inspector.channel);
+    const bool edited = draw_line(term, {scene, editable_scene(state)}, state.get<InspectorState>().channel);
     ImGui::EndGroup();
     ImGui::PopID();
     const auto [low, high] = last_item();
@@ -280,7 +280,7 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     const auto index = static_cast<std::size_t>(explained.index);
     if (index >= scene.lights.size()) return;
     const Light before = scene.lights[index];
-    const auto& marked = state.inspector.marked;
+    const auto& marked = state.get<InspectorState>().marked;
     const bool is_marked = marked && marked->light == explained.index;
     const QuantityMark mark(is_marked ? std::optional(marked->quantity) : std::nullopt,
                             is_marked && ImGui::GetTime() < marked->scrolls_until);
@@ -294,12 +294,12 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     if (!is_area) angles(state, explanation, point, explained);  // each sample has its own
     edited |= share_lines({scene, edited_scene}, in);
     for (const EquationLine& term : light_lines(in)) edited |= light_term(state, term, explained.index);
-    if (is_area) sample_rows(explained, state.inspector.channel);
+    if (is_area) sample_rows(explained, state.get<InspectorState>().channel);
     if (const std::string reason = dark_reason(explained, before); !reason.empty()) warning_text(reason);
     if (const std::string words = blocked_words(state, explanation, point, which); !words.empty())
         wrapped_dim(words);
     ImGui::EndGroup();
-    if (is_pointed_at(last_item())) state.inspector.pointed_light = explained.index;
+    if (is_pointed_at(last_item())) state.get<InspectorState>().pointed_light = explained.index;
     ImGui::PopID();
     if (edited) keep_valid(edited_scene->lights[index], before);
 }

@@ -95,7 +95,7 @@ void sum_table(UiState& state, const Explanation& explanation) {
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
     for (const char* channel : channel_names)
         ImGui::TableSetupColumn(channel, ImGuiTableColumnFlags_WidthFixed, width);
-    header_row(state.inspector);
+    header_row(state.get<InspectorState>());
     if (asked_scene(state).npr.cool_to_warm) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();

@@ -15,6 +15,7 @@
 #include "ui/features/export/clipboard.h"
 #include "ui/features/inspector/equation/number_handle.h"
 #include "ui/features/inspector/equation/text_line.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/mistake_row.h"
 #include "ui/features/inspector/program/program_state.h"
 #include "ui/features/inspector/tabs.h"
@@ -79,7 +80,7 @@ void light_grip(UiState& state, int light_index) {
     if (!grip(fmt::format("grip of light {}", light_index), "Drag past gluLookAt", what,
               "Its numbers stay, and mean another place", fmt::format("/lights/{}/space", light_index)))
         return;
-    const float y = ImGui::GetIO().MousePos.y, line = state.inspector.look_at_y;
+    const float y = ImGui::GetIO().MousePos.y, line = state.get<InspectorState>().look_at_y;
     if (light.space == LightSpace::Camera && y > line + TextLine::height()) light.space = LightSpace::World;
     if (light.space == LightSpace::World && y < line) light.space = LightSpace::Camera;
 }
@@ -128,7 +129,7 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
         });
     }
     const Rect area{low, {right, last_item().high.y}};
-    if (call.is_look_at) state.inspector.look_at_y = low.y;
+    if (call.is_look_at) state.get<InspectorState>().look_at_y = low.y;
     if (!ImGui::IsAnyMouseDown() && is_pointed_at(area)) light_up(state, call.about);
     return area;
 }
@@ -212,7 +213,7 @@ void copy_button(UiState& state, const std::vector<GlCallGroup>& groups) {
     const Scene& scene = state.editor.scene();
     std::string program;
     if (ImGui::IsItemHovered())
-        program = state.program.program.of(scene, [&] { return whole_program_words(scene); });
+        program = state.get<ProgramState>().program.of(scene, [&] { return whole_program_words(scene); });
     tooltip("Copy all calls", "As a function of C or C++", program);
 }
 
@@ -238,7 +239,7 @@ template <class T, class Is> int index_of(const std::vector<T>& all, Is is) {
 /// The camera's calls, and the lights' places before and after gluLookAt(), which is drawn even out of sight:
 /// a light's place is dragged past it.
 void draw_places(UiState& state, const std::vector<GlCall>& calls, const PictureView& view) {
-    state.program.places.draw(
+    state.get<ProgramState>().places.draw(
         static_cast<int>(calls.size()),
         [&](int i) { (void)draw_call(state, state.editor.scene(), calls[static_cast<std::size_t>(i)]); },
         index_of(calls, [](const GlCall& call) { return call.is_look_at; }));
@@ -272,7 +273,7 @@ std::string whole_program_words(const Scene& scene) {
 }
 
 void program_tab(UiState& state, const PictureView& view) {
-    ProgramState& program = state.program;
+    ProgramState& program = state.get<ProgramState>();
     const WrittenCalls& calls =
         program.calls.of(state.editor.scene(), [&] { return written_calls(state.editor.scene()); });
     Scene written_scene = calls.scene;

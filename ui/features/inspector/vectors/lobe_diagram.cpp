@@ -11,6 +11,7 @@
 #include "models/scene/reflection.h"
 #include "renderer/reflectance/lobes.h"
 #include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/vectors/arrows.h"
 #include "ui/features/inspector/vectors/vectors_tab.h"
 #include "ui/picture/draw_picture.h"
@@ -97,7 +98,7 @@ std::vector<glm::vec2> lobe_outline(const UiState& state, double light_deg) {
     const Reflector reflector{shading.reflection, state.explanation->material, shading.terms};
     const std::vector<LobeSample> slice = lobe_slice(reflector, light_deg, lobe_steps);
     const auto strength = [&](const LobeSample& s) {
-        return (s.reflected.diffuse + s.reflected.specular)[state.inspector.channel];
+        return (s.reflected.diffuse + s.reflected.specular)[state.get<InspectorState>().channel];
     };
     float most = 1e-6f;
     for (const LobeSample& sample : slice) most = std::max(most, strength(sample));
@@ -112,7 +113,7 @@ std::vector<glm::vec2> lobe_outline(const UiState& state, double light_deg) {
 }  // namespace
 
 void lobe_diagram(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
-    const auto pointed = state.inspector.pointed_vector;
+    const auto pointed = state.get<InspectorState>().pointed_vector;
     const IncidencePlane plane = plane_of(point, light);
     const float lowest = -std::min({plane.of(light.l.camera).y, plane.of(light.r.camera).y,
                                     plane.of(light.h.camera).y, plane.of(point.view.camera).y, 0.0f});

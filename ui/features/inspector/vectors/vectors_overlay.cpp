@@ -30,7 +30,8 @@ class PointDrawing {
 
     void draw() {
         const ExplainedLight* light = asked_light(state_, point_);
-        const bool alone = light != nullptr && light->samples.empty() && state_.inspector.mirror_step == 0;
+        const bool alone =
+            light != nullptr && light->samples.empty() && state_.get<InspectorState>().mirror_step == 0;
         // The letters first: degrees give way to them.
         if (light != nullptr && !light->samples.empty()) fan(*light);
         if (light != nullptr && light->samples.empty() && !alone) mirror(*light);
@@ -43,7 +44,7 @@ class PointDrawing {
 
   private:
     void arrow(Symbol symbol, const InBothFrames& v) {
-        const bool thick = state_.inspector.pointed_vector == symbol;
+        const bool thick = state_.get<InspectorState>().pointed_vector == symbol;
         draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(v.world)),
                    {theme_colour(symbol), thick ? 4.5f : 2, letter_of(symbol), &words_});
     }
@@ -64,7 +65,7 @@ class PointDrawing {
         const InBothFrames& n = point_.normal;
         arc(n, light.l, 0.45, Symbol::L);
         if (has_r()) arc(n, light.r, 0.45, Symbol::R);
-        if (has_r() && state_.inspector.pointed_vector == Symbol::R)
+        if (has_r() && state_.get<InspectorState>().pointed_vector == Symbol::R)
             arc(light.r, point_.view, 0.7, Symbol::V);
         if (has_h()) arc(n, light.h, 0.7, Symbol::H);
     }
@@ -76,7 +77,7 @@ class PointDrawing {
     }
     /// Draws q, 2 q and r as they come about from a normal of the chosen length.
     void mirror(const ExplainedLight& light) {
-        const InspectorState& inspector = state_.inspector;
+        const InspectorState& inspector = state_.get<InspectorState>();
         const glm::vec3 n = inspector.normal_length * point_.normal.world, l = light.l.world;
         const MirrorSteps steps = mirror_steps(n, l);
         const auto draw = [&](glm::vec3 from, glm::vec3 to, ImVec4 colour, const char* letter, float width) {
@@ -160,7 +161,7 @@ void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& 
 }  // namespace
 
 void draw_point_vectors(ImDrawList& list, const UiState& state, const PictureView& view) {
-    const InspectorState& column = state.inspector;
+    const InspectorState& column = state.get<InspectorState>();
     if (!state.explanation || !state.explanation->hit) return;
     if (column.shows_facet) draw_facet(list, state, view);
     if (!column.shows_vectors || state.explanation->reflection == Reflection::None) return;

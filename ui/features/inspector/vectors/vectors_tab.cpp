@@ -107,7 +107,7 @@ void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedL
         ImGui::PushID(light.index);
         if (chosen_button(name.c_str(), light.index == chosen.index))
             state.editor.selection = {Selection::Kind::Light, light.index};
-        if (is_pointed_at()) state.inspector.pointed_light = light.index;
+        if (is_pointed_at()) state.get<InspectorState>().pointed_light = light.index;
         ImGui::PopID();
     }
     ImGui::PopFont();
@@ -186,16 +186,16 @@ void vectors_tab(UiState& state, const PictureView&) {
         return inspector_empty_state("Here the vectors of that point appear, drawn in the picture too.");
     const Explanation& explanation = *state.explanation;
     if (!explanation.hit) return wrapped_dim("No object shows here: there is no normal and no light.");
-    const ExplainedPoint& point = asked_point(state.inspector, explanation);
+    const ExplainedPoint& point = asked_point(state.get<InspectorState>(), explanation);
     const ExplainedLight* light = asked_light(state, point);
-    switches(state.inspector);
-    frame_switch(state.inspector);
+    switches(state.get<InspectorState>());
+    frame_switch(state.get<InspectorState>());
     if (light != nullptr) light_buttons(state, point, *light);
-    vector_table(state.inspector, point, light);
+    vector_table(state.get<InspectorState>(), point, light);
     if (light != nullptr && light->samples.empty()) {
         same_product(point, *light);
         lobe_diagram(state, point, *light);
-        mirror_section(state.inspector, point, *light);
+        mirror_section(state.get<InspectorState>(), point, *light);
         sensitivity_of_terms(state, point, *light);
     }
     facet_section(state, explanation);
