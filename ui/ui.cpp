@@ -101,6 +101,7 @@ void take_requests(UiState& state, const UiInput& input) {
 UiRequests whole_frame(UiState& state, const UiInput& input) {
     give_tiny_corners_segments();
     reset_next_redraw();
+    state.jobs.drop_ended();
     take_requests(state, input);
     run_keys(state, input);
     follow_b_key(state, input.b_held);

@@ -100,6 +100,8 @@ struct UiState {
     ItemCounts explained;                    // of it: `explanation` names lights and objects by number
     glm::ivec2 asked{0};                     // the pixel of the whole picture that `explanation` is about
     PictureSize asked_size, explained_size;  // of the whole picture, and of `rendered`, when it was explained
+
+    Jobs jobs;  // last: they use the others
 };
 
 struct UiRequests {

@@ -90,7 +90,7 @@ void forget_unwanted(UiState& state) {
         state.notifications.tell(
             "The object was deleted before its new mesh was made: undo brings it back with the old one");
     list.erase(std::remove_if(list.begin(), list.end(), unwanted), list.end());
-    if (list.empty()) leave(state.loading.meshes, state.loading.left);
+    if (list.empty()) leave(state.loading.meshes);
 }
 
 /// A problem with a mesh of `scene` by the mesh's name: an object that is only to come has no place yet.
@@ -115,7 +115,7 @@ void start_meshes(UiState& state) {
         wanting.objects.push_back(fresh);
     }
     const SceneDocument& document = state.editor.document;
-    loading.meshes = std::make_unique<LoadJob>(
+    loading.meshes = state.jobs.start<SceneDocument>(
         short_name(loading.awaited.front().wanted),
         [wanting, path = document.path, dir = document.mesh_dir](LoadProgress&) -> Result<SceneDocument> {
             Scene scene = wanting;
@@ -145,7 +145,7 @@ bool has_other_resolution(const AwaitedMesh& awaited) {
 /// Whether the meshes can be taken. Not while the picture is dragged: Esc brings the scene back that was
 /// there when the drag began, and what had come since would be lost.
 bool meshes_have_come(const UiState& state) {
-    const std::unique_ptr<LoadJob>& job = state.loading.meshes;
+    const JobPtr<SceneDocument>& job = state.loading.meshes;
     return job && job->done() && state.viewport.gesture == Gesture::None;
 }
 
@@ -191,7 +191,7 @@ void give_up_meshes(UiState& state) {
     state.editor.scene() = std::move(made);
     for (Object& object : loading.known) object.source = made_of(object, loading.awaited);
     loading.awaited.clear();
-    leave(loading.meshes, loading.left);
+    leave(loading.meshes);
 }
 
 void undo_awaiting(UiState& state) {

@@ -32,26 +32,13 @@ template <class Do>
     return {};
 }
 
-template <class T> class Job {
+/// A job of any result.
+class AnyJob {
   public:
-    using Work = std::function<Result<T>(LoadProgress&)>;
-
-    /// Starts `work`, which may touch only what it holds itself. Loads within it report to its LoadProgress,
-    /// and so may it. Where no thread can start, it is done, with a Problem. `name`: what it is about, for
-    /// the screen.
-    Job(std::string name, Work work) : name_(std::move(name)) {
-        const auto problem = start_thread(thread_, name_, [this, work = std::move(work)] { run(work); });
-        if (!problem) return;
-        result_ = *problem;
-        done_ = true;
-    }
-    /// Cancels and waits.
-    ~Job() {
-        cancel();
-        if (thread_.joinable()) thread_.join();
-    }
-    Job(const Job&) = delete;
-    Job& operator=(const Job&) = delete;
+    explicit AnyJob(std::string name) : name_(std::move(name)) {}
+    virtual ~AnyJob() = default;
+    AnyJob(const AnyJob&) = delete;
+    AnyJob& operator=(const AnyJob&) = delete;
 
     void cancel() { progress_.cancelled = true; }
     [[nodiscard]] bool done() const { return done_; }
@@ -62,11 +49,39 @@ template <class T> class Job {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return done_;
     }
-    /// Returns the result, once. Precondition: done().
-    [[nodiscard]] Result<T> take() { return std::move(result_); }
-
+    void wait() const {
+        while (!wait_for(std::chrono::hours(1))) {
+        }
+    }
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const LoadProgress& progress() const { return progress_; }
+
+  protected:
+    std::string name_;
+    LoadProgress progress_;
+    std::atomic<bool> done_{false};
+};
+
+template <class T> class Job : public AnyJob {
+  public:
+    using Work = std::function<Result<T>(LoadProgress&)>;
+
+    /// Starts `work`, which may touch only what it holds itself. Loads within it report to its LoadProgress,
+    /// and so may it. If no thread can start, the job is done, with a Problem. `name`: what it is about, for
+    /// the screen.
+    Job(std::string name, Work work) : AnyJob(std::move(name)) {
+        const auto problem = start_thread(thread_, name_, [this, work = std::move(work)] { run(work); });
+        if (!problem) return;
+        result_ = *problem;
+        done_ = true;
+    }
+    /// Cancels and waits.
+    ~Job() override {
+        cancel();
+        if (thread_.joinable()) thread_.join();
+    }
+    /// Returns the result, once. Precondition: done().
+    [[nodiscard]] Result<T> take() { return std::move(result_); }
 
   private:
     void run(const Work& work) {
@@ -79,27 +94,45 @@ template <class T> class Job {
         done_ = true;
     }
 
-    std::string name_;
-    LoadProgress progress_;
     Result<T> result_;
-    std::atomic<bool> done_{false};
     std::thread thread_;  // last: it uses the others
 };
 
+template <class T> using JobPtr = std::shared_ptr<Job<T>>;
 using LoadJob = Job<SceneDocument>;
 
-/// Jobs that were cancelled and have not ended yet.
-template <class T> using LeftJobs = std::vector<std::unique_ptr<Job<T>>>;
+/// All jobs of a window that have not ended, including cancelled ones whose threads go on for a while.
+class Jobs {
+  public:
+    ~Jobs() {
+        for (const auto& job : jobs_) job->cancel();
+    }
+    template <class T> JobPtr<T> add(JobPtr<T> job) {
+        jobs_.push_back(job);
+        return job;
+    }
+    template <class T> JobPtr<T> start(std::string name, typename Job<T>::Work work) {
+        return add(std::make_shared<Job<T>>(std::move(name), std::move(work)));
+    }
+    void drop_ended() {
+        std::erase_if(jobs_, [](const auto& job) { return job->done(); });
+    }
 
-template <class T> void drop_ended(LeftJobs<T>& left) {
-    std::erase_if(left, [](const auto& job) { return job->done(); });
-}
+  private:
+    std::vector<std::shared_ptr<AnyJob>> jobs_;
+};
 
-/// Cancels a job, if there is one, whose thread may go on for a while.
-template <class T> void leave(std::unique_ptr<Job<T>>& job, LeftJobs<T>& left) {
-    if (!job) return;
-    job->cancel();
-    left.push_back(std::move(job));
+/// Cancels a job, if there is one, without waiting for its end. Precondition: it is among the window's Jobs.
+template <class T> void leave(JobPtr<T>& job) {
+    if (job) job->cancel();
+    job.reset();
 }
+/// Likewise; `ending` is the job that was cancelled last, for work that runs one at a time.
+template <class T> void leave(JobPtr<T>& job, JobPtr<T>& ending) {
+    if (job) ending = job;
+    leave(job);
+}
+/// Whether work may begin that runs one at a time.
+template <class T> [[nodiscard]] bool has_ended(const JobPtr<T>& ending) { return !ending || ending->done(); }
 
 }  // namespace glint

@@ -72,14 +72,14 @@ void poll_document(UiState& state) {
 /// Waits for a document, in place of the one that was being loaded.
 void await_document(UiState& state, Opening opening, std::optional<Recovery> recovery) {
     Loading& loading = state.loading;
-    leave(loading.document, loading.left);
+    leave(loading.document);
     loading.loaded.reset();
     loading.recovery = std::move(recovery);
     loading.course = std::move(opening.course);
     loading.path = std::move(opening.path);
     loading.scene_then = state.editor.scene();
     loading.since = ImGui::GetTime();
-    loading.document = std::move(opening.job);
+    loading.document = state.jobs.add(std::move(opening.job));
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ void await_opening(UiState& state, Opening opening) { await_document(state, std:
 Opening opening_of(const std::string& path, const std::vector<Assignment>& assignments) {
     if (is_lesson_file(path)) return opening_of_lesson(path);
     const auto work = [path, assignments](LoadProgress&) { return open_document(path, assignments); };
-    return {path, std::make_unique<LoadJob>(fs::path(path).filename().string(), work), nullptr};
+    return {path, std::make_shared<LoadJob>(fs::path(path).filename().string(), work), nullptr};
 }
 
 Opening opening_of_lesson(const std::string& path) {
@@ -107,7 +107,7 @@ Opening opening_of_lesson(const std::string& path) {
         *course = std::get<std::shared_ptr<const Course>>(std::move(opened));
         return (*course)->document;
     };
-    return {path, std::make_unique<LoadJob>(fs::path(path).filename().string(), work), course};
+    return {path, std::make_shared<LoadJob>(fs::path(path).filename().string(), work), course};
 }
 
 void recover_autosave(UiState& state, const std::string& path) {
@@ -122,20 +122,18 @@ void recover_autosave(UiState& state, const std::string& path) {
         if (const auto* document = std::get_if<SceneDocument>(&file)) *in_file = document->scene;
         return copy;
     };
-    await_document(state, {path, std::make_unique<LoadJob>("Copy of the unsaved work", work), nullptr},
+    await_document(state, {path, std::make_shared<LoadJob>("Copy of the unsaved work", work), nullptr},
                    Recovery{path, in_file});
 }
 
 void poll_loads(UiState& state) {
-    Loading& loading = state.loading;
     poll_document(state);
     poll_meshes(state);
-    drop_ended(loading.left);
 }
 
 void cancel_loads(UiState& state) {
     give_up_meshes(state);
-    leave(state.loading.document, state.loading.left);
+    leave(state.loading.document);
     state.loading.loaded.reset();
 }
 

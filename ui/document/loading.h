@@ -30,24 +30,23 @@ struct Recovery {
 /// A file that is being opened.
 struct Opening {
     std::string path;
-    std::unique_ptr<LoadJob> job;
+    JobPtr<SceneDocument> job;
     // A lesson's, where the file is one: it is there when the job has ended.
     std::shared_ptr<std::shared_ptr<const Course>> course;
 };
 
 struct Loading {
-    std::unique_ptr<LoadJob> document;                      // to be opened
+    JobPtr<SceneDocument> document;                         // to be opened
     std::optional<Recovery> recovery;                       // where `document` or `loaded` is a copy
     std::shared_ptr<std::shared_ptr<const Course>> course;  // where `document` or `loaded` is a lesson's
     std::string path;                                       // of what is being opened, or was
     Scene scene_then;                                       // what was in hand when it began
     std::optional<SceneDocument> loaded;  // whole, and waiting for the answer to "save changes?"
-    std::unique_ptr<LoadJob> meshes;      // of `awaited`
+    JobPtr<SceneDocument> meshes;         // of `awaited`
     std::vector<AwaitedMesh> awaited;
     std::vector<Object> known;  // the edited scene's as poll_loads() left them. By these it tells what an
                                 // object without a mesh was before the edit
-    LeftJobs<SceneDocument> left;
-    double since = 0;  // ImGui's time when the newest of them began
+    double since = 0;           // ImGui's time when the newest of them began
 
     [[nodiscard]] bool active() const { return document || meshes; }
 };

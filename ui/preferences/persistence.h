@@ -68,7 +68,7 @@ struct Persistence {
     std::optional<AutosaveLock> autosave;  // of this process, while work is unsaved
     std::optional<Scene> autosaved_scene;  // in the copy, or will be when it is written
     double autosaved_at = -1e9;            // ImGui's time
-    std::unique_ptr<Job<std::monostate>> autosave_writing;
+    JobPtr<std::monostate> autosave_writing;
     bool autosave_failed = false;           // and the user was told so
     bool told_not_kept = false;             // that what was asked to be kept is not
     std::vector<OrphanedAutosave> orphans;  // by processes that are gone: offered one by one

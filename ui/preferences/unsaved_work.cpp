@@ -35,7 +35,7 @@ void write_autosave(UiState& state) {
                        path = memory.autosave->path](LoadProgress&) {
         return write_file_at_once(path, autosave_text(document, folder));
     };
-    memory.autosave_writing = std::make_unique<Job<std::monostate>>(memory.autosave->path, work);
+    memory.autosave_writing = state.jobs.start<std::monostate>(memory.autosave->path, work);
 }
 
 /// Reports the copy that could not be written, if its writing has ended.
@@ -76,7 +76,7 @@ void poll_unsaved_work(UiState& state) {
 void drop_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     if (!memory.autosave) return;
-    memory.autosave_writing.reset();  // waits
+    if (memory.autosave_writing) std::exchange(memory.autosave_writing, nullptr)->wait();
     std::error_code failed;
     std::filesystem::remove(memory.autosave->path, failed);
     memory.autosaved_scene.reset();
@@ -96,7 +96,8 @@ void keep_orphan(UiState& state, const std::string& path) {
 bool keep_unsaved_work(UiState& state) {
     Persistence& memory = state.persistence;
     if (memory.folder.empty() || !state.editor.unsaved()) return false;
-    memory.autosave_writing.reset();  // waits: it writes the same file
+    if (memory.autosave_writing)  // it writes the same file
+        std::exchange(memory.autosave_writing, nullptr)->wait();
     if (why_no_autosave(memory)) return false;
     const std::string text = autosave_text(document_as_made(state), memory.folder);
     return problem_of(write_file_at_once(memory.autosave->path, text)) == nullptr;

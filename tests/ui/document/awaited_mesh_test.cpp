@@ -40,8 +40,8 @@ Scene with_meshes_of(const std::vector<MeshSource>& sources) {
 class HeldLoad {
   public:
     HeldLoad(HeadlessWindow& bench, const Result<SceneDocument>& result) : bench_(bench) {
-        bench.state.loading.meshes =
-            std::make_unique<LoadJob>("slow", [opened = open_.get_future().share(), result](LoadProgress&) {
+        bench.state.loading.meshes = bench.state.jobs.start<SceneDocument>(
+            "slow", [opened = open_.get_future().share(), result](LoadProgress&) {
                 opened.wait();
                 return result;
             });
@@ -174,7 +174,7 @@ TEST_CASE("a scene that comes back, as the next one cannot be drawn, waits for n
     next.scene.objects[0].mesh = std::make_shared<const Mesh>(make_primitive(Primitive::Sphere, 400));
     bench.state.loading.scene_then = bench.scene();
     bench.state.loading.document =
-        std::make_unique<LoadJob>("next.json", [next](LoadProgress&) { return next; });
+        bench.state.jobs.start<SceneDocument>("next.json", [next](LoadProgress&) { return next; });
     while (!bench.state.loading.document->done()) std::this_thread::yield();
     set_memory_limit(test::cost_of(before, bench.state.rendered->size));
     (void)bench.frame();

@@ -27,8 +27,8 @@ struct Gate {
     std::promise<void> open;
     std::shared_future<void> opened = open.get_future().share();
 
-    std::unique_ptr<LoadJob> job(const SceneDocument& document) {
-        return std::make_unique<LoadJob>("slow.json",
+    JobPtr<SceneDocument> job(const SceneDocument& document) {
+        return std::make_shared<LoadJob>("slow.json",
                                          [opened = opened, document](LoadProgress&) -> Result<SceneDocument> {
                                              opened.wait();
                                              return document;
@@ -54,7 +54,7 @@ TEST_CASE("while a file is loaded the scene in hand stays, and can be worked on"
     SceneDocument other = first_scene();
     other.path = "slow.json";
     other.scene.lights.clear();
-    bench.state.loading.document = gate.job(other);
+    bench.state.loading.document = bench.state.jobs.add(gate.job(other));
     bench.state.loading.scene_then = bench.scene();
     bench.frames(3);
     bench.key(Key::Digit1);
@@ -133,7 +133,7 @@ TEST_CASE("a file and a mesh that no thread can load are told of once, and the s
 
 TEST_CASE("who waits for a job waits as long as was said, or until it is done", "[ui][loading]") {
     Gate gate;
-    const std::unique_ptr<LoadJob> job = gate.job(first_scene());
+    const JobPtr<SceneDocument> job = gate.job(first_scene());
     CHECK_FALSE(job->wait_for(std::chrono::milliseconds(20)));
     gate.open.set_value();
     CHECK(job->wait_for(std::chrono::minutes(1)));
@@ -149,7 +149,7 @@ TEST_CASE("a file that has been loaded waits for the answer to a question about 
     Gate gate;
     SceneDocument other = first_scene();
     other.path = "slow.json";
-    bench.state.loading.document = gate.job(other);
+    bench.state.loading.document = bench.state.jobs.add(gate.job(other));
     bench.key(Key::Digit1);
     bench.frames(2);
     bench.state.loading.scene_then = bench.scene();
@@ -169,7 +169,7 @@ TEST_CASE("what is being loaded is said over the picture, and covers no row of b
     HeadlessWindow bench;
     bench.frames(2);
     Gate gate;
-    bench.state.loading.document = gate.job(first_scene());
+    bench.state.loading.document = bench.state.jobs.add(gate.job(first_scene()));
     bench.frames(30);  // half a second
     const ImGuiWindow* panel = test::window_named("##loading");
     REQUIRE(panel != nullptr);
@@ -226,7 +226,7 @@ TEST_CASE("Escape ends a load, and what it would have brought is dropped", "[ui]
     bench.frames(2);
     const Scene before = bench.scene();
     Gate gate;
-    bench.state.loading.document = gate.job({});
+    bench.state.loading.document = bench.state.jobs.add(gate.job({}));
     bench.frames(2);
     bench.key(Key::Escape);
     CHECK_FALSE(bench.state.loading.active());
@@ -364,7 +364,7 @@ TEST_CASE("what is kept while a mesh is built has the mesh that is seen, and ope
     bench.frames(2);
     const Scene seen = bench.scene();
     Gate gate;
-    bench.state.loading.meshes = gate.job(bench.state.editor.document);
+    bench.state.loading.meshes = bench.state.jobs.add(gate.job(bench.state.editor.document));
     begin_mesh(bench.state, PrimitiveMesh{Primitive::Sphere, 1000}, 0);
     for (const bool is_noted : {false, true}) {  // as yet it has no mesh; then that of before
         CAPTURE(is_noted);

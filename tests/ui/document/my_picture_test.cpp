@@ -230,7 +230,7 @@ TEST_CASE("a picture that takes long to be read says so, and can be left", "[ui]
         while (!goes_on && !progress.cancelled) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return Problem{"slow.png", "", "was left", ""};
     };
-    bench.state.get<MyPictureState>().reading = std::make_unique<Job<BroughtPicture>>("slow.png", wait);
+    bench.state.get<MyPictureState>().reading = bench.state.jobs.start<BroughtPicture>("slow.png", wait);
     bench.state.get<MyPictureState>().reading_since = ImGui::GetTime();
     bench.frames(2);
     CHECK(test::window_named("##loading") == nullptr);  // what is quick does not flash

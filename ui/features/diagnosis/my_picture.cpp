@@ -73,7 +73,7 @@ BroughtPicture brought(const std::string& path, const std::shared_ptr<const Pict
 void take_picture(UiState& state, BroughtPicture picture) {
     MyPictureState& mine = state.get<MyPictureState>();
     CompareChoice& choice = state.get<CompareState>().choice;
-    leave(mine.job, mine.left_jobs);
+    leave(mine.job, mine.ending);
     if (!mine.shown) {
         mine.compare_before = choice;
         state.get<InspectorState>().tab_before = state.get<InspectorState>().tab;
@@ -99,7 +99,6 @@ void take_picture(UiState& state, BroughtPicture picture) {
 
 void poll_reading(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
-    drop_ended(mine.left_readings);
     if (!mine.reading) return;
     redraw_within(look_again);
     if (!mine.reading->done()) return;
@@ -115,7 +114,7 @@ void begin_diagnosis(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
     SceneDocument document = state.editor.document;
     document.scene = mine.asked_of;
-    mine.job = std::make_unique<Job<PictureAnswer>>(
+    mine.job = state.jobs.start<PictureAnswer>(
         mine.name,
         [document = std::move(document), wrong = mine.shown, pairs = mine.pairs](LoadProgress& progress)
             -> Result<PictureAnswer> { return answer_of(document, *wrong, pairs, progress); });
@@ -148,7 +147,7 @@ void bring_picture(UiState& state, const std::string& path) {
     cancel_reading(mine);
     mine.reading_since = ImGui::GetTime();
     const Display display = state.editor.scene().display;
-    mine.reading = std::make_unique<Job<BroughtPicture>>(
+    mine.reading = state.jobs.start<BroughtPicture>(
         std::filesystem::path(path).filename().string(),
         [path, display](LoadProgress&) -> Result<BroughtPicture> {
             Result<Picture> read = read_picture(path);
@@ -162,7 +161,7 @@ void put_picture_away(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
     CompareChoice& choice = state.get<CompareState>().choice;
     cancel_reading(mine);
-    leave(mine.job, mine.left_jobs);
+    leave(mine.job, mine.ending);
     if (!mine.shown) return;
     mine.compare_before.stored = choice.stored;
     choice = mine.compare_before;
@@ -176,10 +175,10 @@ void put_picture_away(UiState& state) {
         state.get<InspectorState>().tab = state.get<InspectorState>().tab_before;
 }
 
-void cancel_reading(MyPictureState& mine) { leave(mine.reading, mine.left_readings); }
+void cancel_reading(MyPictureState& mine) { leave(mine.reading); }
 
 void cancel_diagnosis(MyPictureState& mine) {
-    leave(mine.job, mine.left_jobs);
+    leave(mine.job, mine.ending);
     mine.settled = true;
 }
 
@@ -204,12 +203,11 @@ std::string why_no_pairs(const MyPictureState& mine) {
 void poll_my_picture(UiState& state) {
     poll_reading(state);
     MyPictureState& mine = state.get<MyPictureState>();
-    drop_ended(mine.left_jobs);
     if (!mine.shown) return;
     keep_shown_by_the_display(state);
     const Scene now = under_mistakes(state.editor.scene(), {});
     if (!(now == mine.asked_of) && !(mine.tried && now == mine.tried->scene)) {
-        leave(mine.job, mine.left_jobs);
+        leave(mine.job, mine.ending);
         mine.asked_of = now;
         mine.tried.reset();
         mine.settled = mine.current = false;
@@ -217,7 +215,7 @@ void poll_my_picture(UiState& state) {
     }
     if (mine.settled || awaits_mesh(state)) return;
     redraw_within(look_again);
-    if (!mine.job && mine.left_jobs.empty() && !ImGui::IsAnyMouseDown() &&
+    if (!mine.job && has_ended(mine.ending) && !ImGui::IsAnyMouseDown() &&
         ImGui::GetTime() - mine.asked_since >= stillness)
         begin_diagnosis(state);
     if (!mine.job || !mine.job->done()) return;

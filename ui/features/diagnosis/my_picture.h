@@ -46,11 +46,10 @@ struct MyPictureState {
     std::shared_ptr<const Picture> file;   // as the file has it
     Display display;                       // that made the bytes of a linear one
     bool pairs = false;                    // two mistakes at once are looked for, too
-    std::unique_ptr<Job<BroughtPicture>> reading;
+    JobPtr<BroughtPicture> reading;
     double reading_since = 0;  // ImGui's time when it began
-    std::unique_ptr<Job<PictureAnswer>> job;
-    LeftJobs<BroughtPicture> left_readings;
-    LeftJobs<PictureAnswer> left_jobs;
+    JobPtr<PictureAnswer> job;
+    JobPtr<PictureAnswer> ending;         // the diagnosis cancelled last
     Scene asked_of;                       // the open scene without mistakes, as it is diagnosed, or will be
     double asked_since = 0;               // ImGui's time when it became so
     bool settled = false;                 // `asked_of` was diagnosed, or somebody gave that up

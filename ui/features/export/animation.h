@@ -60,10 +60,10 @@ struct AnimateState {
     std::string searched;       // that search was the last, and these the pointers that it found, best first
     Kept<Scene, std::vector<std::string>> found;
     std::string number;  // Animation::pointer in words when it was chosen: "Bulb: intensity"; empty: not yet
-    int frames_a_second = 25;                // 1 to 50: GIF counts hundredths of a second
-    double began = 0;                        // ImGui's time at frame 0
-    std::string refused;                     // why it cannot play; empty when it can
-    std::unique_ptr<Job<Notification>> job;  // its result: what to say when the frames are written
+    int frames_a_second = 25;  // 1 to 50: GIF counts hundredths of a second
+    double began = 0;          // ImGui's time at frame 0
+    std::string refused;       // why it cannot play; empty when it can
+    JobPtr<Notification> job;  // its result: what to say when the frames are written
 };
 
 /// The panel, while it is open.

@@ -41,7 +41,7 @@ SceneDocument shown_document(const UiState& state) {
 void begin_picture(UiState& state, const ExportOptions& options, const std::string& path,
                    const std::function<Result<Notification>(const std::string& bytes)>& deliver) {
     const int threads = state.renderer->stats().threads;
-    state.get<ExportState>().job = std::make_unique<Job<Notification>>(
+    state.get<ExportState>().job = state.jobs.start<Notification>(
         fs::path(path).filename().string(),
         [document = shown_document(state), options, path, threads,
          deliver](LoadProgress& progress) -> Result<Notification> {
@@ -150,7 +150,7 @@ void copy_last_command(UiState& state) {
 
 void poll_export(UiState& state) { poll_job(state.get<ExportState>().job, state.notifications); }
 
-void poll_job(std::unique_ptr<Job<Notification>>& job, Notifications& notifications) {
+void poll_job(JobPtr<Notification>& job, Notifications& notifications) {
     if (!job) return;
     if (!job->done()) return redraw_within(seconds_a_look);
     const Result<Notification> result = job->take();

@@ -34,7 +34,7 @@ struct ExportState {
     bool open = false;
     ExportOptions options;
     std::optional<LastExport> last;
-    std::unique_ptr<Job<Notification>> job;  // its result: what to say when it is done
+    JobPtr<Notification> job;  // its result: what to say when it is done
 };
 
 /// Returns the scene whose picture of that size shows what the window would: the field of view that the
@@ -67,7 +67,7 @@ void copy_last_command(UiState& state);
 /// Once a frame: says what has come of it.
 void poll_export(UiState& state);
 /// Once a frame: if the job is done, shows its result as a notification and ends it.
-void poll_job(std::unique_ptr<Job<Notification>>& job, Notifications& notifications);
+void poll_job(JobPtr<Notification>& job, Notifications& notifications);
 
 /// The question about size and samples; the file's name is asked for after it.
 void export_dialog(UiState& state, const UiInput& input);

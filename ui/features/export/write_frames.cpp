@@ -109,7 +109,7 @@ void begin_frames(UiState& state, const std::string& path, PictureSize size, int
     animate.playing = false;
     animate.frame.reset();
     animate.open = true;  // it says how far they have come
-    animate.job = std::make_unique<Job<Notification>>(
+    animate.job = state.jobs.start<Notification>(
         fs::path(path).filename().string(),
         [job, notes = notes_of_edited(state)](LoadProgress& progress) -> Result<Notification> {
             const Result<std::string> written =

@@ -215,7 +215,7 @@ void open_quiz(UiState& state) {
     QuizState& quiz = state.get<QuizState>();
     quiz.open = true;
     if (quiz.pages || quiz.loading) return;
-    quiz.loading = std::make_unique<Job<QuizPages>>(
+    quiz.loading = state.jobs.start<QuizPages>(
         "Quiz", [path = state.get<LessonState>().inventory](LoadProgress& progress) {
             return read_pages(path, progress);
         });

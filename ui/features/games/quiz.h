@@ -34,7 +34,7 @@ struct QuizPages {
 
 struct QuizState {
     bool open = false, after = false;  // after the lessons, else before them
-    std::unique_ptr<Job<QuizPages>> loading;
+    JobPtr<QuizPages> loading;
     std::optional<QuizPages> pages;
     std::vector<std::optional<std::size_t>> taken;     // an option for each page, from 0
     std::vector<std::optional<std::size_t>> put_away;  // by *Begin again*, which can be taken back

@@ -106,8 +106,8 @@ void look_at_mistake_pictures(UiState& state, PictureSize size) {
     const double wait = m.asked_since + stillness - ImGui::GetTime();
     if (wait > 0) return redraw_within(wait);
     m.begun = true;
-    begin_small_pictures(m.pictures, "Mistakes", size, static_cast<int>(mistakes_as_seen().size()) + 1,
-                         DrawUnderMistakes(m.asked, size));
+    begin_small_pictures(state.jobs, m.pictures, "Mistakes", size,
+                         static_cast<int>(mistakes_as_seen().size()) + 1, DrawUnderMistakes(m.asked, size));
     redraw_within(0);
 }
 

@@ -41,8 +41,7 @@ namespace {
 constexpr double look_again = 0.05;  // seconds between looks at its progress
 
 /// Measures one pixel of one scene. The document's meshes are shared, nothing else.
-std::unique_ptr<Job<Sensitivities>> measure(const SceneDocument& document, PictureSize size,
-                                            glm::ivec2 pixel) {
+JobPtr<Sensitivities> measure(Jobs& jobs, const SceneDocument& document, PictureSize size, glm::ivec2 pixel) {
     const auto work = [document, size, pixel](LoadProgress& progress) -> Result<Sensitivities> {
         if (document.scene.lights.size() > max_sensitivity_lights)
             return Problem{"", "", fmt::format("More than {} lights take too long.", max_sensitivity_lights),
@@ -54,15 +53,14 @@ std::unique_ptr<Job<Sensitivities>> measure(const SceneDocument& document, Pictu
         if (progress.cancelled) throw LoadCancelled();
         return run.result();
     };
-    return std::make_unique<Job<Sensitivities>>("Sensitivity", work);
+    return jobs.start<Sensitivities>("Sensitivity", work);
 }
 
 /// Starts, drops and collects jobs; once a frame while the results are wanted. A job starts when scene and
 /// pixel have stood still for a moment.
-void poll_sensitivity(SensitivityState& state, const SceneDocument& document, PictureSize size,
+void poll_sensitivity(Jobs& jobs, SensitivityState& state, const SceneDocument& document, PictureSize size,
                       glm::ivec2 pixel) {
     const double now = ImGui::GetTime();
-    drop_ended(state.ending);
     const bool same =
         state.asked_pixel == pixel && state.asked_size == size && state.asked_scene == document.scene;
     if (!same) {
@@ -72,9 +70,9 @@ void poll_sensitivity(SensitivityState& state, const SceneDocument& document, Pi
         leave(state.job, state.ending);
     }
     if (state.current) return;
-    if (!state.job && state.ending.empty() && now - state.asked_since >= stillness &&
+    if (!state.job && has_ended(state.ending) && now - state.asked_since >= stillness &&
         !ImGui::IsAnyMouseDown())
-        state.job = measure(document, size, pixel);
+        state.job = measure(jobs, document, size, pixel);
     if (state.job && state.job->done()) {
         const Result<Sensitivities> result = state.job->take();
         const auto* found = std::get_if<Sensitivities>(&result);
@@ -195,9 +193,9 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
             "Here every number of the scene is sorted by how much it matters there.");
     SensitivityState& job = state.get<SensitivityState>();
     if (state.asked_part == Variant{})
-        poll_sensitivity(job, state.editor.document, view.map.size, state.asked);
+        poll_sensitivity(state.jobs, job, state.editor.document, view.map.size, state.asked);
     else
-        poll_sensitivity(job, asked_document(state), view.map.size, state.asked);
+        poll_sensitivity(state.jobs, job, asked_document(state), view.map.size, state.asked);
     if (!job.current) progress(job);
     if (!job.shown) {
         if (job.current) warning_text(job.why_none);

@@ -17,9 +17,9 @@ namespace glint {
 
 /// The job that is wanted now, the results shown until it is done, and jobs that are coming to their end.
 struct SensitivityState {
-    std::unique_ptr<Job<Sensitivities>> job;
-    LeftJobs<Sensitivities> ending;
-    double asked_since = 0;  // time at which scene and pixel became what they are
+    JobPtr<Sensitivities> job;
+    JobPtr<Sensitivities> ending;  // the one cancelled last
+    double asked_since = 0;        // time at which scene and pixel became what they are
     Scene asked_scene;
     glm::ivec2 asked_pixel{-1, -1};
     PictureSize asked_size;

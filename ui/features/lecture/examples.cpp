@@ -84,7 +84,8 @@ void open_examples(UiState& state) {
     examples.chosen = -1;
     if (!examples.list.empty()) return;
     examples.list = examples_in(state.shipped_scenes);
-    begin_small_pictures(examples.pictures, "Examples", thumbnail, static_cast<int>(examples.list.size()),
+    begin_small_pictures(state.jobs, examples.pictures, "Examples", thumbnail,
+                         static_cast<int>(examples.list.size()),
                          [list = examples.list](Renderer& renderer, int index) {
                              return draw_example(renderer, list[static_cast<std::size_t>(index)]);
                          });

@@ -44,7 +44,7 @@ struct LessonState {
     Json chosen;                           // of all other kinds; null: none yet
     std::optional<glm::dvec2> sketched;    // where the hand was on a sketch: (number of the value, value)
     std::unique_ptr<LessonRunner> runner;  // of `watching`: it keeps what it drew
-    std::unique_ptr<Job<std::vector<bool>>> watching;
+    JobPtr<std::vector<bool>> watching;
     WatchedTasks asked_of;                // what `watching` is about: the lesson may be another by then
     std::optional<WatchedTasks> watched;  // the last answer
     CourseProgress written;               // as the file has it

@@ -47,7 +47,7 @@ void begin_watching(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
     if (!lesson.runner) lesson.runner = std::make_unique<LessonRunner>(1);
     lesson.asked_of = {lesson.course, state.editor.scene(), lesson.progress.station, {}};
-    lesson.watching = std::make_unique<Job<std::vector<bool>>>(
+    lesson.watching = state.jobs.start<std::vector<bool>>(
         lesson.course->lesson.title, [asked = lesson.asked_of, runner = lesson.runner.get()](LoadProgress&) {
             return done_tasks(asked, *runner);
         });

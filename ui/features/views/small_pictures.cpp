@@ -30,8 +30,8 @@ Result<int> draw_all(const DrawSmall& draw, int count, DrawnSmall& drawn, const 
 
 }  // namespace
 
-void begin_small_pictures(SmallPictures& small, const std::string& name, PictureSize cell, int count,
-                          DrawSmall draw) {
+void begin_small_pictures(Jobs& jobs, SmallPictures& small, const std::string& name, PictureSize cell,
+                          int count, DrawSmall draw) {
     const auto many = static_cast<std::size_t>(count);
     if (!(small.sheet.cell == cell) || small.words.size() != many) {
         small.sheet.reset(cell, sheet_columns, count);
@@ -40,7 +40,7 @@ void begin_small_pictures(SmallPictures& small, const std::string& name, Picture
     small.taken = 0;
     small.problem.clear();
     small.drawn = std::make_shared<DrawnSmall>();
-    small.job = std::make_unique<Job<int>>(
+    small.job = jobs.start<int>(
         name, [draw = std::move(draw), count, drawn = small.drawn](const LoadProgress& progress) {
             return draw_all(draw, count, *drawn, progress);
         });

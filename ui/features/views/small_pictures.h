@@ -30,13 +30,13 @@ struct SmallPictures {
     int taken = 0;        // of those begun last, from the front; the rest show what was there before
     std::string problem;  // why the rest of them is not drawn; empty: nothing stands in the way
     std::shared_ptr<DrawnSmall> drawn;  // what the job has drawn; null: no more of it is wanted
-    std::unique_ptr<Job<int>> job;      // at most one draws, on one thread, with a renderer of its own
+    JobPtr<int> job;                    // at most one draws, on one thread, with a renderer of its own
 };
 
 /// Begins `count` pictures of this size on a thread named `name`. If size and count stay the same, the sheet
 /// shows each old picture until the new one is drawn. Precondition: there is no job.
-void begin_small_pictures(SmallPictures& small, const std::string& name, PictureSize cell, int count,
-                          DrawSmall draw);
+void begin_small_pictures(Jobs& jobs, SmallPictures& small, const std::string& name, PictureSize cell,
+                          int count, DrawSmall draw);
 /// Wants no more of them: none is taken, and the job ends after the picture that it is at.
 void stop_small_pictures(SmallPictures& small);
 /// Puts onto the sheet what has been drawn since. Once a frame while there is a job.
