@@ -11,19 +11,7 @@
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
-#include "ui/features/diagnosis/my_picture.h"
-#include "ui/features/export/animation.h"
-#include "ui/features/export/export_picture.h"
-#include "ui/features/games/match.h"
-#include "ui/features/games/quiz.h"
-#include "ui/features/inspector/mistake_pictures.h"
-#include "ui/features/inspector/sensitivity.h"
-#include "ui/features/lecture/examples.h"
-#include "ui/features/lecture/lecture.h"
-#include "ui/features/lessons/lesson.h"
-#include "ui/features/lessons/predict_mode.h"
-#include "ui/features/views/term_grid.h"
-#include "ui/features/views/views.h"
+#include "ui/feature.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/shell/columns.h"
 #include "ui/shell/modal.h"
@@ -72,14 +60,14 @@ bool a_window_changes_size() {
 
 UiRequests requests(UiState& state) {
     UiRequests wants;
-    const Course* course = state.get<LessonState>().course.get();
+    const bool has_file = !state.editor.document.path.empty() || state.editor.source.title.empty();
     wants.title = fmt::format("{}{} – Glint", state.editor.unsaved() ? "● " : "",
-                              course != nullptr && state.editor.document.path.empty() ? course->lesson.title
-                                                                                      : state.editor.title());
+                              has_file ? state.editor.title() : state.editor.source.title);
     wants.sleep_s = next_redraw();
-    const std::optional<Scene> preview = preview_of(state);
-    const Scene& next = preview ? *preview : state.editor.scene();
-    if (!(next == state.rendered_scene))
+    OnScreen next;
+    decide_shown(next, state);
+    const OtherScene* other = next.drawn();
+    if (!((other != nullptr ? other->scene : state.editor.scene()) == state.rendered_scene))
         wants.sleep_s = 0;  // edited or previewed after the picture was drawn
     if (ImGui::GetIO().WantTextInput) wants.sleep_s = std::min(wants.sleep_s, 0.3);  // the text cursor blinks
     wants.quit = std::exchange(state.quits, false);
@@ -98,21 +86,25 @@ void take_requests(UiState& state, const UiInput& input) {
     take_dropped(state, std::exchange(state.dropped, {}));
 }
 
+/// Calls a hook of each feature that has it.
+template <class Hook, class... Arguments> void each(Hook Feature::*hook, Arguments&&... arguments) {
+    for (const Feature* feature : features())
+        if (feature->*hook != nullptr) (feature->*hook)(arguments...);
+}
+
 UiRequests whole_frame(UiState& state, const UiInput& input) {
     give_tiny_corners_segments();
     reset_next_redraw();
     state.jobs.drop_ended();
     take_requests(state, input);
     run_keys(state, input);
-    follow_b_key(state, input.b_held);
-    poll_my_picture(state);
+    each(&Feature::begin, state, input);
     close_left_modal(state);
     // Whatever has changed the scene since the last frame.
     state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     follow_items(state);
     ImGui::PushFont(fonts().body);
-    begin_views(state);
-    state.layout.lesson = state.get<LessonState>().course != nullptr || state.get<MatchState>().on;
+    state.layout.lesson = open_column(state) != nullptr;
     const Layout layout = window_layout(state);
     if (!state.layout.hides_all) toolbar(state, layout.top);
     const bool in_hand = picture_room(state, layout, input);
@@ -122,33 +114,27 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     palette(state, input);
     keep_scene_valid(state);
     follow_items(state);
-    hold_lesson(state);
+    each(&Feature::settle, state);
     const PictureView view = picture_view(layout.centre, state);
     draw_picture(state, view);
-    poll_prediction(state);
-    poll_match(state);
-    update_views(state);
+    each(&Feature::compose, state);
+    each(&Feature::update, state);
     learn_pace(state);
     picture_overlay(state, layout);
     caption_line(state, layout);
     inspector_columns(state, layout, view);
-    rest_mistake_pictures(state.get<MistakePictures>());
-    views_windows(state, layout);
+    each(&Feature::draw, state, layout);
     column_edges(state.layout, layout, px(1));
     loading_panel(state, layout.centre);
     recovery_panel(state, layout.centre);
     if (!state.layout.hides_all) status_line(state, layout.status);
-    animate_panel(state);
-    step_wedge(state.get<WedgeState>());
     dialogs(state, input);  // after every window: ui/shell/modal.h
     for (const Said& said : take_said())
         state.notifications.add(said.refuses ? Tone::Warning : Tone::Done, said.line);
     keep_scene_valid(state);
     remember(state, in_hand);
-    forget_play(state);
+    each(&Feature::end, state);
     poll_persistence(state);
-    poll_lesson(state);
-    poll_animation(state);
     ImGui::PopFont();
     if (a_window_changes_size()) redraw_within(0);
     return requests(state);
@@ -166,13 +152,11 @@ UiRequests ui_frame(UiState& state, const UiInput& input) {
     return requests(state);
 }
 
-std::array<PictureSheet*, 6> sheets_of(UiState& state) {
-    return {&state.get<TermGridState>().sheet,
-            &state.get<ExamplesState>().pictures.sheet,
-            &state.get<MistakePictures>().pictures.sheet,
-            &state.get<MyPictureState>().sheet,
-            &state.get<QuizState>().sheet,
-            &state.get<MatchState>().sheet};
+std::vector<PictureSheet*> sheets_of(UiState& state) {
+    std::vector<PictureSheet*> sheets;
+    for (const Feature* feature : features())
+        if (feature->sheet != nullptr) sheets.push_back(feature->sheet(state));
+    return sheets;
 }
 
 }  // namespace glint

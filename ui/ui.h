@@ -4,8 +4,8 @@
 
 #include <imgui.h>
 
-#include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -18,8 +18,8 @@
 #include "ui/document/file_dialog.h"
 #include "ui/document/loading.h"
 #include "ui/feature_states.h"
-#include "ui/features/views/compare_view.h"
 #include "ui/picture/draw_picture.h"
+#include "ui/picture/on_screen.h"
 #include "ui/picture/tool.h"
 #include "ui/picture/viewport.h"
 #include "ui/preferences/persistence.h"
@@ -29,13 +29,12 @@
 
 namespace glint {
 
+struct UiState;
+
 /// What waits for the answer to "save changes?".
 struct Pending {
-    enum class What { Nothing, New, Open, Recover, Match, Page, Student, Again, Station, Quit };
-    What what = What::Nothing;
-    std::string path;          // to open; of the copy to take up; the seed of a match; pages to turn
-    std::size_t left_out = 0;  // files that were dropped with that one
-    bool asking = false;       // the question is on the screen; else the changes are being saved
+    std::function<void(UiState&)> then;  // null: nothing waits
+    bool asking = false;                 // the question is on the screen; else the changes are being saved
 };
 
 /// Where the picture goes, in the window: to all of `picture`, cut off at `room`.
@@ -69,7 +68,8 @@ struct UiState {
     Pending pending;
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's
-    bool dark = true, shows_shortcuts = false, left_shows_inspector = false;
+    bool dark = true, shows_shortcuts = false;
+    bool left_shows_inspector = false, left_shows_scene = false;  // where the left column has tabs
     bool types_into_panel = false;  // asked for: the selected item's first field takes the keys
     bool quits = false;
     bool close_asked = false;          // by the system, and not answered yet
@@ -85,21 +85,18 @@ struct UiState {
     const Picture* rendered = nullptr;  // the last one drawn
     PictureSize full_size;          // of the picture in the window; for a moment `rendered` may be smaller
     PictureSize failed_size{0, 0};  // a picture of that size failed: the last one drawn keeps its own
-    const Picture* displayed = nullptr;  // what the window shows: `rendered`, or what ui/views made of it
+    const Picture* displayed = nullptr;  // what the window shows: `rendered`, or what features made of it
+    const Picture* unpainted = nullptr;  // that without stripes and false colours
     std::uint64_t picture_serial = 0;    // counts what was shown: the texture follows it
+    std::vector<ShownPart> parts;        // of `displayed`
+    double parts_ms = 0;                 // that parts took beside `rendered`
     PlacedPicture picture_rect;          // where it lies in the window
-    Scene rendered_scene;                // what `rendered` shows
-    bool rendered_is_edited = false;     // that was the edited scene: no preview, none that awaits a mesh
-    ImGuiID active_before = 0;           // the control that was in hand in the frame before; 0: none
-    Scene edited_drawn;                  // the edited scene as it was drawn last, whatever shows since
-    std::optional<OtherScene> resting;   // on the screen in place of the edited scene, until the user ends it
-    // Of the probe, in the scene that rests on the screen or in that of a comparison's part.
-    std::optional<Explanation> explanation;
-    std::optional<OtherScene> asked_other;   // that scene, where it is not the edited one
-    Variant asked_part;                      // of a comparison; Edited where none is asked
-    ItemCounts explained;                    // of it: `explanation` names lights and objects by number
-    glm::ivec2 asked{0};                     // the pixel of the whole picture that `explanation` is about
-    PictureSize asked_size, explained_size;  // of the whole picture, and of `rendered`, when it was explained
+    float legend_width = 0, label_height = 0;  // that a feature's overlay takes at its left and upper edge
+    Scene rendered_scene;                      // what `rendered` shows
+    bool rendered_is_edited = false;  // that was the edited scene: no preview, none that awaits a mesh
+    ImGuiID active_before = 0;        // the control that was in hand in the frame before; 0: none
+    Scene edited_drawn;               // the edited scene as it was drawn last, whatever shows since
+    OnScreen on_screen;
 
     Jobs jobs;  // last: they use the others
 };
@@ -115,6 +112,6 @@ struct UiRequests {
 [[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input);
 
 /// The sheets of small pictures that the window keeps as textures; they stay where they are.
-[[nodiscard]] std::array<PictureSheet*, 6> sheets_of(UiState& state);
+[[nodiscard]] std::vector<PictureSheet*> sheets_of(UiState& state);
 
 }  // namespace glint

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,10 +66,10 @@ SceneDocument default_document(const std::vector<Assignment>& assignments) {
     return document;
 }
 
-/// What the window shows first: a document, and the lesson it belongs to, if any.
+/// What the window shows first: a document, and what follows once it is open.
 struct Beginning {
     SceneDocument document;
-    std::shared_ptr<const Course> course;
+    std::function<void(UiState&)> opened;
     std::optional<Opening> loading;  // the default scene is shown until this has loaded
 };
 
@@ -81,7 +82,7 @@ Beginning beginning(const WindowArguments& arguments) {
     if (!opening.job->wait_for(max_time_without_window))
         return {default_document({}), nullptr, std::move(opening)};
     SceneDocument document = take(opening.job->take());
-    return {std::move(document), opening.course ? *opening.course : nullptr, std::nullopt};
+    return {std::move(document), std::move(opening.opened), std::nullopt};
 }
 
 struct Glfw {
@@ -187,7 +188,7 @@ void catch_ending_signals() {
     WindowFrames window(open_window(state.persistence.preferences), state);
     handle_x_errors();
     tell_averaged_normals(state);
-    if (first.course) begin_lesson(state, first.course);
+    if (first.opened) first.opened(state);
     if (first.loading) await_opening(state, *std::move(first.loading));
     catch_ending_signals();
     try {

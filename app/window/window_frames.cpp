@@ -74,7 +74,7 @@ void WindowFrames::measure() {
 
 void WindowFrames::follow_scale() {
     const DisplayScale display = display_scale(extent_, display_);
-    const bool projector = state_.get<LectureState>().projector;
+    const bool projector = state_.layout.projector;
     const float scale = projector ? display.design * projector_scale : display.design;
     const Theme& wanted = projector     ? projector_theme(state_.dark)
                           : state_.dark ? dark_theme()

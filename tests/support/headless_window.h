@@ -13,6 +13,8 @@
 
 #include "tests/support/catch.h"
 #include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
+#include "ui/feature.h"
 #include "ui/features/diagnosis/my_picture.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/export/export_picture.h"
@@ -32,7 +34,9 @@
 #include "ui/features/views/term_grid.h"
 #include "ui/features/views/views.h"
 #include "ui/fields/highlight_share.h"
+#include "ui/picture/magnifier.h"
 #include "ui/shell/columns.h"
+#include "ui/shell/modal.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"

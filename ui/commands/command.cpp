@@ -6,11 +6,9 @@
 #include <array>
 #include <stdexcept>
 
-#include "ui/commands/command_rows.h"
+#include "ui/commands/command.h"
 #include "ui/document/scene_edit.h"
-#include "ui/features/export/animation.h"
-#include "ui/features/lessons/lesson.h"
-#include "ui/features/lessons/predict_mode.h"
+#include "ui/feature.h"
 #include "ui/picture/tool.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
@@ -39,16 +37,32 @@ void tell(UiState& state, const WindowCommand& command, KeyPress press) {
 
 std::vector<WindowCommand> all_commands() {
     std::vector<WindowCommand> all;
-    for (const auto rows : {file_commands, edit_commands, hand_commands, camera_commands, view_commands,
-                            lecture_commands, shading_commands})
-        for (WindowCommand& row : rows()) {
-            row.quiet |= row.menu == Menu::File || row.menu == Menu::Help;
+    const auto add = [&all](std::vector<WindowCommand> rows) {
+        for (WindowCommand& row : rows) {
+            const Menu menu = menu_of(row.section);
+            row.quiet |= menu == Menu::File || menu == Menu::Help;
             all.push_back(std::move(row));
         }
+    };
+    for (const auto rows :
+         {file_commands, edit_commands, hand_commands, camera_commands, view_commands, shading_commands})
+        add(rows());
+    for (const Feature* feature : features())
+        if (feature->commands != nullptr) add(feature->commands());
+    std::stable_sort(all.begin(), all.end(),
+                     [](const WindowCommand& a, const WindowCommand& b) { return a.section < b.section; });
     return all;
 }
 
 }  // namespace
+
+Menu menu_of(Section section) {
+    if (section <= Section::FileQuit) return Menu::File;
+    if (section == Section::Edit) return Menu::Edit;
+    if (section <= Section::ViewWindow) return Menu::View;
+    if (section <= Section::LectureWedge) return Menu::Lecture;
+    return section == Section::Help ? Menu::Help : Menu::None;
+}
 
 std::span<const WindowCommand> commands() {
     static const std::vector<WindowCommand> all = all_commands();
@@ -77,7 +91,7 @@ std::string keys_of_value(std::string_view value) {
 }
 
 std::string why_disabled(const UiState& state, const WindowCommand& command) {
-    if (is_held(state) && !command.quiet) return why_held;
+    if (std::string held = why_held(state); !held.empty() && !command.quiet) return held;
     return command.why_disabled == nullptr ? std::string() : command.why_disabled(state);
 }
 
@@ -111,10 +125,12 @@ void run_keys(UiState& state, const UiInput& input) {
         state.viewport.gesture != Gesture::None || (ImGui::IsAnyMouseDown() && ImGui::IsAnyItemActive());
     for (const KeyPress& press : input.presses) {
         if (press.key == Key::Escape && !number_in_hand()) escape(state);
-        if (busy || state.palette.open || modal_of(state) != Modal::None) continue;
+        if (busy || state.palette.open || open_dialog(state) != nullptr) continue;
         if (ImGui::GetIO().WantTextInput && is_for_text(press)) continue;
-        if (answer_by_key(state, press) || predict_by_key(state, press) || animate_by_key(state, press))
-            continue;
+        const auto takes_key = [&](const Feature* feature) {
+            return feature->key != nullptr && feature->key(state, press);
+        };
+        if (std::any_of(features().begin(), features().end(), takes_key)) continue;
         const auto has_key = [&press](const WindowCommand& command) {
             return std::find(command.keys.begin(), command.keys.end(), press) != command.keys.end();
         };

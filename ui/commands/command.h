@@ -1,7 +1,7 @@
 #pragma once
 // A command is anything that a menu item or a key does, defined once: one row of a table with the functions
-// that do it. Menus, keys, the palette, the tool bar and the sheet of shortcuts read the rows. The rows stand
-// in commands_*.cpp, by menu and topic.
+// that do it. Menus, keys, the palette, the tool bar and the sheet of shortcuts read the rows. The core's
+// rows are in commands_*.cpp, those of a feature in its folder.
 
 #include <optional>
 #include <span>
@@ -15,13 +15,42 @@ namespace glint {
 
 struct UiState;
 
-/// The menu in which a command stands, in the table's order. None: it has a key, and the palette finds it.
 enum class Menu { None, File, Edit, View, Lecture, Help };
+
+/// Where a command is in its menu, from top to bottom; within a section the core's commands come first, then
+/// those of features in the order of ui/features.cpp. Other: it is in no menu, and the palette finds it.
+enum class Section {
+    FileOpen,
+    FileSave,
+    FilePicture,
+    FileQuit,
+    Edit,
+    ViewCamera,
+    ViewScope,
+    ViewVectors,
+    ViewProbe,
+    ViewQuantity,
+    ViewPixels,
+    ViewDots,
+    ViewCompare,
+    ViewStored,
+    ViewWindow,
+    LecturePages,
+    LecturePredict,
+    LectureGames,
+    LectureLesson,
+    LectureShow,
+    LectureAnimate,
+    LectureWedge,
+    Help,
+    Other
+};
+[[nodiscard]] Menu menu_of(Section section);
 
 struct WindowCommand {
     const char* name = "";
     std::vector<KeyPress> keys = {};
-    Menu menu = Menu::None;
+    Section section = Section::Other;
     void (*run)(UiState&) = nullptr;
     bool (*is_on)(const UiState&) = nullptr;                // null: it is not a switch
     std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty reason: it can be done
@@ -34,7 +63,7 @@ struct WindowCommand {
     const char* sets = "";         // what it sets of the scene, as keys_of_value() takes it
 };
 
-/// All commands, in the order of menus and lists.
+/// All commands, in the order of sections.
 [[nodiscard]] std::span<const WindowCommand> commands();
 [[nodiscard]] const WindowCommand& command(CommandId id);
 
@@ -53,5 +82,27 @@ inline void run_command(UiState& state, CommandId id) { run_command(state, comma
 
 /// Runs the commands of the keys that came with this frame; Escape leaves the innermost thing.
 void run_keys(UiState& state, const UiInput& input);
+
+// The rows of the core, by topic, and what rows are made of. A new command is one new row.
+
+[[nodiscard]] std::vector<WindowCommand> file_commands();
+[[nodiscard]] std::vector<WindowCommand> edit_commands();
+/// Lists what the mouse does to the selected object by its gizmo, and the rest of the edit menu below it.
+[[nodiscard]] std::vector<WindowCommand> hand_commands();
+[[nodiscard]] std::vector<WindowCommand> camera_commands();
+[[nodiscard]] std::vector<WindowCommand> view_commands();
+[[nodiscard]] std::vector<WindowCommand> shading_commands();
+
+constexpr bool ctrl = true, shift = true, alt = true;  // of a KeyPress
+
+/// Returns `reason`; empty if `possible`.
+[[nodiscard]] inline std::string unless(bool possible, const char* reason) { return possible ? "" : reason; }
+[[nodiscard]] inline std::string unless_busy(bool busy) {
+    return unless(!busy, "Another picture is being written");
+}
+[[nodiscard]] inline std::string unless_drawn(const void* picture) {
+    return unless(picture != nullptr, "There is no picture yet");
+}
+[[nodiscard]] std::string unless_objects(const UiState& state);
 
 }  // namespace glint

@@ -1,9 +1,8 @@
 // The commands of the menu Edit.
 
-#include "ui/commands/command_rows.h"
+#include "ui/commands/command.h"
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
-#include "ui/features/export/animation.h"
 #include "ui/picture/draw_picture.h"
 
 namespace glint {
@@ -23,14 +22,14 @@ template <LightEffect effect> void follow_by_effect(UiState& state) {
 constexpr const char* is_of_another = "The picture shows another scene than the one that is edited";
 
 std::string unless_light(const UiState& state) {
-    if (is_out_of_hand(state)) return is_of_another;
+    if (state.on_screen.is_out_of_hand()) return is_of_another;
     return unless(!state.editor.scene().lights.empty(), "The scene has no light");
 }
 
 /// Returns the light that matters most under the cursor, else at the picked point.
 std::optional<MainLight> light_that_matters(const UiState& state) {
     if (state.viewport.main_light) return state.viewport.main_light;
-    return is_explained(state) ? main_light(*state.explanation) : std::nullopt;
+    return is_explained(state) ? main_light(*state.on_screen.explanation) : std::nullopt;
 }
 
 std::string unless_item(const UiState& state) {
@@ -64,16 +63,12 @@ void choose_gizmo(UiState& state, GizmoMode mode) {
 
 /// Makes the picked point the pivot: its pixel goes on showing it while everything else turns.
 void rotate_about_picked(UiState& state) {
-    state.editor.selection = {Selection::Kind::Object, state.explanation->object_index};
+    state.editor.selection = {Selection::Kind::Object, state.on_screen.explanation->object_index};
     state.viewport.gizmo = GizmoMode::Rotate;
-    state.viewport.pivot = glm::dvec3(state.explanation->spaces.world);
+    state.viewport.pivot = glm::dvec3(state.on_screen.explanation->spaces.world);
 }
 
 void type_numbers(UiState& state) {
-    if (state.get<AnimateState>().open && state.get<AnimateState>().has_keyboard) {
-        state.get<AnimateState>().takes_keys = true;
-        return;
-    }
     state.layout.left = state.types_into_panel = true;
     state.layout.hides_columns = state.left_shows_inspector = false;
 }
@@ -84,7 +79,7 @@ std::vector<WindowCommand> edit_commands() {
     return {
         {.name = "Undo",
          .keys = {{Key::Z, ctrl}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run =
              [](UiState& s) {
                  forget_told(s.notifications);
@@ -100,7 +95,7 @@ std::vector<WindowCommand> edit_commands() {
          .id = CommandId::Undo},
         {.name = "Redo",
          .keys = {{Key::Z, ctrl, shift}, {Key::Y, ctrl}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run =
              [](UiState& s) {
                  forget_told(s.notifications);
@@ -115,7 +110,7 @@ std::vector<WindowCommand> edit_commands() {
          .id = CommandId::Redo},
         {.name = "Duplicate",
          .keys = {{Key::D, ctrl}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = [](UiState& s) { duplicate(s.editor.scene(), s.editor.selection); },
          .why_disabled = why_no_duplicate,
          .id = CommandId::Duplicate,
@@ -123,38 +118,38 @@ std::vector<WindowCommand> edit_commands() {
          .words = "copy clone"},
         {.name = "Delete",
          .keys = {{Key::Delete}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = [](UiState& s) { remove(s.editor.scene(), s.editor.selection); },
          .why_disabled = unless_item,
          .id = CommandId::Delete,
          .words = "remove"},
         {.name = "Add a light",
          .keys = {{Key::L}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = add_bulb,
          .why_disabled = why_no_light,
          .id = CommandId::AddLight},
         {.name = "Brightest here: the light follows the cursor",
          .keys = {{Key::H}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = follow_by_effect<LightEffect::Brightest>,
          .why_disabled = unless_light,
          .line_above = true},
         {.name = "Rim light here: it comes from behind the cursor",
          .keys = {{Key::H, !ctrl, shift}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = follow_by_effect<LightEffect::Rim>,
          .why_disabled = unless_light},
         {.name = "Select the light that matters most here",
          .keys = {{Key::K}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run =
              [](UiState& s) {
                  s.editor.selection = {Selection::Kind::Light, light_that_matters(s)->light};
              },
          .why_disabled =
              [](const UiState& s) {
-                 if (is_out_of_hand(s)) return std::string(is_of_another);
+                 if (s.on_screen.is_out_of_hand()) return std::string(is_of_another);
                  return unless(light_that_matters(s).has_value(),
                                "No light adds anything under the cursor, nor at a picked point");
              },
@@ -166,7 +161,7 @@ std::vector<WindowCommand> hand_commands() {
     return {
         {.name = "Move the object by hand",
          .keys = {{Key::G}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = [](UiState& s) { choose_gizmo(s, GizmoMode::Move); },
          .is_on = [](const UiState& s) { return s.viewport.gizmo == GizmoMode::Move; },
          .why_disabled = unless_object,
@@ -175,7 +170,7 @@ std::vector<WindowCommand> hand_commands() {
          .words = "translate gizmo"},
         {.name = "Rotate the object by hand",
          .keys = {{Key::R}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = [](UiState& s) { choose_gizmo(s, GizmoMode::Rotate); },
          .is_on = [](const UiState& s) { return s.viewport.gizmo == GizmoMode::Rotate && !s.viewport.pivot; },
          .why_disabled = unless_object,
@@ -183,16 +178,17 @@ std::vector<WindowCommand> hand_commands() {
          .words = "turn gizmo"},
         {.name = "Rotate the object about the picked point",
          .keys = {{Key::R, !ctrl, shift}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = rotate_about_picked,
          .is_on = [](const UiState& s) { return s.viewport.gizmo == GizmoMode::Rotate && s.viewport.pivot; },
          .why_disabled =
              [](const UiState& s) {
-                 return unless(is_explained(s) && s.explanation->hit, "No point is picked: click one");
+                 return unless(is_explained(s) && s.on_screen.explanation->hit,
+                               "No point is picked: click one");
              }},
         {.name = "Scale the object by hand",
          .keys = {{Key::T}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = [](UiState& s) { choose_gizmo(s, GizmoMode::Scale); },
          .is_on = [](const UiState& s) { return s.viewport.gizmo == GizmoMode::Scale; },
          .why_disabled = unless_object,
@@ -200,12 +196,12 @@ std::vector<WindowCommand> hand_commands() {
          .words = "size gizmo"},
         {.name = "Type into the panel's fields",
          .keys = {{Key::Tab}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = type_numbers,
          .line_above = true},
         {.name = "Find an action…",
          .keys = {{Key::K, ctrl}},
-         .menu = Menu::Edit,
+         .section = Section::Edit,
          .run = open_palette,
          .id = CommandId::Palette,
          .quiet = true},

@@ -1,6 +1,6 @@
 // The commands that set something of the scene: its camera (menu View, and the directions of view that have
 // keys alone), and the shading mode and terms of the equation, which stand in the tool bar and in no menu.
-#include "ui/commands/command_rows.h"
+#include "ui/commands/command.h"
 #include "ui/picture/orbit.h"
 #include "ui/ui.h"
 
@@ -76,23 +76,23 @@ std::vector<WindowCommand> camera_commands() {
     return {
         {.name = "Frame the selected object, or all",
          .keys = {{Key::F}, {Key::PadPoint}},
-         .menu = Menu::View,
+         .section = Section::ViewCamera,
          .run = frame_selected,
          .why_disabled = unless_objects,
          .words = "zoom fit focus"},
         {.name = "Frame all",
          .keys = {{Key::F, !ctrl, shift}},
-         .menu = Menu::View,
+         .section = Section::ViewCamera,
          .run = [](UiState& s) { frame(s, -1); },
          .why_disabled = unless_objects},
         {.name = "Perspective or parallel",
          .keys = {{Key::Pad5}},
-         .menu = Menu::View,
+         .section = Section::ViewCamera,
          .run = switch_projection,
          .words = "orthographic projection"},
         {.name = "Back to the saved camera",
          .keys = {{Key::Pad0}},
-         .menu = Menu::View,
+         .section = Section::ViewCamera,
          .run = [](UiState& s) { s.editor.scene().camera = s.editor.saved.camera; },
          .why_disabled =
              [](const UiState& s) {
@@ -101,24 +101,24 @@ std::vector<WindowCommand> camera_commands() {
              }},
         {.name = "View before",
          .keys = {{Key::Left, !ctrl, !shift, alt}},
-         .menu = Menu::View,
+         .section = Section::ViewCamera,
          .run = [](UiState& s) { go_to_view(s, &ViewHistory::back); },
          .why_disabled =
              [](const UiState& s) { return unless(s.editor.views.can_go_back(), "No view came before"); }},
         {.name = "View after",
          .keys = {{Key::Right, !ctrl, !shift, alt}},
-         .menu = Menu::View,
+         .section = Section::ViewCamera,
          .run = [](UiState& s) { go_to_view(s, &ViewHistory::forward); },
          .why_disabled =
              [](const UiState& s) { return unless(s.editor.views.can_go_forward(), "No view comes after"); }},
         {.name = "Keep this view",
          .keys = {{Key::U, !ctrl, shift}},
-         .menu = Menu::View,
+         .section = Section::ViewCamera,
          .run = keep_this_view,
          .id = CommandId::KeepView},
         {.name = "Next kept view",
          .keys = {{Key::U}},
-         .menu = Menu::View,
+         .section = Section::ViewCamera,
          .run = show_next_view,
          .why_disabled =
              [](const UiState& s) {

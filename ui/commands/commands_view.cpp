@@ -1,13 +1,8 @@
-// The commands of the menu View, but for the camera's and those that compare.
+// The commands of the menu View, but for the camera's and those of features.
 #include <imgui.h>
 
-#include "ui/commands/command_rows.h"
-#include "ui/features/inspector/inspector.h"
-#include "ui/features/lecture/lecture.h"
-#include "ui/features/views/compare_view.h"
-#include "ui/features/views/debug_view_controls.h"
-#include "ui/features/views/scope.h"
-#include "ui/features/views/views.h"
+#include "ui/commands/command.h"
+#include "ui/picture/magnifier.h"
 #include "ui/ui.h"
 #include "ui/widgets/theme.h"
 
@@ -17,25 +12,6 @@ namespace {
 void switch_magnifier(UiState& state) {
     zoom_about(state.get<MagnifierState>(), state.get<MagnifierState>().zoom > 1 ? 1 : usual_zoom,
                state.viewport.probe.value_or(glm::dvec2(0.5)));
-}
-
-void step_debug_view(UiState& state, int steps) {
-    const DebugView shown = debug_view_after(state.get<DebugViewState>().set.choice.view, steps);
-    show_quantity(state, shown);
-    const std::string what = shown == DebugView::Picture
-                                 ? "The picture again"
-                                 : std::string(info_of(shown).label) + " in place of the picture";
-    state.notifications.tell(what + " (" + keys_of(CommandId::NextDebugView) + ")");
-}
-
-bool shows_orientation(const UiState& state) {
-    return state.get<DebugViewState>().set.choice.view == DebugView::Orientation;
-}
-
-void switch_over_range(UiState& state) {
-    DebugViewSet& set = state.get<DebugViewState>().set;
-    set.over_range = !set.over_range;
-    if (set.over_range) show_quantity(state, DebugView::Picture, state.get<CompareState>().choice.on);
 }
 
 /// An arrow key asks about the pixel beside the picked one; with Shift it goes ten times as far.
@@ -50,7 +26,8 @@ template <int right, int down> WindowCommand step_command(const char* name, Key 
                 },
             .why_disabled =
                 [](const UiState& s) {
-                    return s.get<LectureState>().frozen ? it_is_frozen() : unless_drawn(s.rendered);
+                    const std::string refusal = s.on_screen.refusal();
+                    return refusal.empty() ? unless_drawn(s.rendered) : refusal;
                 },
             .words = "pick probe step"};
 }
@@ -62,104 +39,22 @@ std::vector<WindowCommand> stepping_commands() {
             step_command<0, 1>("Ask about the pixel below", Key::Down)};
 }
 
-std::string unless_scope(const UiState& state) {
-    return unless(state.get<ScopeState>().open && state.rendered != nullptr, "The scope is not open");
-}
-
-std::vector<WindowCommand> scope_commands() {
-    return {
-        {.name = "Scope: red, green and blue",
-         .run = [](UiState& s) { s.get<ScopeState>().channels ^= true; },
-         .is_on = [](const UiState& s) { return s.get<ScopeState>().channels; },
-         .why_disabled = unless_scope},
-        {.name = "Scope: what the eye makes of it",
-         .run = [](UiState& s) { s.get<ScopeState>().eye ^= true; },
-         .is_on = [](const UiState& s) { return s.get<ScopeState>().eye; },
-         .why_disabled = unless_scope,
-         .words = "mach bands"},
-        {.name = "Scope: the grey card",
-         .run = [](UiState& s) { switch_card(s.get<ScopeState>(), s.rendered->size); },
-         .is_on = [](const UiState& s) { return s.get<ScopeState>().card; },
-         .why_disabled = unless_scope,
-         .words = "mach bands"},
-        {.name = "Scope: copy as command",
-         .run = copy_profile_command,
-         .why_disabled = unless_scope,
-         .words = "clipboard profile"},
-    };
-}
-
 std::vector<WindowCommand> looking_commands() {
     return {
-        {.name = "Scan-line scope",
-         .keys = {{Key::P}},
-         .menu = Menu::View,
-         .run = [](UiState& s) { toggle_scope(s.get<ScopeState>()); },
-         .is_on = [](const UiState& s) { return s.get<ScopeState>().open; },
-         .id = CommandId::Scope,
-         .line_above = true,
-         .changes_picture = true},
-        {.name = "Vectors at the picked point",
-         .keys = {{Key::V}},
-         .menu = Menu::View,
-         .run = [](UiState& s) { s.get<InspectorState>().shows_vectors ^= true; },
-         .is_on = [](const UiState& s) { return s.get<InspectorState>().shows_vectors; }},
         {.name = "Back to the point picked before",
          .keys = {{Key::V, !ctrl, shift}},
-         .menu = Menu::View,
+         .section = Section::ViewProbe,
          .run = [](UiState& s) { ask_as_before(s.viewport); },
          .why_disabled =
              [](const UiState& s) {
                  return unless(s.viewport.probe_before.has_value(), "No other point was picked before");
              }},
-        {.name = "Next quantity in place of the picture",
-         .keys = {{Key::I}},
-         .menu = Menu::View,
-         .run = [](UiState& s) { step_debug_view(s, 1); },
-         .id = CommandId::NextDebugView,
-         .changes_picture = true},
-        {.name = "Previous quantity in place of the picture",
-         .keys = {{Key::I, !ctrl, shift}},
-         .menu = Menu::View,
-         .run = [](UiState& s) { step_debug_view(s, -1); },
-         .id = CommandId::PreviousDebugView,
-         .changes_picture = true},
-        {.name = "Front and back of faces",
-         .keys = {{Key::N, !ctrl, shift}},
-         .menu = Menu::View,
-         .run =
-             [](UiState& s) {
-                 show_quantity(s, shows_orientation(s) ? DebugView::Picture : DebugView::Orientation);
-             },
-         .is_on = shows_orientation,
-         .changes_picture = true},
-        {.name = "Stripes over what is too bright",
-         .keys = {{Key::O}},
-         .menu = Menu::View,
-         .run = switch_over_range,
-         .is_on = [](const UiState& s) { return s.get<DebugViewState>().set.over_range; },
-         .id = CommandId::OverRange,
-         .changes_picture = true,
-         .words = "zebra clipped overexposed"},
         {.name = "Big pixels",
          .keys = {{Key::M}},
-         .menu = Menu::View,
+         .section = Section::ViewPixels,
          .run = switch_magnifier,
          .is_on = [](const UiState& s) { return s.get<MagnifierState>().zoom > 1; },
          .id = CommandId::Magnify,
-         .changes_picture = true},
-        {.name = "Where the equation is evaluated",
-         .keys = {{Key::J}},
-         .menu = Menu::View,
-         .run = [](UiState& s) { s.get<LitDotsState>().dots ^= true; },
-         .is_on = [](const UiState& s) { return s.get<LitDotsState>().dots; },
-         .id = CommandId::LitDots,
-         .changes_picture = true},
-        {.name = "Normals as needles where it is evaluated",
-         .keys = {{Key::N}},
-         .menu = Menu::View,
-         .run = [](UiState& s) { s.get<LitDotsState>().needles ^= true; },
-         .is_on = [](const UiState& s) { return s.get<LitDotsState>().needles; },
          .changes_picture = true},
     };
 }
@@ -189,33 +84,42 @@ void switch_why_column(UiState& s) {
 
 std::vector<WindowCommand> layout_commands() {
     return {
+        {.name = "Keys and mouse",
+         .keys = {{Key::F1}, {Key::Question, !ctrl, shift}},
+         .section = Section::Help,
+         .run = [](UiState& s) { s.shows_shortcuts ^= true; },
+         .is_on = [](const UiState& s) { return s.shows_shortcuts; },
+         .words = "help shortcuts keyboard"},
         {.name = "Scene column",
-         .menu = Menu::View,
+         .section = Section::ViewWindow,
          .run = switch_scene_column,
          .is_on = shows_scene_column,
          .line_above = true},
-        {.name = "Why column", .menu = Menu::View, .run = switch_why_column, .is_on = shows_why_column},
+        {.name = "Why column",
+         .section = Section::ViewWindow,
+         .run = switch_why_column,
+         .is_on = shows_why_column},
         {.name = "Picture alone",
          .keys = {{Key::F11}},
-         .menu = Menu::View,
+         .section = Section::ViewWindow,
          .run = [](UiState& s) { s.layout.hides_columns ^= true; },
          .is_on = [](const UiState& s) { return s.layout.hides_columns; },
          .quiet = true,
          .words = "fullscreen columns"},
         {.name = "Caption of the scene",
-         .menu = Menu::View,
+         .section = Section::ViewWindow,
          .run = [](UiState& s) { s.layout.caption ^= true; },
          .is_on = [](const UiState& s) { return s.layout.caption; },
          .quiet = true},
         {.name = "Light theme",
-         .menu = Menu::View,
+         .section = Section::ViewWindow,
          .run = [](UiState& s) { s.dark ^= true; },
          .is_on = [](const UiState& s) { return !s.dark; },
          .line_above = true,
          .quiet = true,
          .words = "dark mode colours"},
         {.name = "Reset the window",
-         .menu = Menu::View,
+         .section = Section::ViewWindow,
          .run = reset_layout,
          .words = "layout columns default"},
     };
@@ -225,8 +129,7 @@ std::vector<WindowCommand> layout_commands() {
 
 std::vector<WindowCommand> view_commands() {
     std::vector<WindowCommand> all;
-    for (const auto rows :
-         {looking_commands, scope_commands, stepping_commands, compare_commands, layout_commands})
+    for (const auto rows : {looking_commands, stepping_commands, layout_commands})
         for (WindowCommand& row : rows()) all.push_back(std::move(row));
     return all;
 }

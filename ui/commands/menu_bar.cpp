@@ -60,7 +60,7 @@ void recent_menu(UiState& state) {
         tooltip(name.c_str(), file.parent_path().string().c_str());
     }
     ImGui::EndMenu();
-    if (!chosen.empty()) begin_pending(state, Pending::What::Open, chosen);
+    if (!chosen.empty()) ask_to_open(state, chosen);
 }
 
 void menu(UiState& state, Menu which, const char* name) {
@@ -68,7 +68,7 @@ void menu(UiState& state, Menu which, const char* name) {
     list_control(name, "", last_item());
     if (!open) return;
     for (const WindowCommand& command : commands()) {
-        if (command.menu != which) continue;
+        if (menu_of(command.section) != which) continue;
         if (command.line_above) ImGui::Separator();
         menu_item(state, command);
         if (command.id == CommandId::Open) recent_menu(state);
@@ -108,7 +108,7 @@ Lines all_lines() {
     const auto add = [&lines](Menu menu, const char* heading) {
         lines.push_back({heading, ""});
         for (const WindowCommand& command : commands())
-            if (!command.keys.empty() && command.menu == menu)
+            if (!command.keys.empty() && menu_of(command.section) == menu)
                 lines.push_back({command.name, keys_of(command)});
     };
     for (const auto& [menu, name] : named_menus) add(menu, name);

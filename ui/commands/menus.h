@@ -21,6 +21,7 @@ struct PaletteEntry {
     std::string refused;      // why it cannot be done now; empty when it can
     std::function<void(UiState&)> run;
     std::string words = "";  // what it is about: found by the beginnings of these words, too
+    bool quiet = false;      // allowed while a question waits
 };
 
 struct PaletteState {
@@ -46,7 +47,7 @@ void shortcuts_sheet(UiState& state);
 /// Lists everything that can be done in this state: actions, fields of the scene, choices and switches of
 /// shading and display, mistakes, presets for the selected object, lights to switch, items to select and
 /// scenes to open.
-[[nodiscard]] std::vector<PaletteEntry> palette_entries(const UiState& state);
+[[nodiscard]] std::vector<PaletteEntry> palette_entries(UiState& state);
 
 /// Adds the entries that follow from the rows of models/fields/scene_fields.h.
 void add_field_entries(std::vector<PaletteEntry>& entries, const UiState& state);

@@ -9,7 +9,6 @@
 #include "ui/commands/command.h"
 #include "ui/commands/match.h"
 #include "ui/commands/menus.h"
-#include "ui/features/lessons/lessons_dialog.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
@@ -136,7 +135,6 @@ void open_palette(UiState& state) {
     PaletteState& palette = state.palette;
     palette = {};
     palette.open = palette.takes_keyboard = true;
-    if (state.get<LessonListState>().own.empty()) list_own_lessons(state);
     palette.entries = palette_entries(state);
     palette.matches = palette_matches(palette.entries, "");
     palette.made_for = item_counts(state.editor.scene());

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "models/fields/choices.h"
-#include "models/io/file.h"
 #include "models/scene/mistakes.h"
 #include "ui/commands/command.h"
 #include "ui/commands/match.h"
@@ -14,12 +13,7 @@
 #include "ui/document/document_actions.h"
 #include "ui/document/loading.h"
 #include "ui/document/scene_edit.h"
-#include "ui/features/export/animation.h"
-#include "ui/features/inspector/equation/equation_tab.h"
-#include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/tabs.h"
-#include "ui/features/lessons/lesson.h"
-#include "ui/features/lessons/lessons_dialog.h"
+#include "ui/feature.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/widgets/parts.h"
@@ -146,35 +140,8 @@ void add_items(Entries& entries, const UiState& state) {
         select(scene.objects[i].name, {Selection::Kind::Object, static_cast<int>(i)});
 }
 
-void add_tabs(Entries& entries) {
-    for (const InspectorTabInfo& info : inspector_tabs())
-        add(entries, fmt::format("Why: {}", info.label), "Column", [tab = info.tab](UiState& s) {
-            s.get<InspectorState>().tab = tab;
-            s.left_shows_inspector = s.layout.right = true;
-        });
-}
-
-std::string why_no_copy(const UiState& state) {
-    const bool exists = state.explanation && state.explanation->hit;
-    return exists ? "" : "No pixel is picked that shows an object";
-}
-
-void add_copies(Entries& entries, const UiState& state) {
-    for (const CopyFormat& format : copy_formats())
-        add(
-            entries, fmt::format("Copy the explanation as {}", format.label), "Action",
-            [&format](UiState& s) {
-                // Since the entry was made the pixel may have gone.
-                const std::string refused = why_no_copy(s);
-                if (!refused.empty()) return s.notifications.add(Tone::Warning, refused);
-                copy_explanation(s, format);
-            },
-            why_no_copy(state));
-}
-
 void add_open(Entries& entries, std::string name, std::string group, const std::string& path) {
-    add(entries, std::move(name), std::move(group),
-        [path](UiState& s) { begin_pending(s, Pending::What::Open, path); });
+    add(entries, std::move(name), std::move(group), [path](UiState& s) { ask_to_open(s, path); });
 }
 
 void add_recent(Entries& entries, const UiState& state) {
@@ -199,59 +166,25 @@ void add_answers_of_copy(Entries& entries, const UiState& state) {
     answer(fmt::format("Not now: keep the copy of {} for the next start", title), CopyAnswer::NotNow);
 }
 
-void add_animation(Entries& entries, const UiState& state) {
-    const AnimateState& animate = state.get<AnimateState>();
-    for (const Motion motion : enumerators<Motion>)
-        add(entries, fmt::format("Animate: {}", choice_of(motion).label), "Animation",
-            [motion](UiState& s) { begin_animation(s, motion); });
-    const std::string refused = animate.job ? "Frames are being written" : animate.refused;
-    add(entries, animate.playing ? "Stop the animation" : "Play the animation", "Animation", switch_playing,
-        refused);
-    add(entries, "Write the animation's frames…", "Animation", ask_for_frames, refused);
-}
-
-void add_shipped_scenes(Entries& entries, const std::string& folder) {
-    namespace fs = std::filesystem;
-    if (folder.empty()) return;
-    for (const FolderEntry& found : list_folder(folder, FilePurpose::OpenScene)) {
-        if (found.folder || lower_extension(found.name) != ".json") continue;
-        const std::string name = with_spaces(fs::path(found.name).stem().string());
-        add_open(entries, "Scene: " + name, "Glint's scenes", (fs::path(folder) / found.name).string());
-    }
-}
-
-/// By number, title and topic, and by the words of the file's name.
-void add_lessons(Entries& entries, const std::vector<LessonEntry>& lessons) {
-    for (const LessonEntry& lesson : lessons) {
-        const std::string file = with_spaces(std::filesystem::path(lesson.path).stem().string());
-        const std::string name =
-            lesson.title.empty() ? file : fmt::format("{} {}", number_of(lesson), lesson.title);
-        add_open(entries, "Lesson: " + name, "Glint's lessons", lesson.path);
-        entries.back().words = file + " " + lesson.topic;
-    }
-}
-
 }  // namespace
 
-std::vector<PaletteEntry> palette_entries(const UiState& state) {
+std::vector<PaletteEntry> palette_entries(UiState& state) {
     Entries entries;
     add_commands(entries, state);
     add_answers_of_copy(entries, state);
     add_recent(entries, state);
     const std::size_t of_the_scene = entries.size();
-    add_animation(entries, state);
     add_field_entries(entries, state);
     add_mistakes(entries, state);
     add_light_choices(entries, state);
     add_additions(entries, state);
     add_object_choices(entries, state);
     add_items(entries, state);
-    add_tabs(entries);
-    add_copies(entries, state);
-    if (is_held(state))
-        for (std::size_t i = of_the_scene; i < entries.size(); ++i) entries[i].refused = why_held;
-    add_shipped_scenes(entries, state.shipped_scenes);
-    add_lessons(entries, state.get<LessonListState>().own);
+    for (const Feature* feature : features())
+        if (feature->palette != nullptr) feature->palette(entries, state);
+    const std::string held = why_held(state);
+    for (std::size_t i = of_the_scene; i < entries.size() && !held.empty(); ++i)
+        if (!entries[i].quiet) entries[i].refused = held;
     for (PaletteEntry& entry : entries)  // a row is one line, whatever an item is called
         for (std::string* text : {&entry.name, &entry.group})
             std::replace_if(text->begin(), text->end(), breaks_line, ' ');

@@ -7,7 +7,6 @@
 
 #include "models/fields/scene_fields.h"
 #include "ui/commands/menus.h"
-#include "ui/features/lessons/lesson.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/ui.h"
@@ -30,7 +29,7 @@ void show_field(UiState& state, const Selection& selection, const std::string& p
     state.editor.selection = selection;
     state.layout.left = true;
     state.layout.hides_columns = state.left_shows_inspector = false;
-    state.get<LessonState>().shows_scene = true;
+    state.left_shows_scene = true;
     ask_for_field(pointer, component);
 }
 

@@ -4,7 +4,6 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <new>
@@ -12,19 +11,8 @@
 
 #include "models/io/file.h"
 #include "models/memory_limit.h"
-#include "ui/features/diagnosis/my_picture.h"
-#include "ui/features/games/match.h"
-#include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/outside_view.h"
-#include "ui/features/inspector/sensitivity.h"
-#include "ui/features/lecture/lecture.h"
-#include "ui/features/lessons/lesson.h"
-#include "ui/features/lessons/predict_mode.h"
-#include "ui/features/views/compare_view.h"
-#include "ui/features/views/debug_view_controls.h"
-#include "ui/features/views/scope.h"
-#include "ui/features/views/term_grid.h"
-#include "ui/features/views/views.h"
+#include "ui/feature.h"
+#include "ui/picture/magnifier.h"
 #include "ui/picture/picture_notes.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
@@ -33,32 +21,12 @@
 namespace glint {
 namespace {
 
-/// Whatever draws beside the one picture, or wants more of it than its bytes.
-void put_views_away(UiState& state) {
-    CompareState& compare = state.get<CompareState>();
-    compare.choice.on = compare.choice.shows_stored = compare.b_turned = false;
-    forget_parts(compare);
-    state.get<DebugViewState>() = {};
-    state.get<ScopeState>().open = false;
-    TermGridState& grid = state.get<TermGridState>();
-    grid.renderer.reset();
-    grid.solo.reset();
-    grid.muted.clear();
-    state.get<InspectorState>().instead.reset();
-    state.explanation.reset();
-    state.displayed = state.rendered;
-    ++state.picture_serial;
-}
-
 /// Whether the picture that was drawn last shows a state of the document in hand.
 bool knows_drawn(const UiState& state) { return state.rendered_is_edited && !state.editor.before; }
 
-/// B outlives its document: makes its mesh paths relative to the next one's folder.
-void lead_meshes_from(UiState& state, const std::string& next_dir) {
-    const std::string& dir = state.editor.document.mesh_dir;
-    if (dir == next_dir) return;
-    std::shared_ptr<const Scene>& stored = state.get<CompareState>().choice.stored;
-    if (stored) stored = std::make_shared<const Scene>(with_mesh_paths_from(*stored, dir, next_dir));
+void leave_document(UiState& state, const SceneDocument& next) {
+    for (const Feature* feature : features())
+        if (feature->leave_document != nullptr) feature->leave_document(state, next);
 }
 
 /// Restores the edited scene as it was drawn last, or as the history's newest step has it. A scene that was
@@ -70,9 +38,8 @@ void take_scene_back(UiState& state) {
     if (state.persistence.autosave && state.persistence.has_copy_of(editor.scene()))
         state.persistence.autosave.reset();  // the file stays: what it holds is in no other
     if (editor.before) {
-        AskedScene& asked = state.get<LectureState>().asked;
-        asked.failed |= asked.path == editor.document.path;
-        lead_meshes_from(state, editor.before->document.mesh_dir);
+        state.loading.failed = editor.document.path;
+        leave_document(state, editor.before->document);
         const std::unique_ptr<Editor> before = std::move(editor.before);
         editor = std::move(*before);
     } else if (knows_drawn(state)) {
@@ -85,53 +52,101 @@ void take_scene_back(UiState& state) {
 
 }  // namespace
 
-void begin_pending(UiState& state, Pending::What what, const std::string& path, std::size_t left_out) {
-    state.pending = {what, path, left_out, state.editor.unsaved()};
+void ask_first(UiState& state, std::function<void(UiState&)> then) {
+    state.pending = {std::move(then), state.editor.unsaved()};
     if (!state.pending.asking) finish_pending(state);
 }
 
+void ask_to_open(UiState& state, const std::string& path, std::size_t left_out) {
+    ask_first(state, [path, left_out](UiState& s) {
+        begin_open(s, path);
+        if (left_out > 0) s.notifications.add(Tone::Warning, only_first_of_several);
+    });
+}
+
+void finish_pending(UiState& state) {
+    const Pending now = std::exchange(state.pending, {});
+    (void)cancel_gesture(state.viewport, state.editor.scene());
+    if (now.then) now.then(state);
+}
+
+bool is_another(const UiState& state, const SceneDocument& next) {
+    return next.path.empty() || next.path != state.editor.document.path;
+}
+
+void put_away(UiState& state) {
+    for (const Feature* feature : features())
+        if (feature->put_away != nullptr) feature->put_away(state);
+    state.get<MagnifierState>() = {};
+    state.on_screen.explanation.reset();
+    state.displayed = state.unpainted = state.rendered;
+    ++state.picture_serial;
+}
+
 void take_scene(UiState& state, SceneDocument document) {
-    if (document.path.empty() || document.path != state.editor.document.path) {  // another scene
-        put_picture_away(state);
-        lay_level(state.get<ScopeState>());
-        end_picture_notes(state);
-    }
     leave_dialogs_of_scene(state);
-    leave_lesson(state);
-    end_prediction(state);
-    end_match(state);
+    leave_document(state, document);
     (void)cancel_gesture(state.viewport, state.editor.scene());
     let_go_of_fields();
-    lead_meshes_from(state, document.mesh_dir);
     take_document(state.editor, std::move(document));
-    if (given_scene_beside(state.get<LectureState>().given_scenes, state.editor.document.path, 0))
-        state.get<LectureState>().last_given = state.editor.document.path;
-    state.get<OutsideState>().placed = false;
     state.viewport.probe.reset();
     state.viewport.probe_before.reset();
     state.viewport.pivot.reset();
     state.viewport.hovered_grip = {};
-    state.explanation.reset();
-    state.get<SensitivityState>().forget();
+    state.on_screen.explanation.reset();
     state.mesh_for_object = -1;
     state.palette.open = false;
 }
 
-void finish_pending(UiState& state) {
-    const Pending now = std::move(state.pending);
-    state.pending = {};
-    (void)cancel_gesture(state.viewport, state.editor.scene());
-    if (now.what == Pending::What::Quit) state.quits = true;
-    if (now.what == Pending::What::New) {
-        cancel_loads(state);
-        take_scene(state, first_scene());
-    }
-    if (now.what == Pending::What::Recover) recover_autosave(state, now.path);
-    if (now.what == Pending::What::Open) begin_open(state, now.path);
-    if (now.left_out > 0) state.notifications.add(Tone::Warning, only_first_of_several);
-    finish_in_lesson(state, now);
-    if (now.what == Pending::What::Match) begin_match(state, std::strtoull(now.path.c_str(), nullptr, 10));
+namespace {
+
+/// The path is kept absolute: saving makes it relative.
+void use_mesh(UiState& state, const std::string& path) {
+    const int object = std::exchange(state.mesh_for_object, -1);
+    std::error_code failed;
+    const std::filesystem::path whole = std::filesystem::absolute(path, failed);
+    if (failed)  // the folder that the program was started in is gone
+        return state.notifications.add(
+            Problem{path, "", "cannot be made absolute: " + failed.message(), "a path from the root"});
+    begin_mesh(state, MeshFile{whole.string()}, object);
 }
+
+void save_to(UiState& state, const std::string& path) {
+    if (!is_among_shipped(state, path)) {
+        if (save_as(state, path)) finish_pending(state);
+        return;
+    }
+    state.files.ask(save_purpose, std::filesystem::path(path).filename().string());
+    state.notifications.add(
+        Problem{path, "", "is in the folder of Glint's examples", "a folder of your own"});
+}
+
+}  // namespace
+
+const FilePurpose open_purpose{.title = "Open",
+                               .button = "Open",
+                               .hint =
+                                   "Scenes (.json .glb .gltf), pictures of Glint (.png), meshes (.obj .ply "
+                                   ".off .stl), lessons (.md)",
+                               .nothing = "No folder and no scene here",
+                               .extensions = {".json", ".png", ".md"},
+                               .takes_meshes = true,
+                               .is_about_scene = false,
+                               .use = [](UiState& s, const std::string& path) { ask_to_open(s, path); }};
+
+const FilePurpose mesh_purpose{.title = "Choose a mesh",
+                               .button = "Choose",
+                               .hint = "Meshes (.obj .ply .off .stl .glb .gltf)",
+                               .nothing = "No folder and no mesh file here",
+                               .takes_meshes = true,
+                               .use = use_mesh};
+
+const FilePurpose save_purpose{.title = "Save the scene",
+                               .button = "Save",
+                               .hint = "Scene file (.json)",
+                               .extensions = {".json"},
+                               .saves = true,
+                               .use = save_to};
 
 std::string offered_name(const UiState& state, const char* ending) {
     const std::filesystem::path path(state.editor.document.path);
@@ -150,7 +165,7 @@ bool is_among_shipped(const UiState& state, const std::string& path) {
 
 void ask_mesh(UiState& state, int object) {
     state.mesh_for_object = object;
-    state.files.ask(FilePurpose::OpenMesh, state.editor.document.path);
+    state.files.ask(mesh_purpose, state.editor.document.path);
 }
 
 bool save(UiState& state) {
@@ -158,12 +173,12 @@ bool save(UiState& state) {
         // The user's files do not belong in the folder of the examples, so the dialog offers the folder in
         // which the program was started.
         const std::filesystem::path name = std::filesystem::path(state.editor.document.path).filename();
-        state.files.ask(FilePurpose::SaveScene, name.string());
+        state.files.ask(save_purpose, name.string());
         state.notifications.add(Tone::Warning, "This is a built-in example. Choose where to save your copy.");
         return false;
     }
     if (!state.editor.has_scene_file()) {
-        state.files.ask(FilePurpose::SaveScene, offered_name(state, ".json"));
+        state.files.ask(save_purpose, offered_name(state, ".json"));
         return false;
     }
     if (changed_by_another(state.editor)) {
@@ -235,7 +250,7 @@ void give_up_frame(UiState& state, const std::exception& error) {
     GImGui->FontStack.resize(0);
     ImGui::SetCurrentFont(ImGui::GetDefaultFont());
     ImGui::ErrorCheckEndFrameRecover(nullptr);
-    put_views_away(state);
+    put_away(state);
     state.notifications.add(problem_from(error));
 }
 

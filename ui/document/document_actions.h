@@ -3,6 +3,7 @@
 // after an exception.
 
 #include <exception>
+#include <functional>
 #include <string>
 
 #include "renderer/picture.h"
@@ -16,12 +17,20 @@ inline constexpr const char* only_first_of_several = "Several files were dropped
 /// they stay as they are, and nothing of the user's belongs there.
 [[nodiscard]] bool is_among_shipped(const UiState& state, const std::string& path);
 
-/// Opens the file `path`, begins anew or quits, asking first when changes are not saved. `left_out`: files
-/// that were dropped with that one, and are not opened; that is said when it is.
-void begin_pending(UiState& state, Pending::What what, const std::string& path = {},
-                   std::size_t left_out = 0);
+// The files that are opened and saved.
+extern const FilePurpose open_purpose, mesh_purpose, save_purpose;
+
+/// Does `then` now, or after the answer to "save changes?" where changes are not saved.
+void ask_first(UiState& state, std::function<void(UiState&)> then);
+/// Opens the file `path`, asking first. `left_out`: files that were dropped with that one, and are not
+/// opened; that is said when it is.
+void ask_to_open(UiState& state, const std::string& path, std::size_t left_out = 0);
 /// Goes on with what waited, after the answer or after saving.
 void finish_pending(UiState& state);
+/// Whether `next` is another scene than the open one, not that file again.
+[[nodiscard]] bool is_another(const UiState& state, const SceneDocument& next);
+/// Ends whatever is shown in place of the picture or over it, for a scene that is about something else.
+void put_away(UiState& state);
 /// Makes `document` the open one. Everything about the scene before is dropped: gesture, probe, explanation,
 /// and what was about to be done to one of its lights or objects.
 void take_scene(UiState& state, SceneDocument document);

@@ -80,6 +80,11 @@ class ViewHistory {
     std::vector<Camera> before_, after_;  // the nearest last
 };
 
+/// What a document without a file of its own was made from: a lesson.
+struct DocumentSource {
+    std::string title, path;
+};
+
 struct Editor {
     SceneDocument document;      // `document.scene` is what panels edit
     Scene saved;                 // as it was opened or saved last
@@ -87,6 +92,7 @@ struct Editor {
     History history;
     ViewHistory views;
     bool edits_camera = false;  // the camera's numbers are being edited: that is an edit, not a look
+    DocumentSource source;
     Selection selection;
     std::optional<Scene> valid;             // the scene as it last was one that a file can hold
     std::optional<FollowedItems> followed;  // nothing until the scene was drawn first

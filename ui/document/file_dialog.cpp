@@ -1,10 +1,8 @@
 #include "ui/document/file_dialog.h"
 
-#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
@@ -12,8 +10,6 @@
 #include "models/gltf/gltf.h"
 #include "models/io/file.h"
 #include "models/mesh/formats/mesh_file.h"
-#include "renderer/image/animation_file.h"
-#include "ui/features/lecture/lecture.h"
 #include "ui/shell/modal.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
@@ -26,77 +22,50 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The extensions of the files that serve a purpose, beside meshes; a new file's name gets the first one.
-std::vector<std::string> extensions(FilePurpose purpose) {
-    switch (purpose) {
-    case FilePurpose::OpenScene:
-        return {".json", ".png", ".md"};
-    case FilePurpose::OpenMesh:
-        return {};
-    case FilePurpose::SaveScene:
-    case FilePurpose::SaveAnswers:
-        return {".json"};
-    case FilePurpose::SavePicture:
-        return {".png"};
-    case FilePurpose::MyPicture:
-    case FilePurpose::ExportPicture:
-        return {".png", ".pfm", ".exr"};
-    case FilePurpose::SaveFrames:
-        return {".gif", ".webp", ".png"};
-    }
-    return {};  // not reached
-}
-
-bool saves(FilePurpose purpose) {
-    return purpose != FilePurpose::OpenScene && purpose != FilePurpose::OpenMesh &&
-           purpose != FilePurpose::MyPicture;
-}
-
-bool serves(const std::string& name, FilePurpose purpose) {
-    const std::vector<std::string> known = extensions(purpose);
+bool serves(const std::string& name, const FilePurpose& purpose) {
+    const std::vector<std::string>& known = purpose.extensions;
     return std::find(known.begin(), known.end(), lower_extension(name)) != known.end() ||
-           (!saves(purpose) && purpose != FilePurpose::MyPicture &&
-            (is_mesh_path(name) || is_gltf_path(name)));
+           (purpose.takes_meshes && (is_mesh_path(name) || is_gltf_path(name)));
 }
 
-/// Whether each frame of an animation gets a file of its own.
-bool writes_many(const std::string& path, FilePurpose purpose) {
-    return purpose == FilePurpose::SaveFrames && !animation_format(path);
+bool writes_many(const std::string& path, const FilePurpose& purpose) {
+    return purpose.writes_many != nullptr && purpose.writes_many(path);
 }
 
-struct Words {
-    const char *title, *button, *hint;
-};
-Words words(FilePurpose purpose) {
-    switch (purpose) {
-    case FilePurpose::OpenScene:
-        return {"Open", "Open",
-                "Scenes (.json .glb .gltf), pictures of Glint (.png), meshes (.obj .ply .off .stl), "
-                "lessons (.md)"};
-    case FilePurpose::OpenMesh:
-        return {"Choose a mesh", "Choose", "Meshes (.obj .ply .off .stl .glb .gltf)"};
-    case FilePurpose::MyPicture:
-        return {"Compare my picture", "Compare", "A picture of this scene by any program (.png .pfm .exr)"};
-    case FilePurpose::SaveScene:
-        return {"Save the scene", "Save", "Scene file (.json)"};
-    case FilePurpose::SaveAnswers:
-        return {"Save my answers", "Save", "Answers (.json), which `glint quiz` counts"};
-    case FilePurpose::SavePicture:
-        return {"Save the picture", "Save", "Picture (.png), which carries its scene"};
-    case FilePurpose::SaveFrames:
-        return {"Write frames", "Write", "One file (.gif .webp), or one a frame: NAME-0001.png …"};
-    case FilePurpose::ExportPicture:
-        return {"Export the picture", "Export",
-                "Picture: .png (carries its scene), .pfm, .exr (linear float)"};
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// The digits at the front of `text`, without leading zeros; they are taken off it.
+std::string_view take_number(std::string_view& text) {
+    std::size_t length = 0;
+    while (length < text.size() && is_digit(text[length])) ++length;
+    std::string_view digits = text.substr(0, length);
+    text.remove_prefix(length);
+    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+    return digits;
+}
+
+/// Below 0, 0 or above 0, as `a` comes before, with or after `b`.
+int natural_order(std::string_view a, std::string_view b) {
+    while (!a.empty() && !b.empty()) {
+        if (is_digit(a[0]) && is_digit(b[0])) {
+            const std::string_view m = take_number(a), n = take_number(b);
+            if (m.size() != n.size()) return m.size() < n.size() ? -1 : 1;
+            if (const int order = m.compare(n); order != 0) return order;
+            continue;
+        }
+        if (lower(a[0]) != lower(b[0])) return lower(a[0]) < lower(b[0]) ? -1 : 1;
+        a.remove_prefix(1);
+        b.remove_prefix(1);
     }
-    return {"", "", ""};  // not reached
+    return a.empty() ? (b.empty() ? 0 : -1) : 1;
 }
 
 void go_to(FileDialog& dialog, const fs::path& folder) {
     std::error_code failed;
     const fs::path whole = fs::absolute(folder, failed).lexically_normal();
     dialog.folder = failed ? folder.string() : whole.string();
-    dialog.entries = list_folder(dialog.folder, dialog.purpose);
+    dialog.entries = list_folder(dialog.folder, *dialog.purpose);
     dialog.asks_overwrite = false;
 }
 
@@ -112,8 +81,8 @@ fs::path place_of(const FileDialog& dialog) { return fs::path(dialog.folder) / f
 /// The path of the file, with the ending that it needs.
 std::string whole_path(const FileDialog& dialog) {
     const std::string path = place_of(dialog).string();
-    const bool is_named = !saves(dialog.purpose) || serves(path, dialog.purpose);
-    return is_named ? path : path + extensions(dialog.purpose).front();
+    const bool is_named = !dialog.purpose->saves || serves(path, *dialog.purpose);
+    return is_named ? path : path + dialog.purpose->extensions.front();
 }
 
 /// Opens a folder, asks before overwriting, or gives the chosen path.
@@ -127,7 +96,7 @@ std::optional<std::string> decide(FileDialog& dialog) {
         return {};
     }
     const std::string path = whole_path(dialog);
-    if (saves(dialog.purpose) && !dialog.asks_overwrite && may_replace(path, dialog.purpose)) {
+    if (dialog.purpose->saves && !dialog.asks_overwrite && may_replace(path, *dialog.purpose)) {
         dialog.asks_overwrite = true;
         return {};
     }
@@ -147,22 +116,7 @@ void folder_line(FileDialog& dialog) {
 /// Returns the words that stand in place of an empty list.
 const char* nothing_words(const FileDialog& dialog) {
     std::error_code failed;
-    if (!fs::is_directory(dialog.folder, failed)) return "There is no such folder";
-    switch (dialog.purpose) {
-    case FilePurpose::OpenScene:
-        return "No folder and no scene here";
-    case FilePurpose::OpenMesh:
-        return "No folder and no mesh file here";
-    case FilePurpose::MyPicture:
-        return "No folder and no picture here";
-    case FilePurpose::SaveScene:
-    case FilePurpose::SavePicture:
-    case FilePurpose::ExportPicture:
-    case FilePurpose::SaveFrames:
-    case FilePurpose::SaveAnswers:
-        return "No folder and no file of this kind here yet";
-    }
-    return "";  // not reached
+    return fs::is_directory(dialog.folder, failed) ? dialog.purpose->nothing : "There is no such folder";
 }
 
 /// What a click or two on an entry asked for.
@@ -178,7 +132,7 @@ void entry_row(FileDialog& dialog, const FolderEntry& entry, Clicked& clicked) {
     if (ImGui::Selectable(label.c_str(), entry.name == dialog.name, ImGuiSelectableFlags_AllowDoubleClick)) {
         const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
         if (entry.folder && twice) clicked.enter_folder = entry.name;
-        if (!entry.folder || !saves(dialog.purpose)) dialog.name = entry.name;
+        if (!entry.folder || !dialog.purpose->saves) dialog.name = entry.name;
         dialog.asks_overwrite = false;
         clicked.decided |= twice && !entry.folder;
     }
@@ -208,11 +162,7 @@ bool entry_list(FileDialog& dialog) {
 
 }  // namespace
 
-bool is_about_scene(FilePurpose purpose) {
-    return purpose != FilePurpose::OpenScene && purpose != FilePurpose::SaveAnswers;
-}
-
-std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purpose) {
+std::vector<FolderEntry> list_folder(const std::string& folder, const FilePurpose& purpose) {
     std::vector<FolderEntry> entries;
     std::error_code failed;
     fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, failed);
@@ -229,37 +179,27 @@ std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purp
     return entries;
 }
 
-std::string frame_path(const std::string& path, int frame) {
-    const fs::path file(path);
-    return (file.parent_path() / fmt::format("{}-{:04}.png", file.stem().string(), frame + 1)).string();
+bool natural_less(std::string_view a, std::string_view b) {
+    const int order = natural_order(a, b);
+    return order != 0 ? order < 0 : a < b;  // "a1" and "a01" are in some order, always the same
 }
 
-bool may_replace(const std::string& path, FilePurpose purpose) {
+bool may_replace(const std::string& path, const FilePurpose& purpose) {
     std::error_code failed;
-    if (!writes_many(path, purpose)) return fs::exists(path, failed);
-    const fs::path file(path), folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, failed);
-    for (; !failed && it != fs::directory_iterator(); it.increment(failed)) {
-        const std::string name = it->path().filename().string(), before = file.stem().string() + "-";
-        if (!name.starts_with(before)) continue;
-        int number = 0;
-        std::from_chars(name.data() + before.size(), name.data() + name.size(), number);
-        if (number > 0 && name == fs::path(frame_path(path, number - 1)).filename()) return true;
-    }
-    return false;
+    return writes_many(path, purpose) ? purpose.may_replace_many(path) : fs::exists(path, failed);
 }
 
-void FileDialog::ask(FilePurpose asked_for, const std::string& path) {
-    purpose = asked_for;
+void FileDialog::ask(const FilePurpose& asked_for, const std::string& path) {
+    purpose = &asked_for;
     open = offers_name = true;
     warning.clear();
     const fs::path given(path);
-    name = saves(asked_for) ? given.filename().string() : "";
+    name = asked_for.saves ? given.filename().string() : "";
     go_to(*this, given.has_parent_path() ? given.parent_path() : fs::path("."));
 }
 
 std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
-    const Words say = words(dialog.purpose);
+    const FilePurpose& say = *dialog.purpose;
     const std::string id = std::string(say.title) + "##files";
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
@@ -281,7 +221,7 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
         ImGui::Button(dialog.asks_overwrite ? "Replace" : say.button, {px(84), 0}) || enter_answers(enter);
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {px(84), 0})) dialog.open = false;
-    const bool many = writes_many(whole_path(dialog), dialog.purpose);
+    const bool many = writes_many(whole_path(dialog), say);
     const char* const question =
         many ? "Frames of that name are there already. Replace them?" : "It is there already. Replace it?";
     if (dialog.asks_overwrite || dialog.warning.empty())

@@ -3,19 +3,25 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
 
-enum class FilePurpose {
-    OpenScene,
-    OpenMesh,
-    MyPicture,
-    SaveScene,
-    SavePicture,
-    ExportPicture,
-    SaveFrames,
-    SaveAnswers
+struct UiState;
+
+/// What a file is chosen for.
+struct FilePurpose {
+    const char *title, *button, *hint;
+    const char* nothing = "No folder and no file of this kind here yet";  // in place of an empty list
+    std::vector<std::string> extensions = {};  // beside meshes; a new file's name gets the first one
+    bool takes_meshes = false;
+    bool saves = false;          // a file is written
+    bool is_about_scene = true;  // about the open one: the dialog closes when another takes its place
+    // Where several files are written to one path, and whether that would replace one of them.
+    bool (*writes_many)(const std::string& path) = nullptr;
+    bool (*may_replace_many)(const std::string& path) = nullptr;
+    void (*use)(UiState& state, const std::string& path) = nullptr;
 };
 
 /// An entry of a folder; folders first, then by name without regard to case. Hidden ones are left out.
@@ -23,20 +29,18 @@ struct FolderEntry {
     std::string name;
     bool folder = false;
 };
-/// Whether the answer is about the scene in hand: the dialog closes when another takes its place.
-[[nodiscard]] bool is_about_scene(FilePurpose purpose);
-
 /// Entries of `folder` that serve the purpose (its extensions). Nothing when it cannot be read.
-[[nodiscard]] std::vector<FolderEntry> list_folder(const std::string& folder, FilePurpose purpose);
+[[nodiscard]] std::vector<FolderEntry> list_folder(const std::string& folder, const FilePurpose& purpose);
 
-/// Where frame `frame`, from 0, of an animation goes: beside NAME.png as NAME-0001.png, NAME-0002.png, ...
-[[nodiscard]] std::string frame_path(const std::string& path, int frame);
-/// Whether writing to `path` may replace a file: of frames as PNGs any of that name, whatever its number.
-[[nodiscard]] bool may_replace(const std::string& path, FilePurpose purpose);
+/// Numbers within names count as numbers, capitals do not: "Step 2" < "step 10" < "step 10b".
+[[nodiscard]] bool natural_less(std::string_view a, std::string_view b);
+
+/// Whether writing to `path` may replace a file.
+[[nodiscard]] bool may_replace(const std::string& path, const FilePurpose& purpose);
 
 struct FileDialog {
     bool open = false;
-    FilePurpose purpose = FilePurpose::OpenScene;
+    const FilePurpose* purpose = nullptr;  // while it is open
     std::string folder, name;
     std::vector<FolderEntry> entries;
     bool asks_overwrite = false;
@@ -46,7 +50,7 @@ struct FileDialog {
 
     /// Opens the dialog in the folder of `path` (the working directory's, when empty) with its name filled
     /// in.
-    void ask(FilePurpose asked_for, const std::string& path);
+    void ask(const FilePurpose& asked_for, const std::string& path);
 };
 
 /// Draws the dialog. Precondition: it is open. Returns the path once, when the user decides. `enter`: the

@@ -7,8 +7,7 @@
 
 #include "ui/document/averaged_normals.h"
 #include "ui/document/document_actions.h"
-#include "ui/features/lecture/lecture.h"
-#include "ui/features/lessons/lesson.h"
+#include "ui/feature.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -33,7 +32,7 @@ void take_loaded(UiState& state, SceneDocument document) {
     }
     state.notifications.add(state.editor.document.warnings);
     tell_averaged_normals(state);
-    if (const auto course = std::exchange(loading.course, nullptr)) begin_lesson(state, *course);
+    if (const auto opened = std::exchange(loading.opened, nullptr)) opened(state);
 }
 
 /// The problem of a file that is neither a scene nor a mesh names what else the window takes.
@@ -48,25 +47,25 @@ void poll_document(UiState& state) {
     Loading& loading = state.loading;
     // The user cancelled: the loaded document is dropped. After "save" it waits for the name, too: read again
     // from its file, it would lack the assignments, or would not be a lesson.
-    if (state.pending.what == Pending::What::Nothing) loading.loaded.reset();
+    if (!state.pending.then) loading.loaded.reset();
     if (!loading.document || !loading.document->done()) return;
     if (state.pending.asking) return;  // the question is about the scene in hand
     Result<SceneDocument> result = loading.document->take();
     loading.document.reset();
     if (const Problem* problem = problem_of(result)) {
-        AskedScene& asked = state.get<LectureState>().asked;
-        asked.failed |= asked.path == loading.path;
+        loading.failed = loading.path;
         return state.notifications.add(with_all_that_opens(*problem));
     }
     auto& document = std::get<SceneDocument>(result);
     if (same_description(state.editor.scene(), loading.scene_then) || !state.editor.unsaved())
         return take_loaded(state, std::move(document));
     // Work went on while it was loading: it is not thrown away unasked.
-    state.pending =
-        loading.recovery
-            ? Pending{.what = Pending::What::Recover, .path = loading.recovery->autosave, .asking = true}
-            : Pending{.what = Pending::What::Open, .path = loading.path, .asking = true};
     loading.loaded = std::move(document);
+    state.pending = {[](UiState& s) {
+                         if (auto loaded = std::exchange(s.loading.loaded, std::nullopt))
+                             take_loaded(s, *std::move(loaded));
+                     },
+                     true};
 }
 
 /// Waits for a document, in place of the one that was being loaded.
@@ -75,8 +74,9 @@ void await_document(UiState& state, Opening opening, std::optional<Recovery> rec
     leave(loading.document);
     loading.loaded.reset();
     loading.recovery = std::move(recovery);
-    loading.course = std::move(opening.course);
+    loading.opened = std::move(opening.opened);
     loading.path = std::move(opening.path);
+    loading.failed.clear();
     loading.scene_then = state.editor.scene();
     loading.since = ImGui::GetTime();
     loading.document = state.jobs.add(std::move(opening.job));
@@ -84,36 +84,19 @@ void await_document(UiState& state, Opening opening, std::optional<Recovery> rec
 
 }  // namespace
 
-void begin_open(UiState& state, const std::string& path) {
-    Loading& loading = state.loading;
-    if (loading.loaded && !loading.recovery && loading.path == path)
-        return take_loaded(state, *std::exchange(loading.loaded, std::nullopt));
-    await_opening(state, opening_of(path));
-}
+void begin_open(UiState& state, const std::string& path) { await_opening(state, opening_of(path)); }
 
 void await_opening(UiState& state, Opening opening) { await_document(state, std::move(opening), {}); }
 
 Opening opening_of(const std::string& path, const std::vector<Assignment>& assignments) {
-    if (is_lesson_file(path)) return opening_of_lesson(path);
+    for (const Feature* feature : features())
+        if (feature->open != nullptr)
+            if (std::optional<Opening> opening = feature->open(path)) return *std::move(opening);
     const auto work = [path, assignments](LoadProgress&) { return open_document(path, assignments); };
     return {path, std::make_shared<LoadJob>(fs::path(path).filename().string(), work), nullptr};
 }
 
-Opening opening_of_lesson(const std::string& path) {
-    const auto course = std::make_shared<std::shared_ptr<const Course>>();
-    const auto work = [path, course](LoadProgress&) -> Result<SceneDocument> {
-        Result<std::shared_ptr<const Course>> opened = open_course(path);
-        if (const Problem* problem = problem_of(opened)) return *problem;
-        *course = std::get<std::shared_ptr<const Course>>(std::move(opened));
-        return (*course)->document;
-    };
-    return {path, std::make_shared<LoadJob>(fs::path(path).filename().string(), work), course};
-}
-
 void recover_autosave(UiState& state, const std::string& path) {
-    Loading& loading = state.loading;
-    if (loading.loaded && loading.recovery && loading.recovery->autosave == path)
-        return take_loaded(state, *std::exchange(loading.loaded, std::nullopt));
     const auto in_file = std::make_shared<Scene>();
     const auto work = [path, in_file](LoadProgress&) -> Result<SceneDocument> {
         Result<SceneDocument> copy = open_autosave(path);

@@ -1,6 +1,7 @@
 #pragma once
 // Loads documents and meshes while the window goes on: the scene in hand stays until the new one is complete.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,7 +9,6 @@
 
 #include "ui/document/editor.h"
 #include "ui/document/job.h"
-#include "ui/features/lessons/course.h"
 #include "ui/shell/layout.h"
 
 namespace glint {
@@ -31,18 +31,18 @@ struct Recovery {
 struct Opening {
     std::string path;
     JobPtr<SceneDocument> job;
-    // A lesson's, where the file is one: it is there when the job has ended.
-    std::shared_ptr<std::shared_ptr<const Course>> course;
+    std::function<void(UiState&)> opened = {};  // goes on once it is the open document; null: nothing does
 };
 
 struct Loading {
-    JobPtr<SceneDocument> document;                         // to be opened
-    std::optional<Recovery> recovery;                       // where `document` or `loaded` is a copy
-    std::shared_ptr<std::shared_ptr<const Course>> course;  // where `document` or `loaded` is a lesson's
-    std::string path;                                       // of what is being opened, or was
-    Scene scene_then;                                       // what was in hand when it began
-    std::optional<SceneDocument> loaded;  // whole, and waiting for the answer to "save changes?"
-    JobPtr<SceneDocument> meshes;         // of `awaited`
+    JobPtr<SceneDocument> document;        // to be opened
+    std::optional<Recovery> recovery;      // where `document` or `loaded` is a copy
+    std::function<void(UiState&)> opened;  // Opening::opened
+    std::string path;                      // of what is being opened, or was
+    std::string failed;                    // that path, if it could not be opened or drawn
+    Scene scene_then;                      // what was in hand when it began
+    std::optional<SceneDocument> loaded;   // whole, and waiting for the answer to "save changes?"
+    JobPtr<SceneDocument> meshes;          // of `awaited`
     std::vector<AwaitedMesh> awaited;
     std::vector<Object> known;  // the edited scene's as poll_loads() left them. By these it tells what an
                                 // object without a mesh was before the edit
@@ -51,10 +51,8 @@ struct Loading {
     [[nodiscard]] bool active() const { return document || meshes; }
 };
 
-/// Begins to open a scene, with the assignments applied to it, a mesh or a lesson.
+/// Begins to open a scene, with the assignments applied to it, a mesh, or what a feature opens.
 [[nodiscard]] Opening opening_of(const std::string& path, const std::vector<Assignment>& assignments = {});
-/// Begins to open a lesson, whatever its file is called.
-[[nodiscard]] Opening opening_of_lesson(const std::string& path);
 
 /// Waits for a file as if it had been opened in the window, whose present scene stays until then; what was
 /// being opened is cancelled.
@@ -92,6 +90,10 @@ void give_up_meshes(UiState& state);
 /// Takes back the edit that asked for a mesh, of which there is no step yet. Whatever was edited meanwhile
 /// becomes a step and is undone, too: it can be redone. The view stays.
 void undo_awaiting(UiState& state);
+
+/// Draws how far a job has come that began at `since` (ImGui's time), over the middle of the picture's upper
+/// edge. True when the user cancels it.
+[[nodiscard]] bool progress_panel(const AnyJob& job, double since, const Rect& picture);
 
 /// Draws the bar that says what is being loaded, over the middle of the picture's upper edge.
 void loading_panel(UiState& state, const Rect& picture);

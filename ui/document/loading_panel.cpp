@@ -9,9 +9,7 @@
 
 #include "ui/document/document_actions.h"
 #include "ui/document/loading.h"
-#include "ui/features/diagnosis/my_picture.h"
-#include "ui/features/export/animation.h"
-#include "ui/features/lecture/lecture.h"
+#include "ui/feature.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
@@ -84,39 +82,37 @@ float progress_share(const LoadProgress& progress) {
     return static_cast<float>(std::min(1.0, static_cast<double>(done) / static_cast<double>(total)));
 }
 
-void loading_panel(UiState& state, const Rect& picture) {
-    const LoadJob* job = state.loading.document ? state.loading.document.get() : state.loading.meshes.get();
-    const auto* reading = state.get<MyPictureState>().reading.get();
-    if (job == nullptr && reading == nullptr) return;
+bool progress_panel(const AnyJob& job, double since, const Rect& picture) {
     redraw_within(seconds_a_frame);
-    const double since = job != nullptr ? state.loading.since : state.get<MyPictureState>().reading_since;
-    if (ImGui::GetTime() - since < shown_after) return;
-    const std::string& name = job != nullptr ? job->name() : reading->name();
-    const LoadProgress& progress = job != nullptr ? job->progress() : reading->progress();
+    if (ImGui::GetTime() - since < shown_after) return false;
     const float width = begin_over_picture("##loading", px(400), picture, ImGuiWindowFlags_NoNav);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(file_title(name).c_str());
+    ImGui::TextUnformatted(file_title(job.name()).c_str());
     ImGui::SameLine(width - px(90));
     const bool cancelled = ImGui::Button("Cancel", {px(80), 0});
     tooltip("Cancel", "The scene stays as it is");
     ImGui::PushFont(fonts().small);
-    dim_text(progress_words(progress).c_str());
+    dim_text(progress_words(job.progress()).c_str());
     ImGui::PopFont();
-    bar(progress_share(progress));
+    bar(progress_share(job.progress()));
     end_over_picture();
-    if (!cancelled) return;
-    if (job != nullptr)
-        cancel_loads(state);
-    else
-        cancel_reading(state.get<MyPictureState>());
+    return cancelled;
+}
+
+void loading_panel(UiState& state, const Rect& picture) {
+    const LoadJob* job = state.loading.document ? state.loading.document.get() : state.loading.meshes.get();
+    if (job != nullptr && progress_panel(*job, state.loading.since, picture)) cancel_loads(state);
 }
 
 namespace {
 
 /// Whether the window is shown to others: then nothing pops up by itself.
 bool is_shown_to_others(const UiState& state) {
-    return state.get<LectureState>().projector || state.get<LectureState>().frozen ||
-           state.get<PenState>().on || state.layout.hides_columns || state.layout.hides_all;
+    const auto is_presented = [&state](const Feature* feature) {
+        return feature->is_presented != nullptr && feature->is_presented(state);
+    };
+    return state.layout.hides_columns || state.layout.hides_all ||
+           std::any_of(features().begin(), features().end(), is_presented);
 }
 
 }  // namespace
@@ -124,7 +120,7 @@ bool is_shown_to_others(const UiState& state) {
 void answer_copy(UiState& state, CopyAnswer answer) {
     auto& left = state.persistence.orphans;
     if (answer == CopyAnswer::Recover)
-        return begin_pending(state, Pending::What::Recover, left.front().lock.path);
+        return ask_first(state, [path = left.front().lock.path](UiState& s) { recover_autosave(s, path); });
     const std::string copy = left.front().lock.path;
     std::error_code failed;
     if (answer == CopyAnswer::Discard) std::filesystem::remove(copy, failed);
@@ -137,7 +133,6 @@ void answer_copy(UiState& state, CopyAnswer answer) {
 void recovery_panel(UiState& state, const Rect& picture) {
     auto& left = state.persistence.orphans;
     if (left.empty() || state.pending.asking || state.loading.active() || is_shown_to_others(state)) return;
-    if (state.get<AnimateState>().open) return;  // its panel has that place
     const float width = begin_over_picture("##recovery", px(470), picture);
     ImGui::PushTextWrapPos(width - px(14));
     ImGui::TextUnformatted(

@@ -7,11 +7,8 @@
 #include <utility>
 
 #include "ui/document/document_actions.h"
-#include "ui/features/export/animation.h"
-#include "ui/features/inspector/inspector.h"
-#include "ui/features/lecture/lecture.h"
-#include "ui/features/views/compare_view.h"
-#include "ui/features/views/views.h"
+#include "ui/feature.h"
+#include "ui/picture/magnifier.h"
 #include "ui/ui.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/widgets.h"
@@ -19,22 +16,16 @@
 namespace glint {
 namespace {
 
-/// Whether what is shown is the picture, or such pictures side by side: not measured, not false colours.
-bool shows_pictures(const UiState& state) {
-    if (state.displayed == nullptr || state.displayed == state.rendered) return true;
-    const ShownFrom& from = state.get<ViewsState>().shown_from;
-    return from.compare.on && !from.compare.difference && from.debug_view == DebugViewSet{};
-}
-
 /// Whether a smaller picture may stand for the whole one for a moment: no numbers of many pixels are shown.
-bool may_be_small(const UiState& state, bool previewed) {
+bool may_be_small(const UiState& state) {
     const bool camera = state.viewport.gesture == Gesture::Orbit || state.viewport.gesture == Gesture::Pan ||
                         state.viewport.gesture == Gesture::Dolly;
     const bool light =
         state.viewport.gesture == Gesture::Hand && state.viewport.held.grip.kind == GripKind::Light;
     const bool field = state.viewport.gesture == Gesture::None && ImGui::IsAnyItemActive();
-    return (camera || light || field) && !previewed && !views_need_linear(state) &&
-           !(state.get<MagnifierState>().zoom > 1) && shows_pictures(state);
+    const PictureNeeds needs = picture_needs(state);
+    return (camera || light || field) && state.on_screen.drawn() == nullptr && !needs.linear &&
+           !needs.full_size && !(state.get<MagnifierState>().zoom > 1);
 }
 
 /// The size of the next picture of a scene that differs (`changed`) from the last one or does not.
@@ -55,53 +46,12 @@ PictureSize paced_size(UiState& state, PictureSize full, bool changed, bool smal
     return state.rendered->size;
 }
 
-/// Explains the pixel at the asked place: in a smaller picture a larger pixel, whose colour is the one on the
-/// screen.
-void explain_asked(UiState& state, const PictureView& view) {
-    state.explanation.reset();
-    state.asked_other = state.resting;
-    state.asked_part = {};
-    const auto asked = asked_pixel(state, view);
-    if (!asked) return;
-    const PictureSize whole = view.map.size, drawn = state.rendered->size;
-    const glm::ivec2 shown = pixel_at_place(*asked, whole, drawn);
-    state.explanation = state.renderer->explain(shown.x, shown.y);
-    state.explanation->spaces.pixel *=
-        glm::vec2(whole.width, whole.height) / glm::vec2(drawn.width, drawn.height);
-    state.asked = *asked;
-    state.asked_size = whole;
-    state.explained_size = drawn;
-    state.explained = item_counts(state.rendered_scene);
-}
-
-/// What shows in place of the edited scene, apart from what the column shows.
-enum class Resting { Nothing, Frozen, Moment, Stored };
-
-Resting resting_of(const UiState& state) {
-    if (state.get<LectureState>().frozen) return Resting::Frozen;
-    if (state.get<AnimateState>().frame) return Resting::Moment;
-    return state.get<CompareState>().choice.shows_stored ? Resting::Stored : Resting::Nothing;
-}
-
-/// What shows until the user ends it, whatever is edited.
-std::optional<OtherScene> resting_scene(const UiState& state) {
-    if (column_has_turn(state) && state.get<InspectorState>().instead &&
-        state.get<InspectorState>().instead_rests)
-        return OtherScene{*state.get<InspectorState>().instead, "the cells that are shown",
-                          "The cells that are shown"};
-    return resting_below_cells(state);
-}
-
-/// Whether the scene that `explanation` is about has the lights and objects that it names by index.
-bool is_of_its_scene(const UiState& state) {
-    return state.explanation && state.explained == item_counts(asked_scene(state));
-}
-
 /// During a short preview the explanation stays that of the picture before. A preview of another size may
 /// lack the explained pixel: then there is no explanation until the preview ends.
 void follow_size(UiState& state, const PictureView& view) {
-    const bool same = state.asked_size == view.map.size && state.explained_size == state.rendered->size;
-    if (!same) state.explanation.reset();
+    OnScreen& shown = state.on_screen;
+    const bool same = shown.explained_size == view.map.size && shown.explained_drawn == state.rendered->size;
+    if (!same) shown.explanation.reset();
 }
 
 }  // namespace
@@ -151,105 +101,52 @@ const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size) {
     return tells ? state.renderer.get() : nullptr;
 }
 
-std::string it_is_frozen() {
-    return "The picture is frozen: " + keys_of(CommandId::Freeze) + " lets it go on";
-}
-
-void freeze(UiState& state) {
-    // Of B, or of what plays, nothing is selected.
-    state.get<LectureState>().frozen_selection =
-        is_out_of_hand(state) ? Selection{} : valid_selection(state.editor.selection, state.rendered_scene);
-    state.get<LectureState>().frozen = as_made(state, state.rendered_scene);
-}
-
-std::optional<Scene> preview_of(const UiState& state) {
-    // A preview under the mouse waits until an edit has been drawn and explained: the numbers beside it are
-    // those of the edited scene.
-    const bool explains_shown =
-        state.get<InspectorState>().instead_rests || state.edited_drawn == state.editor.scene();
-    if (column_has_turn(state) && state.get<InspectorState>().instead && explains_shown)
-        return state.get<InspectorState>().instead;
-    std::optional<OtherScene> resting = resting_scene(state);
-    return resting ? std::optional(std::move(resting->scene)) : std::nullopt;
-}
-
-bool is_explained(const UiState& state) { return !state.asked_other && is_of_its_scene(state); }
-
-const Scene& asked_scene(const UiState& state) {
-    return state.asked_other ? state.asked_other->scene : state.editor.scene();
-}
-
-Scene* editable_scene(UiState& state) { return state.asked_other ? nullptr : &state.editor.scene(); }
-
-std::optional<OtherScene> resting_below_cells(const UiState& state) {
-    switch (resting_of(state)) {
-    case Resting::Frozen:
-        return OtherScene{*state.get<LectureState>().frozen, "the frozen picture", "Frozen"};
-    case Resting::Moment:
-        return OtherScene{*state.get<AnimateState>().frame, "the animation at this moment", "Animated"};
-    case Resting::Stored:
-        return OtherScene{scene_under({Variant::Kind::Stored, 0}, state.editor.scene(),
-                                      state.get<CompareState>().choice.stored.get()),
-                          name_of_stored, label_of({Variant::Kind::Stored, 0})};
-    case Resting::Nothing:
-        break;
-    }
-    return {};
-}
-
-bool column_has_turn(const UiState& state) {
-    const Resting resting = resting_of(state);
-    return resting == Resting::Nothing || resting == Resting::Stored;
-}
-
-bool is_out_of_hand(const UiState& state) { return resting_of(state) != Resting::Nothing; }
-
-const Scene& shown_scene(const UiState& state) {
-    return state.resting ? state.resting->scene : state.editor.scene();
+const ShownPart* part_at(const UiState& state, glm::ivec2 pixel) {
+    const auto found = std::find_if(state.parts.begin(), state.parts.end(),
+                                    [pixel](const ShownPart& part) { return part.rect.holds(pixel); });
+    return found == state.parts.end() ? nullptr : &*found;
 }
 
 void draw_picture(UiState& state, const PictureView& view) {
     poll_loads(state);
     state.full_size = view.map.size;
-    state.resting = resting_scene(state);
-    const std::optional<Scene> preview = preview_of(state);
-    const Scene& shown = preview ? *preview : state.editor.scene();
-    const bool moves = may_be_small(state, preview.has_value());
+    decide_shown(state.on_screen, state);
+    const OtherScene* const other = state.on_screen.drawn();
+    const Scene& shown = other != nullptr ? other->scene : state.editor.scene();
+    const bool moves = may_be_small(state);
     state.pace.drawn_at = 0;
     const bool changed = !(state.rendered_scene == shown);
     if (state.editor.before) state.failed_size = {0, 0};  // another document may be a smaller one
     const bool failed = state.rendered != nullptr && view.map.size == state.failed_size;
     const PictureSize size = failed ? state.rendered->size : paced_size(state, view.map.size, changed, moves);
     const bool same_size = state.rendered != nullptr && state.rendered->size == size;
-    const bool linear = views_need_linear(state);
+    const bool linear = picture_needs(state).linear;
     const bool has_linear = state.rendered != nullptr && !state.rendered->linear.empty();
     if (!same_size || changed || (linear && !has_linear)) {
         try {
             state.rendered = &state.renderer->render(shown, size, linear);
         } catch (const std::exception&) {
             state.failed_size = changed ? PictureSize{0, 0} : size;
-            draw_scene_before(state, preview.has_value());
+            draw_scene_before(state, other != nullptr);
             throw;
         }
         state.rendered_scene = shown;
         ++state.picture_serial;
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
-    // What was frozen may be the edited scene, too: then it is not drawn again.
-    if (changed || !same_size || !preview) state.rendered_is_edited = !preview && !awaits_mesh(state);
-    if (!is_of_its_scene(state)) state.explanation.reset();
-    const bool passes = preview && !(state.resting && state.resting->scene == *preview);
-    if (passes) return follow_size(state, view);
-    if (!preview) state.editor.before.reset();
-    if (!preview && !(state.edited_drawn == shown)) state.edited_drawn = shown;
-    explain_asked(state, view);
+    // A frozen scene may be the edited one, too: then it is not drawn again.
+    if (changed || !same_size || other == nullptr)
+        state.rendered_is_edited = other == nullptr && !awaits_mesh(state);
+    if (!state.on_screen.explained_other && !is_explained(state)) state.on_screen.explanation.reset();
+    if (state.on_screen.passing) return follow_size(state, view);
+    if (other == nullptr) state.editor.before.reset();
+    if (other == nullptr && !(state.edited_drawn == shown)) state.edited_drawn = shown;
+    explain_picked(state, view);
 }
 
 void learn_pace(UiState& state) {
     if (state.pace.drawn_at == 0) return;
-    const CompareState& compare = state.get<CompareState>();
-    const double parts_ms = compare.choice.on ? compare.ms : 0;
-    picture_took(state.pace, state.pace.drawn_at, state.renderer->stats().total_ms + parts_ms);
+    picture_took(state.pace, state.pace.drawn_at, state.renderer->stats().total_ms + state.parts_ms);
 }
 
 }  // namespace glint

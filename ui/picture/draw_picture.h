@@ -15,14 +15,6 @@ namespace glint {
 
 struct UiState;
 
-/// A scene that is shown in place of the edited one, and what it is called in a sentence and over a part of a
-/// comparison.
-struct OtherScene {
-    Scene scene;
-    const char* name = "";
-    std::string label = "";
-};
-
 // Keeps a drag fluent: if a full picture takes too long, smaller ones are drawn while something moves, and
 // the full one as soon as it rests. A state machine of its own: milliseconds in, a divisor out.
 
@@ -53,6 +45,25 @@ void picture_took(FramePace& pace, int divisor, double ms);
 /// `full` divided, each side at least 1.
 [[nodiscard]] PictureSize divided(PictureSize full, int divisor);
 
+/// Pixels of a picture, from `low` to before `high`.
+struct PartRect {
+    glm::ivec2 low{0}, high{0};
+    [[nodiscard]] bool holds(glm::ivec2 p) const {
+        return p.x >= low.x && p.y >= low.y && p.x < high.x && p.y < high.y;
+    }
+};
+
+/// A part of the displayed picture, and how it is related to the edited scene.
+struct ShownPart {
+    PartRect rect;
+    const Renderer* renderer = nullptr;  // that drew it; null: another program did
+    const Scene* other = nullptr;  // the scene that it shows, if its objects are not those of the drawn one
+    bool has_effects = true;       // highlights and terminators are where the edited scene has them
+};
+
+/// The part in which a pixel of the displayed picture lies; null: none.
+[[nodiscard]] const ShownPart* part_at(const UiState& state, glm::ivec2 pixel);
+
 /// Whether both scenes show the same surfaces in the same pixels of a picture, by the same numbers: camera,
 /// objects, meshes and transforms are the same. Lights, materials and shading may differ.
 [[nodiscard]] bool same_surfaces(const Scene& a, const Scene& b);
@@ -63,56 +74,18 @@ void picture_took(FramePace& pace, int divisor, double ms);
 /// function, so that they never get the index of an object that does not exist.
 [[nodiscard]] const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size);
 
-/// Freezes what is shown: the drawn scene and its selection, until `lecture.frozen` is reset.
-void freeze(UiState& state);
-/// What is said to a hand that would pick another pixel of a frozen picture.
-[[nodiscard]] std::string it_is_frozen();
-
-/// Returns the scene that the next picture shows in place of the edited one, with its meshes; nothing of it
-/// reaches the history or a file. The first that wants one wins: what is frozen, what is animated, what the
-/// mouse points at in the column, B.
-[[nodiscard]] std::optional<Scene> preview_of(const UiState& state);
-
-/// Where numbers of B are told.
-inline constexpr const char* name_of_stored = "B, the stored scene";
-
-/// Whether `explanation` is there and about the edited scene: its lights and objects are those that can be
-/// selected and edited.
-[[nodiscard]] bool is_explained(const UiState& state);
-
-/// The scene that `explanation` is about.
-[[nodiscard]] const Scene& asked_scene(const UiState& state);
-/// The same scene to be edited; null where it is not the edited one.
-[[nodiscard]] Scene* editable_scene(UiState& state);
-
-/// The scene that rests on the screen in place of the edited one while no cells of Light × term are kept
-/// there.
-[[nodiscard]] std::optional<OtherScene> resting_below_cells(const UiState& state);
-
-/// Whether the picture shows what the column asks it to show in place of the scene: nothing is frozen or
-/// plays.
-[[nodiscard]] bool column_has_turn(const UiState& state);
-
-/// Whether the picture shows a scene that a hand in it does not edit: a frozen one, one that plays, or B.
-[[nodiscard]] bool is_out_of_hand(const UiState& state);
-
-/// The scene that the picture shows, previews of a moment aside: what is copied or exported of it.
-[[nodiscard]] const Scene& shown_scene(const UiState& state);
-
 /// Draws what shows (the edited scene or a preview) if it, or the size, is not that of the last picture; then
 /// asks about the probe, unless what shows is a preview of a moment. While a hand moves something, a picture
 /// that would take too long is a smaller one.
 void draw_picture(UiState& state, const PictureView& view);
 
-/// Learns how long the pictures of this frame took, those of a comparison's parts included. After
-/// update_views().
+/// Learns how long the pictures of this frame took, those of a comparison's parts included.
 void learn_pace(UiState& state);
 
 // The room in the middle of the window: the picture, the hand on it, and what is drawn over it.
 
 /// Keeps what lies over the picture on what it lies on when the picture gets another shape, and so another
-/// field of view: the pixels asked about, the scope's line and card, what the pen drew. It may come to lie
-/// outside; it waits there until the picture is wide enough again.
+/// field of view. It may come to lie outside; it waits there until the picture is wide enough again.
 void follow_shape(UiState& state, PictureSize size);
 
 /// Where the picture goes and how large it is in real pixels.
@@ -121,8 +94,11 @@ void follow_shape(UiState& state, PictureSize size);
 /// Places the picture and reads what a hand does on it. True while a gesture has the scene in hand.
 [[nodiscard]] bool picture_room(UiState& state, const Layout& layout, const UiInput& input);
 
-/// Draws handles, vectors, views, the pen, notifications. After the picture was drawn, so that they agree
-/// with it.
+/// The part of the picture's place in the window that is in sight.
+[[nodiscard]] Rect picture_in_sight(const UiState& state);
+
+/// Draws handles, what features lay over the picture, the badge and notifications. After the picture was
+/// drawn, so that they agree with it.
 void picture_overlay(UiState& state, const Layout& layout);
 
 }  // namespace glint

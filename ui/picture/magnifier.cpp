@@ -1,3 +1,5 @@
+#include "ui/picture/magnifier.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -5,9 +7,7 @@
 #include <glm/common.hpp>
 
 #include "models/scene/transform.h"
-#include "ui/features/views/compare_view.h"
-#include "ui/features/views/views.h"
-#include "ui/picture/tool.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
@@ -90,7 +90,7 @@ void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& rend
                         end = object.mesh->first_corner[seen->face + 1];
     for (std::uint32_t i = first; i < end; ++i) {
         const glm::vec3 corner = object.mesh->positions[object.mesh->corner_position[i]];
-        const OnScreen at =
+        const ProjectedPoint at =
             project(view.map, glm::dvec3(world_from_object * glm::dvec4(glm::dvec3(corner), 1)));
         if (!at.in_front) return list.PathClear();
         list.PathLineTo(view.to_window(at.pixel));
@@ -156,8 +156,10 @@ bool magnifier_drag(ToolFrame& frame) {
     return true;
 }
 
-/// Squares, their numbers, edges between faces, and the scan line and polygon of the picked pixel. Nothing
-/// before a pixel is large enough.
+}  // namespace
+
+const Tool magnifier_tool{.hover = magnifier_hover, .press = magnifier_press, .drag = magnifier_drag};
+
 void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) {
     const Picture& shown = *state.displayed;
     const auto picked = probe_pixel(state.viewport, view.map.size);
@@ -170,24 +172,17 @@ void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view) 
         list.AddLine(view.to_window({x, range.y0}), view.to_window({x, range.y1}), line);
     for (int y = range.y0; y <= range.y1; ++y)
         list.AddLine(view.to_window({range.x0, y}), view.to_window({range.x1, y}), line);
-    const CompareState& compare = state.get<CompareState>();
-    for (const DrawnPart& part : drawn_parts(compare, *state.renderer, view.map.size)) {
+    for (const ShownPart& part : state.parts) {
+        if (part.renderer == nullptr) continue;
         draw_edges(list, view, *part.renderer, within(range, part.rect));
-        if (!picked || !part.rect.holds(*picked)) continue;
-        // Each part but B has the objects of the drawn scene.
-        const bool is_b = part.variant.kind == Variant::Kind::Stored && compare.choice.stored != nullptr;
-        draw_picked(list, view, *part.renderer, is_b ? *compare.choice.stored : state.rendered_scene,
-                    *picked);
+        if (picked && part.rect.holds(*picked))
+            draw_picked(list, view, *part.renderer,
+                        part.other != nullptr ? *part.other : state.rendered_scene, *picked);
     }
     if (view.units_per_pixel < px(least_number)) return;
-    const Picture& numbered = unpainted_picture(state);
+    const Picture& numbered = *state.unpainted;
     for (int y = range.y0; y < range.y1; ++y)
         for (int x = range.x0; x < range.x1; ++x) draw_number(list, view, numbered, shown, x, y);
 }
-
-}  // namespace
-
-const Tool magnifier_tool{
-    .hover = magnifier_hover, .press = magnifier_press, .drag = magnifier_drag, .draw = draw_big_pixels};
 
 }  // namespace glint

@@ -3,17 +3,9 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <array>
 
-#include "ui/features/export/animation.h"
-#include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/tabs.h"
-#include "ui/features/lecture/lecture.h"
-#include "ui/features/lessons/lesson.h"
-#include "ui/features/views/compare_view.h"
-#include "ui/features/views/debug_view_controls.h"
-#include "ui/features/views/term_grid.h"
-#include "ui/picture/draw_picture.h"
+#include "ui/feature.h"
+#include "ui/picture/on_screen.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/named_controls.h"
@@ -24,21 +16,6 @@ namespace glint {
 namespace {
 
 using Kind = PictureNote::Kind;
-
-/// A reason why the picture may differ. `name` is empty while it does not; `scene` is the one that is named.
-struct Reason {
-    Kind kind;
-    std::string (*name)(const UiState& state, const Scene& scene);
-    void (*end)(UiState& state);
-    CommandId key = CommandId::None;
-    bool stays = false;  // when another scene opens: that scene's own, or labelled elsewhere
-};
-
-std::string name_if(bool shows, const char* name) { return shows ? name : ""; }
-
-bool is_preview(const UiState& state) {
-    return state.get<InspectorState>().instead && !state.get<InspectorState>().instead_rests;
-}
 
 std::string terms_off(const Terms& terms) {
     std::string names;
@@ -52,71 +29,26 @@ std::string terms_off(const Terms& terms) {
     return names.empty() ? names : "Off: " + names;
 }
 
-std::string debug_view(const DebugViewSet& set) {
-    if (set.choice.view != DebugView::Picture) return std::string("View: ") + info_of(set.choice.view).label;
-    return name_if(set.over_range, "Over-range stripes");
+void add_other(std::vector<PictureNote>& notes, Kind kind, const std::optional<OtherScene>& other) {
+    if (other && !other->note.empty()) notes.push_back({kind, other->note, other->end, other->key});
 }
 
-constexpr std::array reasons{
-    Reason{Kind::Preview,
-           [](const UiState& s, const Scene&) {
-               const std::string& name = s.get<InspectorState>().preview_name;
-               return is_preview(s) && !name.empty() ? "Preview: " + name : std::string();
-           },
-           nullptr},
-    Reason{Kind::OtherScene,
-           [](const UiState& s, const Scene&) {
-               return name_if(s.get<LectureState>().frozen.has_value(), "Frozen picture");
-           },
-           [](UiState& s) { s.get<LectureState>().frozen.reset(); }, CommandId::Freeze},
-    Reason{Kind::OtherScene,
-           [](const UiState& s, const Scene&) {
-               return name_if(s.get<AnimateState>().frame && !s.get<LectureState>().frozen, "Animation");
-           },
-           [](UiState& s) {
-               s.get<AnimateState>().playing = false;
-               s.get<AnimateState>().frame.reset();
-           }},
-    Reason{Kind::OtherScene, [](const UiState& s, const Scene&) { return kept_cells(s); },
-           [](UiState& s) {
-               s.get<TermGridState>().solo.reset();
-               s.get<TermGridState>().muted.clear();
-               s.get<InspectorState>().instead.reset();
-           }},
-    Reason{Kind::OtherScene,
-           [](const UiState& s, const Scene&) {
-               return name_if(
-                   s.get<CompareState>().choice.shows_stored && column_has_turn(s) && !is_preview(s),
-                   name_of_stored);
-           },
-           [](UiState& s) {
-               s.get<CompareState>().choice.shows_stored = s.get<CompareState>().b_turned = false;
-           },
-           CommandId::ShowB},
-    Reason{Kind::InScene, [](const UiState&, const Scene& scene) { return terms_off(scene.shading.terms); },
-           [](UiState& s) { s.editor.scene().shading.terms = {}; }, CommandId::None, true},
-    Reason{Kind::InScene,
-           [](const UiState&, const Scene& scene) { return mistakes_text(scene.shading.mistakes); },
-           [](UiState& s) { s.editor.scene().shading.mistakes = {}; }, CommandId::None, true},
-    Reason{Kind::View,
-           [](const UiState& s, const Scene&) {
-               const CompareChoice& choice = s.get<CompareState>().choice;
-               return name_if(choice.on, choice.difference ? "Difference" : "Comparison");
-           },
-           [](UiState& s) { s.get<CompareState>().choice.on = false; }, CommandId::Compare, true},
-    Reason{Kind::View, [](const UiState& s, const Scene&) { return debug_view(s.get<DebugViewState>().set); },
-           [](UiState& s) { s.get<DebugViewState>().set = {}; }},
-};
-
+/// `scene` is the one whose settings are named.
 std::vector<PictureNote> notes_about(const UiState& state, const Scene& scene) {
     std::vector<PictureNote> notes;
-    for (const Reason& reason : reasons) {
-        std::string name = reason.name(state, scene);
-        // Of a frozen picture or B nothing is edited.
-        const bool can_end = reason.kind != Kind::InScene || !is_out_of_hand(state);
-        if (!name.empty())
-            notes.push_back({reason.kind, std::move(name), can_end ? reason.end : nullptr, reason.key});
-    }
+    const OnScreen& shown = state.on_screen;
+    add_other(notes, Kind::Preview, shown.passing);
+    if (!shown.passing) add_other(notes, Kind::OtherScene, shown.resting);
+    if (shown.resting && shown.resting->is_partial)
+        add_other(notes, Kind::OtherScene, resting_below(state, *shown.resting->by));
+    if (const std::string off = terms_off(scene.shading.terms); !off.empty())
+        notes.push_back({Kind::InScene, off, [](UiState& s) { s.editor.scene().shading.terms = {}; }});
+    for (const Feature* feature : features())
+        if (feature->note != nullptr)
+            if (std::optional<PictureNote> note = feature->note(state, scene))
+                notes.push_back(*std::move(note));
+    for (PictureNote& note : notes)  // of a frozen picture or B nothing is edited
+        if (note.kind == Kind::InScene && shown.is_out_of_hand()) note.end = nullptr;
     return notes;
 }
 
@@ -154,11 +86,6 @@ std::vector<PictureNote> picture_notes(const UiState& state) {
     return notes_about(state, shown_scene(state));
 }
 
-void end_picture_notes(UiState& state) {
-    for (const Reason& reason : reasons)
-        if (reason.end != nullptr && !reason.stays) reason.end(state);
-}
-
 FileNotes notes_of_shown(const UiState& state) { return file_notes(picture_notes(state), true); }
 FileNotes notes_of_edited(const UiState& state) {
     return file_notes(notes_about(state, state.editor.scene()), false);
@@ -176,18 +103,11 @@ std::string file_warning(const FileNotes& notes) {
     return file_message("With", notes).text;
 }
 
-std::string kept_cells(const UiState& state) {
-    const InspectorState& inspector = state.get<InspectorState>();
-    const bool shows = column_has_turn(state) && inspector.instead && inspector.instead_rests;
-    return shows ? inspector.preview_name : std::string();
-}
-
 void picture_badge(UiState& state, const Rect& picture) {
     const std::vector<PictureNote> notes = picture_notes(state);
     if (notes.empty() || is_held(state)) return;  // while a question waits they would give the answer away
     // Below the label of a comparison's first part.
-    const float above = state.get<CompareState>().choice.on ? small_text_height() + px(20) : px(10);
-    ImGui::SetNextWindowPos(picture.low + ImVec2(px(10), above));
+    ImGui::SetNextWindowPos(picture.low + ImVec2(px(10), px(10) + state.label_height));
     ImGui::SetNextWindowBgAlpha(0.88f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, px(1) * ImVec2(8, 4));

@@ -1,7 +1,6 @@
 #pragma once
 // What makes the picture on the screen differ from the edited scene's own, correct picture: one list, which
-// the badge on the picture shows, which a saved file is described by, and which ends when another scene
-// opens.
+// the badge on the picture shows and which a saved file is described by.
 
 #include <string>
 #include <vector>
@@ -27,12 +26,9 @@ struct PictureNote {
     CommandId key = CommandId::None;  // that ends it, too
 };
 
-/// Returns the notes of the picture that is shown, in the order of the badge. Add a reason as a row of the
-/// table in picture_notes.cpp.
+/// Returns the notes of the picture that is shown, in the order of the badge; features add theirs
+/// (Feature::note).
 [[nodiscard]] std::vector<PictureNote> picture_notes(const UiState& state);
-
-/// Ends every note that does not belong to the scene, except a comparison, whose parts have their own labels.
-void end_picture_notes(UiState& state);
 
 /// Draws the badge into the upper left corner of `picture`, the part of it that is in sight: a line for each
 /// note, with a cross that ends it.
@@ -51,8 +47,5 @@ struct FileNotes {
 /// The same before the file is written: "With: Off: specular. Not in the file: Comparison"; empty without
 /// notes.
 [[nodiscard]] std::string file_warning(const FileNotes& notes);
-
-/// The name of the cells of Light × term that are kept on the screen; empty when there are none.
-[[nodiscard]] std::string kept_cells(const UiState& state);
 
 }  // namespace glint

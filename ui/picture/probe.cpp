@@ -2,9 +2,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "ui/features/lecture/lecture.h"
-#include "ui/features/lessons/predict_mode.h"
-#include "ui/features/views/scope.h"
+#include "ui/feature.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/viewport.h"
 #include "ui/ui.h"
@@ -19,19 +17,12 @@ void follow_shape(UiState& state, PictureSize size) {
     const Projection& projection = state.editor.scene().camera.projection;
     const glm::dmat4 from = clip_from_view(projection, before), to = clip_from_view(projection, size);
     const glm::dvec2 scale(to[0][0] / from[0][0], to[1][1] / from[1][1]);
-    const auto follow = [&scale](glm::dvec2& share) { share = (share - 0.5) * scale + 0.5; };
-    for (std::optional<glm::dvec2>* probe :
-         {&state.viewport.probe, &state.viewport.probe_before, &state.get<PredictState>().probe})
-        if (*probe) follow(**probe);
-    ScopeState& scope = state.get<ScopeState>();
-    if (scope.open && !scope.armed) {  // else nothing was laid on anything yet
-        for (glm::dvec2* share : {&scope.from, &scope.to, &scope.card_at}) follow(*share);
-        scope.card_size *= scale;
-    }
     const auto aspect = [](PictureSize of) { return double(of.width) / of.height; };
-    const glm::vec2 in_heights(scale.x * aspect(size) / aspect(before), scale.y);
-    for (PenLine& line : state.get<PenState>().lines)
-        for (glm::vec2& place : line.places) place *= in_heights;
+    const Reshape reshape{scale, {scale.x * aspect(size) / aspect(before), scale.y}};
+    for (std::optional<glm::dvec2>* probe : {&state.viewport.probe, &state.viewport.probe_before})
+        if (*probe) reshape.follow(**probe);
+    for (const Feature* feature : features())
+        if (feature->reshape != nullptr) feature->reshape(state, reshape);
 }
 
 void ask_about(ViewportState& state, std::optional<glm::dvec2> probe) {
@@ -60,5 +51,18 @@ std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize si
     if (!state.probe || !is_inside(size, *state.probe * glm::dvec2(size.width, size.height))) return {};
     return nearest_pixel(size, *state.probe * glm::dvec2(size.width, size.height));
 }
+
+namespace {
+
+bool forget_probe(UiState& state) {
+    if (!state.viewport.probe) return false;
+    ask_about(state.viewport, {});
+    return true;
+}
+
+}  // namespace
+
+extern const Feature probe_feature;
+const Feature probe_feature{.escape = forget_probe};
 
 }  // namespace glint

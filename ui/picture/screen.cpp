@@ -29,7 +29,7 @@ ScreenMap screen_map(const Camera& camera, PictureSize size) {
     return map;
 }
 
-OnScreen project(const ScreenMap& map, glm::dvec3 world) {
+ProjectedPoint project(const ScreenMap& map, glm::dvec3 world) {
     const glm::dvec4 view = map.view_from_world * glm::dvec4(world, 1);
     const glm::dvec4 clip = map.clip_from_view * view;
     if (!(clip.w > 1e-9)) return {{}, -view.z, false};
@@ -78,7 +78,7 @@ std::optional<std::pair<ImVec2, ImVec2>> PictureView::shown(glm::dvec3 a, glm::d
     if (depth_a < eye && depth_b < eye) return {};
     if (depth_a < eye) a += (b - a) * ((eye - depth_a) / (depth_b - depth_a));
     if (depth_b < eye) b += (a - b) * ((eye - depth_b) / (depth_a - depth_b));
-    const OnScreen from = project(map, a), to = project(map, b);
+    const ProjectedPoint from = project(map, a), to = project(map, b);
     if (!from.in_front || !to.in_front) return {};
     return std::pair(to_window(from.pixel), to_window(to.pixel));
 }
@@ -102,7 +102,7 @@ void WorldPen::circle(glm::dvec3 centre, glm::dvec3 u, glm::dvec3 v, ImU32 colou
 }
 
 void WorldPen::mark(glm::dvec3 place, ImU32 colour, float opacity, bool hovered) const {
-    const OnScreen at = project(view.map, place);
+    const ProjectedPoint at = project(view.map, place);
     if (!at.in_front) return;
     const float radius = hovered ? 5.5f : 3.5f;
     rimmed_disc(list, view.to_window(at.pixel), radius, colour, opacity);

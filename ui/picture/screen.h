@@ -23,14 +23,14 @@ struct ScreenMap {
 
 [[nodiscard]] ScreenMap screen_map(const Camera& camera, PictureSize size);
 
-struct OnScreen {
+struct ProjectedPoint {
     glm::dvec2 pixel{0};
     double depth = 0;       // in front of the camera, scene units: -z in camera coordinates
     bool in_front = false;  // false: at or behind the eye; then `pixel` says nothing
 };
 
 /// Where a place in the world shows. It may be outside the picture.
-[[nodiscard]] OnScreen project(const ScreenMap& map, glm::dvec3 world);
+[[nodiscard]] ProjectedPoint project(const ScreenMap& map, glm::dvec3 world);
 
 /// The place in the world that shows at `pixel`, `depth` in front of the camera. Inverse of project().
 [[nodiscard]] glm::dvec3 unproject(const ScreenMap& map, glm::dvec2 pixel, double depth);

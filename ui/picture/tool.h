@@ -1,6 +1,6 @@
 #pragma once
 // Tools on the picture: one at a time has the mouse. Each is a row of functions, and only picture_room.cpp
-// decides whose turn it is.
+// decides which one.
 
 #include <imgui.h>
 
@@ -40,12 +40,8 @@ struct Tool {
     bool (*drag)(ToolFrame&) = nullptr;
     /// The button went up.
     void (*release)(ToolFrame&) = nullptr;
-    /// Escape. True when there was something to put away.
-    bool (*cancel)(UiState&) = nullptr;
     /// Says for the status line what a drag or click does now; empty when the tool has not the mouse.
     std::string (*hint)(const UiState&) = nullptr;
-    /// Draws over the picture.
-    void (*draw)(ImDrawList&, UiState&, const PictureView&) = nullptr;
 };
 
 /// The tool that a button holds.
@@ -60,8 +56,8 @@ struct ToolCapture {
 /// Escape leaves the innermost thing: a drag, a dialog, a sheet, a tool, the picked pixel.
 void escape(UiState& state);
 
-extern const Tool pen_tool, magnifier_tool, compare_tool, scope_tool;
-extern const Tool lesson_tool;  // ui/features/lessons/lesson_tool.cpp
-extern const Tool hand_tool;    // the camera, and all handles: ui/picture/viewport.cpp
+extern const Tool hand_tool;  // the camera, and all handles: ui/picture/viewport.cpp
+/// Draws the handles, of the scene that the picture shows.
+void draw_hand(ImDrawList& list, UiState& state, const PictureView& view);
 
 }  // namespace glint

@@ -7,10 +7,6 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "ui/features/export/animation.h"
-#include "ui/features/lecture/lecture.h"
-#include "ui/features/views/compare_view.h"
-#include "ui/features/views/debug_view_controls.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/orbit.h"
 #include "ui/picture/tool.h"
@@ -168,35 +164,20 @@ ViewportFrame viewport_frame(UiState& state, const PictureView& view) {
             state.viewport.gizmo, state.viewport.pivot};
 }
 
-/// The part of a comparison under the cursor; nothing where no parts are shown.
-std::optional<Variant> variant_under(const UiState& state, const ViewportFrame& frame) {
-    const CompareState& compare = state.get<CompareState>();
-    if (state.displayed == nullptr) return {};
-    const glm::ivec2 pixel = nearest_pixel(frame.view.map.size, cursor_px(frame));
-    const int part = part_of(compare, pixel, state.displayed->size);
-    if (part < 0) return {};
-    return compare.choice.parts[static_cast<std::size_t>(part)];
-}
-
 /// What drew the picture under the cursor, which may be a part of a comparison; null where its lights are not
 /// those of the edited scene.
 const Renderer* renderer_under(const UiState& state, const ViewportFrame& frame) {
-    if (is_out_of_hand(state) || frame.renderer == nullptr || state.displayed == nullptr) return nullptr;
-    const std::optional<Variant> part = variant_under(state, frame);
-    if (!part) return frame.renderer;
-    if (part->kind == Variant::Kind::Stored || part->kind == Variant::Kind::Mine) return nullptr;
-    const glm::ivec2 pixel = nearest_pixel(frame.view.map.size, cursor_px(frame));
-    return part_renderer(state.get<CompareState>(), pixel, state.displayed->size);
+    if (state.on_screen.is_out_of_hand() || frame.renderer == nullptr) return nullptr;
+    const ShownPart* part = part_at(state, nearest_pixel(frame.view.map.size, cursor_px(frame)));
+    if (part == nullptr) return frame.renderer;
+    return part->other == nullptr ? part->renderer : nullptr;
 }
 
 /// Whether highlights and terminators of the edited scene are seen under the cursor: not in cells of the
 /// grid, in false colours, in a difference, or in a part that shows another model or scene.
 bool shows_effects(const UiState& state, const ViewportFrame& frame) {
-    if (state.resting || state.get<DebugViewState>().set.choice.view != DebugView::Picture) return false;
-    const std::optional<Variant> part = variant_under(state, frame);
-    if (!part) return !state.get<CompareState>().choice.on && state.displayed != nullptr;
-    return part->kind == Variant::Kind::Edited || part->kind == Variant::Kind::Mode ||
-           part->kind == Variant::Kind::Interpolation;
+    const ShownPart* part = part_at(state, nearest_pixel(frame.view.map.size, cursor_px(frame)));
+    return !state.on_screen.resting && part != nullptr && part->has_effects;
 }
 
 /// The mouse belongs to the light that follows it, wherever it is.
@@ -223,13 +204,13 @@ bool hand_hover(ToolFrame& tool) {
     if (state.gesture == Gesture::Effect) return hover_with_effect(state, frame);
     state.hovered = tool.over;
     // With Alt nothing but the camera is taken hold of; of another scene than the edited one nothing can be.
-    const bool takes_hold = state.hovered && !ImGui::GetIO().KeyAlt && !is_out_of_hand(tool.state);
+    const bool takes_hold = state.hovered && !ImGui::GetIO().KeyAlt && !tool.state.on_screen.is_out_of_hand();
     state.hovered_grip = takes_hold ? grip_under(frame, cursor_px(frame)) : Grip{};
     if (!state.hovered_grip.is_mark() && !shows_effects(tool.state, frame)) state.hovered_grip = {};
     ViewportFrame seen = frame;
     seen.renderer = renderer_under(tool.state, frame);
     find_main_light(state, seen, cursor_px(frame));
-    if (tool.state.get<LectureState>().frozen) return tool.over;
+    if (!tool.state.on_screen.refusal().empty()) return tool.over;
     wheel(state, frame);
     set_cursor(state);
     return tool.over;
@@ -237,16 +218,11 @@ bool hand_hover(ToolFrame& tool) {
 
 int hand_press(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
-    if (tool.state.get<LectureState>().frozen && state.gesture == Gesture::None) {
-        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
-            tool.state.notifications.tell(it_is_frozen(), Tone::Warning);
-        return not_taken;
-    }
-    // What a lesson plays goes on until a hand comes, which may want what moves there.
-    if (tool.state.get<AnimateState>().frame && !tool.state.get<AnimateState>().open &&
-        ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-        tool.state.get<AnimateState>().playing = false;
-        return not_taken;
+    const std::optional<OtherScene>& other = tool.state.on_screen.resting;
+    if (other && state.gesture == Gesture::None) {
+        const bool takes_press = other->press != nullptr && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+        if (takes_press) other->press(tool.state);
+        if (takes_press || !other->refusal.empty()) return not_taken;
     }
     ViewportFrame frame = viewport_frame(tool.state, tool.view);
     if (state.gesture == Gesture::Effect) {
@@ -275,28 +251,25 @@ void hand_release(ToolFrame& tool) {
     end_gesture(state);
 }
 
-bool hand_cancel(UiState& state) { return cancel_gesture(state.viewport, state.editor.scene()); }
 std::string hand_hint(const UiState& state) {
-    if (state.get<LectureState>().frozen && state.viewport.hovered)
-        return "Frozen · " + keys_of(CommandId::Freeze) + ": go on";
+    const std::optional<OtherScene>& other = state.on_screen.resting;
+    if (other && !other->hint.empty() && state.viewport.hovered) return other->hint;
     return gesture_hint(state.viewport, state.editor.scene());
-}
-
-void hand_draw(ImDrawList& list, UiState& state, const PictureView& view) {
-    ViewportFrame frame = viewport_frame(state, view);
-    if (!state.resting || !is_out_of_hand(state)) return draw_overlay(list, state.viewport, frame);
-    Scene& shown = state.resting->scene;
-    Selection selection =
-        state.get<LectureState>().frozen ? state.get<LectureState>().frozen_selection : Selection{};
-    const bool is_drawn = state.rendered_scene == shown && state.rendered->size == view.map.size;
-    draw_overlay(
-        list, state.viewport,
-        {shown, selection, is_drawn ? state.renderer.get() : nullptr, view, frame.gizmo, frame.pivot});
 }
 
 }  // namespace
 
-const Tool hand_tool{hand_hover, hand_press, hand_drag, hand_release, hand_cancel, hand_hint, hand_draw};
+const Tool hand_tool{hand_hover, hand_press, hand_drag, hand_release, hand_hint};
+
+void draw_hand(ImDrawList& list, UiState& state, const PictureView& view) {
+    ViewportFrame frame = viewport_frame(state, view);
+    if (!state.on_screen.is_out_of_hand()) return draw_overlay(list, state.viewport, frame);
+    OtherScene other = *state.on_screen.resting;
+    const bool is_drawn = state.rendered_scene == other.scene && state.rendered->size == view.map.size;
+    draw_overlay(list, state.viewport,
+                 {other.scene, other.selection, is_drawn ? state.renderer.get() : nullptr, view, frame.gizmo,
+                  frame.pivot});
+}
 
 bool cancel_gesture(ViewportState& state, Scene& scene) {
     if (state.gesture == Gesture::None) return false;

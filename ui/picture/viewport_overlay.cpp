@@ -33,7 +33,7 @@ void draw_hold_on_surface(ImDrawList& list, const ViewportState& state, const Vi
     const Light& light = frame.scene.lights[static_cast<std::size_t>(grip.item)];
     const ImVec2 hand = ImGui::GetIO().MousePos;
     const ImU32 colour = to_u32(colour_of(light));
-    const OnScreen to = project(frame.view.map, handle_of(light, frame.view.dome, frame.view.map));
+    const ProjectedPoint to = project(frame.view.map, handle_of(light, frame.view.dome, frame.view.map));
     if (to.in_front) cased_line(list, hand, frame.view.to_window(to.pixel), colour);
     const bool waits = held && (effect ? state.effect.no_solution : state.held.no_solution);
     cased_circle(list, hand, held ? 7 : 10, waits ? to_u32(theme().dim_text) : colour, 2);
@@ -69,7 +69,7 @@ std::optional<Rect> object_under(const ViewportFrame& frame) {
     const glm::dmat4 world = world_from_object(shown.transform);
     std::optional<Rect> covered;
     for (const glm::dvec3& corner : corners_of(shown.mesh->bounds)) {
-        const OnScreen at = project(frame.view.map, glm::dvec3(world * glm::dvec4(corner, 1)));
+        const ProjectedPoint at = project(frame.view.map, glm::dvec3(world * glm::dvec4(corner, 1)));
         if (!at.in_front) return {};
         const ImVec2 p = frame.view.to_window(at.pixel);
         if (!covered) covered = Rect{p, p};

@@ -8,12 +8,8 @@
 #include <utility>
 
 #include "models/io/file.h"
-#include "ui/features/lecture/lecture.h"
-#include "ui/features/lessons/lesson.h"
-#include "ui/features/views/compare_view.h"
-#include "ui/features/views/debug_view_controls.h"
-#include "ui/features/views/scope.h"
-#include "ui/features/views/views.h"
+#include "ui/document/document_actions.h"
+#include "ui/feature.h"
 #include "ui/ui.h"
 #include "ui/widgets/widgets.h"
 
@@ -36,16 +32,11 @@ Result<std::monostate> write_settings(const Persistence& memory) {
     return write_file_at_once(memory.file(settings_file), preferences_text(memory.preferences));
 }
 
-/// The file to open again: a lesson's, as long as what it shows was not saved under a name.
-const std::string& open_file(const UiState& state) {
-    const std::string& scene = state.editor.document.path;
-    return scene.empty() && state.get<LessonState>().course ? state.get<LessonState>().course->lesson.path
-                                                            : scene;
-}
-
 void note_recent(UiState& state) {
     Persistence& memory = state.persistence;
-    const std::string& path = open_file(state);
+    // A lesson's, as long as what it shows was not saved under a name.
+    const std::string& scene = state.editor.document.path;
+    const std::string& path = scene.empty() ? state.editor.source.path : scene;
     if (path == memory.opened) return;
     memory.opened = path;
     memory.preferences.recent = with_recent_file(memory.preferences.recent, path);
@@ -66,12 +57,13 @@ void note_preferences(UiState& state) {
     Preferences now = memory.preferences;
     now.dark = state.dark;
     now.layout = state.layout;
-    now.views = views_to_remember(state);
-    now.layout.lesson = now.layout.hides_columns = now.layout.hides_all =
-        false;  // the picture alone is for a moment
-    if (state.get<LectureState>().projector) {
-        now.layout.left = state.get<LectureState>().left_before;
-        now.layout.right = state.get<LectureState>().right_before;
+    now.kept_views = state.kept_views;
+    now.features = features_to_remember(state);
+    LayoutState& layout = now.layout;  // the picture alone, and the projector, are for a moment
+    layout.lesson = layout.hides_columns = layout.hides_all = false;
+    if (std::exchange(layout.projector, false)) {
+        layout.left = std::exchange(layout.left_before, true);
+        layout.right = std::exchange(layout.right_before, true);
     }
     const double time = ImGui::GetTime();
     if (!(now == memory.preferences)) memory.preferences_changed = time;
@@ -116,15 +108,30 @@ void tell_not_kept(UiState& state, const std::string& what, const Problem& why) 
     state.notifications.add(Tone::Warning, fmt::format("{} cannot be remembered: {}", what, why.text()));
 }
 
+Json features_to_remember(const UiState& state) {
+    Json json = Json::object();
+    for (const Feature* feature : features())
+        if (feature->write_settings != nullptr) feature->write_settings(state, json);
+    return json;
+}
+
+void recall_features(UiState& state, const Json& json) {
+    for (const Feature* feature : features())
+        if (feature->read_settings != nullptr) feature->read_settings(state, json);
+}
+
 void begin_persistence(UiState& state, const std::string& folder) {
     Persistence& memory = state.persistence;
     memory.no_folder = why_no_folder(folder);
     if (memory.no_folder) return;
     memory.folder = folder;
-    memory.preferences = memory.written = remembered(memory);
+    memory.preferences = remembered(memory);
     state.dark = memory.preferences.dark;
     state.layout = memory.preferences.layout;
-    recall_views(state, memory.preferences.views);
+    state.kept_views = memory.preferences.kept_views;
+    recall_features(state, memory.preferences.features);
+    memory.preferences.features = features_to_remember(state);
+    memory.written = memory.preferences;
     memory.orphans = orphaned_autosaves(folder);
 }
 
@@ -148,13 +155,8 @@ void end_persistence(UiState& state, bool keeps_copy) {
 void reset_layout(UiState& state) {
     state.layout = {};
     state.dark = true;
-    state.get<ScopeState>().open = false;
-    ViewPreferences first_day;
-    first_day.kept = state.kept_views;
-    state.get<CompareState>().choice.on = false;
-    state.get<DebugViewState>().set = {};
-    state.get<LitDotsState>() = {};
-    recall_views(state, first_day);
+    put_away(state);
+    recall_features(state, Json::object());
     state.persistence.preferences.width = state.persistence.preferences.height = 0;
     state.persistence.preferences.maximized = false;
 }

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "models/json/json.h"
 #include "models/problem.h"
 #include "models/scene/camera.h"
 #include "ui/document/job.h"
-#include "ui/features/views/compare_view.h"
 #include "ui/preferences/autosave.h"
 #include "ui/shell/layout.h"
 
@@ -17,23 +17,9 @@ namespace glint {
 
 struct UiState;
 
-// The window's settings: theme, columns, its size, how the picture is viewed, recent files. They are in one
-// small JSON file, which is read as untrusted.
-
-/// How the picture is looked at, and the views kept by hand. What stands over the picture or in place of it
-/// (comparison, scope, debug views, needles) begins switched off: a picture that begins in false colours
-/// reads as a broken one.
-struct ViewPreferences {
-    CompareChoice compare;  // off, and without its B: a scene is not a preference
-    glm::dvec2 scope_from{0.02, 0.5}, scope_to{0.98, 0.5};  // shares of the picture's size
-    bool scope_channels = false, scope_eye = false;
-    std::vector<Camera> kept;  // at most max_views
-    bool operator==(const ViewPreferences&) const = default;
-};
-
-[[nodiscard]] ViewPreferences views_to_remember(const UiState& state);
-/// Looks at the picture that way; a stored B stays.
-void recall_views(UiState& state, const ViewPreferences& memory);
+// The window's settings: theme, columns, its size, views kept by hand, what features remember, recent files.
+// They are in one small JSON file, which is read as untrusted. What is over the picture or in place of it
+// begins switched off: a picture that begins in false colours reads as a broken one.
 
 inline constexpr std::size_t max_recent_files = 12;
 
@@ -42,10 +28,15 @@ struct Preferences {
     LayoutState layout;
     int width = 0, height = 0;  // of the window, in its own units; 0: as the display suggests
     bool maximized = false;
-    ViewPreferences views;
+    std::vector<Camera> kept_views;   // at most max_views
+    Json features = Json::object();   // as features write it (Feature::write_settings)
     std::vector<std::string> recent;  // files opened or saved, newest first: at most max_recent_files
     bool operator==(const Preferences&) const = default;
 };
+
+[[nodiscard]] Json features_to_remember(const UiState& state);
+/// Gives each feature what it remembers. Untrusted.
+void recall_features(UiState& state, const Json& json);
 
 /// Writes them as JSON that ends with a newline. What is written reads back equal.
 [[nodiscard]] std::string preferences_text(const Preferences& preferences);
@@ -53,6 +44,16 @@ struct Preferences {
 /// Reads untrusted JSON: invalid or missing members keep their defaults, and numbers out of their range are
 /// brought into it.
 [[nodiscard]] Preferences read_preferences(const std::string& text);
+
+// Members of untrusted JSON: an invalid or missing one leaves the value as it is.
+
+void read_member(const Json& json, const char* name, bool& value);
+/// Clamped to low .. high.
+void read_member(const Json& json, const char* name, int& value, int low, int high);
+void read_member(const Json& json, const char* name, float& value, float low, float high);
+/// A place on the picture, in shares of its size. One that waits outside of the picture comes to its edge.
+[[nodiscard]] Json share_json(glm::dvec2 share);
+void read_share(const Json& json, const char* name, glm::dvec2& value);
 
 /// `paths` with `path`, made absolute, in front. "-", an empty path and one with control characters are not
 /// remembered.
@@ -104,7 +105,7 @@ void poll_persistence(UiState& state);
 /// Writes changed settings at once. Removes the copy of the unsaved work, unless `keeps_copy`.
 void end_persistence(UiState& state, bool keeps_copy = false);
 
-/// Columns, theme, sizes and views as in a first window; kept views stay.
+/// Columns, theme, sizes and what features remember as in a first window; kept views stay.
 void reset_layout(UiState& state);
 
 // The copy of unsaved work (unsaved_work.cpp).

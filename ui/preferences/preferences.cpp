@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -8,10 +7,6 @@
 #include "models/json/json.h"
 #include "models/scene_file/scene_file.h"
 #include "models/utf8.h"
-#include "ui/features/diagnosis/my_picture.h"
-#include "ui/features/games/match.h"
-#include "ui/features/views/compare_view.h"
-#include "ui/features/views/scope.h"
 #include "ui/picture/orbit.h"
 #include "ui/preferences/persistence.h"
 #include "ui/ui.h"
@@ -20,22 +15,6 @@ namespace glint {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Reads members of untrusted JSON: an invalid or missing one leaves the value as it is.
-
-void read(const Json& json, const char* name, bool& value) {
-    if (const Json* found = find_member(json, name); found != nullptr && found->is_boolean())
-        value = found->get<bool>();
-}
-
-/// Brought into low .. high.
-template <class Real> void read(const Json& json, const char* name, Real& value, Real low, Real high) {
-    const Json* found = find_member(json, name);
-    if (found == nullptr || !found->is_number()) return;
-    const double number = found->get<double>();
-    if (!std::isfinite(number)) return;
-    value = static_cast<Real>(std::clamp(number, static_cast<double>(low), static_cast<double>(high)));
-}
 
 /// A scene file that holds a camera and nothing else: its writer and its checks serve a kept view too.
 Json camera_json(const Camera& camera) {
@@ -50,56 +29,6 @@ std::optional<Camera> read_camera(const Json& json) {
     const Result<Scene> scene = parse_scene(json_line(file), "");
     if (const auto* read = std::get_if<Scene>(&scene)) return read->camera;
     return {};
-}
-
-void read_share(const Json& json, const char* name, glm::dvec2& value) {
-    const Json* found = find_member(json, name);
-    if (found == nullptr || elements_of(*found).size() != 2) return;
-    const Json both{{"x", elements_of(*found)[0]}, {"y", elements_of(*found)[1]}};
-    read(both, "x", value.x, 0.0, 1.0);
-    read(both, "y", value.y, 0.0, 1.0);
-}
-
-Json compare_json(const CompareChoice& choice) {
-    Json parts = Json::array();
-    for (const Variant& part : choice.parts) parts.push_back(word_of(part));
-    return {{"parts", parts},
-            {"lines", choice.wipes},
-            {"stacked", choice.stacked},
-            {"difference", choice.difference},
-            {"gain", choice.gain}};
-}
-
-/// Lines that rise, one fewer than parts; else they stay evenly spread.
-void read_lines(const Json& json, CompareChoice& choice) {
-    if (!json.is_array() || elements_of(json).size() != choice.wipes.size()) return;
-    std::vector<double> lines;
-    for (const Json& line : elements_of(json)) {
-        if (!line.is_number()) return;
-        lines.push_back(line.get<double>());
-        if (!(lines.back() >= 0 && lines.back() <= 1)) return;
-        if (lines.size() > 1 && !(lines.back() >= lines[lines.size() - 2])) return;
-    }
-    choice.wipes = lines;
-}
-
-CompareChoice read_compare(const Json& json) {
-    CompareChoice choice;
-    if (!json.is_object()) return choice;
-    read(json, "stacked", choice.stacked);
-    read(json, "difference", choice.difference);
-    int gain = 1;
-    read(json, "gain", gain, 1, max_gain);
-    while (2 * choice.gain <= gain) choice.gain *= 2;
-    std::vector<Variant> parts;
-    if (const Json* found = find_member(json, "parts"))
-        for (const Json& part : elements_of(*found))
-            if (const auto setting =
-                    part.is_string() ? variant_named(part.get_ref<const std::string&>()) : std::nullopt)
-                parts.push_back(*setting);
-    if (parts.size() == 2 || parts.size() == 3) set_parts(choice, parts);
-    if (const Json* found = find_member(json, "lines")) read_lines(*found, choice);
-    return choice;
 }
 
 // Recent files: absolute paths without control characters, each once, at most max_recent_files.
@@ -130,30 +59,20 @@ std::vector<std::string> read_recent(const Json& list) {
     return paths;
 }
 
-Json share_json(glm::dvec2 share) {  // one that waits outside of the picture comes to its edge
-    const glm::dvec2 inside = glm::clamp(share, 0.0, 1.0);
-    return {inside.x, inside.y};
-}
-
-Json view_json(const ViewPreferences& views) {
+Json view_json(const Preferences& p) {
+    Json json = p.features;
     Json kept = Json::array();
-    for (const Camera& camera : views.kept) kept.push_back(camera_json(camera));
-    return {{"compare", compare_json(views.compare)}, {"scope_from", share_json(views.scope_from)},
-            {"scope_to", share_json(views.scope_to)}, {"scope_channels", views.scope_channels},
-            {"scope_eye", views.scope_eye},           {"kept_views", kept}};
+    for (const Camera& camera : p.kept_views) kept.push_back(camera_json(camera));
+    json["kept_views"] = kept;
+    return json;
 }
 
-ViewPreferences read_view(const Json& json) {
-    ViewPreferences views;
-    if (const Json* compare = find_member(json, "compare")) views.compare = read_compare(*compare);
-    read_share(json, "scope_from", views.scope_from);
-    read_share(json, "scope_to", views.scope_to);
-    read(json, "scope_channels", views.scope_channels);
-    read(json, "scope_eye", views.scope_eye);
+void read_view(const Json& json, Preferences& p) {
+    for (const auto& [name, value] : members_of(json))
+        if (name != "kept_views") p.features[name] = value;
     if (const Json* kept = find_member(json, "kept_views"))
         for (const Json& camera : elements_of(*kept))
-            if (const auto view = read_camera(camera)) keep_view(views.kept, *view);
-    return views;
+            if (const auto view = read_camera(camera)) keep_view(p.kept_views, *view);
 }
 
 struct Limits {
@@ -178,36 +97,48 @@ template <class P, class Visit> void preference_fields(P& p, const Visit& visit)
 
 }  // namespace
 
-ViewPreferences views_to_remember(const UiState& state) {
-    const ScopeState& scope = state.get<ScopeState>();
-    ViewPreferences views{
-        state.get<CompareState>().choice, scope.from, scope.to, scope.channels, scope.eye, state.kept_views};
-    if (state.get<MyPictureState>().shown) views.compare = state.get<MyPictureState>().compare_before;
-    if (state.get<MatchState>().on) views.compare = state.get<MatchState>().compare_before;
-    views.compare.stored.reset();  // a scene is not a preference
-    views.compare.shows_stored = views.compare.on = false;
-    return views;
+void read_member(const Json& json, const char* name, bool& value) {
+    if (const Json* found = find_member(json, name); found != nullptr && found->is_boolean())
+        value = found->get<bool>();
 }
 
-void recall_views(UiState& state, const ViewPreferences& views) {
-    CompareChoice& choice = state.get<CompareState>().choice;
-    const auto stored = choice.stored;
-    const auto mine = choice.mine;
-    choice = views.compare;
-    choice.stored = stored;
-    choice.mine = mine;
-    ScopeState& scope = state.get<ScopeState>();
-    scope.from = views.scope_from;
-    scope.to = views.scope_to;
-    scope.channels = views.scope_channels;
-    scope.eye = views.scope_eye;
-    state.kept_views = views.kept;
+namespace {
+
+template <class Real>
+void read_number(const Json& json, const char* name, Real& value, double low, double high) {
+    const Json* found = find_member(json, name);
+    if (found == nullptr || !found->is_number()) return;
+    if (const double number = found->get<double>(); std::isfinite(number))
+        value = static_cast<Real>(std::clamp(number, low, high));
+}
+
+}  // namespace
+
+void read_member(const Json& json, const char* name, int& value, int low, int high) {
+    read_number(json, name, value, low, high);
+}
+
+void read_member(const Json& json, const char* name, float& value, float low, float high) {
+    read_number(json, name, value, double(low), double(high));
+}
+
+Json share_json(glm::dvec2 share) {
+    const glm::dvec2 inside = glm::clamp(share, 0.0, 1.0);
+    return {inside.x, inside.y};
+}
+
+void read_share(const Json& json, const char* name, glm::dvec2& value) {
+    const Json* found = find_member(json, name);
+    if (found == nullptr || elements_of(*found).size() != 2) return;
+    const Json both{{"x", elements_of(*found)[0]}, {"y", elements_of(*found)[1]}};
+    read_number(both, "x", value.x, 0, 1);
+    read_number(both, "y", value.y, 0, 1);
 }
 
 std::string preferences_text(const Preferences& p) {
     Json json{{"theme", p.dark ? "dark" : "light"}};
     preference_fields(p, [&](const char* name, const auto& value, auto...) { json[name] = value; });
-    json["view"] = view_json(p.views);
+    json["view"] = view_json(p);
     json["recent"] = recent_json(p.recent);
     return json_text(json);
 }
@@ -219,11 +150,11 @@ Preferences read_preferences(const std::string& text) {
     if (const Json* theme = find_member(json, "theme")) p.dark = *theme != "light";
     preference_fields(p, [&]<class T>(const char* name, T& value, auto... range) {
         if constexpr (sizeof...(range) == 0)
-            read(json, name, value);
+            read_member(json, name, value);
         else
-            (read(json, name, value, static_cast<T>(range.low), static_cast<T>(range.high)), ...);
+            (read_member(json, name, value, static_cast<T>(range.low), static_cast<T>(range.high)), ...);
     });
-    if (const Json* view = find_member(json, "view")) p.views = read_view(*view);
+    if (const Json* view = find_member(json, "view")) read_view(*view, p);
     if (const Json* recent = find_member(json, "recent")) p.recent = read_recent(*recent);
     return p;
 }

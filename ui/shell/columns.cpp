@@ -6,12 +6,7 @@
 #include <utility>
 
 #include "ui/document/document_actions.h"
-#include "ui/features/games/match.h"
-#include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/tabs.h"
-#include "ui/features/lessons/lesson.h"
-#include "ui/features/lessons/lesson_parts.h"
-#include "ui/features/lessons/predict_mode.h"
+#include "ui/feature.h"
 #include "ui/fields/highlight_share.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/draw_picture.h"
@@ -127,9 +122,9 @@ constexpr float caption_margin = 12;  // logical pixels, on both sides
 
 std::string caption_of(const UiState& state) {
     if (!state.layout.caption || state.layout.hides_all) return {};
-    // The lesson says what is to be said of its scene: in its column, or here where that is hidden.
-    if (state.get<LessonState>().course)
-        return state.layout.hides_columns ? lesson_caption(state) : std::string();
+    for (const Feature* feature : features())
+        if (feature->caption != nullptr)
+            if (const std::optional<std::string> caption = feature->caption(state)) return *caption;
     return shown_scene(state).about;
 }
 
@@ -148,6 +143,13 @@ float even_width(const std::string& text, float width) {
         (height_of(text, middle) <= lines ? wide : too_narrow) = middle;
     }
     return std::ceil(wide);
+}
+
+const LeftColumn* open_column(const UiState& state) {
+    for (const Feature* feature : features())
+        if (feature->column.name != nullptr && feature->column.name(state) != nullptr)
+            return &feature->column;
+    return nullptr;
 }
 
 Layout window_layout(const UiState& state) {
@@ -174,18 +176,17 @@ void caption_line(const UiState& state, const Layout& layout) {
 namespace {
 
 /// What the left column holds: tabs where it is more than one.
-enum class LeftPart { Lesson, Scene, Why };
+enum class LeftPart { Feature, Scene, Why };
 
 LeftPart left_part(const UiState& state, const Layout& layout) {
     const bool held = is_held(state);  // there is nothing to be edited then, and nothing to be asked
     if (layout.inspector_in_left && state.left_shows_inspector && !held) return LeftPart::Why;
-    return state.layout.lesson && (held || !state.get<LessonState>().shows_scene) ? LeftPart::Lesson
-                                                                                  : LeftPart::Scene;
+    return state.layout.lesson && (held || !state.left_shows_scene) ? LeftPart::Feature : LeftPart::Scene;
 }
 
-void left_tabs(UiState& state, const Layout& layout) {
+void left_tabs(UiState& state, const Layout& layout, const LeftColumn* column) {
     const LeftPart shown = left_part(state, layout);
-    const bool three = state.layout.lesson && layout.inspector_in_left;
+    const bool three = column != nullptr && layout.inspector_in_left;
     const auto tab = [&](const char* name, LeftPart part) {
         bool wanted = false;
         column_tab(name, shown == part, px(three ? 62 : 84), wanted);
@@ -193,26 +194,18 @@ void left_tabs(UiState& state, const Layout& layout) {
         ImGui::SameLine(0, px(2));
         if (!wanted) return;
         state.left_shows_inspector = part == LeftPart::Why;
-        state.get<LessonState>().shows_scene = part == LeftPart::Scene;
+        state.left_shows_scene = part == LeftPart::Scene;
     };
-    if (state.layout.lesson) tab(state.get<MatchState>().on ? "Game" : "Lesson", LeftPart::Lesson);
+    if (column != nullptr) tab(column->name(state), LeftPart::Feature);
     ImGui::BeginDisabled(is_held(state));
     tab("Scene", LeftPart::Scene);
     if (layout.inspector_in_left) tab("Why", LeftPart::Why);
     ImGui::EndDisabled();
-    if (!state.layout.lesson) return ImGui::NewLine();
-    const float right = ImGui::GetWindowContentRegionMax().x;
-    if (state.get<LessonState>().course) {
-        const float width = ImGui::CalcTextSize("Lecturer").x + px(16);
-        ImGui::SameLine(right - width - ImGui::GetFrameHeight() - px(4));
-        if (chosen_button("Lecturer", state.get<LessonState>().lecturer, width)) switch_lecturer(state);
-        tooltip("Lecturer", "Shows questions without a way to answer them, for a room; nothing is noted");
-    }
-    ImGui::SameLine(right - ImGui::GetFrameHeight());
-    if (icon_button("##leave", Icon::Close)) {
-        leave_lesson(state);
-        end_match(state);
-    }
+    if (column == nullptr) return ImGui::NewLine();
+    const float right = ImGui::GetWindowContentRegionMax().x, cross = ImGui::GetFrameHeight();
+    if (column->button != nullptr) column->button(state, right - cross - px(4));
+    ImGui::SameLine(right - cross);
+    if (icon_button("##leave", Icon::Close)) column->close(state);
     tooltip("Leave", "The scene stays as it is");
 }
 
@@ -221,15 +214,16 @@ void left_tabs(UiState& state, const Layout& layout) {
 void left_column(UiState& state, const Layout& layout, const PictureView& view) {
     if (!layout.has_left) return;
     begin_area("##left", layout.left);
-    if (state.types_into_panel) state.get<LessonState>().shows_scene = true;
-    const bool in_two = state.layout.lesson || layout.inspector_in_left;
-    if (in_two)
-        left_tabs(state, layout);
+    if (state.types_into_panel) state.left_shows_scene = true;
+    const LeftColumn* column = open_column(state);
+    if (column != nullptr || layout.inspector_in_left)
+        left_tabs(state, layout, column);
     else
         column_heading("SCENE");
+    column = open_column(state);  // it may just have been closed
     switch (left_part(state, layout)) {
-    case LeftPart::Lesson:
-        state.get<MatchState>().on ? match_column(state) : lesson_column(state);
+    case LeftPart::Feature:
+        if (column != nullptr) column->draw(state);
         break;
     case LeftPart::Scene:
         scene_column(state, view);
@@ -256,8 +250,6 @@ void held_note() {
 }  // namespace
 
 void inspector_columns(UiState& state, const Layout& layout, const PictureView& view) {
-    state.get<InspectorState>().instead.reset();
-    state.get<InspectorState>().preview_name.clear();
     const bool in_left =
         layout.inspector_in_left && layout.has_left && left_part(state, layout) == LeftPart::Why;
     if (!layout.has_right && !in_left) return;
@@ -269,8 +261,9 @@ void inspector_columns(UiState& state, const Layout& layout, const PictureView& 
     }
     if (is_held(state))
         held_note();
-    else if (predict_panel(state))
-        inspector(state, view);
+    else
+        for (const Feature* feature : features())
+            if (feature->why != nullptr && !feature->why(state, view)) break;
     state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     ImGui::End();
 }

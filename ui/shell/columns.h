@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "ui/feature.h"
 #include "ui/picture/screen.h"
 #include "ui/shell/layout.h"
 #include "ui/ui.h"
@@ -15,6 +16,9 @@ struct UiState;
 /// Where everything is in this frame: lay_out() of the window, with room for the open scene's caption.
 /// ImGui's current font is the one that the caption is written in.
 [[nodiscard]] Layout window_layout(const UiState& state);
+
+/// What a feature shows in place of the scene's list in the left column; null: nothing.
+[[nodiscard]] const LeftColumn* open_column(const UiState& state);
 
 /// Returns the least width at which `text`, in ImGui's current font, takes no more lines than at `width`: the
 /// lines are then about equally long, and none is a single word. At most `width`.

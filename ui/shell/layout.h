@@ -7,10 +7,12 @@
 namespace glint {
 
 struct LayoutState {
-    bool left = true, right = true;             // columns shown
-    bool hides_columns = false;                 // F11: the picture alone
-    bool hides_all = false;                     // F10: and no bars
-    float left_width = 280, right_width = 360;  // logical pixels
+    bool left = true, right = true;                // columns shown
+    bool hides_columns = false;                    // F11: the picture alone
+    bool hides_all = false;                        // F10: and no bars
+    bool projector = false;                        // large type, strong contrast
+    bool left_before = true, right_before = true;  // the columns before the projector
+    float left_width = 280, right_width = 360;     // logical pixels
     bool lesson = false;  // the left column holds a lesson or a game, and is as wide as those need
     float lesson_width = 350;
     bool scope = false;  // the panel below the picture is open

@@ -11,12 +11,6 @@
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
 #include "ui/document/document_actions.h"
-#include "ui/features/diagnosis/my_picture.h"
-#include "ui/features/export/animation.h"
-#include "ui/features/export/export_picture.h"
-#include "ui/features/games/quiz.h"
-#include "ui/features/lecture/examples.h"
-#include "ui/features/lessons/lessons_dialog.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -72,7 +66,7 @@ void changed_question(UiState& state, const UiInput& input) {
         finish_pending(state);
     ImGui::SameLine();
     if (answer("Save as…", "Under another name: both are kept", Key::S))
-        state.files.ask(FilePurpose::SaveScene, offered_name(state, ".json"));
+        state.files.ask(save_purpose, offered_name(state, ".json"));
     ImGui::SameLine();
     if (answer("Reload", "What was changed here since the last saving is lost", Key::R)) reload(state);
     ImGui::SameLine();
@@ -82,99 +76,56 @@ void changed_question(UiState& state, const UiInput& input) {
     ImGui::EndPopup();
 }
 
-/// The path is kept absolute: saving makes it relative.
-void use_mesh(UiState& state, const std::string& path) {
-    const int object = std::exchange(state.mesh_for_object, -1);
-    std::error_code failed;
-    const std::filesystem::path whole = std::filesystem::absolute(path, failed);
-    if (failed)  // the folder that the program was started in is gone
-        return state.notifications.add(
-            Problem{path, "", "cannot be made absolute: " + failed.message(), "a path from the root"});
-    begin_mesh(state, MeshFile{whole.string()}, object);
-}
-
-void use_file(UiState& state, const std::string& path) {
-    switch (state.files.purpose) {
-    case FilePurpose::OpenScene:
-        return begin_pending(state, Pending::What::Open, path);
-    case FilePurpose::OpenMesh:
-        return use_mesh(state, path);
-    case FilePurpose::MyPicture:
-        return bring_picture(state, path);
-    case FilePurpose::SavePicture:
-        return begin_export(state, {state.full_size, 1}, path);
-    case FilePurpose::SaveAnswers:
-        return save_answers(state, path);
-    case FilePurpose::SaveFrames:
-        return begin_frames(state, path, state.get<ExportState>().options.size,
-                            state.get<ExportState>().options.samples);
-    case FilePurpose::ExportPicture:
-        return begin_export(state, state.get<ExportState>().options, path);
-    case FilePurpose::SaveScene:
-        if (is_among_shipped(state, path)) {
-            state.files.ask(FilePurpose::SaveScene, std::filesystem::path(path).filename().string());
-            return state.notifications.add(
-                Problem{path, "", "is in the folder of Glint's examples", "a folder of your own"});
-        }
-        if (save_as(state, path)) finish_pending(state);
-        return;
-    }
+void files_dialog_frame(UiState& state, const UiInput& input) {
+    const FilePurpose& purpose = *state.files.purpose;
+    if (const auto path = draw_file_dialog(state.files, pressed(input, Key::Enter)))
+        purpose.use(state, *path);
 }
 
 }  // namespace
 
-Modal modal_of(const UiState& state) {
-    if (state.pending.asking) return Modal::Unsaved;
-    if (state.asks_overwrite) return Modal::Changed;
-    if (state.files.open) return Modal::Files;
-    if (state.get<ExportState>().open) return Modal::Export;
-    if (state.get<ExamplesState>().open) return Modal::Examples;
-    if (state.get<LessonListState>().open) return Modal::Lessons;
-    if (state.get<QuizState>().open) return Modal::Quiz;
-    return Modal::None;
+const Dialog unsaved_dialog{[](const UiState& s) { return s.pending.asking; },
+                            [](UiState& s) { s.pending = {}; }, unsaved_question};
+const Dialog changed_dialog{[](const UiState& s) { return s.asks_overwrite; },
+                            [](UiState& s) {
+                                s.asks_overwrite = false;
+                                s.pending = {};
+                            },
+                            changed_question};
+const Dialog files_dialog{[](const UiState& s) { return s.files.open; },
+                          [](UiState& s) {
+                              s.files.open = false;
+                              s.pending = {};
+                          },
+                          files_dialog_frame};
+
+const Dialog* open_dialog(const UiState& state) {
+    for (const Dialog* dialog : {&unsaved_dialog, &changed_dialog, &files_dialog})
+        if (dialog->is_open(state)) return dialog;
+    for (const Feature* feature : features())
+        if (feature->dialog.is_open != nullptr && feature->dialog.is_open(state)) return &feature->dialog;
+    return nullptr;
 }
 
 void leave_modal(UiState& state) {
-    switch (modal_of(state)) {
-    case Modal::None:
-        return;
-    case Modal::Unsaved:
-        state.pending = {};
-        return;
-    case Modal::Changed:
-        state.asks_overwrite = false;
-        state.pending = {};
-        return;
-    case Modal::Files:
-        state.files.open = false;
-        state.pending = {};
-        return;
-    case Modal::Export:
-        state.get<ExportState>().open = false;
-        return;
-    case Modal::Examples:
-        state.get<ExamplesState>().open = false;
-        return;
-    case Modal::Lessons:
-        state.get<LessonListState>().open = false;
-        return;
-    case Modal::Quiz:
-        state.get<QuizState>().open = false;
-        return;
-    }
+    if (const Dialog* dialog = open_dialog(state)) dialog->close(state);
 }
 
 void leave_dialogs_of_scene(UiState& state) {
-    const bool files = state.files.open && is_about_scene(state.files.purpose);
-    if (!files && !state.get<ExportState>().open && !state.asks_overwrite) return;
-    if (files) state.files.open = false;
-    state.get<ExportState>().open = state.asks_overwrite = false;
-    state.notifications.add(Tone::Warning,
-                            fmt::format("The dialog was closed: it was about {}", state.editor.title()));
+    bool left = std::exchange(state.asks_overwrite, false);
+    if (state.files.open && state.files.purpose->is_about_scene) left = !(state.files.open = false);
+    for (const Feature* feature : features())
+        if (const Dialog& dialog = feature->dialog; dialog.is_about_scene && dialog.is_open(state)) {
+            dialog.close(state);
+            left = true;
+        }
+    if (left)
+        state.notifications.add(Tone::Warning,
+                                fmt::format("The dialog was closed: it was about {}", state.editor.title()));
 }
 
 void close_left_modal(const UiState& state) {
-    if (modal_of(state) == Modal::None && ImGui::GetTopMostPopupModal() != nullptr)
+    if (open_dialog(state) == nullptr && ImGui::GetTopMostPopupModal() != nullptr)
         ImGui::ClosePopupToLevel(0, true);
 }
 
@@ -195,46 +146,23 @@ bool begin_question(const char* id) {
 }
 
 void dialogs(UiState& state, const UiInput& input) {
-    const bool enter = pressed(input, Key::Enter);
-    const Modal modal = modal_of(state);
-    switch (modal) {
-    case Modal::None:
-        break;
-    case Modal::Unsaved:
-        unsaved_question(state, input);
-        break;
-    case Modal::Changed:
-        changed_question(state, input);
-        break;
-    case Modal::Files:
-        if (const auto path = draw_file_dialog(state.files, enter)) use_file(state, *path);
-        break;
-    case Modal::Export:
-        export_dialog(state, input);
-        break;
-    case Modal::Examples:
-        examples_dialog(state, input);
-        break;
-    case Modal::Lessons:
-        lessons_dialog(state, input);
-        break;
-    case Modal::Quiz:
-        quiz_dialog(state, input);
-        break;
-    }
-    if (modal_of(state) != modal) redraw_within(0);  // the next one, or what lay below
+    const Dialog* dialog = open_dialog(state);
+    if (dialog != nullptr) dialog->draw(state, input);
+    if (open_dialog(state) != dialog) redraw_within(0);  // the next one, or what lay below
     // The name was not given, or the question not answered.
     if (!state.files.open && !state.asks_overwrite && !state.pending.asking) state.pending = {};
-    poll_export(state);
 }
 
 void take_dropped(UiState& state, const std::vector<std::string>& paths) {
     if (paths.empty()) return;
     const std::string& path = paths.front();
     const std::size_t left_out = paths.size() - 1;
-    if (!is_bare_picture(path)) return begin_pending(state, Pending::What::Open, path, left_out);
-    bring_picture(state, path);
-    if (left_out > 0) state.notifications.add(Tone::Warning, only_first_of_several);
+    for (const Feature* feature : features())
+        if (feature->drop != nullptr && feature->drop(state, path)) {
+            if (left_out > 0) state.notifications.add(Tone::Warning, only_first_of_several);
+            return;
+        }
+    ask_to_open(state, path, left_out);
 }
 
 }  // namespace glint

@@ -8,17 +8,16 @@
 
 #include <imgui.h>
 
+#include "ui/feature.h"
 #include "ui/ui.h"
 
 namespace glint {
 
-struct UiState;
+// The core's own dialogs. Of several that are requested, these come first, in this order, then features'.
+extern const Dialog unsaved_dialog, changed_dialog, files_dialog;
 
-/// In the order in which they come when several are asked for; the others wait.
-enum class Modal { None, Unsaved, Changed, Files, Export, Examples, Lessons, Quiz };
-
-/// The dialog that is on the screen, or will be at the end of this frame.
-[[nodiscard]] Modal modal_of(const UiState& state);
+/// The dialog that is on the screen, or will be at the end of this frame; null: none.
+[[nodiscard]] const Dialog* open_dialog(const UiState& state);
 
 /// Answers it as Escape does: nothing happens.
 void leave_modal(UiState& state);

@@ -6,9 +6,7 @@
 #include <array>
 #include <string>
 
-#include "ui/features/inspector/tabs.h"
-#include "ui/features/lessons/lesson.h"
-#include "ui/features/views/compare_view.h"
+#include "ui/feature.h"
 #include "ui/picture/tool.h"
 #include "ui/shell/columns.h"
 #include "ui/widgets/fonts.h"
@@ -30,12 +28,10 @@ std::string redone_stages(const FrameStats& stats) {
 
 std::string stats_text(const UiState& state, bool roomy) {
     const FrameStats& stats = state.renderer->stats();
-    const CompareState& compare = state.get<CompareState>();
-    const double parts_ms = compare.choice.on ? compare.ms : 0;  // beside the picture itself
     const std::size_t lights = state.rendered_scene.lights.size();
     std::string text = fmt::format("{} {}  ·  {} {}  ·  {:5.1f} ms", with_thousands(stats.triangles),
                                    stats.triangles == 1 ? "triangle" : "triangles", lights,
-                                   lights == 1 ? "light" : "lights", stats.total_ms + parts_ms);
+                                   lights == 1 ? "light" : "lights", stats.total_ms + state.parts_ms);
     if (roomy) text += " " + redone_stages(stats);
     return text;
 }
@@ -50,21 +46,6 @@ void stats_tooltip(const FrameStats& stats) {
                          with_thousands(stats.shaded_pixels), with_thousands(stats.evaluations),
                          stats.instruction_set, stats.threads);
     tooltip("Last picture", "What was done again, and how long it took", lines);
-}
-
-/// Names the mistakes that are on; a click opens their tab. Returns its width. While a lesson's question
-/// waits it would give the answer away.
-float mistakes_mark(UiState& state, ImVec2 right) {
-    const std::string text = mistakes_text(state.editor.scene().shading.mistakes);
-    if (text.empty() || is_held(state)) return 0;
-    const float width = ImGui::CalcTextSize(text.c_str()).x, gap = px(14);
-    ImGui::SetCursorScreenPos({right.x - width - gap, right.y});
-    coloured(theme().warning, text);
-    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (ImGui::IsItemClicked()) show_mistake(state);
-    tooltip("Mistakes", "The picture is wrong on purpose; click to show the mistake", "",
-            "/shading/mistakes");
-    return width + gap;
 }
 
 }  // namespace
@@ -85,7 +66,9 @@ void status_line(UiState& state, const Rect& area) {
         const float width = ImGui::CalcTextSize(stats.c_str()).x;
         const ImVec2 left = ImGui::GetCursorScreenPos();
         const float right = area.high.x - width - px(10);
-        const float mark = mistakes_mark(state, {right, left.y});
+        float mark = 0;
+        for (const Feature* feature : features())
+            if (feature->status != nullptr) mark += feature->status(state, {right - mark, left.y});
         const std::string hint = tools_hint(state);
         const float end = std::max(right - mark - px(16), left.x);
         cut_text(*ImGui::GetWindowDrawList(), left, end, hint);

@@ -1,6 +1,6 @@
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
-#include "ui/features/lessons/lesson.h"
+#include "ui/feature.h"
 #include "ui/fields/field_panel.h"
 #include "ui/shell/columns.h"
 #include "ui/widgets/fonts.h"

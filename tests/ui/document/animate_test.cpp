@@ -245,13 +245,13 @@ TEST_CASE("numbered frames are asked about before they are replaced", "[ui][wind
     for (const char* other : {"turn-12.png", "turn-00001.png", "turn-0000.png", "turn-000a.png",
                               "turn-0001.gif", "turns-0001.png", "turn.png"})
         (void)folder.file(other, "precious");
-    CHECK_FALSE(may_replace(folder.path("turn.png"), FilePurpose::SaveFrames));
-    CHECK_FALSE(may_replace(folder.path("turn.gif"), FilePurpose::SaveFrames));
+    CHECK_FALSE(may_replace(folder.path("turn.png"), frames_purpose));
+    CHECK_FALSE(may_replace(folder.path("turn.gif"), frames_purpose));
     (void)folder.file("turn-0007.png", "precious");
-    CHECK(may_replace(folder.path("turn.png"), FilePurpose::SaveFrames));
-    CHECK_FALSE(may_replace(folder.path("turn.gif"), FilePurpose::SaveFrames));
-    CHECK(may_replace(folder.path("turn.png"), FilePurpose::SavePicture));
-    bench.state.files.ask(FilePurpose::SaveFrames, folder.path("turn.png"));
+    CHECK(may_replace(folder.path("turn.png"), frames_purpose));
+    CHECK_FALSE(may_replace(folder.path("turn.gif"), frames_purpose));
+    CHECK(may_replace(folder.path("turn.png"), save_picture_purpose));
+    bench.state.files.ask(frames_purpose, folder.path("turn.png"));
     bench.frames(2);
     bench.key(Key::Enter);
     bench.frames(2);

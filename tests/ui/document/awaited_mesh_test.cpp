@@ -223,7 +223,7 @@ TEST_CASE("a mesh that is chosen in the dialog is a step when it is there, and n
         bench.frames(2);
         const Scene before = bench.scene();
         bench.state.mesh_for_object = 0;
-        bench.state.files.ask(FilePurpose::OpenMesh, "");
+        bench.state.files.ask(mesh_purpose, "");
         bench.state.files.folder = folder.path();
         bench.state.files.name = name;  // before its field has the keyboard
         bench.frames(2);

@@ -304,7 +304,7 @@ TEST_CASE("the dialog of Export is answered by keys, and a size that is typed is
     bench.frames(2);
     CHECK_FALSE(bench.state.get<ExportState>().open);
     CHECK(bench.state.files.open);
-    CHECK(bench.state.files.purpose == FilePurpose::ExportPicture);
+    CHECK(bench.state.files.purpose == &export_purpose);
 }
 
 TEST_CASE("what is exported is what the command line writes, byte for byte", "[ui][export]") {

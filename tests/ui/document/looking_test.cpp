@@ -142,7 +142,7 @@ TEST_CASE("an example is never saved over: saving asks for a name of one's own",
     bench.key(Key::S, true);
     bench.frames(2);
     CHECK(bench.state.files.open);
-    CHECK(bench.state.files.purpose == FilePurpose::SaveScene);
+    CHECK(bench.state.files.purpose == &save_purpose);
     CHECK(std::get<std::string>(read_file(path, 1 << 20)) == text);
     CHECK(bench.state.files.folder != folder.string());
     bench.key(Key::Escape);

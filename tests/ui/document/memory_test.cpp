@@ -20,20 +20,26 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Nothing of it as on the first day.
-ViewPreferences odd_views() {
-    ViewPreferences views;
-    views.compare.stacked = views.compare.difference = true;
-    set_parts(views.compare, {variant_of(Reflection::BlinnPhong), {}, {Variant::Kind::Stored, 0}});
-    views.compare.wipes = {0.2, 0.75};
-    views.compare.gain = 16;
-    views.scope_channels = views.scope_eye = true;
-    views.scope_from = {0.1, 0.2};
-    views.scope_to = {0.3, 0.9};
-    views.kept = {Camera{}, Camera{}};
-    views.kept[1].eye = {1, 2.5f, 0.1f};
-    views.kept[1].projection = Orthographic{2.25f};
+/// What features remember, nothing of it as on the first day.
+Json odd_features() {
+    return json_or_null(
+        R"({"scope_from": [0.1, 0.2], "scope_to": [0.3, 0.9], "scope_channels": true, "scope_eye": true,
+            "compare": {"parts": ["reflection blinn-phong", "edited", "stored"], "lines": [0.2, 0.75],
+                        "stacked": true, "difference": true, "gain": 16}})");
+}
+
+std::vector<Camera> two_views() {
+    std::vector<Camera> views(2);
+    views[1].eye = {1, 2.5f, 0.1f};
+    views[1].projection = Orthographic{2.25f};
     return views;
+}
+
+/// What a window remembers that has read these settings.
+Json taken(const std::string& features) {
+    HeadlessWindow bench;
+    recall_features(bench.state, read_preferences("{\"view\": " + features + "}").features);
+    return features_to_remember(bench.state);
 }
 
 }  // namespace
@@ -62,8 +68,18 @@ TEST_CASE("the list of recent files takes only absolute paths, each once", "[ui]
 }
 
 TEST_CASE("settings are read back equal, and from nonsense what makes sense is taken", "[ui][memory]") {
-    Preferences settings{
-        false, {true, false, false, false, 300, 401.5f, false, 333}, 1111, 777, true, odd_views(), {"/a"}};
+    Preferences settings;
+    settings.dark = false;
+    settings.layout.right = false;
+    settings.layout.left_width = 300;
+    settings.layout.right_width = 401.5f;
+    settings.layout.lesson_width = 333;
+    settings.width = 1111;
+    settings.height = 777;
+    settings.maximized = true;
+    settings.kept_views = two_views();
+    settings.features = odd_features();
+    settings.recent = {"/a"};
     CHECK(read_preferences(preferences_text(settings)) == settings);
     CHECK(read_preferences("") == Preferences());
     CHECK(read_preferences("[1]") == Preferences());
@@ -83,8 +99,7 @@ TEST_CASE("settings are read back equal, and from nonsense what makes sense is t
         const Preferences read = read_preferences(wounded);
         CHECK(read.layout.left_width >= least_column_width);
         CHECK(read.width <= 16384);
-        CHECK(read.views.compare.wipes.size() + 1 == read.views.compare.parts.size());
-        for (const Camera& camera : read.views.kept) CHECK_FALSE(violation_of(camera));
+        for (const Camera& camera : read.kept_views) CHECK_FALSE(violation_of(camera));
     }
 }
 
@@ -97,7 +112,8 @@ TEST_CASE(
         HeadlessWindow bench;
         begin_persistence(bench.state, folder.path("state"));
         bench.frames(2);
-        recall_views(bench.state, odd_views());
+        recall_features(bench.state, odd_features());
+        bench.state.kept_views = two_views();
         toggle_scope(bench.state.get<ScopeState>());
         bench.state.get<CompareState>().choice.on = true;
         bench.state.get<DebugViewState>().set = {{DebugView::Depth, 0}, true};
@@ -109,7 +125,7 @@ TEST_CASE(
     HeadlessWindow bench;
     begin_persistence(bench.state, folder.path("state"));
     bench.frames(2);
-    CHECK(views_to_remember(bench.state) == odd_views());
+    CHECK(features_to_remember(bench.state) == odd_features());
     CHECK_FALSE(bench.state.get<ScopeState>().open);
     CHECK_FALSE(bench.state.get<CompareState>().choice.on);
     CHECK(bench.state.get<DebugViewState>().set.choice.view == DebugView::Picture);
@@ -118,12 +134,11 @@ TEST_CASE(
     CHECK_FALSE(bench.state.get<LitDotsState>().needles);
     CHECK_FALSE(bench.state.get<CompareState>().choice.stored);
     bench.key(Key::U);
-    CHECK(bench.scene().camera == odd_views().kept[0]);
+    CHECK(bench.scene().camera == two_views()[0]);
     bench.key(Key::B, true);
     reset_layout(bench.state);
-    ViewPreferences kept;
-    kept.kept = odd_views().kept;
-    CHECK(views_to_remember(bench.state) == kept);
+    CHECK(features_to_remember(bench.state) == taken("{}"));
+    CHECK(bench.state.kept_views == two_views());
     CHECK(bench.state.get<CompareState>().choice.stored);
 }
 
@@ -146,19 +161,16 @@ TEST_CASE("the folder that the window makes is for its owner alone; one that is 
 }
 
 TEST_CASE("of remembered views only what makes sense is taken", "[ui][memory]") {
-    const auto views = [](const std::string& text) {
-        return read_preferences("{\"view\": " + text + "}").views;
-    };
-    CHECK(views("[]") == ViewPreferences());
-    CHECK(views(R"({"compare": 3, "look": "Nonsense", "dots": 1, "kept_views": {"a": 1}})") ==
-          ViewPreferences());
-    CHECK(views(R"({"compare": {"parts": ["mode gouraud"], "lines": [0.5]}})") == ViewPreferences());
-    CHECK(views(R"({"compare": {"parts": ["mode flat", "mode none"], "gain": 1e9}})").compare.gain ==
-          max_gain);
-    CHECK(views(R"({"compare": {"lines": [0.7, 0.3]}})") == ViewPreferences());
-    CHECK(views(R"({"compare": {"lines": [0.3, 1.3]}})") == ViewPreferences());
-    CHECK(views(R"({"scope_from": [-3, 7], "scope_to": [1]})").scope_from == glm::dvec2(0, 1));
-    CHECK(views(R"({"kept_views": [{"eye": "here"}, 4]})").kept.empty());
+    const Json usual = taken("{}");
+    CHECK(taken("[]") == usual);
+    CHECK(taken(R"({"compare": 3, "look": "Nonsense", "dots": 1, "kept_views": {"a": 1}})") == usual);
+    CHECK(taken(R"({"compare": {"parts": ["mode gouraud"], "lines": [0.5]}})") == usual);
+    CHECK(taken(R"({"compare": {"parts": ["mode flat", "mode none"], "gain": 1e9}})")["compare"]["gain"] ==
+          Json(max_gain));
+    CHECK(taken(R"({"compare": {"lines": [0.7, 0.3]}})") == usual);
+    CHECK(taken(R"({"compare": {"lines": [0.3, 1.3]}})") == usual);
+    CHECK(taken(R"({"scope_from": [-3, 7], "scope_to": [1]})")["scope_from"] == Json{0.0, 1.0});
+    CHECK(read_preferences(R"({"view": {"kept_views": [{"eye": "here"}, 4]}})").kept_views.empty());
 }
 
 TEST_CASE("theme and columns are there again in the next window", "[ui][memory]") {

@@ -332,7 +332,7 @@ TEST_CASE("the picked pixel says what the picture has, what is right and what th
     test::ask(bench, InspectorTab::Equation, {0.5, 0.45});
     bench.frames(2);
     const PixelOfMine pixel = *pixel_of_mine(bench.state);
-    const Explanation& e = *bench.state.explanation;
+    const Explanation& e = *bench.state.on_screen.explanation;
     CHECK(pixel.right.byte == e.byte);
     REQUIRE(pixel.mistaken);
     // The window shows the width of a picture of 16:9, so the same share of both widths is the same place.

@@ -87,8 +87,8 @@ TEST_CASE("a picked object that is deleted is not picked any more, in the same f
     bench.frames(2);
     bench.click(middle(bench));
     bench.frames(1);
-    REQUIRE(bench.state.explanation.has_value());
-    REQUIRE(bench.state.explanation->object_index == 2);
+    REQUIRE(bench.state.on_screen.explanation.has_value());
+    REQUIRE(bench.state.on_screen.explanation->object_index == 2);
     bench.state.editor.selection = {Selection::Kind::Object, 0};
     UiInput input;
     input.presses = {{Key::Delete}, {Key::R, false, true}};  // delete, rotate about the picked point
@@ -105,7 +105,7 @@ TEST_CASE("while an animation plays, the column is of its scene, whatever the ed
     bench.frames(2);
     bench.click(middle(bench));
     bench.frames(1);
-    REQUIRE(bench.state.explanation->object_index == 2);
+    REQUIRE(bench.state.on_screen.explanation->object_index == 2);
     Scene played = bench.scene();
     played.lights[0].intensity = 0.5f;
     bench.scene().objects.resize(1);
@@ -113,9 +113,10 @@ TEST_CASE("while an animation plays, the column is of its scene, whatever the ed
     bench.frames(1);
     Renderer alone(1);
     (void)alone.render(played, bench.state.rendered->size);
-    REQUIRE(bench.state.explanation.has_value());
-    CHECK(bench.state.explanation->sum == alone.explain(bench.state.asked.x, bench.state.asked.y).sum);
-    CHECK(asked_scene(bench.state) == played);
+    REQUIRE(bench.state.on_screen.explanation.has_value());
+    CHECK(bench.state.on_screen.explanation->sum ==
+          alone.explain(bench.state.on_screen.pixel.x, bench.state.on_screen.pixel.y).sum);
+    CHECK(explained_scene(bench.state) == played);
     CHECK_FALSE(is_explained(bench.state));
 }
 

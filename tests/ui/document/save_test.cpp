@@ -46,7 +46,7 @@ void write_as_another(const std::string& path, float intensity) {
 /// Clicks along the buttons of the question, from the left, until one has answered it.
 /// By the mouse, or by its letter.
 void answer(HeadlessWindow& bench, const char* button, std::optional<Key> letter = {}) {
-    REQUIRE(modal_of(bench.state) == Modal::Changed);
+    REQUIRE(open_dialog(bench.state) == &changed_dialog);
     if (letter)
         (void)bench.key(*letter);
     else
@@ -67,7 +67,7 @@ struct Clash {
         write_as_another(path, 0.5f);
         bench.key(Key::S, true);
         bench.frames(3);
-        REQUIRE(modal_of(bench.state) == Modal::Changed);
+        REQUIRE(open_dialog(bench.state) == &changed_dialog);
         CHECK(intensity_in(path) == 0.5f);
     }
 };
@@ -84,7 +84,7 @@ TEST_CASE("a file that nobody else has changed is saved without a question, agai
         edit(bench, intensity);
         bench.key(Key::S, true);
         CHECK(intensity_in(path) == intensity);
-        CHECK(modal_of(bench.state) == Modal::None);
+        CHECK(open_dialog(bench.state) == nullptr);
     }
     edit(bench, 2);
     std::filesystem::remove(path);  // nothing to lose there
@@ -106,7 +106,7 @@ TEST_CASE("a scene whose file was changed can be saved elsewhere", "[ui][save]")
     Clash clash;
     std::filesystem::create_directory(clash.folder.path("mine"));
     answer(clash.bench, "Save as…", Key::S);
-    CHECK(modal_of(clash.bench.state) == Modal::Files);
+    CHECK(open_dialog(clash.bench.state) == &files_dialog);
     clash.bench.state.files.folder = clash.folder.path("mine");
     clash.bench.key(Key::Enter);
     CHECK(intensity_in(clash.folder.path("mine/scene.json")) == 0.25f);
@@ -119,17 +119,17 @@ TEST_CASE("a file that was changed can be read again", "[ui][save]") {
     clash.bench.wait_for_loads();
     CHECK(clash.bench.scene().lights[0].intensity == 0.5f);
     CHECK_FALSE(clash.bench.state.editor.unsaved());
-    CHECK(modal_of(clash.bench.state) == Modal::None);
+    CHECK(open_dialog(clash.bench.state) == nullptr);
 }
 
 TEST_CASE("neither Enter nor Escape overwrites what another program wrote", "[ui][save]") {
     Clash clash;
     clash.bench.key(Key::Enter);
     clash.bench.frames(2);
-    CHECK(modal_of(clash.bench.state) == Modal::Changed);
+    CHECK(open_dialog(clash.bench.state) == &changed_dialog);
     clash.bench.key(Key::Escape);
     clash.bench.frames(2);
-    CHECK(modal_of(clash.bench.state) == Modal::None);
+    CHECK(open_dialog(clash.bench.state) == nullptr);
     CHECK(intensity_in(clash.path) == 0.5f);
     CHECK(clash.bench.scene().lights[0].intensity == 0.25f);
 }
@@ -139,10 +139,10 @@ TEST_CASE("leaving goes on only after the question about the changed file", "[ui
     clash.bench.key(Key::Escape);
     clash.bench.key(Key::Q, true);
     clash.bench.frames(2);
-    CHECK(modal_of(clash.bench.state) == Modal::Unsaved);
+    CHECK(open_dialog(clash.bench.state) == &unsaved_dialog);
     CHECK_FALSE(clash.bench.key(Key::Enter).quit);  // Save
     clash.bench.frames(2);
-    REQUIRE(modal_of(clash.bench.state) == Modal::Changed);
+    REQUIRE(open_dialog(clash.bench.state) == &changed_dialog);
     clash.bench.state.asks_overwrite = false;
     REQUIRE(save_over(clash.bench.state));
     finish_pending(clash.bench.state);
@@ -172,7 +172,7 @@ TEST_CASE("work that is taken up after a crash does not overwrite what was writt
         edit(next, 0.75f);
         next.key(Key::S, true);
         next.frames(2);
-        CHECK((modal_of(next.state) == Modal::Changed) == changed);
+        CHECK((open_dialog(next.state) == &changed_dialog) == changed);
         CHECK(intensity_in(path) == (changed ? 0.5f : 0.75f));
         end_persistence(next.state);
     }
@@ -197,7 +197,7 @@ TEST_CASE("a name is typed over the one that is offered, whenever the dialog ope
     std::filesystem::create_directory(folder.path("deep"));
     HeadlessWindow bench;
     for (int i = 0; i < 3; ++i) {
-        bench.state.files.ask(FilePurpose::SaveScene, folder.path("offered.json"));
+        bench.state.files.ask(save_purpose, folder.path("offered.json"));
         bench.frames(4);
         for (const char* const letter : {"d", "e", "e", "p"}) bench.type(letter);
         CHECK(bench.state.files.name == "deep");
@@ -223,7 +223,7 @@ TEST_CASE("what was asked of one scene is not answered for another that comes in
     const std::string two = folder.file("two.json", scene_text(scene)), before = bytes_of(one);
     HeadlessWindow bench;
     open(bench, one);
-    bench.state.files.ask(FilePurpose::SaveScene, one);
+    bench.state.files.ask(save_purpose, one);
     bench.frames(3);
     bench.key(Key::Enter);
     REQUIRE(bench.state.files.asks_overwrite);
@@ -234,23 +234,22 @@ TEST_CASE("what was asked of one scene is not answered for another that comes in
     bench.frames(2);
     CHECK(bytes_of(one) == before);
     CHECK(bench.state.editor.document.path == two);
-    using Purpose = FilePurpose;
-    for (const Purpose purpose : {Purpose::OpenMesh, Purpose::MyPicture, Purpose::SavePicture,
-                                  Purpose::ExportPicture, Purpose::SaveFrames}) {
-        bench.state.files.ask(purpose, one);
+    for (const FilePurpose* purpose :
+         {&mesh_purpose, &my_picture_purpose, &save_picture_purpose, &export_purpose, &frames_purpose}) {
+        bench.state.files.ask(*purpose, one);
         open(bench, bench.state.editor.document.path == one ? two : one);
-        CHECK(modal_of(bench.state) == Modal::None);
+        CHECK(open_dialog(bench.state) == nullptr);
     }
     bench.state.get<ExportState>().open = true;
     open(bench, two);
-    CHECK(modal_of(bench.state) == Modal::None);
+    CHECK(open_dialog(bench.state) == nullptr);
     bench.state.asks_overwrite = true;
     open(bench, one);
-    CHECK(modal_of(bench.state) == Modal::None);
-    for (const Purpose purpose : {Purpose::OpenScene, Purpose::SaveAnswers}) {  // about no scene
-        bench.state.files.ask(purpose, "");
+    CHECK(open_dialog(bench.state) == nullptr);
+    for (const FilePurpose* purpose : {&open_purpose, &answers_purpose}) {  // about no scene
+        bench.state.files.ask(*purpose, "");
         open(bench, two);
-        CHECK(modal_of(bench.state) == Modal::Files);
+        CHECK(open_dialog(bench.state) == &files_dialog);
     }
 }
 
@@ -320,7 +319,7 @@ TEST_CASE("a folder that is named from the home directory is gone into, and no f
     const std::string before = known != nullptr ? known : "";
     ::setenv("HOME", home.path("").c_str(), 1);
     HeadlessWindow bench;
-    bench.state.files.ask(FilePurpose::SaveScene, "/offered.json");
+    bench.state.files.ask(save_purpose, "/offered.json");
     bench.frames(4);
     bench.state.files.name = "~/deep";
     ImGui::ClearActiveID();

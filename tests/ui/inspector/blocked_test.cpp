@@ -14,8 +14,8 @@ TEST_CASE("the inspector names the object that stands before a light, and only t
     take_document(bench.state.editor, std::get<SceneDocument>(opened));
     const auto words_at = [&bench](glm::dvec2 pixel_of_1280x720) {
         test::ask(bench, InspectorTab::Equation, {pixel_of_1280x720.x / 1280, pixel_of_1280x720.y / 720});
-        REQUIRE(bench.state.explanation);
-        const Explanation& why = *bench.state.explanation;
+        REQUIRE(bench.state.on_screen.explanation);
+        const Explanation& why = *bench.state.on_screen.explanation;
         return blocked_words(bench.state, why, asked_point(bench.state.get<InspectorState>(), why), 0);
     };
     // The pixel of docs/lecture_map.md, row 2: on the floor, behind what stands on it.
@@ -50,9 +50,9 @@ TEST_CASE("an object that only marks where a light is does not stand in its way"
     REQUIRE(problem_of(load_meshes(scene, "", "")) == nullptr);
     take_document(bench.state.editor, std::move(document));
     test::ask(bench, InspectorTab::Equation, {0.5, 0.5});
-    REQUIRE(bench.state.explanation);
-    REQUIRE(bench.state.explanation->hit);
-    const Explanation why = *bench.state.explanation;
+    REQUIRE(bench.state.on_screen.explanation);
+    REQUIRE(bench.state.on_screen.explanation->hit);
+    const Explanation why = *bench.state.on_screen.explanation;
     const auto words = [&] {
         return blocked_words(bench.state, why, asked_point(bench.state.get<InspectorState>(), why), 0);
     };

@@ -155,10 +155,10 @@ TEST_CASE("a folder lists folders first, then what serves the purpose, by name",
         for (const FolderEntry& entry : list_folder(folder.string(), purpose)) all += entry.name + " ";
         return all;
     };
-    CHECK(names(FilePurpose::OpenScene) == "zoo A.OBJ b.json p.png ");
-    CHECK(names(FilePurpose::OpenMesh) == "zoo A.OBJ ");
-    CHECK(names(FilePurpose::SaveScene) == "zoo b.json ");
-    CHECK(list_folder((folder / "nowhere").string(), FilePurpose::OpenScene).empty());
+    CHECK(names(open_purpose) == "zoo A.OBJ b.json p.png ");
+    CHECK(names(mesh_purpose) == "zoo A.OBJ ");
+    CHECK(names(save_purpose) == "zoo b.json ");
+    CHECK(list_folder((folder / "nowhere").string(), open_purpose).empty());
     fs::remove_all(folder);
 }
 
@@ -166,12 +166,12 @@ TEST_CASE("another kind of projection shows the target at the same size", "[ui]"
     const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{50, 0.1f, 100}};
     const PictureSize size = GENERATE(PictureSize{800, 500}, PictureSize{700, 723, true});
     const glm::dvec3 place{0.7, 0.4, 0};
-    const OnScreen before = project(screen_map(camera, size), place);
+    const ProjectedPoint before = project(screen_map(camera, size), place);
     for (const ProjectionKind kind : enumerators<ProjectionKind>) {
         Camera other = camera;
         other.projection = as_projection(camera, kind, size);
         CHECK(kind_of(other.projection) == kind);
-        const OnScreen after = project(screen_map(other, size), place);
+        const ProjectedPoint after = project(screen_map(other, size), place);
         CHECK(after.pixel.x == Approx(before.pixel.x).epsilon(1e-4));
         CHECK(after.pixel.y == Approx(before.pixel.y).epsilon(1e-4));
         CHECK_FALSE(violation_of(other));

@@ -192,7 +192,7 @@ TEST_CASE("plots: the curves are those of the selected light", "[ui][window][plo
     bench.state.editor.selection = {Selection::Kind::Light, 0};
     CHECK(plotted_light(bench.state) == 0);
     bench.state.editor.selection = {Selection::Kind::Object, 0};
-    const ExplainedLight* brightest = asked_light(bench.state, bench.state.explanation->at);
+    const ExplainedLight* brightest = asked_light(bench.state, bench.state.on_screen.explanation->at);
     REQUIRE(brightest != nullptr);
     CHECK(plotted_light(bench.state) == brightest->index);
     bench.state.viewport.probe.reset();
@@ -287,14 +287,14 @@ TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and
 TEST_CASE("plots: a light is tried as every kind where it stands, a lamp aimed at the point", "[ui][plots]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Plots, {0.5, 0.5});
-    REQUIRE(bench.state.explanation);
+    REQUIRE(bench.state.on_screen.explanation);
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
     PictureView view;
     view.map = map;
     view.dome = sun_dome(bench.scene().camera.target, scene_bounds(bench.scene()), map);
     const Light& bulb = bench.scene().lights[1];
     const glm::dvec3 place = handle_of(bulb, view.dome, map);
-    const ExplainedPoint& at = bench.state.explanation->at;
+    const ExplainedPoint& at = bench.state.on_screen.explanation->at;
     CHECK(of_kind_at(bulb, LightKind::Point, at, view) == bulb);
     for (const LightKind kind : {LightKind::Spot, LightKind::Area}) {
         const Light other = of_kind_at(bulb, kind, at, view);

@@ -102,7 +102,7 @@ TEST_CASE("undo under a preview leaves no answer of the scene before, and the pr
           "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Program);
-    const auto sum = [&bench] { return bench.state.explanation->sum; };
+    const auto sum = [&bench] { return bench.state.on_screen.explanation->sum; };
     const glm::vec3 at_first = sum();
     bench.scene().global_ambient = glm::vec3(0.5f);
     bench.frames(2);

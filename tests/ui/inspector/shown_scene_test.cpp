@@ -39,15 +39,15 @@ struct StoredWindow : HeadlessWindow {
     }
     /// What is explained is that pixel of B, as a renderer of its own explains it.
     void check_explains_b() {
-        REQUIRE(state.explanation.has_value());
-        const Explanation& e = *state.explanation;
+        REQUIRE(state.on_screen.explanation.has_value());
+        const Explanation& e = *state.on_screen.explanation;
         Renderer alone(1);
         (void)alone.render(b, state.rendered->size);
         const Explanation expected = alone.explain(e.x, e.y);
         CHECK(e.hit);
         CHECK(e.sum == expected.sum);
         CHECK(e.at.lights.size() == 2);
-        CHECK(asked_scene(state) == b);
+        CHECK(explained_scene(state) == b);
     }
     /// Every number of the column that can be taken hold of, dragged and clicked, changes nothing.
     void check_column_edits_nothing() {
@@ -76,7 +76,7 @@ TEST_CASE("while B is looked at, each click is explained of B, whose numbers can
     StoredWindow bench;
     bench.click(bench.at_share(0.5, 0.5));
     bench.frames(2);
-    REQUIRE(bench.state.explanation->at.lights.size() == 1);
+    REQUIRE(bench.state.on_screen.explanation->at.lights.size() == 1);
     bench.key(Key::B);
     bench.frames(2);
     bench.check_explains_b();
@@ -85,20 +85,20 @@ TEST_CASE("while B is looked at, each click is explained of B, whose numbers can
     bench.check_explains_b();
     CHECK(why_disabled(bench.state, command(CommandId::SelectMainLight)) ==
           "The picture shows another scene than the one that is edited");
-    CHECK(bench.state.explanation->x == bench.state.asked.x);
+    CHECK(bench.state.on_screen.explanation->x == bench.state.on_screen.pixel.x);
     bench.check_column_edits_nothing();
     CHECK_FALSE(is_explained(bench.state));
     CHECK(editable_scene(bench.state) == nullptr);
     bench.key(Key::B);
     bench.frames(2);
-    CHECK(bench.state.explanation->at.lights.size() == 1);
+    CHECK(bench.state.on_screen.explanation->at.lights.size() == 1);
     CHECK(is_explained(bench.state));
     CHECK(editable_scene(bench.state) == &bench.scene());
     CHECK(bench.scene() == bench.edited);
 }
 
 TEST_CASE("the explained scene cannot be edited by accident", "[ui][compare]") {
-    STATIC_REQUIRE(std::is_same_v<decltype(asked_scene(std::declval<UiState&>())), const Scene&>);
+    STATIC_REQUIRE(std::is_same_v<decltype(explained_scene(std::declval<UiState&>())), const Scene&>);
     Scene scene;
     scene.lights.resize(1);
     CHECK(number_handle({scene}, "/lights/0/intensity").number.place == nullptr);
@@ -115,7 +115,7 @@ TEST_CASE("a pixel of a part that shows B is explained of B, and its numbers edi
     bench.check_column_edits_nothing();
     bench.click(bench.at_share(0.45, 0.5));
     bench.frames(2);
-    CHECK(bench.state.explanation->at.lights.size() == 1);
+    CHECK(bench.state.on_screen.explanation->at.lights.size() == 1);
     CHECK(is_explained(bench.state));
 }
 
@@ -241,7 +241,7 @@ TEST_CASE("a colour is predicted of the edited scene alone, whatever is compared
     Renderer alone(1);
     (void)alone.render(bench.edited, bench.state.rendered->size);
     CHECK(bench.state.get<PredictState>().before ==
-          alone.explain(bench.state.asked.x, bench.state.asked.y).byte);
+          alone.explain(bench.state.on_screen.pixel.x, bench.state.on_screen.pixel.y).byte);
 }
 
 TEST_CASE("cells of the grid that stay are asked, and exported, as they are shown, and stay under a hand",
@@ -255,12 +255,13 @@ TEST_CASE("cells of the grid that stay are asked, and exported, as they are show
     const auto check_asked = [&] {
         Renderer renderer(1);
         (void)renderer.render(alone(), bench.state.rendered->size);
-        REQUIRE(bench.state.explanation);
-        CHECK(bench.state.explanation->sum == renderer.explain(bench.state.asked.x, bench.state.asked.y).sum);
+        REQUIRE(bench.state.on_screen.explanation);
+        CHECK(bench.state.on_screen.explanation->sum ==
+              renderer.explain(bench.state.on_screen.pixel.x, bench.state.on_screen.pixel.y).sum);
     };
     CHECK(bench.state.rendered_scene == alone());
     check_asked();
-    bench.click(bench.at_pixel(glm::dvec2(bench.state.asked) + glm::dvec2(-40.5, 20.5)));
+    bench.click(bench.at_pixel(glm::dvec2(bench.state.on_screen.pixel) + glm::dvec2(-40.5, 20.5)));
     bench.frames(2);
     check_asked();
     CHECK(shown_scene(bench.state) == alone());
@@ -277,7 +278,7 @@ TEST_CASE("cells of the grid that stay are asked, and exported, as they are show
     bench.button(false);
     bench.state.viewport.probe.reset();
     bench.frames(2);
-    CHECK_FALSE(bench.state.explanation.has_value());
+    CHECK_FALSE(bench.state.on_screen.explanation.has_value());
 }
 
 TEST_CASE("a part is explained as it shows B, a frozen or a played scene, under the part's own setting",
@@ -288,20 +289,20 @@ TEST_CASE("a part is explained as it shows B, a frozen or a played scene, under 
         scene.shading.mode = mode;
         Renderer alone(1);
         (void)alone.render(scene, bench.state.rendered->size);
-        REQUIRE(bench.state.explanation.has_value());
-        const glm::ivec2 at = bench.state.asked;
-        CHECK(bench.state.explanation->mode == mode);
-        CHECK(bench.state.explanation->sum == alone.explain(at.x, at.y).sum);
+        REQUIRE(bench.state.on_screen.explanation.has_value());
+        const glm::ivec2 at = bench.state.on_screen.pixel;
+        CHECK(bench.state.on_screen.explanation->mode == mode);
+        CHECK(bench.state.on_screen.explanation->sum == alone.explain(at.x, at.y).sum);
         const Picture& shown = *bench.state.displayed;
         for (std::size_t c = 0; c < 3; ++c)
-            CHECK(bench.state.explanation->byte[c] == shown.rgba[4 * shown.pixel(at.x, at.y) + c]);
+            CHECK(bench.state.on_screen.explanation->byte[c] == shown.rgba[4 * shown.pixel(at.x, at.y) + c]);
     };
     bench.key(Key::B);
     bench.frames(2);
     bench.click(bench.at_share(0.45, 0.5));
     bench.frames(2);
     check_explains(bench.b, ShadingMode::Flat);
-    CHECK(asked_scene(bench.state).shading.mode == ShadingMode::Flat);
+    CHECK(explained_scene(bench.state).shading.mode == ShadingMode::Flat);
     bench.click(bench.at_share(0.55, 0.5));
     bench.frames(2);
     check_explains(bench.b, ShadingMode::Phong);
@@ -327,7 +328,7 @@ TEST_CASE("a part is explained as it shows B, a frozen or a played scene, under 
     check_explains(bench.edited, ShadingMode::Flat);
     bench.state.viewport.probe.reset();
     bench.frames(2);
-    CHECK_FALSE(bench.state.explanation.has_value());
+    CHECK_FALSE(bench.state.on_screen.explanation.has_value());
 }
 
 TEST_CASE("of a scene that plays nothing is taken hold of, and a press ends what a lesson plays",

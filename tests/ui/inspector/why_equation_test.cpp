@@ -21,7 +21,7 @@ namespace {
 Explanation asked_apart(HeadlessWindow& bench) {
     Renderer renderer(1);
     (void)renderer.render(bench.scene(), bench.state.rendered->size);
-    return renderer.explain(bench.state.explanation->x, bench.state.explanation->y);
+    return renderer.explain(bench.state.on_screen.explanation->x, bench.state.on_screen.explanation->y);
 }
 
 int lights_on(const Scene& scene) {
@@ -48,7 +48,7 @@ TEST_CASE("a right click on a number that is only read copies it, or its whole l
         return std::string(ImGui::GetClipboardText());
     };
     const Scene start = bench.scene();
-    const float n_dot_l = bench.state.explanation->at.lights.front().n_dot_l;
+    const float n_dot_l = bench.state.on_screen.explanation->at.lights.front().n_dot_l;
     CHECK(std::stof(choose("Copy")) == Approx(n_dot_l).margin(0.0005));
     CHECK(choose("Copy line").starts_with("n·l 0."));
     CHECK(bench.scene() == start);
@@ -64,13 +64,13 @@ TEST_CASE("a cosine of a vector that is not unit names its length, beside the tr
     };
     bench.scene().objects[0].transform.scale = glm::vec3(0.5f);
     test::ask(bench, InspectorTab::Equation, {0.49, 0.48});
-    REQUIRE(bench.state.explanation->hit);
+    REQUIRE(bench.state.on_screen.explanation->hit);
     CHECK(length_shown() == 0);
     // The inverse transpose of a scale by 0.5 doubles a normal.
     bench.scene().shading.mistakes.unnormalized_normals = true;
     bench.frames(3);
     CHECK(length_shown() == Approx(2).epsilon(0.01));
-    const ExplainedPoint& at = bench.state.explanation->at;
+    const ExplainedPoint& at = bench.state.on_screen.explanation->at;
     CHECK(at.lights[0].n_dot_l > 1);
     const glm::vec3 to_sun = glm::normalize(glm::vec3(bench.scene().lights[0].position));
     const double cosine = glm::dot(glm::normalize(at.normal.world), to_sun);
@@ -97,7 +97,7 @@ TEST_CASE("the sums of the terms can be copied", "[ui][window][why]") {
     bench.click(bench.control("Copy"));
     bench.frames(2);
     float blue = 0;
-    for (const ExplainedLight& light : bench.state.explanation->at.lights) blue += light.diffuse.z;
+    for (const ExplainedLight& light : bench.state.on_screen.explanation->at.lights) blue += light.diffuse.z;
     CHECK(std::stof(ImGui::GetClipboardText()) == Approx(blue).margin(0.0005));
 }
 
@@ -106,11 +106,11 @@ TEST_CASE("weights that are chosen are explained while the mouse still rests on 
     bench.scene().shading.mode = ShadingMode::Gouraud;
     bench.scene().shading.interpolation = Interpolation::Screen;
     test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
-    REQUIRE(bench.state.explanation->interpolation == Interpolation::Screen);
+    REQUIRE(bench.state.on_screen.explanation->interpolation == Interpolation::Screen);
     bench.click(HeadlessWindow::middle_of(bench.area_of("Perspective", test::right_column(bench))));
     bench.frames(5);
     CHECK(bench.scene().shading.interpolation == Interpolation::Perspective);
-    CHECK(bench.state.explanation->interpolation == Interpolation::Perspective);
+    CHECK(bench.state.on_screen.explanation->interpolation == Interpolation::Perspective);
 }
 
 TEST_CASE("a value of the equation stays on one line with its name, however narrow the column",
@@ -140,18 +140,18 @@ TEST_CASE("the distance in the equation moves its light towards the point, in it
         bench.scene().lights[1].falloff.quadratic = 0.5f;
         if (space == LightSpace::Camera) bench.scene().lights[1].position = {0.5f, 1, 1, 1};
         test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
-        const ExplainedLight before = bench.state.explanation->at.lights[1];
+        const ExplainedLight before = bench.state.on_screen.explanation->at.lights[1];
         REQUIRE(before.distance > 0.5f);
         const ImVec2 at = test::in_column(bench, "Distance of Bulb");
         bench.drag(at, {at.x + 40, at.y});
         bench.frames(2);
-        const ExplainedLight& after = bench.state.explanation->at.lights[1];
+        const ExplainedLight& after = bench.state.on_screen.explanation->at.lights[1];
         CHECK(after.distance > before.distance * 1.05f);
         CHECK(glm::dot(after.l.world, before.l.world) == Approx(1).margin(1e-5));
         CHECK(after.falloff != before.falloff);
         bench.key(Key::Z, true);
         bench.frames(2);
-        CHECK(bench.state.explanation->at.lights[1].distance == before.distance);
+        CHECK(bench.state.on_screen.explanation->at.lights[1].distance == before.distance);
     }
 }
 
@@ -161,11 +161,11 @@ TEST_CASE("a distance that is typed digit by digit keeps the direction to its li
     third.name = "Third";
     bench.scene().lights.push_back(third);
     test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
-    const ExplainedLight before = bench.state.explanation->at.lights[1];
+    const ExplainedLight before = bench.state.on_screen.explanation->at.lights[1];
     bench.click(test::in_column(bench, "Distance of Bulb"));
     for (const char* const digit : {"0", ".", "5"}) bench.type(digit);
     bench.frames(2);
-    const ExplainedLight& after = bench.state.explanation->at.lights[1];
+    const ExplainedLight& after = bench.state.on_screen.explanation->at.lights[1];
     CHECK(after.distance == Approx(0.5));
     CHECK(glm::dot(after.l.world, before.l.world) == Approx(1).margin(1e-5));
 }
@@ -204,8 +204,8 @@ TEST_CASE("what Gouraud shading loses between the corners is said where both col
         HeadlessWindow bench({1280, 1400});
         take_document(bench.state.editor, SceneDocument{scene, "", "", {}});
         test::ask(bench, InspectorTab::Equation);
-        REQUIRE(bench.state.explanation->lit_per_corner);
-        REQUIRE((bench.state.explanation->byte[0] == 255) == (intensity > 0));
+        REQUIRE(bench.state.on_screen.explanation->lit_per_corner);
+        REQUIRE((bench.state.on_screen.explanation->byte[0] == 255) == (intensity > 0));
         const bool says = std::any_of(bench.controls().begin(), bench.controls().end(),
                                       [](const NamedControl& control) { return control.name == "lost"; });
         CHECK(says == (intensity > 0));
@@ -219,18 +219,18 @@ TEST_CASE("an object seen from behind says so, in amber above the equation", "[u
     (void)load_meshes(bench.scene(), "", "");
     bench.scene().camera.eye = {0, 4, 1};
     test::ask(bench, InspectorTab::Equation);
-    REQUIRE(bench.state.explanation->hit);
-    CHECK(side_words(*bench.state.explanation) == "front side");
+    REQUIRE(bench.state.on_screen.explanation->hit);
+    CHECK(side_words(*bench.state.on_screen.explanation) == "front side");
     bench.scene().shading.mistakes.normals_flipped = true;
     bench.frames(3);
-    CHECK(side_words(*bench.state.explanation) == "front side, n points away from the eye");
+    CHECK(side_words(*bench.state.on_screen.explanation) == "front side, n points away from the eye");
     bench.scene().shading.mistakes.normals_flipped = false;
     bench.scene().camera.eye = {0, -4, 1};
     bench.frames(3);
-    CHECK(side_words(*bench.state.explanation) == "back side");
+    CHECK(side_words(*bench.state.on_screen.explanation) == "back side");
     bench.scene().shading.two_sided = true;
     bench.frames(3);
-    CHECK(side_words(*bench.state.explanation) == "back side, n turned to the eye");
+    CHECK(side_words(*bench.state.on_screen.explanation) == "back side, n turned to the eye");
 }
 
 TEST_CASE("an area light's samples unfold below its terms", "[ui][window][why]") {
@@ -238,7 +238,7 @@ TEST_CASE("an area light's samples unfold below its terms", "[ui][window][why]")
     bench.scene().lights[1].kind = LightKind::Area;
     bench.scene().lights[1].area.samples = 9;
     test::ask(bench, InspectorTab::Equation, {0.45, 0.4});
-    const ExplainedLight& area = bench.state.explanation->at.lights[1];
+    const ExplainedLight& area = bench.state.on_screen.explanation->at.lights[1];
     REQUIRE(area.samples.size() == 9);
     const auto rows = [&] {
         return std::count_if(bench.controls().begin(), bench.controls().end(),
@@ -283,11 +283,11 @@ TEST_CASE("pointing at a term shows it alone, at a light's name that light alone
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);
     const Scene start = bench.scene();
-    const Explanation before = *bench.state.explanation;
+    const Explanation before = *bench.state.on_screen.explanation;
     (void)test::rest_on(bench, "s  specular");
     CHECK(bench.state.rendered_scene.shading.terms == Terms{false, false, false, true});
     CHECK(bench.scene() == start);
-    CHECK(bench.state.explanation->sum == before.sum);
+    CHECK(bench.state.on_screen.explanation->sum == before.sum);
     (void)test::rest_on(bench, "Light");
     CHECK(lights_on(bench.state.rendered_scene) == 1);
     CHECK(bench.state.rendered_scene.lights.front().enabled);
@@ -325,9 +325,10 @@ TEST_CASE("what is copied is what glint explain prints, in each format", "[ui][w
     test::ask(bench, InspectorTab::Equation, {0.42, 0.45});
     const Explanation why = asked_apart(bench);
     const Scene& scene = bench.scene();
-    CHECK(explained_as(CopyAs::Text, *bench.state.explanation, scene) == explain_text(why, scene));
-    CHECK(explained_as(CopyAs::Json, *bench.state.explanation, scene) == explain_json(why));
-    CHECK(explained_as(CopyAs::Latex, *bench.state.explanation, scene) == explain_latex(why, scene));
+    CHECK(explained_as(CopyAs::Text, *bench.state.on_screen.explanation, scene) == explain_text(why, scene));
+    CHECK(explained_as(CopyAs::Json, *bench.state.on_screen.explanation, scene) == explain_json(why));
+    CHECK(explained_as(CopyAs::Latex, *bench.state.on_screen.explanation, scene) ==
+          explain_latex(why, scene));
 }
 
 TEST_CASE("the copy buttons fill the clipboard", "[ui][window][why]") {
@@ -350,14 +351,14 @@ TEST_CASE("the tabs of WHY stay where they are when a pixel is picked, and when 
     const float before = tab_top();
     bench.click(bench.at_pixel({320, 240}));
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
+    REQUIRE(bench.state.on_screen.explanation);
     CHECK(tab_top() == before);
     bench.click(bench.at_pixel({3, 3}));
     bench.frames(2);
-    REQUIRE_FALSE(bench.state.explanation->hit);
+    REQUIRE_FALSE(bench.state.on_screen.explanation->hit);
     CHECK(tab_top() == before);
     bench.state.viewport.probe.reset();
     bench.frames(2);
-    REQUIRE_FALSE(bench.state.explanation);
+    REQUIRE_FALSE(bench.state.on_screen.explanation);
     CHECK(tab_top() == before);
 }

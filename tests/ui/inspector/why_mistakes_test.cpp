@@ -51,15 +51,15 @@ TEST_CASE("over a frozen picture no mistake is named, and what ends while the mo
     bench.key(Key::F8);
     (void)test::rest_on(bench, first_switch());
     CHECK(bench.state.get<InspectorState>().preview_name.empty());
-    REQUIRE(bench.state.asked_other);
+    REQUIRE(bench.state.on_screen.explained_other);
     bench.key(Key::F8);
     bench.frames(3);
-    CHECK_FALSE(bench.state.asked_other);
+    CHECK_FALSE(bench.state.on_screen.explained_other);
     CHECK_FALSE(bench.state.get<InspectorState>().preview_name.empty());
-    REQUIRE(bench.state.explanation);
-    const glm::vec3 sum = bench.state.explanation->sum;
+    REQUIRE(bench.state.on_screen.explanation);
+    const glm::vec3 sum = bench.state.on_screen.explanation->sum;
     test::rest(bench);
-    CHECK(bench.state.explanation->sum == sum);  // it was the edited scene's
+    CHECK(bench.state.on_screen.explanation->sum == sum);  // it was the edited scene's
 }
 
 TEST_CASE("a preview that ends asks for the frame that draws the edited scene again", "[ui][window][why]") {

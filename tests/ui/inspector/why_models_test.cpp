@@ -12,13 +12,14 @@ using test::HeadlessWindow;
 TEST_CASE("the models' values are those of the pixel drawn under each mode", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Models, {0.42, 0.38});
-    const auto all = under_each_mode(bench.state, *bench.state.explanation);
+    const auto all = under_each_mode(bench.state, *bench.state.on_screen.explanation);
     Renderer renderer(1);
     for (std::size_t i = 0; i < all.size(); ++i) {
         Scene scene = bench.scene();
         scene.shading.mode = static_cast<ShadingMode>(i);
         (void)renderer.render(scene, bench.state.rendered->size);
-        const Explanation drawn = renderer.explain(bench.state.explanation->x, bench.state.explanation->y);
+        const Explanation drawn =
+            renderer.explain(bench.state.on_screen.explanation->x, bench.state.on_screen.explanation->y);
         CHECK(all[i].sum == drawn.sum);
         CHECK(all[i].byte == drawn.byte);
         CHECK(all[i].corners.size() == drawn.corners.size());
@@ -31,7 +32,7 @@ TEST_CASE("what Gouraud loses of a pixel is held to Phong's own picture", "[ui][
     HeadlessWindow bench;
     bench.scene().shading.mode = ShadingMode::Gouraud;
     test::ask(bench, InspectorTab::Equation, {0.42, 0.38});
-    const Explanation gouraud = *bench.state.explanation;
+    const Explanation gouraud = *bench.state.on_screen.explanation;
     const auto phong = under_phong(bench.state, gouraud);
     REQUIRE(phong);
     Renderer renderer(1);
@@ -49,11 +50,11 @@ TEST_CASE("pointing at a model shows the picture under it, a click takes it, und
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Models);
     const Scene start = bench.scene();
-    const auto values = under_each_mode(bench.state, *bench.state.explanation);
+    const auto values = under_each_mode(bench.state, *bench.state.on_screen.explanation);
     const ImVec2 at = test::rest_on(bench, "Gouraud");
     CHECK(bench.state.rendered_scene.shading.mode == ShadingMode::Gouraud);
     CHECK(bench.scene() == start);
-    CHECK(under_each_mode(bench.state, *bench.state.explanation)[0].sum == values[0].sum);
+    CHECK(under_each_mode(bench.state, *bench.state.on_screen.explanation)[0].sum == values[0].sum);
     bench.click(at);
     CHECK(bench.scene().shading.mode == ShadingMode::Gouraud);
     test::rest(bench);

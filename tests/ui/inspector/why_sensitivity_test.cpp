@@ -47,8 +47,9 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
     bench.state.left_shows_inspector = true;
     test::ask(bench, InspectorTab::Sensitivity, {0.5, 0.45});
     REQUIRE(wait_for_numbers(bench));
-    const auto made = sensitivities(bench.state.editor.document, bench.state.rendered->size,
-                                    bench.state.explanation->x, bench.state.explanation->y, 1);
+    const auto made =
+        sensitivities(bench.state.editor.document, bench.state.rendered->size,
+                      bench.state.on_screen.explanation->x, bench.state.on_screen.explanation->y, 1);
     const auto& expected = std::get<Sensitivities>(made);
     REQUIRE(bench.state.get<SensitivityState>().shown);
     const Sensitivities& shown = *bench.state.get<SensitivityState>().shown;
@@ -188,7 +189,7 @@ TEST_CASE("in a part of a comparison the numbers are of that part's picture", "[
     bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
     test::ask(bench, InspectorTab::Sensitivity, {0.4, 0.5});
     REQUIRE(wait_for_numbers(bench));
-    CHECK(bench.state.explanation->mode == ShadingMode::Flat);
+    CHECK(bench.state.on_screen.explanation->mode == ShadingMode::Flat);
     Scene flat = bench.scene();
     flat.shading.mode = ShadingMode::Flat;
     CHECK(bench.state.get<SensitivityState>().shown_scene == flat);
@@ -197,6 +198,6 @@ TEST_CASE("in a part of a comparison the numbers are of that part's picture", "[
                                        bench.state.get<SensitivityState>().rank.end(),
                                        [](const Sensitivity& s) { return s.pointer == "/display/exposure"; });
     REQUIRE(exposure != bench.state.get<SensitivityState>().rank.end());
-    const glm::vec3 sum = bench.state.explanation->sum;
+    const glm::vec3 sum = bench.state.on_screen.explanation->sum;
     CHECK(exposure->effect.x == Approx(sum.x).epsilon(1e-3));
 }

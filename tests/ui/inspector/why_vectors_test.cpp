@@ -39,17 +39,17 @@ TEST_CASE("with Alt held the pixel under the cursor is explained; released, the 
           "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation, {0.5, 0.5});
-    const int x = bench.state.explanation->x;
+    const int x = bench.state.on_screen.explanation->x;
     ImGui::GetIO().KeyAlt = true;
     bench.move(bench.at_pixel({220.5, 260.5}));
     bench.frames(1);
-    REQUIRE(bench.state.explanation);
-    CHECK(bench.state.explanation->x == 220);
-    CHECK(bench.state.explanation->y == 260);
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK(bench.state.on_screen.explanation->x == 220);
+    CHECK(bench.state.on_screen.explanation->y == 260);
     CHECK(bench.state.viewport.probe->x == Approx(0.5));
     ImGui::GetIO().KeyAlt = false;
     bench.frames(2);
-    CHECK(bench.state.explanation->x == x);
+    CHECK(bench.state.on_screen.explanation->x == x);
 }
 
 TEST_CASE("with Alt held nothing needs to be picked, and nothing stays", "[ui][window][why]") {
@@ -58,17 +58,17 @@ TEST_CASE("with Alt held nothing needs to be picked, and nothing stays", "[ui][w
     ImGui::GetIO().KeyAlt = true;
     bench.move(bench.at_pixel({300.5, 240.5}));
     bench.frames(1);
-    CHECK(bench.state.explanation.has_value());
+    CHECK(bench.state.on_screen.explanation.has_value());
     ImGui::GetIO().KeyAlt = false;
     bench.frames(1);
-    CHECK_FALSE(bench.state.explanation.has_value());
+    CHECK_FALSE(bench.state.on_screen.explanation.has_value());
 }
 
 TEST_CASE("the arrow n ends where a unit normal of its length shows", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Vectors, {0.42, 0.4});
     const Scene start = bench.scene();
-    const ExplainedPoint& point = bench.state.explanation->at;
+    const ExplainedPoint& point = bench.state.on_screen.explanation->at;
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
     // 92 logical pixels at the point's depth, by the field of view: independent of the pen.
     const double depth = -double(point.point.camera.z);
@@ -87,7 +87,7 @@ TEST_CASE("the arrow n ends where a unit normal of its length shows", "[ui][wind
 TEST_CASE("the facet's edges and normal are those of the mesh, and agree", "[ui][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Vectors, {0.45, 0.4});
-    const auto facet = picked_facet(*bench.state.explanation, bench.scene());
+    const auto facet = picked_facet(*bench.state.on_screen.explanation, bench.scene());
     REQUIRE(facet);
     REQUIRE(facet->corners.size() == 4);
     CHECK(glm::dot(facet->of_edges, facet->newell) > 0.9999f);
@@ -113,7 +113,7 @@ TEST_CASE("a facet's outline is cut where it passes behind the eye", "[ui][windo
     scene.objects[0] = Object{};
     scene.objects[0].mesh = mesh;
     test::ask(bench, InspectorTab::Vectors);
-    REQUIRE(bench.state.explanation->hit);
+    REQUIRE(bench.state.on_screen.explanation->hit);
     const PictureView view = picture_view(window_layout(bench.state).centre, bench.state);
     const glm::dvec3 back_left{-2, 0, 10}, far_left{-2, 0, -10}, far_right{2, 0, -10};
     REQUIRE_FALSE(project(view.map, back_left).in_front);
@@ -154,7 +154,7 @@ TEST_CASE("the light of the vectors is the selected one, else the one that adds 
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Vectors, {0.62, 0.35});
     bench.state.editor.selection = {Selection::Kind::Light, 1};
-    const ExplainedPoint& point = bench.state.explanation->at;
+    const ExplainedPoint& point = bench.state.on_screen.explanation->at;
     CHECK(asked_light(bench.state, point)->index == 1);
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     CHECK(asked_light(bench.state, point)->index == 0);
@@ -168,8 +168,8 @@ TEST_CASE("a Gouraud pixel's corners are drawn where they are", "[ui][window][wh
     bench.scene().shading.mode = ShadingMode::Gouraud;
     test::ask(bench, InspectorTab::Equation, {0.45, 0.4});
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
-    REQUIRE(bench.state.explanation->corners.size() == 3);
-    for (const ExplainedCorner& corner : bench.state.explanation->corners) {
+    REQUIRE(bench.state.on_screen.explanation->corners.size() == 3);
+    for (const ExplainedCorner& corner : bench.state.on_screen.explanation->corners) {
         const ImVec2 at = bench.at_pixel(project(map, glm::dvec3(corner.at.point.world)).pixel);
         CHECK(draws_near(at, 6));
     }
@@ -184,10 +184,11 @@ TEST_CASE("a Gouraud pixel's corner off the picture is marked at its edge, on th
     const PictureSize size = bench.state.rendered->size;
     const ScreenMap map = screen_map(bench.scene().camera, size);
     const Rect picture{bench.at_pixel({0, 0}), bench.at_pixel({size.width, size.height})};
-    REQUIRE(bench.state.explanation->corners.size() == 3);
+    REQUIRE(bench.state.on_screen.explanation->corners.size() == 3);
     int off = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const OnScreen place = project(map, glm::dvec3(bench.state.explanation->corners[i].at.point.world));
+        const ProjectedPoint place =
+            project(map, glm::dvec3(bench.state.on_screen.explanation->corners[i].at.point.world));
         const Rect mark = bench.area_of(std::string("corner ") + "ABC"[i]);
         CHECK(mark.low.x > picture.low.x);
         CHECK(mark.low.y > picture.low.y);
@@ -222,7 +223,7 @@ TEST_CASE("the letters of nearly collinear vectors stand apart, and off the arro
                 a.high.x <= b.low.x || b.high.x <= a.low.x || a.high.y <= b.low.y || b.high.y <= a.low.y;
             CHECK(apart);
         }
-    const ExplainedPoint& point = bench.state.explanation->at;
+    const ExplainedPoint& point = bench.state.on_screen.explanation->at;
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
     const double depth = -double(point.point.camera.z);
     const double reach = 92 * 2 * depth * std::tan(0.5 * 45 * 3.14159265358979 / 180) / map.size.height;
@@ -239,7 +240,7 @@ TEST_CASE("the diagram of a light behind the surface keeps clear of what stands 
           "[ui][window][why]") {
     HeadlessWindow bench({1280, 1200});
     test::ask(bench, InspectorTab::Vectors, {0.5, 0.5});
-    const ExplainedPoint& point = bench.state.explanation->at;
+    const ExplainedPoint& point = bench.state.on_screen.explanation->at;
     const glm::vec3 behind = -point.normal.world;
     bench.scene().lights[0].kind = LightKind::Directional;
     bench.scene().lights[0].position = glm::vec4(behind, 0);

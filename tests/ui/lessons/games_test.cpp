@@ -155,11 +155,11 @@ TEST_CASE("a game that was saved under a name is work, and its changes are asked
 TEST_CASE("what a game compares is not remembered for the next window", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
-    const ViewPreferences before = views_to_remember(bench.state);
+    const Json before = features_to_remember(bench.state);
     open_game(bench, 2);
     bench.click(bench.control("Target beside it"));
     bench.frames(2);
-    CHECK(views_to_remember(bench.state) == before);
+    CHECK(features_to_remember(bench.state) == before);
 }
 
 TEST_CASE("a game puts away what was shown before it, and Escape ends what plays", "[ui][window][match]") {
@@ -350,7 +350,7 @@ TEST_CASE("the quiz is answered by keys, and the next window goes on with it unt
         CHECK(Taken(quiz.taken.begin(), quiz.taken.begin() + 4) == Taken{0, {}, 3, {}});
         quiz.after = true;
         (void)bench.key(Key::C);
-        save_answers(bench.state, folder.path("answers.json"));
+        answers_purpose.use(bench.state, folder.path("answers.json"));
         bench.frames(2);
     }
     HeadlessWindow bench({1280, 1000});
@@ -393,7 +393,7 @@ TEST_CASE("the quiz is answered in the window, and what it saves is counted by g
     }
     quiz.after = true;
     const TemporaryDirectory folder;
-    save_answers(bench.state, folder.path("answers.json"));
+    answers_purpose.use(bench.state, folder.path("answers.json"));
     const auto text = std::get<std::string>(read_file(folder.path("answers.json"), 10000));
     const auto lesson = std::get<Lesson>(read_lesson(inventory));
     const auto read = std::get<QuizAnswers>(read_answers(lesson, text, "answers.json"));

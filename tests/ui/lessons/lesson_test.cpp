@@ -66,15 +66,15 @@ const char* const ball = R"({"glint": 1, "objects": [{"name": "Ball"}]})";
 TEST_CASE("an answer stands beside the right one, and its number is marked in the equation",
           "[ui][window][lesson]") {
     LambertWindow bench;
-    CHECK_FALSE(bench.state.explanation);
+    CHECK_FALSE(bench.state.on_screen.explanation);
     bench.answer("0.7");
     REQUIRE(bench.lesson().given()[0].locked);
     CHECK(bench.lesson().given()[0].value == Json(0.7));
     CHECK_FALSE(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
     // The plate at 60 degrees: a half of the light. The number is the cosine, in the right column.
-    REQUIRE(bench.state.explanation);
-    CHECK(bench.state.explanation->object == "60 degrees");
-    CHECK(bench.state.explanation->sum.x == Approx(0.5));
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK(bench.state.on_screen.explanation->object == "60 degrees");
+    CHECK(bench.state.on_screen.explanation->sum.x == Approx(0.5));
     const Rect yours = bench.area_of("You said"), right = bench.area_of("It is");
     CHECK(yours.high.x <= right.low.x);
     CHECK(yours.low.y == right.low.y);
@@ -307,7 +307,7 @@ TEST_CASE("the answer can be looked at without a prediction, which is noted", "[
     bench.click(bench.control("Show it without"));
     bench.frames(2);
     CHECK(bench.lesson().given()[0].skipped);
-    CHECK(bench.state.explanation);
+    CHECK(bench.state.on_screen.explanation);
     CHECK(score_of(*bench.lesson().course, bench.lesson().progress).locked == 0);
 }
 
@@ -337,7 +337,7 @@ TEST_CASE("undo leads from the next page to the meshes that were seen, and not t
     begin_mesh(bench.state, MeshFile{mesh}, -1);
     bench.frames(1);
     REQUIRE(awaits_mesh(bench.state));
-    begin_pending(bench.state, Pending::What::Page, "1");
+    go_on(bench.state, 1);
     finish_pending(bench.state);
     bench.wait_for_loads();
     CHECK(bench.scene() == bench.lesson().station().asked);
@@ -399,7 +399,7 @@ TEST_CASE("PgDn and PgUp turn the lesson's pages while a number is typed, and ea
     bench.click(bench.control("Your answer"));
     test::type(bench, "0.");
     bench.key(Key::F9);
-    CHECK(bench.state.get<LectureState>().projector);
+    CHECK(bench.state.layout.projector);
     bench.key(Key::F9);
     bench.click(bench.control("Your answer"));
     bench.key(Key::PageDown);
@@ -554,7 +554,7 @@ TEST_CASE("a lecturer's questions cannot be answered by mistake, and PgDn shows 
     bench.click(bench.control("Lecturer"));
     bench.frames(2);
     CHECK(open_question(bench.lesson()));
-    CHECK_FALSE(bench.state.explanation);
+    CHECK_FALSE(bench.state.on_screen.explanation);
     const auto& controls = bench.controls();
     CHECK(std::none_of(controls.begin(), controls.end(), [](const NamedControl& c) {
         return c.name == "Your answer" || c.name == "Lock it in" || c.name == "It is";
@@ -562,7 +562,7 @@ TEST_CASE("a lecturer's questions cannot be answered by mistake, and PgDn shows 
     bench.key(Key::PageDown);
     bench.frames(3);
     CHECK(bench.lesson().progress.station == 1);
-    CHECK(bench.state.explanation);
+    CHECK(bench.state.on_screen.explanation);
     (void)bench.control("It is");
     bench.key(Key::PageDown);
     CHECK(bench.lesson().progress.station == 2);

@@ -103,8 +103,8 @@ TEST_CASE("what a pixel was before is the edited scene's colour, not that of a p
     const PictureSize size = bench.state.rendered->size;
     bench.click(bench.at_pixel({size.width * 0.47, size.height / 2.0}));
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
-    const Explanation& asked = *bench.state.explanation;
+    REQUIRE(bench.state.on_screen.explanation);
+    const Explanation& asked = *bench.state.on_screen.explanation;
     const auto edited = bench.state.renderer->explain(asked.x, asked.y).byte;
     REQUIRE_FALSE(asked.byte == edited);
     bench.key(Key::Q);

@@ -20,7 +20,7 @@ void check_held(HeadlessWindow& bench) {
     bench.frames(1);
     CHECK(bench.scene() == station.asked);
     CHECK(bench.state.rendered_scene == station.asked);
-    CHECK_FALSE(bench.state.explanation);
+    CHECK_FALSE(bench.state.on_screen.explanation);
     CHECK_FALSE(bench.state.get<ScopeState>().open);
     CHECK_FALSE(bench.state.get<CompareState>().choice.on);
     CHECK(bench.state.get<DebugViewState>().set == DebugViewSet{});
@@ -54,7 +54,7 @@ void check_revealed(HeadlessWindow& bench) {
     if (station.reveal == nullptr) return;
     CHECK(bench.state.get<ScopeState>().open == station.reveal->along.has_value());
     if (!station.reveal->pick) return;
-    REQUIRE(bench.state.explanation);
+    REQUIRE(bench.state.on_screen.explanation);
     CHECK(bench.state.get<InspectorState>().tab != InspectorTab::MyPicture);
 }
 

@@ -127,12 +127,12 @@ TEST_CASE("a pixel picked in a part is explained as that part drew it", "[ui][wi
         const int y = size.height / 2;
         bench.click(bench.at_pixel({x + 0.5, y + 0.5}));
         bench.frames(2);
-        REQUIRE(bench.state.explanation);
-        CHECK(bench.state.explanation->mode == modes[part]);
-        const std::size_t at =
-            4 * bench.state.displayed->pixel(bench.state.explanation->x, bench.state.explanation->y);
+        REQUIRE(bench.state.on_screen.explanation);
+        CHECK(bench.state.on_screen.explanation->mode == modes[part]);
+        const std::size_t at = 4 * bench.state.displayed->pixel(bench.state.on_screen.explanation->x,
+                                                                bench.state.on_screen.explanation->y);
         for (std::size_t i = 0; i < 3; ++i)
-            CHECK(bench.state.explanation->byte[i] == bench.state.displayed->rgba[at + i]);
+            CHECK(bench.state.on_screen.explanation->byte[i] == bench.state.displayed->rgba[at + i]);
     }
 }
 
@@ -299,12 +299,12 @@ TEST_CASE("stacked parts follow from top to bottom, each equal to the full pictu
     // A pixel of the lowest part is explained as that drew it.
     bench.click(bench.at_pixel({size.width * 0.42, size.height * 0.74}));
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
-    CHECK(bench.state.explanation->mode == ShadingMode::Phong);
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK(bench.state.on_screen.explanation->mode == ShadingMode::Phong);
     bench.click(bench.at_pixel({size.width * 0.5, size.height * 0.5}));
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
-    CHECK(bench.state.explanation->mode == ShadingMode::Gouraud);
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK(bench.state.on_screen.explanation->mode == ShadingMode::Gouraud);
 }
 
 TEST_CASE("while a hand moves something, a comparison that is too slow is drawn smaller, and whole at rest",
@@ -383,7 +383,7 @@ TEST_CASE("B that is put away while it is held stays away when it is let go of",
     (void)bench.frame(press);
     for (int i = 0; i < 40; ++i) (void)bench.frame(hold);  // two thirds of a second
     REQUIRE(bench.state.get<CompareState>().choice.shows_stored);
-    put_all_away(bench.state);
+    put_away(bench.state);
     bench.frames(2);
     CHECK_FALSE(bench.state.get<CompareState>().choice.shows_stored);
 }

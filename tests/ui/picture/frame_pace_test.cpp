@@ -95,23 +95,24 @@ TEST_CASE("while the picture is small the picked pixel is explained by what show
     bench.frames(2);
     const PictureSize full = bench.state.rendered->size;
     bench.click(bench.at_pixel({321, 243}));
-    REQUIRE(bench.state.explanation);
-    const std::array<int, 3> whole = bench.state.explanation->byte;
-    CHECK(bench.state.asked == glm::ivec2(321, 243));
+    REQUIRE(bench.state.on_screen.explanation);
+    const std::array<int, 3> whole = bench.state.on_screen.explanation->byte;
+    CHECK(bench.state.on_screen.pixel == glm::ivec2(321, 243));
     begin_slow_drag(bench, 3);
     bench.move(bench.at_pixel({90, 50}));
     const Picture& small = *bench.state.rendered;
     REQUIRE(small.size == divided(full, 3));
-    REQUIRE(bench.state.explanation);
-    CHECK(bench.state.asked == glm::ivec2(321, 243));
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK(bench.state.on_screen.pixel == glm::ivec2(321, 243));
     const std::size_t at =
         4 * small.pixel(321 * small.size.width / full.width, 243 * small.size.height / full.height);
-    for (std::size_t c = 0; c < 3; ++c) CHECK(bench.state.explanation->byte[c] == int(small.rgba[at + c]));
-    CHECK(bench.state.explanation->byte != whole);  // the camera turned
+    for (std::size_t c = 0; c < 3; ++c)
+        CHECK(bench.state.on_screen.explanation->byte[c] == int(small.rgba[at + c]));
+    CHECK(bench.state.on_screen.explanation->byte != whole);  // the camera turned
     bench.button(false);
     bench.frame();
     CHECK(bench.state.rendered->size == full);
-    REQUIRE(bench.state.explanation);
-    CHECK(bench.state.explanation->x == 321);
-    CHECK(bench.state.explanation->y == 243);
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK(bench.state.on_screen.explanation->x == 321);
+    CHECK(bench.state.on_screen.explanation->y == 243);
 }

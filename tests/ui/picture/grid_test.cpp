@@ -120,9 +120,9 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing 
     bench.button(true);
     bench.button(false);
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
-    CHECK(std::abs(bench.state.explanation->x - 300) <= 1);
-    CHECK(std::abs(bench.state.explanation->y - 200) <= 1);
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK(std::abs(bench.state.on_screen.explanation->x - 300) <= 1);
+    CHECK(std::abs(bench.state.on_screen.explanation->y - 200) <= 1);
     bench.key(Key::M);
     CHECK(bench.state.get<MagnifierState>().zoom == 1);
     // Several steps that come in one slow frame, and one of a wheel that turns smoothly.

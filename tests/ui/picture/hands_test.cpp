@@ -137,8 +137,8 @@ TEST_CASE("a click on a highlight asks why, Alt turns the camera there", "[ui][h
     const Scene before = bench.scene();
     const glm::dvec2 at = highlight_pixel(bench);
     bench.click(bench.at_pixel(at));
-    REQUIRE(bench.state.explanation);
-    CHECK(bench.state.explanation->x == int(at.x));
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK(bench.state.on_screen.explanation->x == int(at.x));
     ImGui::GetIO().KeyAlt = true;
     bench.drag(bench.at_pixel(at), bench.at_pixel(at + glm::dvec2(40, 0)));
     ImGui::GetIO().KeyAlt = false;
@@ -303,7 +303,7 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
         const glm::dvec3 start(light.position), axis = glm::normalize(glm::dvec3(light.spot.direction));
         double nearest = 1e9;
         for (double along = 0; along < 20; along += 1e-3)
-            if (const OnScreen at = project(map, start + along * axis); at.in_front)
+            if (const ProjectedPoint at = project(map, start + along * axis); at.in_front)
                 nearest = std::min(nearest, glm::length(at.pixel - (glm::floor(to))));
         CHECK(nearest < 1.5);
         if (to == on_ball) {
@@ -330,8 +330,8 @@ TEST_CASE(
             project(screen_map(bench.scene().camera, bench.state.rendered->size), {-2.5, 0.1, 0}).pixel;
         bench.click(bench.at_pixel(pixel));
         bench.frames(2);
-        REQUIRE(bench.state.explanation);
-        const Explanation before = *bench.state.explanation;
+        REQUIRE(bench.state.on_screen.explanation);
+        const Explanation before = *bench.state.on_screen.explanation;
         bench.key(Key::R, false, true);
         REQUIRE(bench.state.viewport.pivot);
         CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, before.object_index});
@@ -341,7 +341,7 @@ TEST_CASE(
         bench.drag(bench.at_pixel(pixel + glm::dvec2(out, 0)), bench.at_pixel(pixel + glm::dvec2(0, -out)));
         bench.frames(2);
         CHECK(bench.state.editor.history.undo_name() == "Rotate As it is");
-        const Explanation after = *bench.state.explanation;
+        const Explanation after = *bench.state.on_screen.explanation;
         CHECK(std::abs(bench.scene().objects[0].transform.rotate_deg.z) == Approx(90).margin(2));
         CHECK(glm::length(after.spaces.object - before.spaces.object) < 0.03f);
         const float change = glm::length(after.sum - before.sum);

@@ -18,7 +18,7 @@ struct Case {
         view.map = screen_map(camera, drag_picture);
         view.dome = sun_dome({0, 0, 0}, {{-1, -1, -1}, {1, 1, 1}}, view.map);
     }
-    [[nodiscard]] OnScreen handle(const Light& light) const {
+    [[nodiscard]] ProjectedPoint handle(const Light& light) const {
         return project(view.map, handle_of(light, view.dome, view.map));
     }
 };
@@ -78,7 +78,7 @@ TEST_CASE("in depth the handle keeps its pixel, and up is away", "[ui]") {
     for (const Case& c : cases())
         for (const Light& light : lights(c)) {
             if (light.kind == LightKind::Directional) continue;
-            const OnScreen at = c.handle(light);
+            const ProjectedPoint at = c.handle(light);
             const Light after = dragged({light, DragAlong::Depth, {500, 350}}, c.view, {520, 300}, false);
             CHECK(glm::length(c.handle(after).pixel - at.pixel) < 0.5);
             CHECK(c.handle(after).depth > at.depth * 1.1);

@@ -17,8 +17,8 @@ void ask_at(HeadlessWindow& window, glm::dvec2 share) {
     window.click(window.at_pixel(glm::dvec2(pixel) + 0.5));
     window.move({1, 1});
     window.frames(2);
-    REQUIRE(window.state.explanation);
-    REQUIRE(window.state.explanation->x == pixel.x);
+    REQUIRE(window.state.on_screen.explanation);
+    REQUIRE(window.state.on_screen.explanation->x == pixel.x);
 }
 constexpr glm::dvec2 corner{0.99, 0.99};
 
@@ -28,7 +28,7 @@ void make_small(HeadlessWindow& window) {
 }
 
 bool shows_explained_bytes(const UiState& state) {
-    const Explanation& e = *state.explanation;
+    const Explanation& e = *state.on_screen.explanation;
     const std::size_t at = 4 * state.displayed->pixel(e.x, e.y);
     for (std::size_t i = 0; i < 3; ++i)
         if (e.byte[i] != state.displayed->rgba[at + i]) return false;
@@ -44,14 +44,14 @@ TEST_CASE("a frozen comparison explains a pixel that it has when the window gets
     run_command(window.state, command(CommandId::Compare));
     window.state.get<CompareState>().choice.wipes = {0.6, 0.8};
     ask_at(window, {0.5, 0.6});  // another renderer drew it there
-    REQUIRE(window.state.explanation->hit);
-    REQUIRE(window.state.explanation->mode == ShadingMode::Flat);
+    REQUIRE(window.state.on_screen.explanation->hit);
+    REQUIRE(window.state.on_screen.explanation->mode == ShadingMode::Flat);
     run_command(window.state, command(CommandId::Freeze));
     window.frames(2);
     make_small(window);
-    REQUIRE(window.state.explanation);
-    REQUIRE(
-        is_inside(window.state.displayed->size, {window.state.explanation->x, window.state.explanation->y}));
+    REQUIRE(window.state.on_screen.explanation);
+    REQUIRE(is_inside(window.state.displayed->size,
+                      {window.state.on_screen.explanation->x, window.state.on_screen.explanation->y}));
     CHECK(shows_explained_bytes(window.state));
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("while another scene is shown, what was explained of a larger picture 
     window.key(Key::B, true);  // stores it
     window.key(Key::B);
     window.frames(2);
-    CHECK(window.state.explanation);
+    CHECK(window.state.on_screen.explanation);
     make_small(window);
-    CHECK_FALSE(window.state.explanation);
+    CHECK_FALSE(window.state.on_screen.explanation);
 }

@@ -26,7 +26,7 @@ const PictureSize screen_picture{800, 600};
 
 TEST_CASE("the target of a symmetric camera shows in the middle of the picture", "[ui]") {
     for (const Camera& camera : {cameras()[0], cameras()[1]}) {
-        const OnScreen at = project(screen_map(camera, screen_picture), camera.target);
+        const ProjectedPoint at = project(screen_map(camera, screen_picture), camera.target);
         CHECK(distance(at.pixel, {400, 300}) < 1e-6);
         CHECK(at.depth == Approx(glm::length(camera.eye - camera.target)));
         CHECK(at.in_front);
@@ -35,7 +35,8 @@ TEST_CASE("the target of a symmetric camera shows in the middle of the picture",
 
 TEST_CASE("a place at 45 degrees shows at the edge of a 90 degree view", "[ui]") {
     const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{90, 0.1f, 100}};
-    const OnScreen at = project(screen_map(camera, {600, 600}), {-3, 3, 2});  // 3 aside, 3 above, 3 in front
+    const ProjectedPoint at =
+        project(screen_map(camera, {600, 600}), {-3, 3, 2});  // 3 aside, 3 above, 3 in front
     CHECK(distance(at.pixel, {0, 0}) < 1e-9);
     CHECK(at.depth == Approx(3));
     CHECK_FALSE(project(screen_map(camera, screen_picture), {0, 0, 6}).in_front);
@@ -48,7 +49,7 @@ TEST_CASE("unproject is the way back of project under every projection", "[ui][p
         const ScreenMap map = screen_map(camera, screen_picture);
         for (int i = 0; i < 200; ++i) {
             const glm::dvec3 place{number(random), number(random), number(random)};
-            const OnScreen at = project(map, place);
+            const ProjectedPoint at = project(map, place);
             CHECK(glm::length(unproject(map, at.pixel, at.depth) - place) < 1e-9);
             const Ray ray = ray_through(map, at.pixel);
             CHECK(glm::length(glm::cross(place - ray.origin, ray.direction)) < 1e-9);

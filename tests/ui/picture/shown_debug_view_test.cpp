@@ -82,11 +82,11 @@ TEST_CASE("over-range stripes lie over the picture that is shown and leave the d
     bench.frames(1);
     CHECK(bench.state.get<DebugViewState>().clipped > 100);
     CHECK(bench.state.displayed->rgba != bytes);
-    CHECK((unpainted_picture(bench.state).rgba == bytes));  // what big pixels say
+    CHECK(((*bench.state.unpainted).rgba == bytes));  // what big pixels say
     bench.state.get<DebugViewState>().set.choice.view = DebugView::Depth;
     bench.frames(1);
     CHECK(bench.state.displayed->rgba != bytes);
-    CHECK((unpainted_picture(bench.state).rgba == bytes));
+    CHECK(((*bench.state.unpainted).rgba == bytes));
     bench.state.get<DebugViewState>().set.choice.view = DebugView::Picture;
     bench.frames(1);
     CHECK(bench.state.rendered->rgba == bytes);
@@ -135,12 +135,13 @@ TEST_CASE("the point picked before comes back after Escape, and after another pi
     const glm::dvec2 middle{size.width / 2.0, size.height / 2.0};
     bench.click(bench.at_pixel(middle));
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
-    const glm::ivec2 first{bench.state.explanation->x, bench.state.explanation->y};
+    REQUIRE(bench.state.on_screen.explanation);
+    const glm::ivec2 first{bench.state.on_screen.explanation->x, bench.state.on_screen.explanation->y};
     const auto asked = [&] {
         bench.frames(2);
-        return bench.state.explanation ? glm::ivec2(bench.state.explanation->x, bench.state.explanation->y)
-                                       : glm::ivec2(-1);
+        return bench.state.on_screen.explanation
+                   ? glm::ivec2(bench.state.on_screen.explanation->x, bench.state.on_screen.explanation->y)
+                   : glm::ivec2(-1);
     };
     bench.key(Key::Escape);
     CHECK(asked() == glm::ivec2(-1));

@@ -161,7 +161,7 @@ TEST_CASE("from outside the eye, what it sees, all axes and every light are in s
         for (const PictureSize size : {PictureSize{320, 320}, PictureSize{320, 500}, PictureSize{500, 200}}) {
             const ScreenMap map = screen_map(outside_camera(scene, main, size), size);
             const auto in_sight = [&](glm::dvec3 place) {
-                const OnScreen at = project(map, place);
+                const ProjectedPoint at = project(map, place);
                 return at.in_front && at.pixel.x > 0 && at.pixel.y > 0 && at.pixel.x < size.width &&
                        at.pixel.y < size.height;
             };

@@ -64,16 +64,16 @@ TEST_CASE("a preview shows for a frame and leaves the scene, the history and the
     HeadlessWindow bench;
     bench.click(bench.at_pixel({400, 300}));
     bench.frames(3);
-    REQUIRE(bench.state.explanation.has_value());
-    const glm::vec3 sum = bench.state.explanation->sum;
+    REQUIRE(bench.state.on_screen.explanation.has_value());
+    const glm::vec3 sum = bench.state.on_screen.explanation->sum;
     const Scene scene = bench.scene();
     bench.state.get<InspectorState>().instead = scene;
     bench.state.get<InspectorState>().instead->lights.clear();
     bench.frame();
     CHECK(bench.state.rendered_scene.lights.empty());
     CHECK(bench.scene() == scene);
-    REQUIRE(bench.state.explanation.has_value());
-    CHECK(bench.state.explanation->sum == sum);
+    REQUIRE(bench.state.on_screen.explanation.has_value());
+    CHECK(bench.state.on_screen.explanation->sum == sum);
     bench.frame();
     CHECK(bench.state.rendered_scene == scene);
     CHECK_FALSE(bench.state.editor.unsaved());
@@ -89,18 +89,23 @@ TEST_CASE(
         scene.global_ambient.x = ambient;
         return scene;
     };
-    CHECK_FALSE(preview_of(bench.state).has_value());
+    const auto ambient_shown = [&] {
+        OnScreen shown;
+        decide_shown(shown, bench.state);
+        return shown.drawn() != nullptr ? shown.drawn()->scene.global_ambient.x : -1;
+    };
+    CHECK(ambient_shown() == -1);
     CompareChoice& compare = bench.state.get<CompareState>().choice;
     compare.stored = std::make_shared<const Scene>(with_ambient(4));
-    CHECK_FALSE(preview_of(bench.state).has_value());  // stored, and not looked at
+    CHECK(ambient_shown() == -1);  // stored, and not looked at
     compare.shows_stored = true;
-    CHECK(preview_of(bench.state)->global_ambient.x == 4);
+    CHECK(ambient_shown() == 4);
     bench.state.get<InspectorState>().instead = with_ambient(3);
-    CHECK(preview_of(bench.state)->global_ambient.x == 3);
+    CHECK(ambient_shown() == 3);
     bench.state.get<AnimateState>().frame = with_ambient(2);
-    CHECK(preview_of(bench.state)->global_ambient.x == 2);
+    CHECK(ambient_shown() == 2);
     bench.state.get<LectureState>().frozen = with_ambient(1);
-    CHECK(preview_of(bench.state)->global_ambient.x == 1);
+    CHECK(ambient_shown() == 1);
 }
 
 TEST_CASE("nothing is to be drawn while B rests on the screen", "[ui][window]") {
@@ -232,19 +237,19 @@ TEST_CASE("a click asks why, and the numbers follow what is dragged", "[ui][wind
     const PictureSize size = bench.state.rendered->size;
     const glm::dvec2 pixel = glm::dvec2(glm::ivec2(size.width / 2, size.height * 2 / 5)) + 0.5;
     bench.click(bench.at_pixel(pixel));
-    REQUIRE(bench.state.explanation);
-    CHECK(bench.state.explanation->x == int(pixel.x));
-    CHECK(bench.state.explanation->y == int(pixel.y));
-    CHECK(bench.state.explanation->hit);
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK(bench.state.on_screen.explanation->x == int(pixel.x));
+    CHECK(bench.state.on_screen.explanation->y == int(pixel.y));
+    CHECK(bench.state.on_screen.explanation->hit);
     CHECK_FALSE(bench.state.editor.unsaved());
-    const glm::vec3 sum = bench.state.explanation->sum;
+    const glm::vec3 sum = bench.state.on_screen.explanation->sum;
     bench.scene().lights[0].intensity = 0.5f;
     (void)bench.frame();
-    CHECK(bench.state.explanation->sum.x < sum.x);
-    const std::size_t at =
-        4 * bench.state.rendered->pixel(bench.state.explanation->x, bench.state.explanation->y);
+    CHECK(bench.state.on_screen.explanation->sum.x < sum.x);
+    const std::size_t at = 4 * bench.state.rendered->pixel(bench.state.on_screen.explanation->x,
+                                                           bench.state.on_screen.explanation->y);
     for (std::size_t i = 0; i < 3; ++i)
-        CHECK(bench.state.explanation->byte[i] == bench.state.rendered->rgba[at + i]);
+        CHECK(bench.state.on_screen.explanation->byte[i] == bench.state.rendered->rgba[at + i]);
 }
 
 TEST_CASE("orbiting leaves lights and objects as they are, and is one step", "[ui][window]") {
@@ -446,11 +451,12 @@ TEST_CASE("a probe survives a change of the picture's size", "[ui][window]") {
     bench.click(bench.at_pixel({100, 300}));
     bench.key(Key::F11);
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
+    REQUIRE(bench.state.on_screen.explanation);
     const PictureSize after = bench.state.rendered->size;
     // Both pictures keep the width of the field: the window's 1280 x 800 is narrower than 16:9, too.
-    CHECK(double(bench.state.explanation->x) / after.width == Approx(100.0 / before.width).margin(0.01));
-    CHECK((bench.state.explanation->y - after.height / 2.0) / after.width ==
+    CHECK(double(bench.state.on_screen.explanation->x) / after.width ==
+          Approx(100.0 / before.width).margin(0.01));
+    CHECK((bench.state.on_screen.explanation->y - after.height / 2.0) / after.width ==
           Approx((300 - before.height / 2.0) / before.width).margin(0.01));
 }
 

@@ -57,7 +57,7 @@ int corners_drawn() { return ImGui::GetDrawData()->TotalVtxCount; }
 TEST_CASE("a folder of thirty thousand files is listed, and only its rows in sight are drawn",
           "[ui][window][many]") {
     HeadlessWindow bench;
-    bench.state.files.ask(FilePurpose::OpenMesh, "");
+    bench.state.files.ask(mesh_purpose, "");
     bench.state.files.entries.clear();
     bench.frames(2);
     const int empty = corners_drawn();
@@ -106,8 +106,8 @@ TEST_CASE(
 TEST_CASE("the equation lays out the cards of the lights in sight, and all can be scrolled to",
           "[ui][window][many]") {
     ManyWindow bench(scene_of_lights(many), InspectorTab::Equation);
-    REQUIRE(bench.state.explanation);
-    REQUIRE(bench.state.explanation->corners.at(0).at.lights.size() == many);
+    REQUIRE(bench.state.on_screen.explanation);
+    REQUIRE(bench.state.on_screen.explanation->corners.at(0).at.lights.size() == many);
     CHECK(bench.controls_named("angle n·l") > 1);
     CHECK(bench.controls_named("angle n·l") < 40);
     bench.scroll_to_end();

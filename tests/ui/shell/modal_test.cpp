@@ -50,7 +50,7 @@ TEST_CASE("whatever is opened in the same frame as a dialog, both are drawn", "[
             run_command(bench.state, test::command_named(dialog));
             // As from keys in one frame: nothing of it has been drawn yet.
             bench.frames(3);
-            CHECK(modal_of(bench.state) != Modal::None);
+            CHECK(open_dialog(bench.state) != nullptr);
         }
 }
 
@@ -76,22 +76,22 @@ TEST_CASE(
     bench.frames(2);
     bench.key(Key::O, true);
     bench.frames(2);
-    CHECK(modal_of(bench.state) == Modal::Files);
+    CHECK(open_dialog(bench.state) == &files_dialog);
     UiInput drop;
     drop.dropped = {"other.json"};
     (void)bench.frame(drop);
     bench.frames(2);
-    CHECK(modal_of(bench.state) == Modal::Unsaved);
+    CHECK(open_dialog(bench.state) == &unsaved_dialog);
     CHECK(bench.state.files.open);
     const auto& open_now = ImGui::GetCurrentContext()->OpenPopupStack;
     REQUIRE(open_now.Size == 1);
     CHECK(std::string_view(open_now[0].Window->Name) == "Unsaved changes##question");
     bench.key(Key::Escape);
     bench.frames(2);
-    CHECK(modal_of(bench.state) == Modal::Files);
+    CHECK(open_dialog(bench.state) == &files_dialog);
     bench.key(Key::Escape);
     bench.frames(2);
-    CHECK(modal_of(bench.state) == Modal::None);
+    CHECK(open_dialog(bench.state) == nullptr);
 }
 
 TEST_CASE("of several files it is said that one is opened when it is, and not when it is not",
@@ -109,7 +109,7 @@ TEST_CASE("of several files it is said that one is opened when it is, and not wh
     };
     (void)bench.frame(drop);
     bench.frames(2);
-    REQUIRE(modal_of(bench.state) == Modal::Unsaved);
+    REQUIRE(open_dialog(bench.state) == &unsaved_dialog);
     CHECK_FALSE(says_so());
     bench.key(Key::Escape);
     bench.frames(2);
@@ -126,7 +126,7 @@ TEST_CASE("a mesh of a path that cannot be made absolute is refused in one line,
     bench.frames(2);
     bench.key(Key::C);
     bench.frames(2);
-    bench.state.files.ask(FilePurpose::OpenMesh, "");
+    bench.state.files.ask(mesh_purpose, "");
     bench.state.files.folder = "rel";
     bench.state.files.name = "x.obj";  // before its field has the keyboard
     bench.frames(2);
@@ -157,7 +157,7 @@ TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][mo
     bench.state.editor.document.path = folder.path("new.png");  // offers "new.json" beside it
     bench.key(Key::Enter);                                      // Save: a name is asked for
     bench.frames(2);
-    CHECK(modal_of(bench.state) == Modal::Files);
+    CHECK(open_dialog(bench.state) == &files_dialog);
     CHECK(folder.names().empty());
     bench.key(Key::Enter);
     bench.frames(2);
@@ -181,13 +181,13 @@ TEST_CASE("the Enter that chooses in the palette does not answer the dialog that
         bench.key(Key::Enter);
         bench.frames(2);
     };
-    for (const auto& [words, asks] : {std::pair{"quit", Modal::Unsaved},
-                                      {"new scene", Modal::Unsaved},
-                                      {"save as", Modal::Files},
-                                      {"save picture", Modal::Files}}) {
+    for (const auto& [words, asks] : {std::pair{"quit", &unsaved_dialog},
+                                      {"new scene", &unsaved_dialog},
+                                      {"save as", &files_dialog},
+                                      {"save picture", &files_dialog}}) {
         CAPTURE(words);
         choose(words);
-        CHECK(modal_of(bench.state) == asks);
+        CHECK(open_dialog(bench.state) == asks);
         CHECK_FALSE(bench.state.files.asks_overwrite);
         CHECK_FALSE(bench.state.quits);
         CHECK(folder.names() == std::vector<std::string>{"a.json"});
@@ -233,14 +233,14 @@ TEST_CASE("what the dialog of a file did is said in front of the dialog that com
         bench.frames(2);
         run_command(bench.state, test::command_named("Export picture…"));
         bench.frames(3);
-        bench.state.files.ask(FilePurpose::SaveAnswers, "answers.json");
+        bench.state.files.ask(answers_purpose, "answers.json");
         bench.frames(3);
-        REQUIRE(modal_of(bench.state) == Modal::Files);
+        REQUIRE(open_dialog(bench.state) == &files_dialog);
         bench.state.notifications.add(Tone::Error, "No room.");
         if (long_before) bench.frames(10);
         bench.state.files.open = false;
         bench.frames(6);
-        REQUIRE(modal_of(bench.state) == Modal::Export);
+        REQUIRE((bench.state.get<ExportState>().open && !bench.state.files.open));
         CHECK((place_of("##note0") > place_of(ImGui::GetTopMostPopupModal()->Name)) == !long_before);
     }
 }
@@ -251,7 +251,7 @@ TEST_CASE("a notification is in front of the dialog that it comes from, and lets
     bench.frames(2);
     run_command(bench.state, test::command_named("Export picture…"));
     bench.frames(3);
-    REQUIRE(modal_of(bench.state) == Modal::Export);
+    REQUIRE((bench.state.get<ExportState>().open && !bench.state.files.open));
     bench.state.notifications.add(Tone::Error, "No room.");
     bench.frames(3);
     CHECK(place_of("##note0") > place_of(ImGui::GetTopMostPopupModal()->Name));

@@ -20,7 +20,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-std::vector<PaletteEntry> found(const UiState& state, const std::string& text) {
+std::vector<PaletteEntry> found(UiState& state, const std::string& text) {
     const std::vector<PaletteEntry> all = palette_entries(state);
     std::vector<PaletteEntry> matching;
     for (const int index : palette_matches(all, text))
@@ -183,16 +183,17 @@ TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palett
     bench.click(
         bench.at_pixel({bench.state.rendered->size.width / 2.0, bench.state.rendered->size.height / 2.0}));
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
+    REQUIRE(bench.state.on_screen.explanation);
     const PaletteEntry copy = found(bench.state, "latex").at(0);
     CHECK(copy.name == "Copy the explanation as LaTeX");
     REQUIRE(copy.refused.empty());
     copy.run(bench.state);
-    CHECK(std::string(ImGui::GetClipboardText()) == explain_latex(*bench.state.explanation, bench.scene()));
+    CHECK(std::string(ImGui::GetClipboardText()) ==
+          explain_latex(*bench.state.on_screen.explanation, bench.scene()));
     // The entry outlives the pixel.
     ask_about(bench.state.viewport, {});
     bench.frames(2);
-    REQUIRE_FALSE(bench.state.explanation);
+    REQUIRE_FALSE(bench.state.on_screen.explanation);
     ImGui::SetClipboardText("mine");
     copy.run(bench.state);
     CHECK(std::string(ImGui::GetClipboardText()) == "mine");
@@ -261,7 +262,7 @@ TEST_CASE("the palette plays the animation, and leads to its number without a mo
     CHECK_FALSE(bench.state.get<AnimateState>().playing);
     found(bench.state, "write frames").at(0).run(bench.state);
     CHECK(bench.state.files.open);
-    CHECK(bench.state.files.purpose == FilePurpose::SaveFrames);
+    CHECK(bench.state.files.purpose == &frames_purpose);
 }
 
 TEST_CASE("the palette knows a field by another word for it", "[ui][palette]") {
@@ -461,16 +462,16 @@ TEST_CASE("arrow keys pick a pixel and go on to the next, ten at once with Shift
     (void)bench.key(Key::Left);
     CHECK(picked() == glm::ivec2(size.width / 2, size.height / 2));  // none was picked: the middle
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
+    REQUIRE(bench.state.on_screen.explanation);
     CHECK(bench.state.left_shows_inspector);  // where the columns stand one over the other
     (void)bench.key(Key::Right);
     (void)bench.key(Key::Right);
     (void)bench.key(Key::Up);
     CHECK(picked() == glm::ivec2(size.width / 2 + 2, size.height / 2 - 1));
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
-    CHECK(bench.state.explanation->x == size.width / 2 + 2);
-    CHECK(bench.state.explanation->y == size.height / 2 - 1);
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK(bench.state.on_screen.explanation->x == size.width / 2 + 2);
+    CHECK(bench.state.on_screen.explanation->y == size.height / 2 - 1);
     ImGui::GetIO().KeyShift = true;
     (void)bench.key(Key::Down, false, true);
     CHECK(picked().y == size.height / 2 + 9);
@@ -478,6 +479,7 @@ TEST_CASE("arrow keys pick a pixel and go on to the next, ten at once with Shift
     ImGui::GetIO().KeyShift = false;
     CHECK(picked().x == 0);  // not beyond the border
     freeze(bench.state);
+    bench.frames(1);
     (void)bench.key(Key::Right);
     CHECK(picked().x == 0);
     CHECK(bench.notes_with("The picture is frozen: F8 lets it go on") == 1);
@@ -541,7 +543,7 @@ TEST_CASE("with nothing typed Enter runs nothing, until an arrow key chose an en
     (void)bench.key(Key::Enter);
     bench.frames(3);
     CHECK(bench.state.palette.open);
-    CHECK(bench.state.pending.what == Pending::What::Nothing);
+    CHECK_FALSE(bench.state.pending.then);
     (void)bench.key(Key::Down);
     CHECK(bench.state.palette.chosen == 0);
     (void)bench.key(Key::Enter);

@@ -181,8 +181,8 @@ TEST_CASE("lists that are emptied leave a usable window", "[ui][window]") {
     CHECK(bench.scene().objects.empty());
     bench.key(Key::F);
     bench.click(bench.at_pixel({200, 200}));
-    REQUIRE(bench.state.explanation);
-    CHECK_FALSE(bench.state.explanation->hit);
+    REQUIRE(bench.state.on_screen.explanation);
+    CHECK_FALSE(bench.state.on_screen.explanation->hit);
     check_saves(bench.scene());
 }
 

@@ -107,18 +107,19 @@ TEST_CASE("the picked point stays the same point of the surface in every shape o
     bench.click(bench.at_pixel(
         {double(bench.state.rendered->size.width) * 0.45, double(bench.state.rendered->size.height) * 0.45}));
     bench.frames(2);
-    REQUIRE(bench.state.explanation);
-    REQUIRE(bench.state.explanation->hit);
-    const glm::vec3 picked = bench.state.explanation->spaces.world;
+    REQUIRE(bench.state.on_screen.explanation);
+    REQUIRE(bench.state.on_screen.explanation->hit);
+    const glm::vec3 picked = bench.state.on_screen.explanation->spaces.world;
     for (const Key key : {Key::F9, Key::F11, Key::F10}) {
         bench.key(key);
         bench.frames(3);
-        REQUIRE(bench.state.explanation);
-        CHECK(glm::length(bench.state.explanation->spaces.world - picked) < 0.01);  // half a pixel is 0.003
+        REQUIRE(bench.state.on_screen.explanation);
+        CHECK(glm::length(bench.state.on_screen.explanation->spaces.world - picked) <
+              0.01);  // half a pixel is 0.003
     }
     ImGui::GetIO().DisplaySize = {1000, 900};
     bench.frames(3);
-    CHECK(glm::length(bench.state.explanation->spaces.world - picked) < 0.01);
+    CHECK(glm::length(bench.state.on_screen.explanation->spaces.world - picked) < 0.01);
 }
 
 TEST_CASE("the scope's line and what the pen drew stay on what they lie on in every shape of the picture",

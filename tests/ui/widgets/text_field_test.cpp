@@ -93,7 +93,7 @@ TEST_CASE("a scene is saved beside a mesh whose name has an emoji or a byte that
         CAPTURE(name);
         const TemporaryDirectory folder;
         TypingWindow bench;
-        bench.state.files.ask(FilePurpose::SaveScene, folder.path(name));
+        bench.state.files.ask(save_purpose, folder.path(name));
         bench.frames(3);
         (void)bench.key(Key::Enter);
         bench.frames(2);

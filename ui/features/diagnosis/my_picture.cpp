@@ -11,6 +11,10 @@
 #include "diagnose/search/undone.h"
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
+#include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
+#include "ui/document/loading.h"
+#include "ui/feature.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/lecture/lecture.h"
 #include "ui/features/lessons/lesson.h"
@@ -75,7 +79,7 @@ void take_picture(UiState& state, BroughtPicture picture) {
     CompareChoice& choice = state.get<CompareState>().choice;
     leave(mine.job, mine.ending);
     if (!mine.shown) {
-        mine.compare_before = choice;
+        borrow_comparison(state.get<CompareState>());
         state.get<InspectorState>().tab_before = state.get<InspectorState>().tab;
     }
     mine.path = picture.path;
@@ -159,12 +163,13 @@ void bring_picture(UiState& state, const std::string& path) {
 
 void put_picture_away(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
-    CompareChoice& choice = state.get<CompareState>().choice;
     cancel_reading(mine);
     leave(mine.job, mine.ending);
     if (!mine.shown) return;
-    mine.compare_before.stored = choice.stored;
-    choice = mine.compare_before;
+    CompareState& compare = state.get<CompareState>();
+    give_comparison_back(compare);
+    compare.choice.mine.reset();
+    if (compare.borrowers > 0) compare.choice.on = false;
     mine.shown.reset();
     mine.file.reset();
     mine.answer.reset();
@@ -263,5 +268,77 @@ const Experiment* shown_experiment(const UiState& state) {
     const auto& tried = state.get<MyPictureState>().tried;
     return tried && under_mistakes(state.editor.scene(), {}) == tried->scene ? &tried->experiment : nullptr;
 }
+
+const FilePurpose my_picture_purpose{.title = "Compare my picture",
+                                     .button = "Compare",
+                                     .hint = "A picture of this scene by any program (.png .pfm .exr)",
+                                     .nothing = "No folder and no picture here",
+                                     .extensions = {".png", ".pfm", ".exr"},
+                                     .use = bring_picture};
+
+namespace {
+
+std::vector<WindowCommand> my_picture_commands() {
+    return {
+        {.name = "Compare my picture…",
+         .section = Section::ViewCompare,
+         .run = [](UiState& s) { s.files.ask(my_picture_purpose, s.editor.document.path); },
+         .words = "diagnose wrong mistake image"},
+        {.name = "Put my picture away",
+         .section = Section::ViewCompare,
+         .run = put_picture_away,
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(s.get<MyPictureState>().shown != nullptr,
+                               "No picture was brought to compare with");
+             }},
+        {.name = "Look for two mistakes at once",
+         .run = [](UiState& s) { ask_for_pairs(s.get<MyPictureState>()); },
+         .why_disabled = [](const UiState& s) { return why_no_pairs(s.get<MyPictureState>()); },
+         .words = "diagnose my picture pairs"},
+        {.name = "Change the scene this way, to be sure",
+         .run = [](UiState& s) { try_experiment(s, *offered_experiment(s)); },
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(offered_experiment(s) != nullptr,
+                               "No change would tell more of the mistake in a picture");
+             },
+         .words = "diagnose my picture experiment"},
+    };
+}
+
+bool drop_picture(UiState& state, const std::string& path) {
+    if (!is_bare_picture(path)) return false;
+    bring_picture(state, path);
+    return true;
+}
+
+void draw_reading(UiState& state, const Layout& layout) {
+    MyPictureState& mine = state.get<MyPictureState>();
+    if (mine.reading && !state.loading.active() &&
+        progress_panel(*mine.reading, mine.reading_since, layout.centre))
+        cancel_reading(mine);
+}
+
+bool leave_picture(UiState& state) {
+    const MyPictureState& mine = state.get<MyPictureState>();
+    if (!mine.shown && !mine.reading) return false;
+    put_picture_away(state);
+    return true;
+}
+
+}  // namespace
+
+extern const Feature my_picture_feature;
+const Feature my_picture_feature{.begin = [](UiState& s, const UiInput&) { poll_my_picture(s); },
+                                 .draw = draw_reading,
+                                 .sheet = [](UiState& s) { return &s.get<MyPictureState>().sheet; },
+                                 .commands = my_picture_commands,
+                                 .escape = leave_picture,
+                                 .drop = drop_picture,
+                                 .leave_document =
+                                     [](UiState& s, const SceneDocument& next) {
+                                         if (is_another(s, next)) put_picture_away(s);
+                                     }};
 
 }  // namespace glint

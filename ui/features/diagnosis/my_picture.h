@@ -11,6 +11,7 @@
 #include "diagnose/diagnose.h"
 #include "renderer/explain/explanation.h"
 #include "renderer/renderer.h"
+#include "ui/document/file_dialog.h"
 #include "ui/document/job.h"
 #include "ui/features/views/compare_view.h"
 #include "ui/widgets/picture_sheet.h"
@@ -56,12 +57,12 @@ struct MyPictureState {
     bool current = false;                 // `answer` is of `asked_of`
     std::optional<PictureAnswer> answer;  // the last one
     std::optional<TriedExperiment> tried;
-    std::size_t chosen = 0;  // candidate that the equation shows
-    PictureSheet sheet;      // of the candidates
-    CompareChoice compare_before;
+    std::size_t chosen = 0;                     // candidate that the equation shows
+    PictureSheet sheet;                         // of the candidates
     std::unique_ptr<Renderer> right, mistaken;  // what the equation asks at the picked pixel
 };
 
+extern const FilePurpose my_picture_purpose;
 /// Begins to read a picture drawn by any program; once complete it replaces the one before. If it cannot be
 /// read, a notification says so and everything stays.
 void bring_picture(UiState& state, const std::string& path);

@@ -112,8 +112,8 @@ const Candidate* chosen_candidate(const MyPictureState& mine) {
 std::optional<PixelOfMine> pixel_of_mine(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
     const Scene& scene = state.editor.scene();
-    if (!mine.shown || !state.explanation) return {};
-    const glm::ivec2 pixel{state.explanation->x, state.explanation->y};
+    if (!mine.shown || !state.on_screen.explanation) return {};
+    const glm::ivec2 pixel{state.on_screen.explanation->x, state.on_screen.explanation->y};
     const PictureSize size = state.rendered->size;
     const auto lacks_mesh = [](const Object& object) { return !object.mesh; };
     if (!is_inside(size, pixel) || std::any_of(scene.objects.begin(), scene.objects.end(), lacks_mesh))

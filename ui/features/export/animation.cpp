@@ -12,9 +12,13 @@
 #include <optional>
 #include <utility>
 
+#include "models/fields/choices.h"
 #include "models/fields/scene_numbers.h"
 #include "models/json/json_pointer.h"
+#include "ui/commands/command.h"
+#include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
+#include "ui/feature.h"
 #include "ui/features/export/export_picture.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/widgets/widgets.h"
@@ -86,22 +90,24 @@ std::string number_words(const Scene& scene, const SceneNumber& number) {
 }
 
 void begin_animation(UiState& state, Motion motion) {
-    state.get<AnimateState>().open = true;
-    state.get<AnimateState>().animation.motion = motion;
-    state.get<AnimateState>().takes_keys = true;
-    state.get<AnimateState>().refused.clear();
+    AnimateState& animate = state.get<AnimateState>();
+    animate.open = animate.takes_keys = true;
+    animate.animation.motion = motion;
+    animate.refused.clear();
 }
 
 void switch_playing(UiState& state) {
-    state.get<AnimateState>().playing = !state.get<AnimateState>().playing;
-    state.get<AnimateState>().open |= state.get<AnimateState>().playing;
-    state.get<AnimateState>().began = ImGui::GetTime();
+    AnimateState& animate = state.get<AnimateState>();
+    animate.playing = !animate.playing;
+    animate.open |= animate.playing;
+    animate.began = ImGui::GetTime();
 }
 
 bool animate_by_key(UiState& state, KeyPress press) {
-    const AnimateState& animate = state.get<AnimateState>();
-    if (!(press == KeyPress{Key::Enter}) || !animate.open || !animate.has_keyboard) return false;
-    if (animate.job || !animate.refused.empty()) return false;
+    AnimateState& animate = state.get<AnimateState>();
+    if (!animate.open || !animate.has_keyboard) return false;
+    if (press == KeyPress{Key::Tab}) return animate.takes_keys = true;
+    if (!(press == KeyPress{Key::Enter}) || animate.job || !animate.refused.empty()) return false;
     switch_playing(state);
     return true;
 }
@@ -111,7 +117,12 @@ void ask_for_frames(UiState& state) {
         state.get<AnimateState>().open = true;  // it says why
         return;
     }
-    state.files.ask(FilePurpose::SaveFrames, offered_name(state, ".gif"));
+    state.files.ask(frames_purpose, offered_name(state, ".gif"));
+}
+
+void stop_animation(UiState& state) {
+    state.get<AnimateState>().playing = false;
+    state.get<AnimateState>().frame.reset();
 }
 
 void forget_number(UiState& state) {
@@ -171,5 +182,83 @@ Result<Scene> scene_at(const SceneDocument& document, const Animation& animation
     }
     return moved;
 }
+
+namespace {
+
+void switch_animate(UiState& state) {
+    AnimateState& animate = state.get<AnimateState>();
+    animate.open = !animate.open || animate.job;  // it says how far what is written has come
+    animate.playing &= animate.open;
+}
+
+std::optional<OtherScene> show_frame(const UiState& state) {
+    const AnimateState& animate = state.get<AnimateState>();
+    if (!animate.frame) return {};
+    OtherScene shown{.scene = *animate.frame,
+                     .name = "the animation at this moment",
+                     .label = "Animated",
+                     .note = "Animation",
+                     .end = stop_animation};
+    // What a lesson plays goes on until a hand comes, which may want what moves there.
+    if (!animate.open) shown.press = [](UiState& s) { s.get<AnimateState>().playing = false; };
+    return shown;
+}
+
+bool close_panel(UiState& state) {
+    AnimateState& animate = state.get<AnimateState>();
+    if (!animate.open) return false;
+    if (animate.job)  // what is being written does not go on unseen
+        animate.job->cancel();
+    else
+        animate.open = animate.playing = false;
+    return true;
+}
+
+std::vector<WindowCommand> animation_commands() {
+    return {
+        {.name = "Animate: turntable, numbers to and fro…",
+         .keys = {{Key::T, ctrl}},
+         .section = Section::LectureAnimate,
+         .run = switch_animate,
+         .is_on = [](const UiState& s) { return s.get<AnimateState>().open; },
+         .line_above = true,
+         .words = "video movie gif webp"},
+    };
+}
+
+void add_animation(std::vector<PaletteEntry>& entries, UiState& state) {
+    const AnimateState& animate = state.get<AnimateState>();
+    for (const Motion motion : enumerators<Motion>)
+        entries.push_back({fmt::format("Animate: {}", choice_of(motion).label), "Animation", "", "",
+                           [motion](UiState& s) { begin_animation(s, motion); }});
+    const std::string refused = animate.job ? "Frames are being written" : animate.refused;
+    entries.push_back({animate.playing ? "Stop the animation" : "Play the animation", "Animation", "",
+                       refused, switch_playing});
+    entries.push_back({"Write the animation's frames…", "Animation", "", refused, ask_for_frames});
+}
+
+}  // namespace
+
+extern const Feature animation_feature;
+const Feature animation_feature{.draw = [](UiState& s, const Layout&) { animate_panel(s); },
+                                .end = poll_animation,
+                                .shows = show_frame,
+                                .commands = animation_commands,
+                                .palette = add_animation,
+                                .key = animate_by_key,
+                                .escape = close_panel,
+                                .is_presented = [](const UiState& s) { return s.get<AnimateState>().open; },
+                                .leave_document =
+                                    [](UiState& s, const SceneDocument& next) {
+                                        if (is_another(s, next)) stop_animation(s);
+                                    },
+                                .put_away =
+                                    [](UiState& s) {
+                                        stop_animation(s);
+                                        AnimateState& animate = s.get<AnimateState>();
+                                        animate.open = false;
+                                        animate.animation.pointer.clear();
+                                        animate.number.clear();
+                                    }};
 
 }  // namespace glint

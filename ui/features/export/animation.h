@@ -11,6 +11,7 @@
 #include "models/range.h"
 #include "models/scene_file/scene_file.h"
 #include "ui/commands/keys.h"
+#include "ui/document/file_dialog.h"
 #include "ui/document/job.h"
 #include "ui/shell/notifications.h"
 #include "ui/widgets/kept.h"
@@ -74,8 +75,14 @@ void animate_panel(UiState& state);
 void begin_animation(UiState& state, Motion motion);
 /// Plays, or ends playing.
 void switch_playing(UiState& state);
+/// Ends playing; the picture shows the scene.
+void stop_animation(UiState& state);
 /// Enter plays or ends playing while the panel has the keyboard; true: the key is taken.
 bool animate_by_key(UiState& state, KeyPress press);
+/// The files of all frames.
+extern const FilePurpose frames_purpose;
+/// Where frame `frame`, from 0, of an animation goes: beside NAME.png as NAME-0001.png, NAME-0002.png, ...
+[[nodiscard]] std::string frame_path(const std::string& path, int frame);
 /// Asks where the frames shall be written.
 void ask_for_frames(UiState& state);
 

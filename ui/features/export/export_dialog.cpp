@@ -10,6 +10,8 @@
 
 #include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
+#include "ui/feature.h"
+#include "ui/features/export/clipboard.h"
 #include "ui/features/export/export_picture.h"
 #include "ui/features/export/save_with_command.h"
 #include "ui/picture/picture_notes.h"
@@ -108,7 +110,7 @@ void export_buttons(UiState& state, const UiInput& input) {
         "Into a new file of the working directory; the command line that writes it goes onto the clipboard");
     if (ImGui::Button("Choose a name…", {px(150), 0}) || answers(input, Key::Enter)) {
         exporting.open = false;
-        ask_for_picture(state, FilePurpose::ExportPicture);
+        ask_for_picture(state, export_purpose);
     }
     ImGui::SameLine();
     const CommandId copy = CommandId::CopyCommand;
@@ -145,5 +147,61 @@ void export_dialog(UiState& state, const UiInput& input) {
     if (!exporting.open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
+
+namespace {
+
+std::string unless_picture_can_be_written(const UiState& state) {
+    return state.rendered == nullptr ? unless_drawn(nullptr)
+                                     : unless_busy(bool(state.get<ExportState>().job));
+}
+
+std::string copy_disabled_reason(const UiState& state) {
+    if (state.get<ExportState>().job) return unless_busy(true);
+    return state.rendered == nullptr ? unless_drawn(nullptr) : clipboard_disabled_reason();
+}
+
+std::vector<WindowCommand> export_commands() {
+    return {
+        {.name = "Save picture…",
+         .keys = {{Key::F12}},
+         .section = Section::FilePicture,
+         .run = [](UiState& s) { ask_for_picture(s, save_picture_purpose); },
+         .why_disabled = unless_picture_can_be_written,
+         .line_above = true,
+         .words = "image screenshot png"},
+        {.name = "Save picture here and copy its command",
+         .keys = {{Key::F12, !ctrl, shift}},
+         .section = Section::FilePicture,
+         .run = save_with_command,
+         .why_disabled = unless_picture_can_be_written},
+        {.name = "Export picture…",
+         .keys = {{Key::E, ctrl}},
+         .section = Section::FilePicture,
+         .run = [](UiState& s) { s.get<ExportState>().open = true; },
+         .why_disabled = [](const UiState& s) { return unless_busy(bool(s.get<ExportState>().job)); },
+         .words = "image png exr resolution"},
+        {.name = "Copy picture",
+         .keys = {{Key::C, ctrl, shift}},
+         .section = Section::FilePicture,
+         .run = begin_copy,
+         .why_disabled = copy_disabled_reason,
+         .words = "image clipboard screenshot"},
+        {.name = "Copy as command",
+         .keys = {{Key::K, ctrl, shift}},
+         .section = Section::FilePicture,
+         .run = copy_last_command,
+         .why_disabled = [](const UiState& s) { return unless_drawn(s.rendered); },
+         .id = CommandId::CopyCommand},
+    };
+}
+
+}  // namespace
+
+extern const Feature export_feature;
+const Feature export_feature{
+    .end = [](UiState& s) { poll_job(s.get<ExportState>().job, s.notifications); },
+    .dialog = {[](const UiState& s) { return s.get<ExportState>().open; },
+               [](UiState& s) { s.get<ExportState>().open = false; }, export_dialog, true},
+    .commands = export_commands};
 
 }  // namespace glint

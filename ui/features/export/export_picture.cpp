@@ -30,9 +30,9 @@ SceneDocument shown_document(const UiState& state) {
     SceneDocument document = state.editor.document;
     document.scene = as_made(state, shown_scene(state));
     // Nothing else in the file tells that it is not the whole scene.
-    if (const std::string cells = kept_cells(state); !cells.empty()) {
+    if (const auto& other = state.on_screen.resting; other && other->is_partial) {
         std::string& about = document.scene.about;
-        about = about.empty() ? cells : cells + ". " + about;
+        about = about.empty() ? other->note : other->note + ". " + about;
     }
     return document;
 }
@@ -87,7 +87,24 @@ Result<std::string> picture_file(const SceneDocument& document, const ExportOpti
                          carried_scene_text(document.scene, document.mesh_dir, path));
 }
 
-void ask_for_picture(UiState& state, FilePurpose purpose) {
+const FilePurpose save_picture_purpose{.title = "Save the picture",
+                                       .button = "Save",
+                                       .hint = "Picture (.png), which carries its scene",
+                                       .extensions = {".png"},
+                                       .saves = true,
+                                       .use = [](UiState& s, const std::string& path) {
+                                           begin_export(s, {s.full_size, 1}, path);
+                                       }};
+
+const FilePurpose export_purpose{
+    .title = "Export the picture",
+    .button = "Export",
+    .hint = "Picture: .png (carries its scene), .pfm, .exr (linear float)",
+    .extensions = {".png", ".pfm", ".exr"},
+    .saves = true,
+    .use = [](UiState& s, const std::string& path) { begin_export(s, s.get<ExportState>().options, path); }};
+
+void ask_for_picture(UiState& state, const FilePurpose& purpose) {
     state.files.ask(purpose, offered_name(state, ".png"));
     state.files.warning = file_warning(notes_of_shown(state));
 }
@@ -147,8 +164,6 @@ void copy_last_command(UiState& state) {
         return copy_render_command(state, last->options, last->file);
     copy_render_command(state, {state.full_size, 1}, offered_name(state, ".png"));
 }
-
-void poll_export(UiState& state) { poll_job(state.get<ExportState>().job, state.notifications); }
 
 void poll_job(JobPtr<Notification>& job, Notifications& notifications) {
     if (!job) return;

@@ -52,8 +52,9 @@ using CommandText = std::function<std::string(const SceneDocument& document, con
 /// the default scene, which has a file: the text based on that file is taken if it is shorter.
 [[nodiscard]] std::string shortest_command(const UiState& state, const CommandText& text);
 
+extern const FilePurpose save_picture_purpose, export_purpose;
 /// Asks for the name of a picture file, and names what it will show or lack.
-void ask_for_picture(UiState& state, FilePurpose purpose);
+void ask_for_picture(UiState& state, const FilePurpose& purpose);
 /// Draws and writes in the background; a notification then names the file, its folder, and what the picture
 /// shows or lacks.
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path);
@@ -64,8 +65,6 @@ void copy_render_command(UiState& state, const ExportOptions& options, const std
 /// Copies the command line with the options of the scene's last export, or for the picture as it is shown if
 /// there was none. Precondition: the picture is drawn.
 void copy_last_command(UiState& state);
-/// Once a frame: says what has come of it.
-void poll_export(UiState& state);
 /// Once a frame: if the job is done, shows its result as a notification and ends it.
 void poll_job(JobPtr<Notification>& job, Notifications& notifications);
 

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <optional>
 
@@ -10,6 +11,7 @@
 #include "renderer/image/image_file.h"
 #include "ui/document/file_dialog.h"
 #include "ui/features/export/animation.h"
+#include "ui/features/export/export_picture.h"
 #include "ui/picture/picture_notes.h"
 #include "ui/ui.h"
 
@@ -92,7 +94,42 @@ std::optional<Problem> why_not_all_writable(const FrameJob& job) {
     return {};
 }
 
+/// Whether each frame gets a file of its own.
+bool writes_many(const std::string& path) { return !animation_format(path); }
+
+/// Whether a file is there that one of the frames would replace.
+bool has_frames(const std::string& path) {
+    const fs::path file(path), folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    std::error_code failed;
+    fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, failed);
+    for (; !failed && it != fs::directory_iterator(); it.increment(failed)) {
+        const std::string name = it->path().filename().string(), before = file.stem().string() + "-";
+        if (!name.starts_with(before)) continue;
+        int number = 0;
+        std::from_chars(name.data() + before.size(), name.data() + name.size(), number);
+        if (number > 0 && name == fs::path(frame_path(path, number - 1)).filename()) return true;
+    }
+    return false;
+}
+
 }  // namespace
+
+const FilePurpose frames_purpose{.title = "Write frames",
+                                 .button = "Write",
+                                 .hint = "One file (.gif .webp), or one a frame: NAME-0001.png …",
+                                 .extensions = {".gif", ".webp", ".png"},
+                                 .saves = true,
+                                 .writes_many = writes_many,
+                                 .may_replace_many = has_frames,
+                                 .use = [](UiState& s, const std::string& path) {
+                                     const ExportOptions& options = s.get<ExportState>().options;
+                                     begin_frames(s, path, options.size, options.samples);
+                                 }};
+
+std::string frame_path(const std::string& path, int frame) {
+    const fs::path file(path);
+    return (file.parent_path() / fmt::format("{}-{:04}.png", file.stem().string(), frame + 1)).string();
+}
 
 void begin_frames(UiState& state, const std::string& path, PictureSize size, int samples) {
     AnimateState& animate = state.get<AnimateState>();

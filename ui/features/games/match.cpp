@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
+#include "ui/feature.h"
 #include "ui/features/diagnosis/my_picture.h"
 #include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
@@ -42,6 +44,16 @@ void show_beside(UiState& state, bool beside) {
     choice.stored = std::make_shared<const Scene>(state.get<MatchState>().task.target);
     choice.shows_stored = choice.difference = false;
     set_parts(choice, {{}, {Variant::Kind::Stored, 0}});
+}
+
+void ask_to_begin(UiState& state, std::uint64_t seed) {
+    ask_first(state, [seed](UiState& s) { begin_match(s, seed); });
+}
+
+/// Another one than the last, so that the command played twice plays two.
+void new_match(UiState& state) {
+    const MatchState& match = state.get<MatchState>();
+    ask_to_begin(state, match.seed + (match.on ? 1 : 0));
 }
 
 /// Falls to the left while the hand comes closer.
@@ -90,8 +102,10 @@ void begin_match(UiState& state, std::uint64_t seed) {
     cancel_loads(state);
     take_scene(state, std::move(document));
     MatchState& match = state.get<MatchState>();
-    match.compare_before = state.get<CompareState>().choice;
-    put_all_away(state);
+    match.stored_before = state.get<CompareState>().choice.stored;
+    borrow_comparison(state.get<CompareState>());
+    put_away(state);
+    ask_about(state.viewport, {});
     match.task = std::move(task);
     match.seed = seed;
     if (!match.renderer) match.renderer = std::make_unique<Renderer>(1);
@@ -103,7 +117,7 @@ void begin_match(UiState& state, std::uint64_t seed) {
     match.solved = match.shows_hint = false;
     match.hint.clear();
     match.on = true;
-    state.get<LessonState>().shows_scene = state.left_shows_inspector = false;
+    state.left_shows_scene = state.left_shows_inspector = false;
     show_beside(state, false);
 }
 
@@ -111,18 +125,12 @@ void end_match(UiState& state) {
     MatchState& match = state.get<MatchState>();
     if (!match.on) return;
     match.on = false;
-    CompareChoice &choice = state.get<CompareState>().choice, &before = match.compare_before;
+    CompareChoice& choice = state.get<CompareState>().choice;
     if (has_target_as_b(match, choice)) {  // it goes with its game
-        choice.stored = before.stored;
+        choice.stored = match.stored_before;
         choice.shows_stored = false;
-    } else {  // the user has stored it meanwhile
-        before.stored = choice.stored;
     }
-    if (state.get<MyPictureState>()
-            .shown)  // it came during the game and stays; the old comparison returns when it goes
-        state.get<MyPictureState>().compare_before = before;
-    else
-        choice = before;
+    give_comparison_back(state.get<CompareState>());
 }
 
 void poll_match(UiState& state) {
@@ -169,7 +177,32 @@ void match_column(UiState& state) {
     tooltip("Begin again", "As it was at first; undo brings yours back");
     const bool another = match.solved ? main_button("Another") : ImGui::Button("Another");
     tooltip("Another", "The next number: some are harder");
-    if (another) begin_pending(state, Pending::What::Match, std::to_string(match.seed + 1));
+    if (another) ask_to_begin(state, match.seed + 1);
 }
+
+namespace {
+
+void leave_with_match(UiState& state, const SceneDocument&) { end_match(state); }
+
+std::vector<WindowCommand> match_commands() {
+    return {
+        {.name = "Match the target",
+         .section = Section::LectureGames,
+         .run = new_match,
+         .words = "game play"},
+    };
+}
+
+}  // namespace
+
+extern const Feature match_feature;
+const Feature match_feature{
+    .update = poll_match,
+    .end = forget_play,
+    .column = {[](const UiState& s) { return s.get<MatchState>().on ? "Game" : nullptr; }, match_column,
+               end_match},
+    .sheet = [](UiState& s) { return &s.get<MatchState>().sheet; },
+    .commands = match_commands,
+    .leave_document = leave_with_match};
 
 }  // namespace glint

@@ -41,12 +41,12 @@ struct MatchState {
     MatchTask task;
     std::unique_ptr<Renderer> renderer;  // at match_size, beside the window's
     Picture target;
-    Scene asked_of;             // of the numbers below
-    double first = 0, now = 0;  // how far off at the beginning and now
-    bool solved = false;        // it was near enough once
-    std::string hint;           // of `asked_of`; made when it is asked for
-    PictureSheet sheet;         // the target
-    CompareChoice compare_before;
+    Scene asked_of;                              // of the numbers below
+    double first = 0, now = 0;                   // how far off at the beginning and now
+    bool solved = false;                         // it was near enough once
+    std::string hint;                            // of `asked_of`; made when it is asked for
+    PictureSheet sheet;                          // the target
+    std::shared_ptr<const Scene> stored_before;  // B of the comparison before the game
 };
 
 /// Begins with that seed; the scene in hand is given up, which was asked before.

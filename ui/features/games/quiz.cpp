@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "models/io/file.h"
+#include "ui/commands/command.h"
+#include "ui/feature.h"
 #include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
 #include "ui/features/lessons/prose.h"
@@ -155,6 +157,16 @@ void page(QuizState& quiz) {
     }
 }
 
+void save_answers(UiState& state, const std::string& path) {
+    const auto written =
+        write_file_at_once(path, text_of(state.get<QuizState>(), answers_of(state.get<QuizState>())));
+    if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
+    std::error_code not_there;
+    if (!state.persistence.folder.empty()) std::filesystem::remove(kept_file(state), not_there);
+    state.notifications.add(Tone::Done,
+                            fmt::format("Saved {}", std::filesystem::path(path).filename().string()));
+}
+
 void last_page(UiState& state) {
     QuizState& quiz = state.get<QuizState>();
     prose_line(fmt::format("You answered {} of {} questions.", count_taken(quiz), quiz.taken.size()));
@@ -166,7 +178,7 @@ void last_page(UiState& state) {
     if (ImGui::RadioButton("after them", quiz.after)) quiz.after = true;
     ImGui::Dummy({0, px(6)});
     if (main_button("Save my answers…"))
-        state.files.ask(FilePurpose::SaveAnswers, quiz.after ? "answers-after.json" : "answers-before.json");
+        state.files.ask(answers_purpose, quiz.after ? "answers-after.json" : "answers-before.json");
     tooltip("Save my answers", "As a file that `glint quiz ANSWERS.json...` counts for a class");
     small_dim("The file has no name in it but the one that you give it.");
 }
@@ -211,6 +223,14 @@ void ways_on(QuizState& quiz) {
 
 }  // namespace
 
+const FilePurpose answers_purpose{.title = "Save my answers",
+                                  .button = "Save",
+                                  .hint = "Answers (.json), which `glint quiz` counts",
+                                  .extensions = {".json"},
+                                  .saves = true,
+                                  .is_about_scene = false,
+                                  .use = save_answers};
+
 void open_quiz(UiState& state) {
     QuizState& quiz = state.get<QuizState>();
     quiz.open = true;
@@ -253,14 +273,28 @@ void quiz_dialog(UiState& state, const UiInput& input) {
     ImGui::EndPopup();
 }
 
-void save_answers(UiState& state, const std::string& path) {
-    const auto written =
-        write_file_at_once(path, text_of(state.get<QuizState>(), answers_of(state.get<QuizState>())));
-    if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
-    std::error_code not_there;
-    if (!state.persistence.folder.empty()) std::filesystem::remove(kept_file(state), not_there);
-    state.notifications.add(Tone::Done,
-                            fmt::format("Saved {}", std::filesystem::path(path).filename().string()));
+namespace {
+
+std::vector<WindowCommand> quiz_commands() {
+    return {
+        {.name = "Quiz: what do you believe about lighting?",
+         .section = Section::LectureGames,
+         .run = open_quiz,
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(!s.get<LessonState>().inventory.empty(), "The quiz of Glint is not installed");
+             },
+         .quiet = true,
+         .words = "test game"},
+    };
 }
+
+}  // namespace
+
+extern const Feature quiz_feature;
+const Feature quiz_feature{.dialog = {[](const UiState& s) { return s.get<QuizState>().open; },
+                                      [](UiState& s) { s.get<QuizState>().open = false; }, quiz_dialog},
+                           .sheet = [](UiState& s) { return &s.get<QuizState>().sheet; },
+                           .commands = quiz_commands};
 
 }  // namespace glint

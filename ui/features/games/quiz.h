@@ -12,6 +12,7 @@
 #include "lessons/lesson.h"
 #include "lessons/quiz.h"
 #include "renderer/picture.h"
+#include "ui/document/file_dialog.h"
 #include "ui/document/job.h"
 #include "ui/widgets/picture_sheet.h"
 
@@ -43,11 +44,10 @@ struct QuizState {
     PictureSheet sheet;
 };
 
+extern const FilePurpose answers_purpose;  // writes the answers, and ends keeping them for another window
 /// Opens the dialog; answers that were given and not saved are still there.
 void open_quiz(UiState& state);
 /// Draws it. Keys: the letter of an option takes it, Enter and PgDn go on, PgUp goes back.
 void quiz_dialog(UiState& state, const UiInput& input);
-/// Writes the answers, and ends keeping them for another window; what is wrong is a notification.
-void save_answers(UiState& state, const std::string& path);
 
 }  // namespace glint

@@ -8,15 +8,7 @@
 
 namespace glint {
 
-bool asks_at_cursor(const UiState& state) {
-    return ImGui::GetIO().KeyAlt && state.viewport.hovered && state.viewport.gesture == Gesture::None;
-}
-
-std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& view) {
-    const PictureSize size = view.map.size;
-    if (!asks_at_cursor(state)) return probe_pixel(state.viewport, size);
-    return nearest_pixel(size, view.to_pixel(ImGui::GetIO().MousePos));
-}
+extern const Feature inspector_feature;
 
 const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& explanation) {
     if (!explanation.lit_per_corner || explanation.corners.empty()) return explanation.at;
@@ -52,10 +44,11 @@ Scene with_term_alone(Scene scene, Symbol term) {
 
 void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests) {
     if (same_description(scene, state.editor.scene())) return;  // a click has just taken it
-    if (!column_has_turn(state)) return;
-    state.get<InspectorState>().instead = scene;
-    state.get<InspectorState>().instead_rests = rests;
-    state.get<InspectorState>().preview_name = name;
+    if (!has_turn(state, inspector_feature)) return;
+    InspectorState& inspector = state.get<InspectorState>();
+    inspector.instead = scene;
+    inspector.instead_rests = rests;
+    inspector.preview_name = name;
 }
 
 Scene with_light_alone(Scene scene, int light) {

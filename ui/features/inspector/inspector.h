@@ -75,12 +75,6 @@ struct InspectorState {
 struct UiState;
 struct PictureView;
 
-/// Whether the pixel under the cursor is explained and not the picked one: while Alt is held over the
-/// picture.
-[[nodiscard]] bool asks_at_cursor(const UiState& state);
-/// The pixel to explain; nothing where none is under the cursor or picked.
-[[nodiscard]] std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& view);
-
 /// The lit point whose numbers are shown: the pixel's own, or the chosen corner or flat point.
 [[nodiscard]] const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& explanation);
 

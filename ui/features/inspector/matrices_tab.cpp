@@ -72,7 +72,7 @@ void row(const char* name, const std::string& numbers) {
 std::string four_numbers(glm::vec4 v) { return shown_vector(v) + " " + shown_number(v.w); }
 
 void light_rows(UiState& state) {
-    const Scene& scene = asked_scene(state);
+    const Scene& scene = explained_scene(state);
     section_heading("Lights, carried into camera coordinates");
     if (scene.lights.empty()) return wrapped_dim("There is no light.");
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -100,9 +100,9 @@ void stop(const char* name, const std::string& numbers, const char* what) {
 /// Follows the picked point from the mesh to its pixel.
 void carried_point(const UiState& state) {
     section_heading("The picked point on its way");
-    if (!state.explanation || !state.explanation->hit)
+    if (!state.on_screen.explanation || !state.on_screen.explanation->hit)
         return wrapped_dim("Click an object to follow a point of it.");
-    const ExplainedSpaces& s = state.explanation->spaces;
+    const ExplainedSpaces& s = state.on_screen.explanation->spaces;
     stop("object", shown_vector(s.object), "As the mesh has it");
     stop("world", shown_vector(s.world), "After the object's transform");
     stop("camera", shown_vector(s.camera), "After view_from_world");
@@ -115,7 +115,7 @@ void carried_point(const UiState& state) {
     stop("NDC", shown_vector(s.ndc), "Divided by w: −1 to 1");
     stop("pixel", fmt::format("{} {}", shown_number(s.pixel.x), shown_number(s.pixel.y)),
          "Scaled to the picture; y down");
-    const InBothFrames& n = state.explanation->at.normal;
+    const InBothFrames& n = state.on_screen.explanation->at.normal;
     section_heading("Its normal");
     stop("world", shown_vector(n.world), "By the inverse transpose of the object's transform, made unit");
     stop("camera", shown_vector(n.camera), "A normal is not projected: it has done its work before");
@@ -132,7 +132,7 @@ CarriedLight carried(const Light& light, const Camera& camera, const Mistakes& m
 
 void matrices_tab(UiState& state, const PictureView& view) {
     carried_point(state);
-    camera_matrices(asked_scene(state).camera, view.map.size);
+    camera_matrices(explained_scene(state).camera, view.map.size);
     light_rows(state);
 }
 

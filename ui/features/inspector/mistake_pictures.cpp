@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnose/search/mistake_set.h"
+#include "ui/feature.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/inspector/tabs.h"
 #include "ui/ui.h"
@@ -120,5 +121,10 @@ void rest_mistake_pictures(MistakePictures& of_mistakes) {
     of_mistakes.asked_size = {0, 0};
     of_mistakes.begun = false;
 }
+
+extern const Feature mistake_pictures_feature;
+const Feature mistake_pictures_feature{
+    .end = [](UiState& s) { rest_mistake_pictures(s.get<MistakePictures>()); },
+    .sheet = [](UiState& s) { return &s.get<MistakePictures>().pictures.sheet; }};
 
 }  // namespace glint

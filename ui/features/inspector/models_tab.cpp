@@ -140,17 +140,17 @@ std::array<Explanation, 4> under_each_mode(const UiState& state, const Explanati
 }
 
 std::optional<Explanation> under_phong(const UiState& state, const Explanation& explanation) {
-    Scene other = asked_scene(state);
+    Scene other = explained_scene(state);
     if (explanation.mode != other.shading.mode || !same_faces(state.rendered_scene, other)) return {};
     other.shading.mode = ShadingMode::Phong;
     return state.renderer->explain_as(other, explanation.x, explanation.y);
 }
 
 void models_tab(UiState& state, const PictureView&) {
-    if (!state.explanation)
+    if (!state.on_screen.explanation)
         return inspector_empty_state(
             "Here the pixel appears under flat, facet, Gouraud and Phong shading at once.");
-    const Explanation& explanation = *state.explanation;
+    const Explanation& explanation = *state.on_screen.explanation;
     if (!explanation.hit) return wrapped_dim("No object shows here: every model leaves the background.");
     if (!same_faces(state.rendered_scene, state.editor.scene()))
         return wrapped_dim("Another scene is on the screen; the models are those of the edited one.");

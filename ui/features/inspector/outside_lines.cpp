@@ -93,7 +93,7 @@ void draw_axes(const LabelledPen& pen, const glm::dmat4& frame, double length,
         const glm::dvec3 end = origin + length * glm::dvec3(frame[i]);
         const ImU32 colour = to_u32(colours[std::size_t(i)]);
         pen.line(origin, end, colour, px(2));
-        const OnScreen from = project(pen.view.map, origin), to = project(pen.view.map, end);
+        const ProjectedPoint from = project(pen.view.map, origin), to = project(pen.view.map, end);
         if (!from.in_front || !to.in_front) continue;
         const ImVec2 tip = pen.view.to_window(to.pixel), way = tip - pen.view.to_window(from.pixel);
         const float length_px = length_of(way);
@@ -121,14 +121,14 @@ void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) 
                  px(1.2f));
     pen.line(eye, glm::dvec3(camera.target), to_u32(ink, 0.3f), px(1));
     pen.mark(eye, to_u32({1, 1, 1, 1}), 1, false);
-    if (const OnScreen at = project(pen.view.map, eye); at.in_front)
+    if (const ProjectedPoint at = project(pen.view.map, eye); at.in_front)
         pen.text(pen.view.to_window(at.pixel) + ImVec2(0, px(5)), "eye", strong, {0, 1});
     draw_axes(pen, map.world_from_view, size, {"x", "y", "z"});
 }
 
 /// Lets no word stand over a light's mark.
 void keep_light_free(const LabelledPen& pen, const OutsideScene& what, std::size_t index) {
-    const OnScreen at =
+    const ProjectedPoint at =
         project(pen.view.map, handle_of(what.scene.lights[index], what.main.dome, what.main.map));
     if (!at.in_front) return;
     pen.keep_free(pen.view.to_window(at.pixel), 8);
@@ -143,7 +143,7 @@ void draw_light(const LabelledPen& pen, const OutsideScene& what, int index) {
     if (light.kind == LightKind::Directional)
         pen.cased(place, place - 0.35 * what.main.dome.radius * direction_of(light, what.main.map), colour,
                   1);
-    const OnScreen at = project(pen.view.map, place);
+    const ProjectedPoint at = project(pen.view.map, place);
     if (!at.in_front) return;
     const ImVec2 p = pen.view.to_window(at.pixel);
     const float radius = index == what.hovered_light ? 7.5f : 6;
@@ -170,7 +170,7 @@ void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene&
     const auto lights = std::min(what.scene.lights.size(), max_items);
     for (std::size_t i = 0; i < lights; ++i) keep_light_free(pen, what, i);
     const auto objects = std::min(what.scene.objects.size(), max_items);
-    if (const OnScreen eye = project(view.map, glm::dvec3(what.scene.camera.eye)); eye.in_front)
+    if (const ProjectedPoint eye = project(view.map, glm::dvec3(what.scene.camera.eye)); eye.in_front)
         pen.keep_free(view.to_window(eye.pixel), 6);
     const double reach = target_depth(what.scene.camera);
     for (std::size_t i = 0; i < objects; ++i)

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "ui/feature.h"
 #include "ui/picture/handles/drag_math.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/picture/orbit.h"
@@ -56,7 +57,7 @@ int light_under(const Scene& scene, const PictureView& main, const PictureView& 
     int found = -1;
     double nearest = double(px(grip_units));
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const OnScreen at = project(outside.map, handle_of(scene.lights[i], main.dome, main.map));
+        const ProjectedPoint at = project(outside.map, handle_of(scene.lights[i], main.dome, main.map));
         const double away = glm::length(at.pixel - outside.to_pixel(cursor));
         if (!at.in_front || away > nearest) continue;
         nearest = away;
@@ -147,5 +148,9 @@ void outside_tab(UiState& state, const PictureView& main) {
     list.PopClipRect();
     legend();
 }
+
+extern const Feature outside_feature;
+const Feature outside_feature{
+    .leave_document = [](UiState& s, const SceneDocument&) { s.get<OutsideState>().placed = false; }};
 
 }  // namespace glint

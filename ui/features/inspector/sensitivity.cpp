@@ -10,9 +10,11 @@
 #include <iterator>
 
 #include "ui/document/loading.h"
+#include "ui/feature.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/tabs.h"
+#include "ui/features/views/compare_view.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
@@ -180,22 +182,22 @@ void progress(const SensitivityState& job) {
 /// The edited scene under the setting of the part of a comparison that was asked; a stored B is not edited.
 SceneDocument asked_document(const UiState& state) {
     SceneDocument document = state.editor.document;
-    if (state.asked_part.kind != Variant::Kind::Stored)
-        document.scene = scene_under(state.asked_part, document.scene, nullptr);
+    if (state.get<CompareState>().asked_part.kind != Variant::Kind::Stored)
+        document.scene = scene_under(state.get<CompareState>().asked_part, document.scene, nullptr);
     return document;
 }
 
 }  // namespace
 
 void sensitivity_tab(UiState& state, const PictureView& view) {
-    if (!state.explanation)
+    if (!state.on_screen.explanation)
         return inspector_empty_state(
             "Here every number of the scene is sorted by how much it matters there.");
     SensitivityState& job = state.get<SensitivityState>();
-    if (state.asked_part == Variant{})
-        poll_sensitivity(state.jobs, job, state.editor.document, view.map.size, state.asked);
+    if (state.get<CompareState>().asked_part == Variant{})
+        poll_sensitivity(state.jobs, job, state.editor.document, view.map.size, state.on_screen.pixel);
     else
-        poll_sensitivity(state.jobs, job, asked_document(state), view.map.size, state.asked);
+        poll_sensitivity(state.jobs, job, asked_document(state), view.map.size, state.on_screen.pixel);
     if (!job.current) progress(job);
     if (!job.shown) {
         if (job.current) warning_text(job.why_none);
@@ -217,5 +219,9 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
     }
     owners(state, "Does not matter here", job.shown->no_effect);
 }
+
+extern const Feature sensitivity_feature;
+const Feature sensitivity_feature{
+    .leave_document = [](UiState& s, const SceneDocument&) { s.get<SensitivityState>().forget(); }};
 
 }  // namespace glint

@@ -8,6 +8,10 @@
 #include <utility>
 
 #include "renderer/explain/explain_words.h"
+#include "ui/commands/command.h"
+#include "ui/commands/menus.h"
+#include "ui/document/document_actions.h"
+#include "ui/feature.h"
 #include "ui/features/diagnosis/my_picture.h"
 #include "ui/features/inspector/equation/equation_tab.h"
 #include "ui/features/inspector/inspector.h"
@@ -16,6 +20,7 @@
 #include "ui/features/plots/plots_tab.h"
 #include "ui/features/views/term_grid.h"
 #include "ui/picture/draw_picture.h"
+#include "ui/picture/picture_notes.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
@@ -23,7 +28,16 @@
 #include "ui/widgets/widgets.h"
 
 namespace glint {
+
+extern const Feature inspector_feature;
 namespace {
+
+/// Ends whatever is shown in place of the picture.
+void end_cells(UiState& state) {
+    state.get<TermGridState>().solo.reset();
+    state.get<TermGridState>().muted.clear();
+    state.get<InspectorState>().instead.reset();
+}
 
 constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Equation, "Equation",
@@ -95,7 +109,8 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
     ImGui::SameLine(0, px(10));
     ImGui::BeginGroup();
     pixel_line(fmt::format("{} ", asks_at_cursor(state) ? "at the cursor" : "pixel"),
-               fmt::format("{}, {}", state.asked.x, state.asked.y), fmt::format("   {} {} {}", r, g, b));
+               fmt::format("{}, {}", state.on_screen.pixel.x, state.on_screen.pixel.y),
+               fmt::format("   {} {} {}", r, g, b));
     if (explanation.hit) {
         const char* const side = explanation.front_facing ? "front side" : "back side";
         const float room = ImGui::GetContentRegionAvail().x - px(26) - ImGui::CalcTextSize(side).x - px(12);
@@ -128,8 +143,8 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
 /// height, so that the tabs below it stay in place.
 void heading(UiState& state) {
     const Square square{ImGui::GetCursorScreenPos(), 2 * ImGui::GetTextLineHeight() + px(6)};
-    if (state.explanation)
-        picked(state, *state.explanation, square);
+    if (state.on_screen.explanation)
+        picked(state, *state.on_screen.explanation, square);
     else
         nothing_picked(square);
     ImGui::SetCursorScreenPos({square.low.x, square.high().y + px(8)});
@@ -193,10 +208,10 @@ void tab_bar(InspectorState& inspector) {
 
 /// Draws a tab while what was asked is of another scene than the edited one.
 void draw_beside_other(UiState& state, const InspectorTabInfo& info, const PictureView& view) {
-    const char* const which = state.asked_other->name;
+    const char* const which = state.on_screen.explained_other->name;
     if (info.scene == TabScene::Edited)
         wrapped_dim(fmt::format("The {} is of {}. What follows is of the edited scene.",
-                                state.explanation ? "pixel" : "picture", which));
+                                state.on_screen.explanation ? "pixel" : "picture", which));
     if (info.scene != TabScene::Asked) return info.draw(state, view);
     wrapped_dim(fmt::format("Numbers of {}: not to be edited.", which));
     ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);  // they are there to be read
@@ -219,7 +234,7 @@ void inspector(UiState& state, const PictureView& view) {
     for (const InspectorTabInfo& info : tabs) {
         if (info.tab != state.get<InspectorState>().tab) continue;
         ImGui::BeginChild(info.label);  // each tab keeps its own place of scrolling
-        if (state.asked_other)
+        if (state.on_screen.explained_other)
             draw_beside_other(state, info, view);
         else
             info.draw(state, view);
@@ -238,5 +253,105 @@ void inspector_empty_state(const char* promise) {
         wrapped_dim(text);
     }
 }
+
+namespace {
+
+/// A preview under the mouse waits until an edit has been drawn and explained: the numbers beside it are
+/// those of the edited scene.
+std::optional<OtherScene> show_listed(const UiState& state) {
+    const InspectorState& inspector = state.get<InspectorState>();
+    const bool is_explained = inspector.instead_rests || state.edited_drawn == state.editor.scene();
+    if (!inspector.instead || !is_explained) return {};
+    if (!inspector.instead_rests)
+        return OtherScene{.scene = *inspector.instead,
+                          .note = inspector.preview_name.empty() ? "" : "Preview: " + inspector.preview_name,
+                          .passes = true};
+    return OtherScene{.scene = *inspector.instead,
+                      .name = "the cells that are shown",
+                      .label = "The cells that are shown",
+                      .note = inspector.preview_name,
+                      .end = end_cells,
+                      .is_partial = true,
+                      .of_edited = !resting_below(state, inspector_feature)};
+}
+
+std::vector<WindowCommand> inspector_commands() {
+    return {
+        {.name = "Vectors at the picked point",
+         .keys = {{Key::V}},
+         .section = Section::ViewVectors,
+         .run = [](UiState& s) { s.get<InspectorState>().shows_vectors ^= true; },
+         .is_on = [](const UiState& s) { return s.get<InspectorState>().shows_vectors; }},
+    };
+}
+
+std::string why_no_copy(const UiState& state) {
+    const auto& explanation = state.on_screen.explanation;
+    return explanation && explanation->hit ? "" : "No pixel is picked that shows an object";
+}
+
+void add_entries(std::vector<PaletteEntry>& entries, UiState& state) {
+    for (const InspectorTabInfo& info : tabs)
+        entries.push_back(
+            {fmt::format("Why: {}", info.label), "Column", "", "", [tab = info.tab](UiState& s) {
+                 s.get<InspectorState>().tab = tab;
+                 s.left_shows_inspector = s.layout.right = true;
+             }});
+    for (const CopyFormat& format : copy_formats())
+        entries.push_back({fmt::format("Copy the explanation as {}", format.label), "Action", "",
+                           why_no_copy(state), [&format](UiState& s) {
+                               // Since the entry was made the pixel may have gone.
+                               const std::string refused = why_no_copy(s);
+                               if (!refused.empty()) return s.notifications.add(Tone::Warning, refused);
+                               copy_explanation(s, format);
+                           }});
+}
+
+/// Names the mistakes that are on; a click opens their tab. While a lesson's question waits it would give the
+/// answer away.
+float mistakes_mark(UiState& state, ImVec2 right) {
+    const std::string text = mistakes_text(state.editor.scene().shading.mistakes);
+    if (text.empty() || is_held(state)) return 0;
+    const float width = ImGui::CalcTextSize(text.c_str()).x, gap = px(14);
+    ImGui::SetCursorScreenPos({right.x - width - gap, right.y});
+    coloured(theme().warning, text);
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (ImGui::IsItemClicked()) show_mistake(state);
+    tooltip("Mistakes", "The picture is wrong on purpose; click to show the mistake", "",
+            "/shading/mistakes");
+    return width + gap;
+}
+
+std::optional<PictureNote> note_of_mistakes(const UiState&, const Scene& scene) {
+    const std::string text = mistakes_text(scene.shading.mistakes);
+    if (text.empty()) return {};
+    return PictureNote{PictureNote::Kind::InScene, text,
+                       [](UiState& s) { s.editor.scene().shading.mistakes = {}; }};
+}
+
+}  // namespace
+
+const Feature inspector_feature{.update =
+                                    [](UiState& s) {  // what is pointed at in this frame is shown in the next
+                                        s.get<InspectorState>().instead.reset();
+                                        s.get<InspectorState>().preview_name.clear();
+                                    },
+                                .shows = show_listed,
+                                .overlay = [](ImDrawList& list, UiState& s,
+                                              const PictureView& view) { draw_point_vectors(list, s, view); },
+                                .note = note_of_mistakes,
+                                .why =
+                                    [](UiState& s, const PictureView& view) {
+                                        inspector(s, view);
+                                        return true;
+                                    },
+                                .status = mistakes_mark,
+                                .commands = inspector_commands,
+                                .palette = add_entries,
+                                .leave_document =
+                                    [](UiState& s, const SceneDocument& next) {
+                                        if (is_another(s, next)) end_cells(s);
+                                    },
+                                .put_away = end_cells};
 
 }  // namespace glint

@@ -25,7 +25,7 @@ inline constexpr double stillness = 0.25;
 /// The scene that a tab is about.
 enum class TabScene {
     Edited,
-    Asked,  // asked_scene(), whose numbers cannot be edited where it is not the edited one
+    Asked,  // explained_scene(), whose numbers cannot be edited where it is not the edited one
     Shown   // what rests on the screen; the tab says so itself
 };
 

@@ -5,7 +5,11 @@
 #include <optional>
 
 #include "renderer/renderer.h"
+#include "ui/commands/command.h"
+#include "ui/commands/match.h"
+#include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
+#include "ui/feature.h"
 #include "ui/features/lecture/lecture.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
@@ -118,8 +122,35 @@ void examples_dialog(UiState& state, const UiInput& input) {
     if (chosen) examples.open = false;
     if (!examples.open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
-    if (chosen)
-        begin_pending(state, Pending::What::Open, examples.list[static_cast<std::size_t>(*chosen)].path);
+    if (chosen) ask_to_open(state, examples.list[static_cast<std::size_t>(*chosen)].path);
 }
+
+extern const Feature examples_feature;
+const Feature examples_feature{
+    .dialog = {[](const UiState& s) { return s.get<ExamplesState>().open; },
+               [](UiState& s) { s.get<ExamplesState>().open = false; }, examples_dialog},
+    .sheet = [](UiState& s) { return &s.get<ExamplesState>().pictures.sheet; },
+    .commands =
+        [] {
+            return std::vector<WindowCommand>{
+                {.name = "Examples…",
+                 .keys = {{Key::O, ctrl, shift}},
+                 .section = Section::FileOpen,
+                 .run = open_examples,
+                 .why_disabled =
+                     [](const UiState& s) {
+                         return unless(!s.shipped_scenes.empty(), "The scenes of Glint are not installed");
+                     }},
+            };
+        },
+    .palette =
+        [](std::vector<PaletteEntry>& entries, UiState& s) {
+            if (s.shipped_scenes.empty()) return;
+            for (const Example& example : examples_in(s.shipped_scenes)) {
+                const std::string name = with_spaces(fs::path(example.path).stem().string());
+                entries.push_back({"Scene: " + name, "Glint's scenes", "", "",
+                                   [path = example.path](UiState& u) { ask_to_open(u, path); }, "", true});
+            }
+        }};
 
 }  // namespace glint

@@ -103,44 +103,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-/// The digits at the front of `text`, without leading zeros; they are taken off it.
-std::string_view take_number(std::string_view& text) {
-    std::size_t length = 0;
-    while (length < text.size() && is_digit(text[length])) ++length;
-    std::string_view digits = text.substr(0, length);
-    text.remove_prefix(length);
-    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
-    return digits;
-}
-
-/// Below 0, 0 or above 0, as `a` comes before, with or after `b`.
-int natural_order(std::string_view a, std::string_view b) {
-    while (!a.empty() && !b.empty()) {
-        if (is_digit(a[0]) && is_digit(b[0])) {
-            const std::string_view m = take_number(a), n = take_number(b);
-            if (m.size() != n.size()) return m.size() < n.size() ? -1 : 1;
-            if (const int order = m.compare(n); order != 0) return order;
-            continue;
-        }
-        if (lower(a[0]) != lower(b[0])) return lower(a[0]) < lower(b[0]) ? -1 : 1;
-        a.remove_prefix(1);
-        b.remove_prefix(1);
-    }
-    return a.empty() ? (b.empty() ? 0 : -1) : 1;
-}
-
-}  // namespace
-
-bool natural_less(std::string_view a, std::string_view b) {
-    const int order = natural_order(a, b);
-    return order != 0 ? order < 0 : a < b;  // "a1" and "a01" are in some order, always the same
-}
-
-namespace {
-
 constexpr std::size_t longest_order = 1 << 16;  // bytes
 
 /// The names that the folder's lecture_order.txt lists come first, in its order.

@@ -13,9 +13,12 @@
 #include "models/scene/scene.h"
 #include "ui/document/scene_edit.h"
 #include "ui/picture/screen.h"
+#include "ui/picture/tool.h"
 #include "ui/widgets/area.h"
 
 namespace glint {
+
+struct UiState;
 
 // A pen to draw over the picture with, as on a blackboard. Strokes are kept apart from the scene and the
 // saved picture.
@@ -42,6 +45,11 @@ void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
 /// Draws the pen's colours, the way back and the sponge, at the upper edge of `picture`, the part of it
 /// that is in sight, while the pen is in hand.
 void pen_bar(PenState& pen, const Rect& picture);
+
+extern const Tool pen_tool;
+
+/// Freezes what is shown: the drawn scene and its selection, until LectureState::frozen is reset.
+void freeze(UiState& state);
 
 // The wedge's patches differ little from their ground: a projector, in its room, tells only some apart.
 
@@ -71,9 +79,6 @@ void step_wedge(WedgeState& wedge);
 
 // The scenes of a folder, in the order in which a person would count them.
 
-/// Numbers within names count as numbers, capitals do not: "Step 2" < "step 10" < "step 10b".
-[[nodiscard]] bool natural_less(std::string_view a, std::string_view b);
-
 /// The scene files (.json) of a folder in that order, as paths. Hidden ones are left out; empty when the
 /// folder cannot be read.
 [[nodiscard]] std::vector<std::string> folder_scenes(const std::string& folder);
@@ -94,15 +99,13 @@ inline constexpr float projector_scale = 1.4f;
 struct AskedScene {
     std::string from;  // path of the document that was open
     std::string path;
-    int step = 0;         // 1: by PgDn; -1: by PgUp
-    bool failed = false;  // it cannot be opened: further that way comes the one behind it
+    int step =
+        0;  // 1: by PgDn; -1: by PgUp. If it cannot be opened, further that way comes the one behind it
 };
 
 struct LectureState {
-    bool projector = false;                        // large type, strong contrast
-    bool left_before = true, right_before = true;  // the columns that it found
-    std::optional<Scene> frozen;                   // shown whatever is edited; set by freeze()
-    Selection frozen_selection;                    // in it
+    std::optional<Scene> frozen;  // shown whatever is edited; set by freeze()
+    Selection frozen_selection;   // in it
     /// The scenes of the command line, a lecture in an order of one's own: PgDn and PgUp go through these
     /// while one of them is open, else through the open scene's folder.
     std::vector<std::string> given_scenes;

@@ -1,7 +1,7 @@
 #include "ui/features/lessons/lesson.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <functional>
 #include <optional>
 
 #include "ui/document/document_actions.h"
@@ -90,9 +90,10 @@ void show_reveal(UiState& state) {
 void arrive(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
     forget_input(lesson);
-    put_all_away(state);
+    put_away(state);
+    ask_about(state.viewport, {});
     lesson.watched.reset();
-    lesson.shows_scene = false;
+    state.left_shows_scene = false;
     lesson.scrolls_up = lesson.takes_keys = true;
     state.left_shows_inspector = false;
     if (is_answered(lesson.progress, lesson.progress.station))
@@ -101,33 +102,24 @@ void arrive(UiState& state) {
         set_scene(state, lesson.station().asked);
 }
 
-/// Does `what` at once, or asks first whether to save. It asks if a scene was saved under a name and has
-/// unsaved changes: that is somebody's work. The lesson's own scene is not, however it was explored.
-void ask_first(UiState& state, Pending::What what, const std::string& path = {}) {
-    if (!state.editor.document.path.empty() && state.editor.unsaved())
-        return begin_pending(state, what, path);
-    finish_in_lesson(state, {.what = what, .path = path});
+/// Does `what` to the open lesson at once, or asks first whether to save. It asks if a scene was saved under
+/// a name and has unsaved changes: that is somebody's work. The lesson's own scene is not, however it was
+/// explored.
+void ask_in_lesson(UiState& state, const std::function<void(UiState&)>& what) {
+    const auto then = [what](UiState& s) {
+        if (s.get<LessonState>().course) what(s);
+    };
+    if (!state.editor.document.path.empty() && state.editor.unsaved()) return ask_first(state, then);
+    then(state);
 }
 
 }  // namespace
-
-void put_all_away(UiState& state) {
-    state.get<CompareState>().choice.on = false;
-    end_picture_notes(state);
-    state.get<ScopeState>().open = state.get<ScopeState>().armed = false;
-    state.get<MagnifierState>() = {};
-    state.get<LitDotsState>().dots = state.get<LitDotsState>().needles = false;
-    state.get<AnimateState>().open = false;
-    state.get<AnimateState>().animation.pointer.clear();
-    state.get<AnimateState>().number.clear();
-    ask_about(state.viewport, {});
-    state.explanation.reset();
-}
 
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course) {
     LessonState& lesson = state.get<LessonState>();
     end_prediction(state);
     lesson.course = std::move(course);
+    state.editor.source = {lesson.course->lesson.title, lesson.course->lesson.path};
     lesson.progress = lesson.written = recall_progress(state, *lesson.course);
     state.layout.hides_columns = state.layout.hides_all = false;
     arrive(state);
@@ -142,6 +134,7 @@ void leave_lesson(UiState& state) {
     forget_input(lesson);
     lesson.course.reset();
     lesson.watched.reset();
+    state.editor.source = {};
 }
 
 std::optional<std::size_t> open_question(const LessonState& lesson) {
@@ -151,10 +144,6 @@ std::optional<std::size_t> open_question(const LessonState& lesson) {
     if (open == given.end()) return {};
     return static_cast<std::size_t>(open - given.begin());
 }
-
-bool is_held(const UiState& state) { return open_question(state.get<LessonState>()).has_value(); }
-
-void go_on(UiState& state, int steps) { ask_first(state, Pending::What::Page, std::to_string(steps)); }
 
 void page_lesson(UiState& state, int steps) {
     if (state.get<LessonState>().lecturer && steps > 0 && open_question(state.get<LessonState>()))
@@ -198,23 +187,19 @@ void restore_scene(UiState& state) {
 
 void switch_lecturer(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
-    if (lesson.lecturer) return ask_first(state, Pending::What::Student);
+    if (lesson.lecturer) return ask_in_lesson(state, become_student);
     keep_progress(state);
     lesson.lecturer = true;
     lesson.written = lesson.progress;  // to come back to
 }
 
-void begin_again(UiState& state) { ask_first(state, Pending::What::Again); }
-
-void back_to_scene(UiState& state) { ask_first(state, Pending::What::Station); }
-
-void finish_in_lesson(UiState& state, const Pending& now) {
-    if (!state.get<LessonState>().course) return;
-    if (now.what == Pending::What::Page) turn_page(state, std::atoi(now.path.c_str()));
-    if (now.what == Pending::What::Student) become_student(state);
-    if (now.what == Pending::What::Again) restart(state);
-    if (now.what == Pending::What::Station) restore_scene(state);
+void go_on(UiState& state, int steps) {
+    ask_in_lesson(state, [steps](UiState& s) { turn_page(s, steps); });
 }
+
+void begin_again(UiState& state) { ask_in_lesson(state, restart); }
+
+void back_to_scene(UiState& state) { ask_in_lesson(state, restore_scene); }
 
 void lock_in(UiState& state) {
     LessonState& lesson = state.get<LessonState>();

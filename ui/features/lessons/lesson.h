@@ -13,11 +13,12 @@
 #include "models/scene/camera.h"
 #include "ui/commands/keys.h"
 #include "ui/document/job.h"
+#include "ui/document/loading.h"
 #include "ui/features/lessons/course.h"
+#include "ui/picture/tool.h"
 
 namespace glint {
 
-struct Pending;
 struct UiState;
 struct PictureView;
 
@@ -34,8 +35,7 @@ struct LessonState {
     std::string inventory;                 // the questions of its quiz; empty: none
     std::shared_ptr<const Course> course;  // null: no lesson is open
     CourseProgress progress;
-    bool lecturer = false;     // questions are shown without a way to answer them, and nothing is noted
-    bool shows_scene = false;  // the column shows the scene's list in place of the lesson
+    bool lecturer = false;  // questions are shown without a way to answer them, and nothing is noted
     bool scrolls_up = false, scrolls_down = false;  // asked for: to the top, to what was just told
     bool takes_keys = false;                        // asked for: what is typed is the answer
     int lays_line = 0;  // frames in which pixel and line are laid where the reveal says: the room changes
@@ -54,8 +54,8 @@ struct LessonState {
     [[nodiscard]] const std::vector<GivenAnswer>& given() const { return progress.given[progress.station]; }
 };
 
-/// Closes whatever is shown in place of the picture or over it, for a scene that is about something else.
-void put_all_away(UiState& state);
+/// Begins to open a lesson, whatever its file is called.
+[[nodiscard]] Opening opening_of_lesson(const std::string& path);
 
 /// Opens the lesson's column where it was left. Precondition: Course::document is the open document, as
 /// take_scene() makes it.
@@ -65,9 +65,6 @@ void leave_lesson(UiState& state);
 
 /// Returns the first question of this station that waits for an answer; nothing if none does.
 [[nodiscard]] std::optional<std::size_t> open_question(const LessonState& lesson);
-/// Whether such a question holds the picture: then nothing of it can be changed or asked.
-[[nodiscard]] bool is_held(const UiState& state);
-inline constexpr const char* why_held = "First answer the lesson's question";
 
 // Whatever opens a scene of the lesson asks first if the open scene was saved under a name and has unsaved
 // changes.
@@ -80,9 +77,6 @@ void page_lesson(UiState& state, int steps);
 void begin_again(UiState& state);
 /// Restores the lesson's scene of this station, as one step to undo.
 void back_to_scene(UiState& state);
-/// Does what waited for the answer to that question; nothing where it is not the lesson's.
-void finish_in_lesson(UiState& state, const Pending& now);
-
 /// Says why what is given to the open question is not an answer yet; empty where it is one.
 [[nodiscard]] std::string why_no_answer(const LessonState& lesson);
 /// Whether what is given to the open question is an answer.
@@ -111,6 +105,10 @@ void poll_lesson(UiState& state);
 
 /// The lesson's column: title, text, question, answer, tasks, and the ways on. Nothing without a lesson.
 void lesson_column(UiState& state);
+extern const Tool lesson_tool;
+/// Draws the places and lines of a station's questions into the picture.
+void draw_lesson(ImDrawList& list, UiState& state, const PictureView& view);
+
 /// In a few words what the lesson asks or tells, for a picture without columns; empty without a lesson.
 [[nodiscard]] std::string lesson_caption(const UiState& state);
 

@@ -33,7 +33,7 @@ Shown shown_question(const LessonState& lesson, PredictionKind kind) {
 }
 
 bool lesson_hover(ToolFrame& frame) {
-    if (!is_held(frame.state) || !frame.over) return false;
+    if (!open_question(frame.state.get<LessonState>()) || !frame.over) return false;
     const bool clicks = !frame.state.get<LessonState>().lecturer &&
                         shown_question(frame.state.get<LessonState>(), PredictionKind::Click).is_open;
     if (clicks) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -52,7 +52,7 @@ int lesson_press(ToolFrame& frame) {
 }
 
 std::string lesson_hint(const UiState& state) {
-    if (!is_held(state)) return {};
+    if (!open_question(state.get<LessonState>())) return {};
     return "The picture stands still until you have said what will happen";
 }
 
@@ -92,14 +92,14 @@ void draw_sketch_line(ImDrawList& list, const UiState& state, const PictureView&
     rimmed_text(list, b + px(12) * way, {1, 1, 1, 1}, "B");
 }
 
-void lesson_draw(ImDrawList& list, UiState& state, const PictureView& view) {
+}  // namespace
+
+const Tool lesson_tool{.hover = lesson_hover, .press = lesson_press, .hint = lesson_hint};
+
+void draw_lesson(ImDrawList& list, UiState& state, const PictureView& view) {
     draw_click(list, state, view);
     draw_sketch_line(list, state, view);
 }
-
-}  // namespace
-
-const Tool lesson_tool{lesson_hover, lesson_press, nullptr, nullptr, nullptr, lesson_hint, lesson_draw};
 
 glm::dvec2 share_of_lesson_pixel(const UiState& state, glm::dvec2 pixel) {
     const PictureSize size = state.rendered != nullptr ? state.rendered->size : PictureSize{16, 9};

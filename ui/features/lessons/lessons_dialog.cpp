@@ -137,7 +137,7 @@ void lessons_dialog(UiState& state, const UiInput& input) {
     if (!chosen.empty()) lessons.open = false;
     if (!lessons.open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
-    if (!chosen.empty()) begin_pending(state, Pending::What::Open, chosen);
+    if (!chosen.empty()) ask_to_open(state, chosen);
 }
 
 }  // namespace glint

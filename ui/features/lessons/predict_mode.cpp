@@ -49,7 +49,7 @@ void stop_picture(UiState& state) {
     PredictState& predict = state.get<PredictState>();
     predict.stage = PredictStage::Change;
     predict.probe = state.viewport.probe;
-    predict.before = state.explanation->byte;
+    predict.before = state.on_screen.explanation->byte;
     freeze(state);
     state.get<LectureState>().frozen =
         as_made(state, state.editor.scene());  // not what the mouse over a term may show
@@ -60,7 +60,7 @@ void reveal(UiState& state) {
     state.get<PredictState>().stage = PredictStage::Revealed;
     show_edited_alone(state);
     state.viewport.probe = state.get<PredictState>().probe;
-    state.explanation.reset();
+    state.on_screen.explanation.reset();
     redraw_within(0);
 }
 
@@ -104,7 +104,7 @@ void revealed_panel(UiState& state) {
     if (!predict.answer) return small_dim("The picture is drawn.");
     const Json answer = json_of(*predict.answer);
     colour_row("You said", predict.mine);
-    const bool still = state.explanation && state.explanation->byte == *predict.answer;
+    const bool still = state.on_screen.explanation && state.on_screen.explanation->byte == *predict.answer;
     colour_row(still ? "It is" : "It was", answer);  // after a further edit
     const double off = 255 * how_far(PredictionKind::Colour, predict.mine, answer);
     constexpr double levels_hardly_seen = 8;
@@ -157,7 +157,8 @@ void poll_prediction(UiState& state) {
     if (predict.stage == PredictStage::Pick && state.viewport.probe) {
         if (is_explained(state))
             stop_picture(state);
-        else if (is_out_of_hand(state))  // B, or a frozen picture, was clicked: the scene is shown first
+        else if (state.on_screen
+                     .is_out_of_hand())  // B, or a frozen picture, was clicked: the scene is shown first
             show_edited_alone(state);
     }
     if (predict.stage == PredictStage::Change && !state.get<LectureState>().frozen)
@@ -165,7 +166,8 @@ void poll_prediction(UiState& state) {
     if (predict.stage != PredictStage::Revealed || predict.answer) return;
     if (!state.viewport.probe) return end_prediction(state);
     const bool drawn = state.rendered_is_edited && state.rendered_scene == state.editor.scene();
-    if (drawn && state.explanation && is_explained(state)) predict.answer = state.explanation->byte;
+    if (drawn && state.on_screen.explanation && is_explained(state))
+        predict.answer = state.on_screen.explanation->byte;
     redraw_within(0);
 }
 

@@ -51,8 +51,8 @@ void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<Highli
     if (!fit) return small_dim("Draw a curve over the plot: the power that comes nearest is found.");
     mono_text(fmt::format("nearest: n = {:.4g}, {:.3f} off on average", fit->shininess, fit->error));
     if (ImGui::SmallButton("Use this n")) {
-        const auto object = state.explanation && state.explanation->hit
-                                ? static_cast<std::size_t>(state.explanation->object_index)
+        const auto object = state.on_screen.explanation && state.on_screen.explanation->hit
+                                ? static_cast<std::size_t>(state.on_screen.explanation->object_index)
                                 : std::size_t{0};
         Scene* const scene = editable_scene(state);
         if (scene != nullptr && object < scene->objects.size())

@@ -74,22 +74,22 @@ Rect plot_room(float height) {
 }
 
 int plotted_light(const UiState& state) {
-    const std::vector<Light>& lights = asked_scene(state).lights;
+    const std::vector<Light>& lights = explained_scene(state).lights;
     const auto exists = [&](int light) {
         return light >= 0 && static_cast<std::size_t>(light) < lights.size();
     };
     const Selection& selection = state.editor.selection;
     if (selection.kind == Selection::Kind::Light && exists(selection.index)) return selection.index;
-    if (state.explanation && state.explanation->hit)
+    if (state.on_screen.explanation && state.on_screen.explanation->hit)
         if (const ExplainedLight* light =
-                asked_light(state, asked_point(state.get<InspectorState>(), *state.explanation));
+                asked_light(state, asked_point(state.get<InspectorState>(), *state.on_screen.explanation));
             light != nullptr && exists(light->index))
             return light->index;
     return 0;
 }
 
 void plots_tab(UiState& state, const PictureView& view) {
-    const Scene& scene = asked_scene(state);
+    const Scene& scene = explained_scene(state);
     PlotsState& plots = state.get<PlotsState>();
     if (scene.lights.empty()) return wrapped_dim("The curves are those of a light: add one (L).");
     const int light = plotted_light(state);
@@ -98,7 +98,7 @@ void plots_tab(UiState& state, const PictureView& view) {
     if (light_combo("##plot_light", chosen, scene.lights))
         tooltip("Light", "Whose curves are drawn: the selected light's");
     if (chosen != light) state.editor.selection = {Selection::Kind::Light, chosen};
-    PlotSubject subject{scene, light, plot_point(state.explanation, light), {}};
+    PlotSubject subject{scene, light, plot_point(state.on_screen.explanation, light), {}};
     if (subject.point.material != nullptr)
         subject.material = *subject.point.material;
     else if (!scene.objects.empty())

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "ui/features/views/compare_view.h"
-#include "ui/features/views/scope.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
@@ -28,11 +27,8 @@ float line_at(const CompareChoice& choice, int wipe, const PictureView& view) {
 
 /// The part of the window that a part of the comparison covers.
 Rect part_rect(const CompareChoice& choice, int part, const PictureView& view) {
-    const PictureSize size = view.map.size;
-    const int length = length_of(choice, size);
-    const int first = first_of(choice, part, length), end = first_of(choice, part + 1, length);
-    return choice.stacked ? Rect{view.to_window({0, first}), view.to_window({size.width, end})}
-                          : Rect{view.to_window({first, 0}), view.to_window({end, size.height})};
+    const PartRect rect = part_rect(choice, part, view.map.size);
+    return {view.to_window(rect.low), view.to_window(rect.high)};
 }
 
 /// Where a part's label lies: at the top of its part, in its middle.
@@ -116,11 +112,11 @@ void settings_popup(CompareState& state) {
     ImGui::EndPopup();
 }
 
-/// Lines are dragged, labels clicked. The scope's line that is about to be drawn may begin on either.
+/// Lines are dragged, labels clicked.
 bool compare_hover(ToolFrame& frame) {
     CompareState& state = frame.state.get<CompareState>();
     state.under = state.label_under = -1;
-    if (!state.choice.on || !frame.over || frame.state.get<ScopeState>().armed) return false;
+    if (!state.choice.on || !frame.over) return false;
     find_under(state, frame.view);
     if (state.under >= 0)
         ImGui::SetMouseCursor(state.choice.stacked ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
@@ -184,19 +180,6 @@ void difference_caption(ImDrawList& list, const CompareState& state) {
     ImGui::PopFont();
 }
 
-/// Lines and labels; the list of a part's settings once its label was clicked.
-void draw_compare(ImDrawList& list, UiState& ui, const PictureView& view) {
-    CompareState& state = ui.get<CompareState>();
-    if (!state.choice.on) return;
-    if (!state.choice.difference) {
-        for (int i = 0; i < static_cast<int>(state.choice.wipes.size()); ++i) draw_wipe(list, state, i, view);
-        for (int i = 0; i < static_cast<int>(state.choice.parts.size()); ++i)
-            draw_label(list, state, i, view);
-    }
-    if (state.choice.difference) difference_caption(list, state);
-    settings_popup(state);
-}
-
 struct Preset {
     const char* label;
     std::vector<Variant> parts;
@@ -257,8 +240,20 @@ void difference_controls(CompareState& state) {
 
 }  // namespace
 
-const Tool compare_tool{compare_hover, compare_press, compare_drag, compare_release,
-                        nullptr,       compare_hint,  draw_compare};
+const Tool compare_tool{compare_hover, compare_press, compare_drag, compare_release, compare_hint};
+
+void draw_compare(ImDrawList& list, UiState& ui, const PictureView& view) {
+    CompareState& state = ui.get<CompareState>();
+    if (!state.choice.on) return;
+    if (!state.choice.difference) {
+        for (int i = 0; i < static_cast<int>(state.choice.wipes.size()); ++i) draw_wipe(list, state, i, view);
+        for (int i = 0; i < static_cast<int>(state.choice.parts.size()); ++i)
+            draw_label(list, state, i, view);
+    }
+    ui.label_height = small_text_height() + px(10);
+    if (state.choice.difference) difference_caption(list, state);
+    settings_popup(state);
+}
 
 void compare_controls(CompareState& state) {
     CompareChoice& choice = state.choice;

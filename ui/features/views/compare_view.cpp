@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/features/views/fitted_picture.h"
 
@@ -70,6 +71,25 @@ int part_at(const CompareChoice& choice, int along, int length) {
     return part;
 }
 
+PartRect part_rect(const CompareChoice& choice, int part, PictureSize size) {
+    const int length = length_of(choice, size);
+    const int first = first_of(choice, part, length), end = first_of(choice, part + 1, length);
+    return choice.stacked ? PartRect{{0, first}, {size.width, end}}
+                          : PartRect{{first, 0}, {end, size.height}};
+}
+
+void borrow_comparison(CompareState& state) {
+    if (state.borrowers++ == 0) state.own = state.choice;
+}
+
+void give_comparison_back(CompareState& state) {
+    CompareChoice& choice = state.choice;
+    if (--state.borrowers > 0) return;
+    const auto stored = choice.stored;
+    choice = *std::exchange(state.own, std::nullopt);
+    choice.stored = stored;
+}
+
 const Picture& compose(CompareState& state, const DrawnScene& drawn) {
     draw_parts(state, drawn);
     if (state.choice.difference) {
@@ -80,14 +100,9 @@ const Picture& compose(CompareState& state, const DrawnScene& drawn) {
     state.picture.size = size;
     state.picture.rgba.resize(drawn.picture.rgba.size());
     state.picture.linear.resize(drawn.picture.linear.size());
-    const bool stacked = state.choice.stacked;
-    const int length = length_of(state.choice, size);
     for (int part = 0; part < static_cast<int>(state.pictures.size()); ++part) {
-        const int first = first_of(state.choice, part, length),
-                  end = first_of(state.choice, part + 1, length);
-        copy_pixels(*state.pictures[static_cast<std::size_t>(part)], state.picture,
-                    stacked ? glm::ivec2(0, first) : glm::ivec2(first, 0),
-                    stacked ? glm::ivec2(size.width, end) : glm::ivec2(end, size.height));
+        const PartRect rect = part_rect(state.choice, part, size);
+        copy_pixels(*state.pictures[static_cast<std::size_t>(part)], state.picture, rect.low, rect.high);
     }
     return state.picture;
 }
@@ -113,15 +128,11 @@ const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, Pictu
 std::vector<DrawnPart> drawn_parts(const CompareState& state, const Renderer& drawn, PictureSize size) {
     if (part_of(state, {0, 0}, size) < 0) return {{&drawn, {{0, 0}, {size.width, size.height}}, {}}};
     const CompareChoice& choice = state.choice;
-    const int length = length_of(choice, size);
     std::vector<DrawnPart> parts;
     for (int i = 0; i < static_cast<int>(choice.parts.size()); ++i) {
         const Variant variant = choice.parts[static_cast<std::size_t>(i)];
         if (variant.kind == Variant::Kind::Mine && choice.mine) continue;
-        const int first = first_of(choice, i, length), end = first_of(choice, i + 1, length);
-        const PartRect rect = choice.stacked ? PartRect{{0, first}, {size.width, end}}
-                                             : PartRect{{first, 0}, {end, size.height}};
-        parts.push_back({state.drawn_by[static_cast<std::size_t>(i)], rect, variant});
+        parts.push_back({state.drawn_by[static_cast<std::size_t>(i)], part_rect(choice, i, size), variant});
     }
     return parts;
 }

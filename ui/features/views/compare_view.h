@@ -14,9 +14,13 @@
 #include "models/scene/scene.h"
 #include "renderer/image/compare.h"
 #include "renderer/renderer.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/picture/screen.h"
+#include "ui/picture/tool.h"
 
 namespace glint {
+
+struct UiState;
 
 // A variant draws the edited scene as it is, with one choice changed, or as it was when it was stored; or it
 // is a picture that somebody brought. It is what the parts of a comparison differ in.
@@ -72,14 +76,6 @@ inline void double_gain(CompareChoice& choice) {
 [[nodiscard]] bool lacks_stored(const CompareChoice& choice, Variant variant);
 [[nodiscard]] bool lacks_picture(const CompareChoice& choice, Variant variant);
 
-/// Pixels of a picture, from `low` to before `high`.
-struct PartRect {
-    glm::ivec2 low{0}, high{0};
-    [[nodiscard]] bool holds(glm::ivec2 p) const {
-        return p.x >= low.x && p.y >= low.y && p.x < high.x && p.y < high.y;
-    }
-};
-
 /// A part of the picture that shows a scene, and who drew it.
 struct DrawnPart {
     const Renderer* renderer = nullptr;
@@ -89,8 +85,10 @@ struct DrawnPart {
 
 struct CompareState {
     CompareChoice choice;
-    int dragged = -1, under = -1;                      // a wipe line
-    int label_under = -1, asked = -1;                  // a part's label; whose variants are to be listed
+    std::optional<CompareChoice> own;  // the user's, while a game or a picture compares something else
+    int borrowers = 0;                 // of the comparison: that game, that picture
+    int dragged = -1, under = -1;      // a wipe line
+    int label_under = -1, asked = -1;  // a part's label; whose variants are to be listed
     std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
     std::vector<const Picture*> pictures;              // one a part, of the last composing
     std::vector<const Renderer*> drawn_by;
@@ -98,12 +96,20 @@ struct CompareState {
     Picture picture;      // the composed one
     Comparison numbers;   // of the difference
     double ms = 0;        // that the parts took in the last composing
+    Variant asked_part;   // that the picked pixel is in; Edited where none is asked
     std::string resting;  // what is shown in place of the edited scene, as OtherScene::label; or empty
     // The key that shows B or takes it away, while it may still be down:
     bool b_turned = false;
     double b_since = 0;  // ImGui's time
     int b_frames = 0;    // in which it was down
 };
+
+/// Keeps the user's comparison until it is given back; B goes on.
+void borrow_comparison(CompareState& state);
+void give_comparison_back(CompareState& state);
+
+/// Where numbers of B are told.
+inline constexpr const char* name_of_stored = "B, the stored scene";
 
 /// What stands over a part in the picture: its variant's label, or that this lacks what it shows.
 [[nodiscard]] std::string part_label(const CompareState& state, std::size_t part);
@@ -122,6 +128,9 @@ struct DrawnScene {
 [[nodiscard]] int first_of(const CompareChoice& choice, int part, int length);
 /// The part that this column (stacked: row) shows.
 [[nodiscard]] int part_at(const CompareChoice& choice, int along, int length);
+
+/// The pixels of a part.
+[[nodiscard]] PartRect part_rect(const CompareChoice& choice, int part, PictureSize size);
 
 /// Draws every part and composes them: each pixel is that of its part's full picture. A difference shows the
 /// first against the last part and fills `numbers`. Linear colours are composed if `drawn` has them.
@@ -145,6 +154,10 @@ void forget_parts(CompareState& state);
 /// Draws into the current line what the row above the picture says and sets of a comparison; nothing while
 /// none is on.
 void compare_controls(CompareState& state);
+
+extern const Tool compare_tool;
+/// Draws lines and labels; the list of a part's settings once its label was clicked.
+void draw_compare(ImDrawList& list, UiState& ui, const PictureView& view);
 
 /// Sets how many parts there are, their lines spread evenly.
 void set_parts(CompareChoice& choice, std::vector<Variant> parts);

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "ui/features/plots/plot.h"
-#include "ui/features/views/debug_view_legend.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"

@@ -41,6 +41,9 @@ struct DebugViewInfo {
 /// Draws drop-downs for the debug view and its light into the current line. True when a view was chosen.
 bool debug_view_controls(DebugViewState& state, const Scene& scene);
 
+/// How wide the legend is that draw_debug_view_legend() draws at the picture's left edge; 0: none.
+[[nodiscard]] float legend_width(const DebugViewState& state);
+
 /// Draws the colour bar into the picture's lower left corner, with the values at the picked pixel and at the
 /// cursor.
 void draw_debug_view_legend(ImDrawList& list, const DebugViewState& state, const Scene& scene,

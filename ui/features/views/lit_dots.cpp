@@ -84,12 +84,12 @@ std::string evaluations_text(const Renderer& renderer, const Scene& scene) {
 namespace {
 
 /// An arrow; where it points along the line of sight, a disc towards the viewer and a ring away.
-void draw_needle(ImDrawList& list, const PictureView& view, const LitDot& dot, const OnScreen& foot) {
+void draw_needle(ImDrawList& list, const PictureView& view, const LitDot& dot, const ProjectedPoint& foot) {
     // Across the line of sight it is this many pixels long, near or far.
     const glm::dvec2 beside = foot.pixel + glm::dvec2(24, 0);
     const double length =
         glm::length(unproject(view.map, beside, foot.depth) - unproject(view.map, foot.pixel, foot.depth));
-    const OnScreen tip = project(view.map, glm::dvec3(dot.place) + length * glm::dvec3(dot.normal));
+    const ProjectedPoint tip = project(view.map, glm::dvec3(dot.place) + length * glm::dvec3(dot.normal));
     if (!tip.in_front) return;
     const ImU32 colour = to_u32(theme()[Symbol::N]);
     const ImVec2 from = view.to_window(foot.pixel), to = view.to_window(tip.pixel), way = to - from;
@@ -115,7 +115,7 @@ void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureVie
     for (const PartDots& part : *state.found.value()) {
         list.PushClipRect(corner(part.rect.low), corner(part.rect.high), true);
         for (const LitDot& dot : part.dots) {
-            const OnScreen foot = project(view.map, dot.place);
+            const ProjectedPoint foot = project(view.map, dot.place);
             if (!foot.in_front) continue;
             if (state.needles) draw_needle(list, view, dot, foot);
             if (!state.dots) continue;

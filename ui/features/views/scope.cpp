@@ -152,8 +152,6 @@ void scope_release(ToolFrame& frame) {
     scope.hand = Hand::None;
 }
 
-bool disarm_scope(UiState& state) { return std::exchange(state.get<ScopeState>().armed, false); }
-
 std::string scope_hint(const UiState& state) {
     const ScopeState& scope = state.get<ScopeState>();
     if (!scope.open) return {};
@@ -180,7 +178,10 @@ std::string with_sign(double slope) {
     return (slope > 0 ? "+" : "") + significant_text(slope, 4);
 }
 
-/// Line, ends, card, and the sample pointed at in the panel.
+}  // namespace
+
+const Tool scope_tool{scope_hover, scope_press, scope_drag, scope_release, scope_hint};
+
 void draw_scope_line(ImDrawList& list, UiState& state, const PictureView& view) {
     const ScopeState& scope = state.get<ScopeState>();
     if (!scope.open) return;
@@ -195,11 +196,6 @@ void draw_scope_line(ImDrawList& list, UiState& state, const PictureView& view) 
     const ImVec2 at = view.to_window(glm::dvec2(sample.pixel) + 0.5);
     cased_circle(list, at, 7, to_u32(theme().accent), 1.8f);
 }
-
-}  // namespace
-
-const Tool scope_tool{scope_hover,  scope_press, scope_drag,     scope_release,
-                      disarm_scope, scope_hint,  draw_scope_line};
 
 glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size) {
     return nearest_pixel(size, share * glm::dvec2(size.width, size.height));

@@ -10,6 +10,7 @@
 
 #include "renderer/debug_views/profile.h"
 #include "ui/picture/screen.h"
+#include "ui/picture/tool.h"
 #include "ui/widgets/area.h"
 
 namespace glint {
@@ -45,6 +46,10 @@ struct ScopeState {
 
 /// Lays the line across the middle of the picture: where it lay says nothing of another scene.
 void lay_level(ScopeState& scope);
+
+extern const Tool scope_tool;
+/// Draws line, ends, card, and the sample pointed at in the panel.
+void draw_scope_line(ImDrawList& list, UiState& state, const PictureView& view);
 
 /// Opens the scope with its tool in hand, or closes it.
 void toggle_scope(ScopeState& scope);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "ui/feature.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/lecture/lecture.h"
@@ -17,6 +18,8 @@
 #include "ui/widgets/widgets.h"
 
 namespace glint {
+
+extern const Feature inspector_feature;
 namespace {
 
 constexpr int max_rows = 64;     // of the sheet: lights beyond have no picture
@@ -241,10 +244,10 @@ void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size)
 
 void term_grid_tab(UiState& state, const PictureView& view) {
     TermGridState& grid = state.get<TermGridState>();
-    if (state.get<LectureState>().frozen || state.get<AnimateState>().frame)
+    if (!has_turn(state, inspector_feature))
         return wrapped_dim(
             "While the picture is frozen, or an animation plays, no cell changes what it shows.");
-    const std::optional<OtherScene> other = resting_below_cells(state);
+    const std::optional<OtherScene> other = resting_below(state, inspector_feature);
     const Scene& scene = other ? other->scene : state.editor.scene();
     if (other) small_dim(fmt::format("Of {}.", other->name));
     update_term_grid(grid, scene, view.map.size);
@@ -267,5 +270,8 @@ void term_grid_tab(UiState& state, const PictureView& view) {
                                                     : fmt::format("Without {} terms", left_out.size());
     show_instead(state, with_cells(scene, shown), name, !pointed);
 }
+
+extern const Feature term_grid_feature;
+const Feature term_grid_feature{.sheet = [](UiState& s) { return &s.get<TermGridState>().sheet; }};
 
 }  // namespace glint

@@ -12,28 +12,12 @@
 #include "ui/features/views/compare_view.h"
 #include "ui/features/views/debug_view_controls.h"
 #include "ui/picture/screen.h"
-#include "ui/shell/layout.h"
 #include "ui/widgets/kept.h"
 
 namespace glint {
 
 struct UiState;
-
-// The magnifier enlarges the picture as it is, without drawing it again, until each pixel is a square with
-// its number in it. Lecture: "Gouraud Shading" (scanlines), "Shading Artifacts" (silhouettes).
-
-struct MagnifierState {
-    // 1, 2, 4 ... 64: window pixels a pixel, times the scale of the type, rounded up.
-    int zoom = 1;
-    glm::dvec2 centre{0.5};  // what lies in the middle, as a share of the picture's size
-};
-inline constexpr int max_zoom = 64, usual_zoom = 32;
-
-/// Enlarges the picture's place in the window about the middle of `area`, and keeps `area` covered.
-void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier);
-
-/// Another zoom, the pixel at `share` staying where it is in the window.
-void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share);
+struct WindowCommand;
 
 // Lit dots show where the equation is evaluated: a dot at each face's point, corner or pixel, thinned; its
 // normal as a needle; and how often it is evaluated a frame. Lecture: "Flat Shading", "Gouraud Shading",
@@ -76,15 +60,16 @@ void draw_evaluations(ImDrawList& list, const std::string& text, bool compares);
 /// Puts the command line that prints the scope's numbers on the clipboard; a picture was drawn.
 void copy_profile_command(UiState& state);
 
-/// The picture on the screen without stripes and false colours: what big pixels say of it.
-[[nodiscard]] const Picture& unpainted_picture(const UiState& state);
-
 /// What the shown picture is made from, beside the drawn one; it is composed again when this changes.
 struct ShownFrom {
     CompareChoice compare;
     DebugViewSet debug_view;
     bool linear = false;
     bool operator==(const ShownFrom&) const = default;
+    /// Whether it shows no pictures, but what is measured in them.
+    [[nodiscard]] bool is_measured() const {
+        return debug_view != DebugViewSet{} || (compare.on && compare.difference);
+    }
 };
 
 /// The ways in which the picture is looked at; none of it is the scene's.
@@ -101,19 +86,11 @@ void show_quantity(UiState& state, DebugView view, bool keep_comparing = false);
 /// Whether parts of a comparison or a quantity show in the place of the scene's own picture.
 [[nodiscard]] bool is_composed(const UiState& state);
 
-/// Asks for the room of panels that are open; before the layout.
-void begin_views(UiState& state);
-
-/// Whether something shown is read off Picture::linear.
-[[nodiscard]] bool views_need_linear(const UiState& state);
-
-/// Brings all that is read off the picture up to date; after it was drawn, or kept.
-void update_views(UiState& state);
-
-/// Draws the row above the picture, what shows in it and lies over it, and the panel below.
-void views_windows(UiState& state, const Layout& layout);
-
-/// B pressed stays, B held goes back when it is let go of. Once a frame, after the keys' actions.
-void follow_b_key(UiState& state, bool held);
+// The features' commands.
+[[nodiscard]] std::vector<WindowCommand> scope_commands();
+[[nodiscard]] std::vector<WindowCommand> debug_view_commands();
+[[nodiscard]] std::vector<WindowCommand> lit_dots_commands();
+[[nodiscard]] std::vector<WindowCommand> compare_commands();
+[[nodiscard]] std::vector<WindowCommand> stored_scene_commands();
 
 }  // namespace glint

@@ -53,7 +53,8 @@ glm::dvec3 on_dome(const Dome& dome, const Ray& ray, bool nearer) {
 double turn_towards(const ScreenMap& map, const Dome& circle, glm::dvec3 direction, glm::dvec3 axis,
                     glm::dvec2 cursor_px) {
     const auto distance = [&](double angle) {
-        const OnScreen at = project(map, circle.centre + circle.radius * rotated(direction, axis, angle));
+        const ProjectedPoint at =
+            project(map, circle.centre + circle.radius * rotated(direction, axis, angle));
         // A small price on large turns keeps the handle from jumping to the far side of its circle.
         return (at.in_front ? glm::length(at.pixel - cursor_px) : 1e9) + std::abs(angle);
     };

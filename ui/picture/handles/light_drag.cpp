@@ -46,7 +46,7 @@ glm::dvec3 dragged_direction(const LightDrag& drag, const DragView& view, glm::d
 }
 
 Light dragged_sun(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
-    const OnScreen handle = project(view.map, handle_of(drag.start, view.dome, view.map));
+    const ProjectedPoint handle = project(view.map, handle_of(drag.start, view.dome, view.map));
     if (!handle.in_front) return drag.start;
     const glm::dvec3 direction = dragged_direction(drag, view, cursor_px, handle.pixel);
     Light light = placed_at(drag.start, view.dome.centre + direction, view.dome, view.map);
@@ -73,7 +73,7 @@ double snap_step_for(const Bounds& bounds) {
 Light dragged(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
     if (drag.start.kind == LightKind::Directional) return dragged_sun(drag, view, cursor_px, snap);
     const glm::dvec3 place = handle_of(drag.start, view.dome, view.map);
-    const OnScreen handle = project(view.map, place);
+    const ProjectedPoint handle = project(view.map, place);
     if (!handle.in_front) return drag.start;
     const glm::dvec2 motion = cursor_px - drag.grabbed_px, wanted = handle.pixel + motion;
     glm::dvec3 moved = place;

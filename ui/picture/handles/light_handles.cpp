@@ -20,7 +20,7 @@ using std::numbers::pi;
 constexpr float handle_radius = 7, grip_radius = 13;
 
 /// Where the border of the picture shows the way to what lies outside of it.
-glm::dvec2 on_border(const OnScreen& at, glm::dvec3 in_view, PictureSize size, double margin) {
+glm::dvec2 on_border(const ProjectedPoint& at, glm::dvec3 in_view, PictureSize size, double margin) {
     const glm::dvec2 middle{size.width / 2.0, size.height / 2.0};
     glm::dvec2 way = at.in_front ? at.pixel - middle : glm::dvec2(in_view.x, -in_view.y);
     if (glm::length(way) < 1e-9) way = {0, -1};  // at the eye itself: shown at the top

@@ -26,7 +26,7 @@ struct HandNote {
 struct Handle {
     int light = 0;
     glm::dvec3 place{0};  // world
-    OnScreen at;
+    ProjectedPoint at;
     bool in_picture = false;  // else `at.pixel` is on the picture's border, towards where the light is
 };
 

@@ -70,7 +70,7 @@ Light with_aim(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px
     const glm::dvec3 place = handle_of(drag.start, view.dome, view.map);
     const glm::dvec3 aim = aim_of(drag.start, view);
     const double reach = glm::length(drag.grip.place - place);
-    const OnScreen tip = project(view.map, drag.grip.place);
+    const ProjectedPoint tip = project(view.map, drag.grip.place);
     if (!tip.in_front || !(reach > 0)) return drag.start;
     const bool nearer = glm::dot(aim, ray_through(view.map, tip.pixel).direction) <= 0;
     const Ray ray = ray_through(view.map, tip.pixel + cursor_px - drag.grabbed_px);
@@ -140,7 +140,7 @@ std::optional<ShapeGrip> shape_under(const Light& light, const PictureView& view
     std::optional<ShapeGrip> best;
     double nearest = view.pixels(8);
     const auto offer = [&](const ShapeGrip& grip) {
-        const OnScreen at = project(view.map, grip.place);
+        const ProjectedPoint at = project(view.map, grip.place);
         const double distance = glm::length(at.pixel - cursor_px);
         if (!at.in_front || distance > nearest) return;
         nearest = distance;

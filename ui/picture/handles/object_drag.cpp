@@ -108,7 +108,7 @@ Transform resized(const ObjectDrag& drag, const DragView& view, glm::dvec2 curso
 
 /// Distance of the cursor from a line on the screen; far where it is not in front of the eye.
 double distance_to_line(const PictureView& view, glm::dvec3 a, glm::dvec3 b, glm::dvec2 cursor_px) {
-    const OnScreen from = project(view.map, a), to = project(view.map, b);
+    const ProjectedPoint from = project(view.map, a), to = project(view.map, b);
     if (!from.in_front || !to.in_front) return 1e9;
     const glm::dvec2 way = to.pixel - from.pixel;
     const double length = glm::dot(way, way);

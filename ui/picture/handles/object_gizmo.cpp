@@ -95,7 +95,7 @@ glm::dvec3 gizmo_anchor(const Object& object, const PictureView& view) {
     const glm::dvec3 middle = (glm::dvec3(box.min) + glm::dvec3(box.max)) / 2.0;
     const glm::dmat4 world = world_from_object(object.transform);
     const auto is_seen = [&](glm::dvec3 place) {
-        const OnScreen at = project(view.map, glm::dvec3(world * glm::dvec4(place, 1)));
+        const ProjectedPoint at = project(view.map, glm::dvec3(world * glm::dvec4(place, 1)));
         return at.in_front && is_inside(view.map.size, at.pixel);
     };
     const bool stays = in_bounds && (is_seen(glm::dvec3(0)) || !is_seen(middle));
@@ -110,7 +110,7 @@ std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode, 
     gizmo.origin = place.pivot && mode == GizmoMode::Rotate
                        ? *place.pivot
                        : glm::dvec3(world_from_object(transform) * glm::dvec4(place.anchor, 1));
-    const OnScreen at = project(view.map, gizmo.origin);
+    const ProjectedPoint at = project(view.map, gizmo.origin);
     if (!at.in_front || at.depth <= 0) return {};
     const glm::dvec2 end = at.pixel + glm::dvec2(view.pixels(axis_units), 0);
     gizmo.length = glm::length(unproject(view.map, end, at.depth) - gizmo.origin);

@@ -12,7 +12,6 @@
 
 #include "models/json/json_pointer.h"
 #include "models/problem.h"
-#include "ui/features/lessons/lesson.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/expression.h"
 #include "ui/widgets/text/text_field.h"

@@ -56,7 +56,7 @@ std::vector<int> blocker_indices(const Scene& scene, const ExplainedPoint& point
 
 std::string blocked_words(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                           std::size_t which) {
-    const Scene& scene = asked_scene(state);
+    const Scene& scene = explained_scene(state);
     const BlockedKey key{
         state.picture_serial, {explanation.x, explanation.y}, state.get<InspectorState>().corner};
     auto& blocked = state.get<InspectorState>().blocked;

@@ -70,7 +70,7 @@ void interpolations(UiState& state, const Explanation& explanation) {
         mono_text(shown_vector(each.sum));
         ImGui::PopID();
         if (!pointed || is_chosen) continue;
-        Scene other = asked_scene(state);
+        Scene other = explained_scene(state);
         other.shading.interpolation = each.interpolation;
         show_instead(state, other, fmt::format("{} weights", choice.label));
     }
@@ -120,9 +120,9 @@ void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint&
     const bool is_marked = marked && marked->light < 0;
     const QuantityMark mark(is_marked ? std::optional(marked->quantity) : std::nullopt, false);
     if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel);
-    for (const EquationLine& line : unlit_lines(asked_scene(state), explanation, point)) {
+    for (const EquationLine& line : unlit_lines(explained_scene(state), explanation, point)) {
         ImGui::PushID(static_cast<int>(line.term));
-        (void)draw_line(line, {asked_scene(state), editable_scene(state)}, channel);
+        (void)draw_line(line, {explained_scene(state), editable_scene(state)}, channel);
         ImGui::PopID();
     }
 }
@@ -194,22 +194,22 @@ std::string explained_as(CopyAs format, const Explanation& explanation, const Sc
 std::span<const CopyFormat> copy_formats() { return formats; }
 
 void copy_explanation(const UiState& state, const CopyFormat& format) {
-    const Explanation& explanation = *state.explanation;
-    ImGui::SetClipboardText(explained_as(format.as, explanation, asked_scene(state)).c_str());
+    const Explanation& explanation = *state.on_screen.explanation;
+    ImGui::SetClipboardText(explained_as(format.as, explanation, explained_scene(state)).c_str());
     say(fmt::format("The explanation of pixel {}, {} is on the clipboard as {}", explanation.x, explanation.y,
                     format.label));
 }
 
 void equation_tab(UiState& state, const PictureView&) {
-    if (!state.explanation)
+    if (!state.on_screen.explanation)
         return inspector_empty_state(
             "Here the lighting equation of that pixel appears with its numbers: what each light adds, and "
             "why a "
             "light that you expect adds nothing.");
-    const Explanation& explanation = *state.explanation;
+    const Explanation& explanation = *state.on_screen.explanation;
     forget_old_mark(state.get<InspectorState>());
     if (!explanation.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
-    if (static_cast<std::size_t>(explanation.object_index) >= asked_scene(state).objects.size()) return;
+    if (static_cast<std::size_t>(explanation.object_index) >= explained_scene(state).objects.size()) return;
     formula(explanation.reflection);
     if (!is_plain_front(explanation)) warning_text("The surface is seen from its " + side_words(explanation));
     sum_table(state, explanation);
@@ -217,8 +217,8 @@ void equation_tab(UiState& state, const PictureView&) {
     my_pixel(state);
     if (explanation.reflection != Reflection::None) {
         section_heading(section_title(state.get<InspectorState>(), explanation).c_str());
-        mistakes_note(asked_scene(state));
-        lit_at(state.get<InspectorState>(), explanation, asked_scene(state).shading);
+        mistakes_note(explained_scene(state));
+        lit_at(state.get<InspectorState>(), explanation, explained_scene(state).shading);
         interpolations(state, explanation);
         against_phong(state, explanation);
         const ExplainedPoint& point = asked_point(state.get<InspectorState>(), explanation);

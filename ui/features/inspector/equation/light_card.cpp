@@ -251,7 +251,7 @@ const char* name_of_term(Symbol term) {
 
 /// A term's line; pointed at, the picture shows this term of this light alone.
 bool light_term(UiState& state, const EquationLine& term, int light) {
-    const Scene& scene = asked_scene(state);
+    const Scene& scene = explained_scene(state);
     ImGui::PushID(static_cast<int>(term.term));
     ImGui::BeginGroup();
     const bool edited = draw_line(term, {scene, editable_scene(state)}, state.get<InspectorState>().channel);
@@ -275,7 +275,7 @@ bool light_term(UiState& state, const EquationLine& term, int light) {
 void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                 std::size_t which) {
     const ExplainedLight& explained = point.lights[which];
-    const Scene& scene = asked_scene(state);
+    const Scene& scene = explained_scene(state);
     Scene* const edited_scene = editable_scene(state);
     const auto index = static_cast<std::size_t>(explained.index);
     if (index >= scene.lights.size()) return;

@@ -73,7 +73,7 @@ void term_row(UiState& state, Symbol symbol, const char* name, glm::vec3 value, 
     list_control(name, "", row);
     if (!on || !is_pointed_at(row)) return;
     ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, to_u32(theme().field));
-    show_instead(state, with_term_alone(asked_scene(state), symbol), fmt::format("{} alone", name + 3));
+    show_instead(state, with_term_alone(explained_scene(state), symbol), fmt::format("{} alone", name + 3));
 }
 
 void sum_row(glm::vec3 sum) {
@@ -89,14 +89,14 @@ void sum_row(glm::vec3 sum) {
 
 void sum_table(UiState& state, const Explanation& explanation) {
     const TermSums sums = term_sums(explanation);
-    const Terms& on = asked_scene(state).shading.terms;
+    const Terms& on = explained_scene(state).shading.terms;
     const float width = channel_width();
     if (!ImGui::BeginTable("##sum", 4, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
     for (const char* channel : channel_names)
         ImGui::TableSetupColumn(channel, ImGuiTableColumnFlags_WidthFixed, width);
     header_row(state.get<InspectorState>());
-    if (asked_scene(state).npr.cool_to_warm) {
+    if (explained_scene(state).npr.cool_to_warm) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted("tone, for e + a + d");
@@ -112,7 +112,7 @@ void sum_table(UiState& state, const Explanation& explanation) {
 }
 
 void display_lines(const UiState& state, const Explanation& explanation) {
-    const Display& display = asked_scene(state).display;
+    const Display& display = explained_scene(state).display;
     if (explanation.stroke.coverage > 0)
         small_dim(fmt::format("a stroke covers {:.0f} % of the pixel → {}", 100 * explanation.stroke.coverage,
                               shown_vector(explanation.sum)));

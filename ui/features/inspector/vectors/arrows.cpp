@@ -37,7 +37,7 @@ void draw_end_on(ImDrawList& list, ImVec2 at, const ArrowLook& look) {
 ImVec2 PointPen::at(glm::dvec3 offset) const { return view.shown(origin + reach * offset); }
 
 PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length) {
-    const OnScreen seen = project(view.map, origin);
+    const ProjectedPoint seen = project(view.map, origin);
     const glm::dvec3 beside = unproject(view.map, seen.pixel + glm::dvec2(1, 0), seen.depth);
     const double scene_units_per_pixel = glm::distance(origin, beside);
     return {list, view, origin, view.pixels(length) * scene_units_per_pixel};

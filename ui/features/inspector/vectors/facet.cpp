@@ -37,7 +37,7 @@ std::optional<Facet> picked_facet(const Explanation& explanation, const Scene& s
 }
 
 void facet_section(const UiState& state, const Explanation& explanation) {
-    const auto facet = picked_facet(explanation, asked_scene(state));
+    const auto facet = picked_facet(explanation, explained_scene(state));
     if (!facet) return;
     section_heading("The facet's own normal, object coordinates");
     const Symbol edge = Symbol::Construction;
@@ -47,7 +47,7 @@ void facet_section(const UiState& state, const Explanation& explanation) {
     vector_line(Symbol::N, "made unit", facet->of_edges);
     vector_line(Symbol::N, "Newell", facet->newell);
     const float length = glm::length(facet->cross);
-    const Object& object = asked_scene(state).objects[static_cast<std::size_t>(explanation.object_index)];
+    const Object& object = explained_scene(state).objects[static_cast<std::size_t>(explanation.object_index)];
     const bool is_mirrored = glm::determinant(glm::dmat3(world_from_object(object.transform))) < 0;
     small_dim(fmt::format(
         "The product is {:.4g} long: twice the area of the triangle 1 2 3. {} corners, counter-clockwise "
@@ -58,10 +58,10 @@ void facet_section(const UiState& state, const Explanation& explanation) {
 }
 
 void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view) {
-    const auto facet = picked_facet(*state.explanation, asked_scene(state));
+    const auto facet = picked_facet(*state.on_screen.explanation, explained_scene(state));
     if (!facet) return;
     const Object& object =
-        asked_scene(state).objects[static_cast<std::size_t>(state.explanation->object_index)];
+        explained_scene(state).objects[static_cast<std::size_t>(state.on_screen.explanation->object_index)];
     const glm::dmat4 world = world_from_object(object.transform);
     std::vector<glm::dvec3> corners;
     glm::dvec3 middle(0);
@@ -78,7 +78,7 @@ void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view)
             draw_arrow(list, ends->first, ends->second, {dark_theme()[Symbol::Construction], 2.5f, ""});
     constexpr std::size_t max_numbered = 24;  // corners; more numbers than this hide one another
     for (std::size_t i = 0; i < std::min(corners.size(), max_numbered); ++i)
-        if (const OnScreen at = project(view.map, corners[i]); at.in_front)
+        if (const ProjectedPoint at = project(view.map, corners[i]); at.in_front)
             rimmed_text(list, view.to_window(at.pixel) + ImVec2(0, px(12)), {1, 1, 1, 1},
                         std::to_string(i + 1));
     if (!project(view.map, middle).in_front) return;

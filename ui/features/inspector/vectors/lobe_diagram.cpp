@@ -94,8 +94,8 @@ class Diagram {
 
 /// The lobe in polar form, its longest ray as long as a unit vector.
 std::vector<glm::vec2> lobe_outline(const UiState& state, double light_deg) {
-    const Shading& shading = asked_scene(state).shading;
-    const Reflector reflector{shading.reflection, state.explanation->material, shading.terms};
+    const Shading& shading = explained_scene(state).shading;
+    const Reflector reflector{shading.reflection, state.on_screen.explanation->material, shading.terms};
     const std::vector<LobeSample> slice = lobe_slice(reflector, light_deg, lobe_steps);
     const auto strength = [&](const LobeSample& s) {
         return (s.reflected.diffuse + s.reflected.specular)[state.get<InspectorState>().channel];
@@ -122,7 +122,7 @@ void lobe_diagram(const UiState& state, const ExplainedPoint& point, const Expla
     diagram.ground();
     const double light_deg = angle_deg(light.n_dot_l);
     if (light_deg < 89.5) diagram.lobe(lobe_outline(state, light_deg), theme()[Symbol::Specular]);
-    const ReflectionInfo model = info_of(state.explanation->reflection);
+    const ReflectionInfo model = info_of(state.on_screen.explanation->reflection);
     const auto arrow = [&](Symbol symbol, const InBothFrames& v) {
         diagram.arrow(plane.of(v.camera), symbol, pointed == symbol);
     };

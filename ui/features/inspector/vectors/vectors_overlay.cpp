@@ -54,8 +54,8 @@ class PointDrawing {
     void arc(const InBothFrames& a, const InBothFrames& b, double radius, Symbol symbol) {
         draw_arc(pen_, glm::dvec3(a.world), glm::dvec3(b.world), radius, theme_colour(symbol), words_);
     }
-    [[nodiscard]] bool has_r() const { return info_of(state_.explanation->reflection).uses_r(); }
-    [[nodiscard]] bool has_h() const { return info_of(state_.explanation->reflection).uses_h; }
+    [[nodiscard]] bool has_r() const { return info_of(state_.on_screen.explanation->reflection).uses_r(); }
+    [[nodiscard]] bool has_h() const { return info_of(state_.on_screen.explanation->reflection).uses_h; }
     void arrows_of(const ExplainedLight& light) {
         if (has_r()) arrow(Symbol::R, light.r);
         if (has_h()) arrow(Symbol::H, light.h);
@@ -108,7 +108,7 @@ struct CornerMark {
 
 CornerMark mark_of(const PictureView& view, const Rect& shown, const ExplainedCorner& corner, ImVec2 picked) {
     const glm::dvec3 world(corner.at.point.world);
-    const OnScreen place = project(view.map, world);
+    const ProjectedPoint place = project(view.map, world);
     if (place.in_front && shown.holds(view.to_window(place.pixel))) return {view.to_window(place.pixel), {}};
     const glm::dvec3 in_view(view.map.view_from_world * glm::dvec4(world, 1));
     ImVec2 way = place.in_front ? view.to_window(place.pixel) - picked
@@ -162,11 +162,11 @@ void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& 
 
 void draw_point_vectors(ImDrawList& list, const UiState& state, const PictureView& view) {
     const InspectorState& column = state.get<InspectorState>();
-    if (!state.explanation || !state.explanation->hit) return;
+    if (!state.on_screen.explanation || !state.on_screen.explanation->hit) return;
     if (column.shows_facet) draw_facet(list, state, view);
-    if (!column.shows_vectors || state.explanation->reflection == Reflection::None) return;
-    draw_corners(list, view, *state.explanation, state.asked);
-    PointDrawing(list, state, view, asked_point(column, *state.explanation)).draw();
+    if (!column.shows_vectors || state.on_screen.explanation->reflection == Reflection::None) return;
+    draw_corners(list, view, *state.on_screen.explanation, state.on_screen.pixel);
+    PointDrawing(list, state, view, asked_point(column, *state.on_screen.explanation)).draw();
 }
 
 }  // namespace glint

@@ -154,8 +154,8 @@ void cell(float moved, const ImVec4& colour) {
 /// Shows live at the picked point how far each term moves when normal, light or viewer is turned by a degree.
 void sensitivity_of_terms(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
     section_heading("Which term needs what: moved by a turn of 1°");
-    const Shading& shading = asked_scene(state).shading;
-    const Reflector reflector{shading.reflection, state.explanation->material, Terms{}};
+    const Shading& shading = explained_scene(state).shading;
+    const Reflector reflector{shading.reflection, state.on_screen.explanation->material, Terms{}};
     const auto sensitivity =
         term_sensitivity(reflector, point.normal.camera, light.l.camera, point.view.camera);
     constexpr std::array names{"ambient", "diffuse", "specular"};
@@ -182,9 +182,9 @@ void sensitivity_of_terms(const UiState& state, const ExplainedPoint& point, con
 }  // namespace
 
 void vectors_tab(UiState& state, const PictureView&) {
-    if (!state.explanation)
+    if (!state.on_screen.explanation)
         return inspector_empty_state("Here the vectors of that point appear, drawn in the picture too.");
-    const Explanation& explanation = *state.explanation;
+    const Explanation& explanation = *state.on_screen.explanation;
     if (!explanation.hit) return wrapped_dim("No object shows here: there is no normal and no light.");
     const ExplainedPoint& point = asked_point(state.get<InspectorState>(), explanation);
     const ExplainedLight* light = asked_light(state, point);

@@ -82,11 +82,9 @@ void draw_piece(ImDrawList& list, std::span<const glm::vec2> places, ImU32 colou
     cased_outline(list, corners, colour, line_width, false);
 }
 
-bool put_pen_away(UiState& state) { return std::exchange(state.get<PenState>().on, false); }
-
 }  // namespace
 
-const Tool pen_tool{.hover = pen_hover, .press = pen_press, .drag = pen_drag, .cancel = put_pen_away};
+const Tool pen_tool{.hover = pen_hover, .press = pen_press, .drag = pen_drag};
 
 ImVec4 pen_colour(int index) {
     // Okabe and Ito's yellow, sky blue, vermillion and green; white. On a picture: not the theme's.
