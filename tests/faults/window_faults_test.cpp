@@ -293,7 +293,7 @@ TEST_CASE("whatever fails while left work is taken up, it is taken up or still o
         bench.frames(2);
         bench.state.notifications.list.clear();
         turn.during([&] {
-            as_in_a_frame(bench, [&] { begin_pending(bench.state, Pending::What::Recover, left); });
+            as_in_a_frame(bench, [&] { recover_autosave(bench.state, left); });
             while (bench.state.loading.active()) (void)bench.frame();
         });
         bench.frames(2);
