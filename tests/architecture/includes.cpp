@@ -86,7 +86,7 @@ std::string complaint(string_view path, string_view name, bool quoted) {
     if (name == "models/mesh/resolution/half_edges.h" && !path.starts_with("models/mesh/resolution/"))
         return "brings OpenMesh out of models/mesh/resolution";
     // Each takes seconds to compile.
-    if (name.starts_with("nlohmann/") && path != "models/json/json.h")
+    if (name == "nlohmann/json.hpp" && path != "models/json/json.h")
         return "is for models/json/json.h; expected that";
     if (name.starts_with("CLI/") && path != "app/options.cpp")
         return "is for app/options.cpp; expected app/options.h";

@@ -131,7 +131,7 @@ TEST_CASE("libraries of the window are reported below their layer", "[architectu
 TEST_CASE("libraries that take seconds to compile are reported outside their wrapper files",
           "[architecture]") {
     CHECK(forbidden_includes("ui/files/a.cpp", "#include <nlohmann/json.hpp>").size() == 1);
-    CHECK(forbidden_includes("models/gltf/a.cpp", "#include <nlohmann/json_fwd.hpp>").size() == 1);
+    CHECK(forbidden_includes("ui/feature.h", "#include <nlohmann/json_fwd.hpp>").empty());  // only names
     CHECK(forbidden_includes("app/arguments.h", "#include <CLI/CLI.hpp>").size() == 1);
     CHECK(forbidden_includes("app/options.cpp", "#include <CLI/CLI.hpp>").empty());
     CHECK(forbidden_includes("models/json/json.h", "#include <nlohmann/json.hpp>").empty());
