@@ -12,19 +12,19 @@ namespace glint {
 
 namespace {
 
-// How long a field that was asked for stays marked, and one that waits for a key.
+// How long a requested field stays marked, and how long one that waits for a key stays marked.
 constexpr double marked_s = 1.5, waits_s = 6;
 
-// The number of ImGui's frames from asking for the keyboard until the text cursor shows.
+// Number of ImGui frames from requesting keyboard focus until the text cursor shows.
 constexpr int frames_until_typed = 5;
 
-// Kept from frame to frame, as ui/ui.h says.
+// Kept from frame to frame; see ui/ui.h.
 struct AskedField {
     std::string pointer;
-    int frames = 0;     // in which it was drawn since: first it is scrolled to, then it takes the keyboard
-    double until = -1;  // when its mark goes, in ImGui's time
-    int since = 0;      // the frame of the request; a smaller frame count is another window's
-    std::string component;  // "/1", which takes the keyboard; empty: the first
+    int frames = 0;         // drawn since the request: it is first scrolled to, then focused
+    double until = -1;      // ImGui time at which the mark disappears
+    int since = 0;          // frame of the request; a smaller frame count belongs to another window
+    std::string component;  // "/1", the component to focus; empty: the first
 };
 AskedField asked;
 
@@ -40,7 +40,7 @@ void mark_row(ImVec2 low) {
     redraw_within(std::max(asked.until - ImGui::GetTime(), 0.01));
 }
 
-/// Beside a switch that waits for it.
+/// Next to a switch that waits for its key.
 void name_its_key(ImVec2 low) {
     constexpr const char* words = "Space: on, off";
     const float right = low.x + ImGui::GetContentRegionAvail().x - px(4);
@@ -70,7 +70,7 @@ bool field_is_asked_below(const std::string& pointer) {
 bool draw_asked(const std::string& pointer, Typed typed, const std::function<bool()>& draw) {
     if (pointer != asked.pointer || !is_asked_now()) return draw();
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    if (asked.frames < 2) ImGui::SetScrollHereY(0.5f);  // in its first a panel does not know its length
+    if (asked.frames < 2) ImGui::SetScrollHereY(0.5f);  // a panel does not know its length in its first frame
     const bool settles = asked.frames < frames_until_typed;
     if (settles) redraw_within(0);
     if (settles && typed == Typed::Number && !number_in_hand()) type_into(pointer + asked.component);
@@ -90,7 +90,7 @@ bool draw_asked(const std::string& pointer, Typed typed, const std::function<boo
 
 bool dimmed_unless(bool applies, const std::function<bool()>& draw) {
     if (applies) return draw();
-    // Not by ImGuiStyleVar_Alpha: menus, lists and pickers that the field opens must stay opaque.
+    // Not by ImGuiStyleVar_Alpha: menus, lists and pickers opened from the field must stay opaque.
     ImVector<ImDrawVert>& vertices = ImGui::GetWindowDrawList()->VtxBuffer;
     const int first = vertices.Size;
     const bool edited = draw();
@@ -123,7 +123,7 @@ bool draw_field(const Row& row, const Homogeneous& kind, glm::vec4& value, const
 bool draw_field(const Row& row, const Count& kind, int& value, int initial, const Help& help) {
     int edited = value;
     if (!integer_field(row.label, edited, kind, initial, help) || edited == value) return false;
-    // The nearest number that is allowed, in the direction of the edit.
+    // The nearest allowed number in the direction of the edit.
     const int step = edited > value ? 1 : -1;
     while (edited >= kind.low && edited <= kind.high && !kind.contains(edited)) edited += step;
     if (!kind.contains(edited)) return false;

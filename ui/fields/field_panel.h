@@ -1,6 +1,6 @@
 #pragma once
 // Draws the fields of a struct as rows of a panel, from models/fields/scene_fields.h: label, control,
-// tooltip, default. A panel names the rows whose order or looks matter and ends with rest(), so that a new
+// tooltip, default. A panel names the rows whose order or style matters and ends with rest(), so that a new
 // field appears by itself.
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace glint {
 
-// One control a kind; `initial` is what the field returns to.
+// One control per type; `initial` is the value that a reset restores.
 inline bool draw_field(const Row& row, const Text& kind, std::string& value, const std::string&,
                        const Help& help) {
     return name_field(row.label, value, kind.max_characters, help);
@@ -40,25 +40,25 @@ template <class E> bool draw_field(const Row& row, const OneOf&, E& value, E, co
     return choice_field(row.label, value, help);
 }
 
-/// What is typed into the control of a kind; of a switch the key that turns it.
+/// What can be typed into the control of a type; for a switch, the key that toggles it.
 enum class Typed { Nothing, Number, Text, Key };
 template <class Kind> constexpr Typed typed_into(const Kind&) { return Typed::Number; }
 constexpr Typed typed_into(const Switch&) { return Typed::Key; }
 constexpr Typed typed_into(const OneOf&) { return Typed::Nothing; }
 constexpr Typed typed_into(const Text&) { return Typed::Text; }
 
-/// Draws dimmed what is without effect at the moment.
+/// Draws a control dimmed while it has no effect.
 [[nodiscard]] bool dimmed_unless(bool applies, const std::function<bool()>& draw);
 
-// A field that was asked for by its pointer (the palette finds fields).
+// A field that was requested by its pointer (the palette finds fields).
 
-/// Makes the field's panel scroll to it in the frames that follow, mark it for a moment and, if it can be
-/// typed into, give it the keyboard: a switch turns by Space or Enter while it is marked. `component`: "/1",
-/// the one of a vector that takes the keyboard; empty: the first.
+/// Makes the field's panel scroll to it in the following frames, marks it for a moment and, if it accepts
+/// typing, focuses it. A switch toggles with Space or Enter while it is marked. `component`: "/1", the
+/// component of a vector to focus; empty: the first.
 void ask_for_field(const std::string& pointer, const std::string& component = "");
-/// Whether a field is asked for that lies below `pointer` ("/npr"): a fold that holds it has to open.
+/// Whether a requested field is below `pointer` ("/npr"): a fold that contains it has to open.
 [[nodiscard]] bool field_is_asked_below(const std::string& pointer);
-/// Draws a field by `draw` and does that for it; `typed`: what can be typed into it.
+/// Draws a field by `draw` and handles a request for it; `typed`: what can be typed into it.
 bool draw_asked(const std::string& pointer, Typed typed, const std::function<bool()>& draw);
 
 class FieldPanel {
@@ -72,7 +72,7 @@ class FieldPanel {
             if (Field* field = find(key)) draw(*field);
         return *this;
     }
-    /// Draws a field with a control of the panel's own: control(row, help, usual) returns whether it edited;
+    /// Draws a field with the panel's own control: control(row, help, usual) returns whether it edited;
     /// usual() draws the field's ordinary control.
     template <class Control> FieldPanel& draw_as(std::string_view key, const Control& control) {
         Field* field = find(key);
@@ -84,7 +84,7 @@ class FieldPanel {
         });
         return *this;
     }
-    /// Draws a struct below a heading of its own, by draw_group(value, pointer), while it has an effect.
+    /// Draws a struct under its own heading by draw_group(value, pointer), while it has an effect.
     template <class T, class Draw> FieldPanel& group(std::string_view key, T& value, const Draw& draw_group) {
         Field* field = find(key);
         if (field == nullptr || !field->row.applies) return *this;
@@ -92,17 +92,16 @@ class FieldPanel {
         edited_ |= draw_group(value, field->help.pointer);
         return *this;
     }
-    /// Leaves a field to the panel.
+    /// Leaves out a field that the panel draws itself.
     FieldPanel& skip(std::string_view key) {
         if (Field* field = find(key)) field->drawn = true;
         return *this;
     }
-    /// Dims a field for a reason that its own struct does not know.
+    /// Dims a field for a reason that its struct does not know.
     FieldPanel& dim(std::string_view key, bool applies) {
         if (Field* field = find(key)) field->row.applies = field->row.applies && applies;
         return *this;
     }
-    /// A heading.
     FieldPanel& heading(const char* title) {
         section_heading(title);
         return *this;
@@ -128,7 +127,7 @@ class FieldPanel {
         fields_with_defaults(value, [&](const Row& row, const auto& kind, auto& member, const auto& from) {
             const Help help{row.help, pointer + "/" + std::string(row.key)};
             Field field{
-                row, help, {}, true};  // what has no control of its own is left to group() or the panel
+                row, help, {}, true};  // a type without its own control is left to group() or the panel
             if constexpr (requires { draw_field(row, kind, member, from, help); }) {
                 field.drawn = false;
                 field.typed = typed_into(kind);
@@ -160,8 +159,8 @@ template <class T> [[nodiscard]] bool field_rows(T& value, const std::string& po
 }
 
 /// Reverts an edit that breaks a condition between numbers (models/fields/scene_rules.h): the window must not
-/// make what the scene file would refuse. The fields keep each number in its own range. True if the edit
-/// stands.
+/// produce what a scene file would reject. The fields keep each number in its own range. Returns true if the
+/// edit was kept.
 template <class Item> bool keep_valid(Item& edited, const Item& before) {
     const auto found = violation_of(edited);
     if (!found) return true;

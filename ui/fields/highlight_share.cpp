@@ -10,11 +10,11 @@
 namespace glint {
 namespace {
 
-constexpr double least_highlight = 0.02;  // of the display's range: less is none
-constexpr double back = 0.95;             // a share that looks like the whole
-constexpr int shown_width = 320;          // of the picture that is measured
+constexpr double least_highlight = 0.02;  // of the display's range; anything below counts as no highlight
+constexpr double back = 0.95;             // a share that looks complete
+constexpr int shown_width = 320;          // of the picture used for measuring
 
-/// The object alone, with nothing but its specular light.
+/// The object alone, with only its specular light.
 Scene specular_alone(Scene scene, std::size_t object) {
     const Object kept = scene.objects[object];
     scene.objects = {kept};

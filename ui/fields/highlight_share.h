@@ -1,6 +1,6 @@
 #pragma once
-// Measures how much of an object's highlight its shading keeps: flat and Gouraud shading lose it where no
-// corner lies under it. Lecture: Gouraud shading misses highlights.
+// Measures how much of an object's highlight survives its shading: flat and Gouraud shading lose a highlight
+// that covers no vertex. Lecture: Gouraud shading misses highlights.
 
 #include <string>
 
@@ -11,11 +11,11 @@
 namespace glint {
 
 /// Returns the object's brightest specular light in a picture of that size, relative to Phong shading: about
-/// 1 if triangles are small, and above 1 only by as much as a corner lies nearer to the peak than a pixel's
-/// middle. Nothing if there is no highlight. `object`: index in Scene::objects.
+/// 1 if triangles are small. It exceeds 1 only slightly, when a vertex is closer to the peak than any pixel
+/// centre. Nothing if there is no highlight. `object`: index in Scene::objects.
 [[nodiscard]] std::optional<double> highlight_share(const Scene& scene, std::size_t object, PictureSize size);
 
-/// That share, cached until the scene changes and rests.
+/// That share, cached until the scene changes and settles.
 struct HighlightShareState {
     struct Key {
         Scene scene;
@@ -25,7 +25,8 @@ struct HighlightShareState {
     Kept<Key, std::optional<double>> share;
 };
 
-/// Says the share beside a mesh; empty if pixels are lit rather than corners, or if nothing shines.
+/// Returns the share as a note next to a mesh; empty if lighting is computed per pixel, or without a
+/// highlight.
 [[nodiscard]] std::string highlight_words(HighlightShareState& state, const Scene& scene, std::size_t object,
                                           PictureSize size);
 

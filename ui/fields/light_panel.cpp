@@ -49,7 +49,8 @@ bool light_panel(Light& light, const std::string& pointer, const Camera& camera,
     panel.draw_as("space", [&](const Row& row, const Help& help, const auto&) {
         LightSpace space = light.space;
         const Help how{
-            "Coordinates in which it stands; changing it keeps the light where it is (with Alt: its numbers)",
+            "Coordinate system of the position; changing it keeps the light where it is (with Alt: its "
+            "numbers)",
             help.pointer};
         if (!segment_field(row.label, space, how)) return false;
         if (ImGui::GetIO().KeyAlt)

@@ -1,4 +1,4 @@
-// One object: its mesh, where it stands, its material.
+// One object: its mesh, transform and material.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -26,7 +26,7 @@ bool same_look(const Material& a, const Material& b) {
            a.shininess == b.shininess;
 }
 
-/// The preset that this material is, if any.
+/// The preset that equals this material, if any.
 const MaterialPreset* preset_of(const Material& material) {
     for (const MaterialPreset& preset : material_presets())
         if (same_look(preset.material, material)) return &preset;
@@ -87,12 +87,12 @@ std::string mesh_label(const MeshSource& source) {
     return primitive != nullptr ? choice_of(primitive->primitive).label : short_name(source);
 }
 
-/// Drop-down of all primitives and, at its end, of files.
+/// Drop-down of all primitives, with files at its end.
 bool source_field(Object& object, const std::string& pointer, ObjectRequests& requests) {
     ImGui::SetNextItemWidth(label_cell("Mesh"));
     if (!ImGui::BeginCombo("##mesh", whole_label(mesh_label(object.source)).c_str(),
                            ImGuiComboFlags_HeightLarge)) {
-        tooltip("Mesh", "The shape: one that needs no file, or a file", "", pointer + "/mesh");
+        tooltip("Mesh", "The shape: a built-in one, or a mesh file", "", pointer + "/mesh");
         return false;
     }
     bool edited = false;
@@ -111,7 +111,7 @@ bool source_field(Object& object, const std::string& pointer, ObjectRequests& re
     return edited;
 }
 
-/// A slider to as many triangles as the mesh is given with, where it says "all".
+/// A slider up to the mesh's original number of triangles, where it shows "all".
 bool decimate_field(const Row& row, int& decimate, const Mesh* mesh, const Help& help) {
     constexpr std::size_t when_not_known = 1'000'000;
     const std::size_t given = mesh == nullptr             ? when_not_known
@@ -128,7 +128,7 @@ bool decimate_field(const Row& row, int& decimate, const Mesh* mesh, const Help&
     return true;
 }
 
-/// How finely the mesh is cut.
+/// Subdivision levels of a generated mesh.
 bool detail_fields(Object& object, const std::string& pointer) {
     const bool edited = std::visit(
         [&](auto& source) {
@@ -137,7 +137,7 @@ bool detail_fields(Object& object, const std::string& pointer) {
                 if (is_gltf_path(source.path))
                     panel.draw({"part"});
                 else
-                    panel.skip("part");  // there is but one
+                    panel.skip("part");  // there is only one
             }
             if constexpr (std::is_same_v<std::decay_t<decltype(source)>, PrimitiveMesh>)
                 panel.skip("primitive").draw_as("detail", [&](const Row& row, const Help& help, const auto&) {
@@ -160,7 +160,7 @@ void mesh_facts(const Object& object, const std::string& about_mesh) {
     const Mesh& mesh = *object.mesh;
     const std::size_t faces = mesh.face_count(), triangles = mesh.triangles.size();
     label_cell("");
-    // Where every face is a triangle one number says it all, and two need two lines.
+    // If every face is a triangle, one number is enough; otherwise faces and triangles take two lines.
     if (faces != triangles) {
         dim_text(fmt::format("{} {}", with_thousands(faces), faces == 1 ? "face" : "faces").c_str());
         label_cell("");
@@ -187,22 +187,22 @@ template <class Vector> auto largest_of(const Vector& scale) {
     return std::max({size.x, size.y, size.z});
 }
 
-/// One number for all three scales: they keep their ratio, and their signs. It is the largest of them.
+/// One number for all three scales: the largest. They keep their ratio and signs.
 bool uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
-    // Kept from frame to frame, as ui/ui.h says: the ratio is that of the scales before this field changed
-    // them, because "0", on the way to "0.5", leaves hardly any.
+    // Kept from frame to frame; see ui/ui.h. The ratio is that of the scales before this field changed them:
+    // typing "0.5" passes through "0", which would lose it.
     static glm::dvec3 before;
     static glm::vec3 written;
     if (scale != written) before = scale;
     float wanted = largest_of(scale);
     const Real kind{.range = above_zero, .step = 0.01f, .format = "%.2f", .logarithmic = true};
-    const Help help{"Multiplies the three scales, which keep their ratio: the largest of them", pointer};
+    const Help help{"Scales all three axes by one factor. Shows the largest of the three", pointer};
     if (!number_field("Scale all", wanted, kind, 1, help)) return false;
     scale = written = glm::vec3(before * (double(wanted) / largest_of(before)));
     return true;
 }
 
-/// Which gizmo stands on the object in the picture.
+/// The gizmo drawn on the object in the picture.
 void gizmo_field(GizmoMode& gizmo) {
     const auto with_key = [](const char* what, CommandId id) {
         return fmt::format("{} (key {})", what, keys_of(id));
@@ -216,7 +216,7 @@ void gizmo_field(GizmoMode& gizmo) {
                            Choice{"", "Rotate", turn.c_str()}, Choice{"", "Scale", scale.c_str()}};
     label_cell("Gizmo");
     gizmo = static_cast<GizmoMode>(
-        segments("##gizmo", static_cast<int>(gizmo), modes, {"What drags in the picture do to it", ""}));
+        segments("##gizmo", static_cast<int>(gizmo), modes, {"What dragging in the picture does to it", ""}));
 }
 
 }  // namespace
@@ -246,12 +246,12 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
     edited |= detail_fields(object, pointer);
     mesh_facts(object, requests.about_mesh);
     const auto normals = [&] { panel.group("normals", object.normals, field_rows<NormalOptions>); };
-    // Without normals in the mesh, these fields are looked for first.
+    // If the mesh has no normals, these are the fields that users look for first.
     const bool brings_normals = !object.mesh || object.mesh->given_normals != GivenNormals::None;
     if (!brings_normals) normals();
-    // Below the fields, which stay where they are when it goes.
+    // Below the fields, so that they do not move when it disappears.
     if (smooths_every_edge(object))
-        wrapped_dim("No normals of its own: averaged over all edges. Crease keeps edges sharp.");
+        wrapped_dim("The mesh has no normals: they are averaged over all edges. Crease keeps edges sharp.");
     panel.group("material", object.material, [&](Material& material, const std::string& at) {
         return material_panel(material, at, reflection);
     });

@@ -1,6 +1,6 @@
 #pragma once
-// The panels of the left column: the list of the scene, and a panel for each kind of item in it. Each edits
-// its value and says whether it did.
+// The panels of the left column: the scene's list, and a panel for each kind of item. Each edits its value
+// and returns whether it did.
 
 #include <optional>
 #include <string>
@@ -14,47 +14,47 @@
 
 namespace glint {
 
-/// Edits a light, whose JSON pointer is `pointer`: "/lights/1". When kind or space change, the light stays
-/// where it is, as seen in `map` and `dome`.
+/// Edits a light, whose JSON pointer is `pointer`: "/lights/1". A change of kind or space keeps the light
+/// where it is, as seen through `map` and `dome`.
 [[nodiscard]] bool light_panel(Light& light, const std::string& pointer, const Camera& camera,
                                const Dome& dome, const ScreenMap& map);
 
-/// Edits a material, whose JSON pointer is `pointer`: "/objects/0/material". Numbers that `reflection` does
-/// not use are dimmed.
+/// Edits a material, whose JSON pointer is `pointer`: "/objects/0/material". Dims numbers that `reflection`
+/// does not use.
 [[nodiscard]] bool material_panel(Material& material, const std::string& pointer, Reflection reflection);
 
-/// Gives the material a preset's ambient, diffuse, specular and shininess; the rest stays.
+/// Copies a preset's ambient, diffuse, specular and shininess into the material; the rest stays.
 void apply(const MaterialPreset& preset, Material& material);
 
-/// Cool-to-warm tones, and strokes along silhouettes and creases. Numbers without effect are dimmed.
+/// Cool-to-warm tones, and strokes along silhouettes and creases. Dims numbers without effect.
 bool npr_panel(Npr& npr);
 
 [[nodiscard]] bool shading_panel(Shading& shading, glm::vec3& global_ambient);
 [[nodiscard]] bool display_panel(Display& display);
 
-/// `size` of the picture: a frustum chosen anew sees what it saw.
+/// `size` of the picture: switching to a frustum keeps the visible region.
 [[nodiscard]] bool camera_panel(Camera& camera, PictureSize size);
-/// Says what a picture narrower than 16:9 is drawn with where that is not what the camera says (fitted()).
+/// Notes the effective view angle or height when a picture narrower than 16:9 changes it (fitted()).
 void note_fitted(const Camera& camera, PictureSize size);
 
-/// Shows the same view through another kind of projection: what is at the target's depth keeps its size in
+/// Returns the same view through another kind of projection: objects at the target's depth keep their size in
 /// the picture.
 [[nodiscard]] Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size);
 
-/// What a panel asks of its caller beside an edit, and what it is told.
+/// What a panel requests of its caller besides an edit, and what it needs from it.
 struct ObjectRequests {
     bool browse_mesh = false;           // choose a mesh file
-    GizmoMode gizmo = GizmoMode::Move;  // in the picture: what it is, and what it shall be
-    std::string about_mesh;             // to be said beside the mesh's numbers
+    GizmoMode gizmo = GizmoMode::Move;  // in the picture: the current one; the panel may change it
+    std::string about_mesh;             // shown next to the mesh's numbers
 };
 
 /// Edits an object, whose JSON pointer is `pointer`: "/objects/0". A changed mesh source leaves Object::mesh
-/// null: the caller loads it, or takes the edit back.
+/// null: the caller loads it or reverts the edit.
 [[nodiscard]] bool object_panel(Object& object, const std::string& pointer, Reflection reflection,
                                 ObjectRequests& requests);
 
-/// The list: edits the scene (adds, deletes, switches) and the selection; says whether the scene changed.
-/// Sets `browse_mesh` when an object is to be added from a mesh file.
+/// The list: edits the scene (adds, deletes, switches) and the selection; returns whether the scene changed.
+/// Sets `browse_mesh` to request a mesh file for a new object.
 [[nodiscard]] bool scene_panel(Scene& scene, Selection& selection, bool& browse_mesh);
 
 }  // namespace glint

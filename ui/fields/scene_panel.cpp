@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// A row: icon, name; true when it was clicked. The row leaves `reserve` at its right end free.
+/// A row with icon and name; true when clicked. Leaves `reserve` at its right end free.
 bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float indent, float reserve) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -44,7 +44,7 @@ bool plain_row(Icon icon, const char* name, Selection::Kind kind, Selection& sel
     return clicked;
 }
 
-/// Right-click on a row: copy it or take it away.
+/// Right-click on a row: duplicate or delete its item.
 bool row_menu(Scene& scene, Selection& selection, Selection row) {
     bool edited = false;
     if (!ImGui::BeginPopupContextItem("##menu")) return false;
@@ -57,7 +57,7 @@ bool row_menu(Scene& scene, Selection& selection, Selection row) {
     return edited;
 }
 
-/// The eye at the right end of a row: open while what the row stands for is seen in the picture.
+/// The eye at the right end of a row: open while the row's item is visible in the picture.
 bool eye_button(bool& open, const char* state, const char* what, const std::string& pointer) {
     ImGui::SameLine(0, 0);
     const bool pressed = icon_button("##eye", open ? Icon::Eye : Icon::EyeOff);
@@ -77,9 +77,9 @@ bool space_button(Light& light, const Camera& camera) {
                                         to_u32(ImGui::IsItemHovered() ? theme().text : theme().dim_text),
                                         letter);
     tooltip(world ? "World light" : "Camera light",
-            world ? "Stays with the scene. Click: let it ride along with the camera, from where it is now"
-                  : "Rides along with the camera. Click: leave it in the world where it is now",
-            "Alt+click: keep its numbers, and let it jump to where they are in the other coordinates");
+            world ? "Fixed in the world. Click: attach it to the camera, from where it is now"
+                  : "Attached to the camera. Click: leave it in the world where it is now",
+            "Alt+click: keep its numbers; the light jumps to that position in the other coordinates");
     const LightSpace other = world ? LightSpace::Camera : LightSpace::World;
     if (pressed && ImGui::GetIO().KeyAlt)
         light.space = other;
@@ -88,7 +88,7 @@ bool space_button(Light& light, const Camera& camera) {
     return pressed;
 }
 
-/// Draws the row of a light. True when the scene was edited; its menu may have changed the list.
+/// Draws the row of a light. True when the scene was edited; the row's menu may have changed the list.
 bool light_row(Scene& scene, int index, Selection& selection) {
     Light& light = scene.lights[static_cast<std::size_t>(index)];
     const Selection row{Selection::Kind::Light, index};
@@ -134,7 +134,7 @@ bool add_object_menu(Scene& scene, Selection& selection, bool& browse_mesh) {
     return edited;
 }
 
-/// A heading with a plus at its right end.
+/// A heading with a plus button at its right end.
 void list_heading(const char* title, const char* popup, bool full) {
     const float size = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
@@ -163,7 +163,7 @@ bool object_row(Scene& scene, int index, Selection& selection) {
 
 float row_step() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
 
-/// Scrolls as little as brings a row into sight, whose list begins at the cursor.
+/// Scrolls just enough to make a row visible; the list begins at the cursor.
 void scroll_to_row(int index) {
     const float low = ImGui::GetCursorPosY() + static_cast<float>(index) * row_step();
     const float high = low + row_step(), sight = ImGui::GetWindowHeight();
@@ -171,7 +171,7 @@ void scroll_to_row(int index) {
     if (high > ImGui::GetScrollY() + sight) ImGui::SetScrollY(high - sight);
 }
 
-/// Draws the rows that are in sight. A row that changes the list is the last one drawn in this frame.
+/// Draws the visible rows. A row that changes the list is the last one drawn in this frame.
 template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, DrawRow draw_row) {
     const std::size_t count = items.size();
     ImGuiListClipper clipper;
@@ -188,7 +188,7 @@ template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, D
 bool scene_panel(Scene& scene, Selection& selection, bool& browse_mesh) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1)});
     bool edited = false;
-    // What is selected elsewhere, in the picture or by keys, is brought into sight.
+    // Scrolls to an item that was selected elsewhere, in the picture or by keys.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const int before = std::exchange(*storage.GetIntRef(ImGui::GetID("shown"), -1), number_of(selection));
     const bool is_other = before != number_of(selection);

@@ -1,4 +1,4 @@
-// What a scene has one of: camera, shading, display.
+// The items that a scene has one of: camera, shading, display.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// Half the height of the view at one unit in front of the eye; the orthographic view's at the target.
+/// Half the height of the view one unit in front of the eye; of an orthographic view, at the target.
 double half_height(const Camera& camera) {
     if (const auto* p = std::get_if<Perspective>(&camera.projection))
         return std::tan(p->fov_y_deg / 2 * degree);
@@ -26,7 +26,7 @@ double half_height(const Camera& camera) {
     return std::abs(f.top - f.bottom) / 2 / f.near;
 }
 
-/// Six buttons that look at the target from a side.
+/// Six buttons that view the target from one side each.
 bool look_from(Camera& camera) {
     static constexpr struct {
         const char* label;
@@ -42,7 +42,7 @@ bool look_from(Camera& camera) {
     for (int i = 0; i < 6; ++i) {
         if (i % 3 != 0) ImGui::SameLine(0, gap);
         if (ImGui::Button(sides[i].label, {width, 0})) camera = seen_from(camera, sides[i].from);
-        tooltip(sides[i].label, "Looks at the target from there, as far away as now", "",
+        tooltip(sides[i].label, "Views the target from this side, at the same distance", "",
                 keys_of(sides[i].command));
     }
     return camera != before;
@@ -55,18 +55,15 @@ void note_fitted(const Camera& camera, PictureSize size) {
     if (drawn == camera.projection) return;
     if (const auto* p = std::get_if<Perspective>(&drawn))
         wrapped_dim(
-            fmt::format("Drawn with {:.1f}°: the picture is narrower than 16:9, and shows as much from "
-                        "side to side",
+            fmt::format("Drawn with {:.1f}° to keep the width of the view: the picture is narrower than 16:9",
                         p->fov_y_deg));
     else if (const auto* o = std::get_if<Orthographic>(&drawn))
-        wrapped_dim(
-            fmt::format("Drawn {:.3g} high: the picture is narrower than 16:9, and shows as much from "
-                        "side to side",
-                        o->height));
+        wrapped_dim(fmt::format(
+            "Drawn {:.3g} high to keep the width of the view: the picture is narrower than 16:9", o->height));
 }
 
 Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size) {
-    // A frustum is not widened for a narrow picture: it takes over what is seen, and hands that back.
+    // A frustum is not widened for a narrow picture: switching to or from it converts the visible region.
     const bool is_frustum = kind == ProjectionKind::Frustum;
     const bool was_frustum = kind_of(camera.projection) == ProjectionKind::Frustum;
     const double aspect = static_cast<double>(size.width) / size.height;

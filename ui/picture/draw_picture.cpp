@@ -16,7 +16,8 @@
 namespace glint {
 namespace {
 
-/// Whether a smaller picture may stand for the whole one for a moment: no numbers of many pixels are shown.
+/// Whether a smaller picture may temporarily replace the full one: no numbers taken from many pixels are
+/// shown.
 bool may_be_small(const UiState& state) {
     const bool camera = state.viewport.gesture == Gesture::Orbit || state.viewport.gesture == Gesture::Pan ||
                         state.viewport.gesture == Gesture::Dolly;
@@ -28,7 +29,7 @@ bool may_be_small(const UiState& state) {
            !needs.full_size && !(state.get<MagnifierState>().zoom > 1);
 }
 
-/// The size of the next picture of a scene that differs (`changed`) from the last one or does not.
+/// The size of the next picture of a scene that has changed since the last one, or not (`changed`).
 PictureSize paced_size(UiState& state, PictureSize full, bool changed, bool small_will_do) {
     FramePace& pace = state.pace;
     const bool small_now = state.rendered != nullptr && !(state.rendered->size == full);
@@ -46,8 +47,8 @@ PictureSize paced_size(UiState& state, PictureSize full, bool changed, bool smal
     return state.rendered->size;
 }
 
-/// During a short preview the explanation stays that of the picture before. A preview of another size may
-/// lack the explained pixel: then there is no explanation until the preview ends.
+/// During a preview the explanation stays that of the picture before. A preview of a different size may lack
+/// the explained pixel: then there is no explanation until the preview ends.
 void follow_size(UiState& state, const PictureView& view) {
     OnScreen& shown = state.on_screen;
     const bool same = shown.explained_size == view.map.size && shown.explained_drawn == state.rendered->size;
@@ -69,7 +70,7 @@ void picture_took(FramePace& pace, int divisor, double ms) {
         pace.in_vain = true;
     } else if (ms * pixels_fewer > pace.full_ms || ms * pixels_fewer < wanted_picture_ms / 2) {
         // The estimate was too low, or the small picture was very cheap: its fixed costs do not shrink, so
-        // times in between tell nothing about a full picture.
+        // times in between do not predict a full picture.
         pace.full_ms = ms * pixels_fewer;
     }
     if (pace.in_vain || pace.full_ms <= pace.slow_ms) {
@@ -77,7 +78,8 @@ void picture_took(FramePace& pace, int divisor, double ms) {
         return;
     }
     const double wanted = std::ceil(std::sqrt(pace.full_ms / wanted_picture_ms));
-    // Within a motion it only gets coarser: a picture that changes its grain is worse than a coarse one.
+    // Within a motion the resolution only decreases: a picture that changes its resolution distracts more
+    // than a coarse one.
     pace.divisor =
         static_cast<int>(std::clamp(std::max(wanted, double(divisor)), 2.0, double(largest_divisor)));
 }
@@ -116,7 +118,7 @@ void draw_picture(UiState& state, const PictureView& view) {
     const bool moves = may_be_small(state);
     state.pace.drawn_at = 0;
     const bool changed = !(state.rendered_scene == shown);
-    if (state.editor.before) state.failed_size = {0, 0};  // another document may be a smaller one
+    if (state.editor.before) state.failed_size = {0, 0};  // the previous document may be smaller
     const bool failed = state.rendered != nullptr && view.map.size == state.failed_size;
     const PictureSize size = failed ? state.rendered->size : paced_size(state, view.map.size, changed, moves);
     const bool same_size = state.rendered != nullptr && state.rendered->size == size;
@@ -134,7 +136,7 @@ void draw_picture(UiState& state, const PictureView& view) {
         ++state.picture_serial;
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
     }
-    // A frozen scene may be the edited one, too: then it is not drawn again.
+    // A frozen scene may be the edited one too: then it is not drawn again.
     if (changed || !same_size || other == nullptr)
         state.rendered_is_edited = other == nullptr && !awaits_mesh(state);
     if (!state.on_screen.explained_other && !is_explained(state)) state.on_screen.explanation.reset();

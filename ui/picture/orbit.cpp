@@ -17,7 +17,8 @@ namespace glint {
 namespace {
 
 constexpr double closest = 1e-4, farthest = max_number / 10;  // eye to target, scene units
-constexpr double closest_share = 1e-4;  // of the farthest coordinate: below it floats turn the view direction
+constexpr double closest_share = 1e-4;  // of the largest coordinate: closer, float rounding turns the view
+                                        // direction
 constexpr double pole_margin = std::numbers::pi / 180;
 
 bool usable(const Camera& camera) {
@@ -40,7 +41,7 @@ std::pair<double, double> depths_of(const Camera& camera, const Bounds& bounds) 
     return {low, high};
 }
 
-/// Eye and target moved alike.
+/// Moves eye and target equally.
 Camera shifted(Camera camera, glm::dvec3 shift) {
     camera.eye = glm::vec3(glm::dvec3(camera.eye) + shift);
     camera.target = glm::vec3(glm::dvec3(camera.target) + shift);
@@ -119,10 +120,9 @@ void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds
         [low = low, high = high](auto& p) {
             [[maybe_unused]] const float near_before = p.near;
             if (high > p.far) p.far = static_cast<float>(std::min(high * 1.5, max_number));
-            // A near plane at the eye would waste all of the depth's precision; one that is there already
-            // stays.
+            // A near plane at the eye would waste all depth precision; an existing one there stays.
             if (low < p.near) p.near = std::min(p.near, static_cast<float>(std::max(low / 2, p.far * 1e-4)));
-            // The window of a frustum lies on its near plane: it shrinks with it, or the angle would change.
+            // The window of a frustum is on its near plane: it shrinks with it, or the angle would change.
             if constexpr (requires { p.left; }) {
                 const float share = p.near / near_before;
                 p.left *= share, p.right *= share, p.bottom *= share, p.top *= share;

@@ -1,6 +1,6 @@
 #pragma once
-// What makes the picture on the screen differ from the edited scene's own, correct picture: one list, which
-// the badge on the picture shows and which a saved file is described by.
+// What makes the picture on the screen differ from the edited scene's own, correct picture: one list for the
+// badge on the picture and for the message about a saved file.
 
 #include <string>
 #include <vector>
@@ -15,34 +15,33 @@ struct UiState;
 
 struct PictureNote {
     enum class Kind {
-        Preview,     // shown while the mouse is over something
+        Preview,     // shown while the mouse hovers over something
         OtherScene,  // in place of the edited scene
         InScene,     // a setting of the scene itself, also in its file
-        View         // made of the picture, never saved
+        View         // applied to the picture, never saved
     };
     Kind kind = Kind::View;
     std::string name;
     void (*end)(UiState&) = nullptr;  // null: it ends with another note, or when the mouse moves on
-    CommandId key = CommandId::None;  // that ends it, too
+    CommandId key = CommandId::None;  // that also ends it
 };
 
-/// Returns the notes of the picture that is shown, in the order of the badge; features add theirs
-/// (Feature::note).
+/// Returns the notes of the shown picture, in the order of the badge; features add theirs (Feature::note).
 [[nodiscard]] std::vector<PictureNote> picture_notes(const UiState& state);
 
-/// Draws the badge into the upper left corner of `picture`, the part of it that is in sight: a line for each
-/// note, with a cross that ends it.
+/// Draws the badge into the upper left corner of `picture`, its visible part: a line for each note, with a
+/// cross that ends it.
 void picture_badge(UiState& state, const Rect& picture);
 
-/// Names of notes, joined by commas: of those that a file shows, and of those that only the window shows.
+/// Names of notes, joined by commas: those that a file shows, and those that only the window shows.
 struct FileNotes {
     std::string in_file, left_out;
 };
-/// Of a file of what is shown, or of the edited scene.
+/// For a file of the shown scene, or of the edited scene.
 [[nodiscard]] FileNotes notes_of_shown(const UiState& state);
 [[nodiscard]] FileNotes notes_of_edited(const UiState& state);
 
-/// "WHAT: Off: specular. Not in the file: Comparison", a warning where something is left out.
+/// "WHAT: Off: specular. Not in the file: Comparison", as a warning if something is left out.
 [[nodiscard]] Notification file_message(const std::string& what, const FileNotes& notes);
 /// The same before the file is written: "With: Off: specular. Not in the file: Comparison"; empty without
 /// notes.

@@ -46,7 +46,7 @@ glm::dvec3 unproject(const ScreenMap& map, glm::dvec2 pixel, double depth) {
 }
 
 Ray ray_through(const ScreenMap& map, glm::dvec2 pixel) {
-    // A projection with a constant w (orthographic) sees along parallel lines.
+    // A projection with constant w (orthographic) has parallel lines of sight.
     const bool parallel = map.clip_from_view[2][3] == 0;
     const glm::dvec3 origin = parallel ? unproject(map, pixel, 0) : glm::dvec3(map.world_from_view[3]);
     return {origin, glm::normalize(unproject(map, pixel, 1) - origin)};

@@ -1,7 +1,7 @@
 #pragma once
-// The way from the world to the pixels of a picture and on to the window, and back, for one camera and one
-// size. Handles, the probe and the drags are computed with it, so that they agree with what the renderer
-// drew. Pixels: x right, y down, the first row at the top; pixel (x, y) has its centre at (x + 1/2, y + 1/2).
+// Maps the world to the pixels of a picture and to the window, and back, for one camera and one size.
+// Handles, the probe and the drags use it, so that they agree with what the renderer drew. Pixels: x right, y
+// down, the first row at the top; pixel (x, y) has its centre at (x + 1/2, y + 1/2).
 
 #include <imgui.h>
 
@@ -26,13 +26,13 @@ struct ScreenMap {
 struct ProjectedPoint {
     glm::dvec2 pixel{0};
     double depth = 0;       // in front of the camera, scene units: -z in camera coordinates
-    bool in_front = false;  // false: at or behind the eye; then `pixel` says nothing
+    bool in_front = false;  // false: at or behind the eye; then `pixel` is meaningless
 };
 
-/// Where a place in the world shows. It may be outside the picture.
+/// Where a point of the world appears. It may be outside the picture.
 [[nodiscard]] ProjectedPoint project(const ScreenMap& map, glm::dvec3 world);
 
-/// The place in the world that shows at `pixel`, `depth` in front of the camera. Inverse of project().
+/// The point of the world that appears at `pixel`, `depth` in front of the camera. Inverse of project().
 [[nodiscard]] glm::dvec3 unproject(const ScreenMap& map, glm::dvec2 pixel, double depth);
 
 struct Ray {
@@ -42,11 +42,11 @@ struct Ray {
 /// The line of sight through a pixel: from the eye, or (orthographic) from the plane of the eye.
 [[nodiscard]] Ray ray_through(const ScreenMap& map, glm::dvec2 pixel);
 
-/// A place (w = 1) or direction (w = 0) of camera coordinates, in the world.
+/// A point (w = 1) or direction (w = 0) of camera coordinates, in the world.
 [[nodiscard]] glm::dvec3 in_world(const ScreenMap& map, glm::vec3 camera, double w);
 
 [[nodiscard]] bool is_inside(PictureSize size, glm::dvec2 pixel);
-/// The whole pixel at `pixel`, or the one at the border that is nearest to it.
+/// The integer pixel at `pixel`, clamped to the picture.
 [[nodiscard]] glm::ivec2 nearest_pixel(PictureSize size, glm::dvec2 pixel);
 
 /// The sphere on which directional lights are shown and dragged.
@@ -55,10 +55,11 @@ struct Dome {
     double radius = 1;
 };
 
-/// The pixel of a picture of size `to` at the place of a pixel inside one of size `from`, of the same view.
+/// The pixel of a picture of size `to` at the position of a pixel inside one of size `from`, of the same
+/// view.
 [[nodiscard]] glm::ivec2 pixel_at_place(glm::ivec2 pixel, PictureSize from, PictureSize to);
 
-/// Where the picture lies in the window, in ImGui's units, and the camera that drew it.
+/// The picture's rectangle in the window, in ImGui's units, and the camera that drew it.
 struct PictureView {
     ImVec2 origin;
     float units_per_pixel = 1;
@@ -72,14 +73,13 @@ struct PictureView {
     [[nodiscard]] glm::dvec2 to_pixel(ImVec2 at) const {
         return {(at.x - origin.x) / units_per_pixel, (at.y - origin.y) / units_per_pixel};
     }
-    /// Where a place in the world shows, which must lie in front of the eye.
+    /// Where a point of the world appears; it must be in front of the eye.
     [[nodiscard]] ImVec2 shown(glm::dvec3 world) const { return to_window(project(map, world).pixel); }
-    /// The ends of a segment of the world in the window, cut where it passes the eye; nothing where it is
-    /// behind the eye.
+    /// The ends of a world segment in the window, clipped at the eye; nothing if it is behind the eye.
     [[nodiscard]] std::optional<std::pair<ImVec2, ImVec2>> shown(glm::dvec3 a, glm::dvec3 b) const;
-    /// The window's place of the picture's far corner.
+    /// The window position of the picture's lower right corner.
     [[nodiscard]] ImVec2 end() const { return to_window({map.size.width, map.size.height}); }
-    /// The picture's pixels that `units` of the design take.
+    /// The length of `units` of the design in the picture's pixels.
     [[nodiscard]] double pixels(float units) const;
 };
 
@@ -88,13 +88,13 @@ struct WorldPen {
     ImDrawList& list;
     const PictureView& view;
 
-    /// Cut where it passes the eye. `width`: as ImGui draws it.
+    /// Clipped at the eye. `width`: as ImGui draws it.
     void line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const;
-    /// Light on dark, so that it is seen on every picture; `width` in logical pixels.
+    /// Light on dark, so that it is visible on every picture; `width` in logical pixels.
     void cased(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float opacity, float width = 1.3f) const;
     /// centre + cos u + sin v.
     void circle(glm::dvec3 centre, glm::dvec3 u, glm::dvec3 v, ImU32 colour, float opacity) const;
-    /// A small disc with a dark rim; larger when the hand is on it.
+    /// A small disc with a dark rim; larger while hovered.
     void mark(glm::dvec3 place, ImU32 colour, float opacity, bool hovered) const;
 };
 

@@ -12,7 +12,7 @@ namespace {
 /// Whether both are parts of one smooth surface, side by side.
 bool hang_together(const SeenPoint& a, const SeenPoint& b) {
     if (a.object != b.object || glm::dot(a.normal, b.normal) < 0.7f) return false;
-    // Two points of a smooth surface lie across the mean of their normals.
+    // The vector between two points of a smooth surface is perpendicular to the mean of their normals.
     const glm::vec3 way = b.position - a.position, normal = a.normal + b.normal;
     return std::abs(glm::dot(way, normal)) <= 1.2f * glm::length(way);
 }

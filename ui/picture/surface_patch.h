@@ -1,5 +1,5 @@
 #pragma once
-// A patch holds the surface in a few pixels round one, and measures the slope of a quantity there.
+// The surface in a few pixels round a centre, and the slope of a quantity there.
 
 #include <functional>
 #include <glm/vec2.hpp>
@@ -20,31 +20,31 @@ struct SurfaceView {
     const Dome& dome;
 };
 
-/// The point that shows at a place of the last picture, which must have this size; nothing outside and on the
+/// The surface point at a position of the last picture, which must have this size; nothing outside or on the
 /// background.
 [[nodiscard]] std::optional<SeenPoint> seen_at(const Renderer& renderer, PictureSize size, glm::dvec2 pixel);
 
-/// A square of 2 radius + 1 pixels a side, row by row. Pixels that show something other than the middle one
-/// (another object, a part of it behind, a crease) are not used; in `points` the middle stands in for them.
+/// A square of 2 radius + 1 pixels per side, row by row. Pixels that show something other than the centre
+/// (another object, a part of it behind, a crease) are not used; in `points` the centre replaces them.
 struct SurfacePatch {
     int radius = 0;
     std::vector<SeenPoint> points;
     std::vector<bool> used;
 
     [[nodiscard]] const SeenPoint& middle() const { return points[points.size() / 2]; }
-    /// From the middle, pixels.
+    /// From the centre, pixels.
     [[nodiscard]] glm::dvec2 offset(std::size_t i) const;
-    /// Gradient at the middle of ln(values), per pixel, from pairs of opposite pixels up to `within` pixels
-    /// across or up, so that curvature does not count. 0 where nothing can be said; values of 0 are not used.
+    /// Gradient at the centre of ln(values), per pixel, from pairs of opposite pixels up to `within` pixels
+    /// across or up, so that curvature cancels. 0 if undefined; values of 0 are not used.
     [[nodiscard]] glm::dvec2 slope_of_log(const std::vector<double>& values, int within) const;
-    /// Length of the gradient at the middle of a patch of radius 1, per pixel; 0 where nothing can be said.
+    /// Length of the gradient at the centre of a patch of radius 1, per pixel; 0 if undefined.
     [[nodiscard]] double steepness(const std::function<double(const SeenPoint&)>& value) const;
-    /// Distance of the largest value from the middle, pixels; of equal ones the nearest. `radius` + 1 where
-    /// the middle is 0.
+    /// Distance of the largest value from the centre, pixels; of equal ones the nearest. `radius` + 1 if the
+    /// centre is 0.
     [[nodiscard]] double distance_of_maximum(const std::vector<double>& values) const;
 };
 
-/// The patch round a pixel; nothing when that shows the background.
+/// The patch round a pixel; nothing on the background.
 [[nodiscard]] std::optional<SurfacePatch> surface_patch(const Renderer& renderer, PictureSize size,
                                                         glm::dvec2 pixel, int radius);
 

@@ -1,6 +1,6 @@
 #pragma once
 // Tools on the picture: one at a time has the mouse. Each is a row of functions, and only picture_room.cpp
-// decides which one.
+// decides which one is active.
 
 #include <imgui.h>
 
@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Logical pixels within which a tool's line is taken.
+/// Distance in logical pixels at which a tool's line can be grabbed.
 inline constexpr float tool_line_reach = 6;
 
 struct UiState;
@@ -22,7 +22,7 @@ struct ToolFrame {
     UiState& state;
     const PictureView& view;
     const UiInput& input;
-    bool over;         // the cursor is over the picture, and no tool before this one has it
+    bool over;         // the cursor is over the picture, and no earlier tool has it
     glm::dvec2 pixel;  // the cursor, in pixels of the picture
 };
 
@@ -30,34 +30,35 @@ inline constexpr int not_taken = -1;
 
 /// Functions that a tool does not need are null.
 struct Tool {
-    /// Called while no button holds a tool: finds what is under the cursor, and forgets it if the cursor is
-    /// not `over`. True if this tool takes the cursor: then no tool after it is asked.
+    /// Called while no button drags a tool: finds what is under the cursor, and clears it if the cursor is
+    /// not `over`. True if this tool takes the cursor: then later tools are skipped.
     bool (*hover)(ToolFrame&) = nullptr;
-    /// Called when a button may have gone down on what hover() found. Returns the button that holds the tool
-    /// from now on (ImGui's number), or not_taken.
+    /// Called when a button may have been pressed on what hover() found. Returns the button that drags the
+    /// tool from now on (ImGui's number), or not_taken.
     int (*press)(ToolFrame&) = nullptr;
-    /// Called in every frame while it is held. False when there is nothing to drag any more.
+    /// Called in every frame of a drag. False when there is nothing left to drag.
     bool (*drag)(ToolFrame&) = nullptr;
-    /// The button went up.
+    /// Called when the button is released.
     void (*release)(ToolFrame&) = nullptr;
-    /// Says for the status line what a drag or click does now; empty when the tool has not the mouse.
+    /// Returns what a drag or click does now, for the status line; empty when the tool does not have the
+    /// mouse.
     std::string (*hint)(const UiState&) = nullptr;
 };
 
-/// The tool that a button holds.
+/// The tool that a button drags.
 struct ToolCapture {
     const Tool* tool = nullptr;
     int button = not_taken;
 };
 
-/// Says for the status line what the tool under the mouse would do.
+/// Returns what the tool under the mouse would do, for the status line.
 [[nodiscard]] std::string tools_hint(const UiState& state);
 
 /// Escape leaves the innermost thing: a drag, a dialog, a sheet, a tool, the picked pixel.
 void escape(UiState& state);
 
 extern const Tool hand_tool;  // the camera, and all handles: ui/picture/viewport.cpp
-/// Draws the handles, of the scene that the picture shows.
+/// Draws the handles of the scene in the picture.
 void draw_hand(ImDrawList& list, UiState& state, const PictureView& view);
 
 }  // namespace glint

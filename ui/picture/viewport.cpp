@@ -19,12 +19,12 @@ namespace {
 
 constexpr double drag_threshold = 3;  // logical pixels before a press becomes a drag
 constexpr double wheel_step = 0.88;   // of the distance, per notch
-constexpr double scroll_units = 36;   // of the design, that a notch pans or turns by
+constexpr double scroll_units = 36;   // design units that a notch pans or turns by
 constexpr double wheel_pause = 0.6;   // seconds: notches closer than this are one step
 
 glm::dvec2 cursor_px(const ViewportFrame& frame) { return frame.view.to_pixel(ImGui::GetIO().MousePos); }
 
-/// Depth of what shows under the cursor; of the target over the background.
+/// Depth of the surface under the cursor; of the target over the background.
 double depth_under(const ViewportFrame& frame, glm::dvec2 pixel) {
     const bool drawn = is_inside(frame.view.map.size, pixel) && frame.renderer != nullptr;
     const float depth = drawn ? frame.renderer->depth_at(int(pixel.x), int(pixel.y)) : 0;
@@ -43,7 +43,7 @@ void begin(ViewportState& state, const ViewportFrame& frame, Gesture gesture) {
     state.grip_depth = depth_under(frame, state.pressed_px);
 }
 
-/// The button that went down.
+/// The pressed button.
 int press(ViewportState& state, ViewportFrame& frame) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         begin(state, frame, Gesture::Press);
@@ -106,9 +106,9 @@ void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
 
 void click(ViewportState& state, PictureSize size) {
     state.touched = true;
-    if (state.pressed_grip.is_mark()) return;  // it was selected when pressed
+    if (state.pressed_grip.is_mark()) return;  // selected when pressed
     state.asked = true;
-    // The pixel's middle: at its edge, pictures of another shape might take the one beside it.
+    // The pixel's centre: at its edge, pictures of another shape might pick its neighbour.
     const glm::dvec2 middle = glm::dvec2(nearest_pixel(size, state.pressed_px)) + 0.5;
     ask_about(state, middle / glm::dvec2(size.width, size.height));
 }
@@ -164,8 +164,8 @@ ViewportFrame viewport_frame(UiState& state, const PictureView& view) {
             state.viewport.gizmo, state.viewport.pivot};
 }
 
-/// What drew the picture under the cursor, which may be a part of a comparison; null where its lights are not
-/// those of the edited scene.
+/// The renderer of the picture under the cursor, which may be a part of a comparison; null if its lights are
+/// not those of the edited scene.
 const Renderer* renderer_under(const UiState& state, const ViewportFrame& frame) {
     if (state.on_screen.is_out_of_hand() || frame.renderer == nullptr) return nullptr;
     const ShownPart* part = part_at(state, nearest_pixel(frame.view.map.size, cursor_px(frame)));
@@ -173,14 +173,14 @@ const Renderer* renderer_under(const UiState& state, const ViewportFrame& frame)
     return part->other == nullptr ? part->renderer : nullptr;
 }
 
-/// Whether highlights and terminators of the edited scene are seen under the cursor: not in cells of the
+/// Whether highlights and terminators of the edited scene are visible under the cursor: not in cells of the
 /// grid, in false colours, in a difference, or in a part that shows another model or scene.
 bool shows_effects(const UiState& state, const ViewportFrame& frame) {
     const ShownPart* part = part_at(state, nearest_pixel(frame.view.map.size, cursor_px(frame)));
     return !state.on_screen.resting && part != nullptr && part->has_effects;
 }
 
-/// The mouse belongs to the light that follows it, wherever it is.
+/// The light that follows the mouse owns it everywhere.
 bool hover_with_effect(ViewportState& state, const ViewportFrame& frame) {
     state.hovered = ImGui::IsItemHovered();
     state.hovered_grip = {};
@@ -191,7 +191,7 @@ bool hover_with_effect(ViewportState& state, const ViewportFrame& frame) {
     return true;
 }
 
-/// A click keeps what the light does, the right button puts it back.
+/// A click confirms the light's effect, the right button reverts it.
 void end_effect(ViewportState& state, Scene& scene) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) (void)cancel_gesture(state, scene);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) end_gesture(state);
@@ -203,7 +203,7 @@ bool hand_hover(ToolFrame& tool) {
     state.asked = false;
     if (state.gesture == Gesture::Effect) return hover_with_effect(state, frame);
     state.hovered = tool.over;
-    // With Alt nothing but the camera is taken hold of; of another scene than the edited one nothing can be.
+    // With Alt only the camera can be grabbed; in a scene other than the edited one nothing can be.
     const bool takes_hold = state.hovered && !ImGui::GetIO().KeyAlt && !tool.state.on_screen.is_out_of_hand();
     state.hovered_grip = takes_hold ? grip_under(frame, cursor_px(frame)) : Grip{};
     if (!state.hovered_grip.is_mark() && !shows_effects(tool.state, frame)) state.hovered_grip = {};

@@ -17,61 +17,60 @@ struct HeldEffect {
     LightEffect effect = LightEffect::Brightest;
     int light = 0;  // in Scene::lights
     Light start;
-    bool no_solution = false;  // no light can do that under the cursor: it waits as it is
+    bool no_solution = false;  // no light can do that under the cursor: it does not move
 };
 
 struct ViewportState {
     Gesture gesture = Gesture::None;
     glm::dvec2 pressed_px{0}, last_px{0};
-    double grip_depth = 1;                // of what the camera gesture holds on to
-    Grip hovered_grip, pressed_grip;      // under the cursor now, and when the button went down
+    double grip_depth = 1;                // of the point that the camera gesture keeps under the cursor
+    Grip hovered_grip, pressed_grip;      // under the cursor now, and when the button was pressed
     Held held;                            // under Gesture::Hand
     HeldEffect effect;                    // under Gesture::Effect
-    std::optional<MainLight> main_light;  // of several lights, the one that counts most under a free cursor
+    std::optional<MainLight> main_light;  // of several lights, the one that contributes most under the cursor
     GizmoMode gizmo = GizmoMode::Move;
     std::optional<glm::dvec3>
-        pivot;     // what GizmoMode::Rotate turns about, world coordinates; else where the gizmo stands
-    Scene before;  // as it was when the gesture began: Esc brings it back
-    std::optional<glm::dvec2> probe;         // the pixel asked about, as a share of the picture's size
-    std::optional<glm::dvec2> probe_before;  // the one that was asked about before, likewise
-    PictureSize shares_of{0, 0};  // the picture in which they, and the scope's line, are these shares
+        pivot;     // the pivot of GizmoMode::Rotate, world coordinates; default: the gizmo's position
+    Scene before;  // when the gesture began: Esc restores it
+    std::optional<glm::dvec2> probe;         // the picked pixel, as a share of the picture's size
+    std::optional<glm::dvec2> probe_before;  // the one picked before, likewise
+    PictureSize shares_of{0, 0};  // the picture size to which these shares, and the scope's line, refer
     bool hovered = false;         // the cursor is over the picture
     bool asked = false;           // a pixel was clicked in this frame
-    bool touched = false;         // someone has used the picture: the hints go
+    bool touched = false;         // the picture has been used: the hints disappear
     double last_wheel = -1e9;     // time
-    bool wheel_goes_on = false;   // this frame's notch belongs to the one before: one view
+    bool wheel_goes_on = false;   // this frame's notch continues the one before: one view
 };
 
-/// Ends the gesture and puts the scene back to where it began. True when there was one.
+/// Ends the gesture and restores the scene from its beginning. True if there was one.
 bool cancel_gesture(ViewportState& state, Scene& scene);
 
-/// Asks about another pixel (a share of the picture's size), or about none.
+/// Picks another pixel (a share of the picture's size), or none.
 void ask_about(ViewportState& state, std::optional<glm::dvec2> probe);
-/// Asks again about the pixel before; a second time, about this one again.
+/// Picks the previous pixel; a second time, this one again.
 void ask_as_before(ViewportState& state);
 
-/// Finds the light that matters most at the pixel under a cursor that holds nothing: of several, on the
-/// surfaces of the open scene.
+/// Finds the light that contributes most under an idle cursor: of several, on the surfaces of the open scene.
 void find_main_light(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px);
 
-/// Lets the selected light (if none is, the one that matters most under the cursor) follow the cursor by its
-/// effect until a click keeps it or cancel_gesture() puts it back. Does nothing without a light.
+/// Makes the selected light (default: the one that contributes most under the cursor) follow the cursor by
+/// its effect until a click confirms it or cancel_gesture() reverts it. Does nothing without a light.
 void begin_effect(ViewportState& state, Scene& scene, Selection& selection, LightEffect effect);
 void follow_effect(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px);
 [[nodiscard]] HandNote note_of(const HeldEffect& held, const Scene& scene);
 [[nodiscard]] std::string hint_of(const HeldEffect& held);
 
-/// Asks about the pixel so far to the right and down from the one asked about, at most as far as the picture's
-/// border; where none is asked about, about the one in the middle.
+/// Picks the pixel `step` to the right and down from the picked one, clamped to the picture; without a picked
+/// one, the centre.
 void step_probe(ViewportState& state, PictureSize size, glm::ivec2 step);
 
-/// The pixel asked about, in a picture of this size; none when it lies outside.
+/// The picked pixel in a picture of this size; none if it is outside.
 [[nodiscard]] std::optional<glm::ivec2> probe_pixel(const ViewportState& state, PictureSize size);
 
-/// Draws handles, the probe, and the note at the hand.
+/// Draws handles, the probe, and the note at the cursor.
 void draw_overlay(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame);
 
-/// Says for the status line what a drag or click would do now.
+/// Returns what a drag or click would do now, for the status line.
 [[nodiscard]] std::string gesture_hint(const ViewportState& state, const Scene& scene);
 
 }  // namespace glint

@@ -38,7 +38,7 @@ std::string time_text(std::time_t when) {
 }
 
 struct Copy {
-    std::string path;  // of the file that it is a copy of
+    std::string path;  // of the copied file
     Json scene;
     FileStamp stamp;  // of that file when it was read
 };
@@ -95,7 +95,7 @@ std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder) {
         struct stat status {};
         if (::stat(path.c_str(), &status) != 0) continue;
         auto lock = lock_autosave(path);
-        if (!lock) continue;  // its process lives
+        if (!lock) continue;  // its process is still running
         if (const auto copy = read_copy(path))
             found.emplace_back(status.st_mtime, OrphanedAutosave{*std::move(lock), file_title(copy->path),
                                                                  time_text(status.st_mtime)});

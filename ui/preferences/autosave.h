@@ -1,7 +1,7 @@
 #pragma once
-// The copy of unsaved work: one per process, in the folder of the window's settings, to be found again after
-// a crash. A process locks its copy (flock on a file next to it) while it lives; a copy whose lock is free
-// was left by a process that is gone.
+// The copy of unsaved work: one per process, in the settings folder, so that it can be found after a crash. A
+// process locks its copy (flock on a file next to it) while it runs; an unlocked copy was left by a process
+// that has ended.
 
 #include <memory>
 #include <optional>
@@ -12,35 +12,35 @@
 
 namespace glint {
 
-/// The right to write, offer or remove the copy `path`. The lock is released when its last owner goes or the
-/// process ends in any way.
+/// The right to write, offer or remove the copy `path`. The lock is released when its last owner is destroyed
+/// or the process ends in any way.
 struct AutosaveLock {
     std::string path;
     std::shared_ptr<const int> file;
 };
 
 /// Locks the copy `path`, whether or not it exists; nothing when another process has locked it or the folder
-/// cannot be written.
+/// is not writable.
 [[nodiscard]] std::optional<AutosaveLock> lock_autosave(const std::string& path);
 
-/// A new copy in `folder`, locked and not yet written; nothing when the folder cannot be written.
+/// A new copy in `folder`, locked and not yet written; nothing when the folder is not writable.
 [[nodiscard]] std::optional<AutosaveLock> new_autosave(const std::string& folder);
 
-/// The text of a copy in `folder`: the document's path, the state of its file when it was opened or saved,
-/// and its scene with mesh paths relative to that folder.
+/// The text of a copy in `folder`: the document's path, its file's stamp when it was opened or saved, and its
+/// scene with mesh paths relative to that folder.
 [[nodiscard]] std::string autosave_text(const SceneDocument& document, const std::string& folder);
 
-/// A copy left by a process that is gone, now locked by this one.
+/// A copy left by a process that has ended, now locked by this one.
 struct OrphanedAutosave {
     AutosaveLock lock;
     std::string title;  // of the document: file_title() of its path
-    std::string when;   // it was written: "2025-05-03 14:05"
+    std::string when;   // when it was written: "2025-05-03 14:05"
 };
 
-/// The copies in `folder` that no process has locked, newest first. Anything that is not a copy is skipped.
+/// The copies in `folder` that no process has locked, newest first. Skips anything that is not a copy.
 [[nodiscard]] std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder);
 
-/// The document of a copy, its meshes loaded, with the path from which it was opened.
+/// The document of a copy, with its meshes loaded and its original path.
 [[nodiscard]] Result<SceneDocument> open_autosave(const std::string& path);
 
 }  // namespace glint

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene file that holds a camera and nothing else: its writer and its checks serve a kept view too.
+/// A scene file that contains only a camera: its writer and its checks serve a saved view too.
 Json camera_json(const Camera& camera) {
     Scene scene;
     scene.camera = camera;
@@ -48,7 +48,7 @@ void add_recent(std::vector<std::string>& paths, const std::string& path) {
 
 Json recent_json(const std::vector<std::string>& paths) {
     Json list = Json::array();
-    for (const std::string& path : paths) list.push_back(escaped_bytes(path));  // a path need not be UTF-8
+    for (const std::string& path : paths) list.push_back(escaped_bytes(path));  // a path is not always UTF-8
     return list;
 }
 
@@ -79,7 +79,7 @@ struct Limits {
     float low, high;
 };
 
-/// Every number and switch of the preferences, once: its name in the file, its member, and its range.
+/// Each number and switch of the preferences once: its name in the file, its member, and its range.
 template <class P, class Visit> void preference_fields(P& p, const Visit& visit) {
     constexpr Limits column{least_column_width, max_column_width}, why{least_why_width, max_column_width},
         window{0, 16384};

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double seconds_between_copies = 5;
 
-/// Locks a copy for this process, if it has none yet, in a folder that is made again if it is missing.
-/// Returns why there can be none.
+/// Locks a copy for this process if it has none, and recreates a missing folder. Returns why there can be no
+/// copy.
 std::optional<Problem> why_no_autosave(Persistence& memory) {
     if (auto problem = why_no_folder(memory.folder)) return problem;
     if (!memory.autosave) memory.autosave = new_autosave(memory.folder);
@@ -23,7 +23,7 @@ std::optional<Problem> why_no_autosave(Persistence& memory) {
     return Problem{memory.folder, "", "cannot be written", "a folder of your own"};
 }
 
-/// Begins to write the copy on a thread of its own, as writing waits for the disk.
+/// Starts writing the copy on its own thread, since writing waits for the disk.
 void write_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     memory.autosaved_at = ImGui::GetTime();
@@ -38,7 +38,7 @@ void write_autosave(UiState& state) {
     memory.autosave_writing = state.jobs.start<std::monostate>(memory.autosave->path, work);
 }
 
-/// Reports the copy that could not be written, if its writing has ended.
+/// Reports a failed write once the thread has ended.
 void take_written_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     if (!memory.autosave_writing || !memory.autosave_writing->done()) return;
@@ -51,12 +51,12 @@ void take_written_autosave(UiState& state) {
 }  // namespace
 
 void tell_no_copy(UiState& state, const Problem& problem) {
-    state.persistence.autosaved_scene.reset();  // so that it is tried again
+    state.persistence.autosaved_scene.reset();  // so that the next frame tries again
     if (std::exchange(state.persistence.autosave_failed, true)) return;
-    state.notifications.add(Tone::Warning,
-                            fmt::format("No copy of the unsaved work can be kept: {}; save it to "
-                                        "keep it in case of a crash",
-                                        problem.text()));
+    state.notifications.add(
+        Tone::Warning,
+        fmt::format("No copy of the unsaved work can be kept: {}; save it to keep it in case of a crash",
+                    problem.text()));
 }
 
 void poll_unsaved_work(UiState& state) {
@@ -80,7 +80,7 @@ void drop_autosave(UiState& state) {
     std::error_code failed;
     std::filesystem::remove(memory.autosave->path, failed);
     memory.autosaved_scene.reset();
-    if (!failed) memory.autosave.reset();  // else it is tried again
+    if (!failed) memory.autosave.reset();  // else the next frame tries again
 }
 
 void keep_orphan(UiState& state, const std::string& path) {
@@ -96,7 +96,7 @@ void keep_orphan(UiState& state, const std::string& path) {
 bool keep_unsaved_work(UiState& state) {
     Persistence& memory = state.persistence;
     if (memory.folder.empty() || !state.editor.unsaved()) return false;
-    if (memory.autosave_writing)  // it writes the same file
+    if (memory.autosave_writing)  // it writes to the same file
         std::exchange(memory.autosave_writing, nullptr)->wait();
     if (why_no_autosave(memory)) return false;
     const std::string text = autosave_text(document_as_made(state), memory.folder);

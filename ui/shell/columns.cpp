@@ -22,7 +22,7 @@
 namespace glint {
 namespace {
 
-/// Puts the selected item's panel on the screen.
+/// Draws the selected item's panel.
 void selected_panel(UiState& state, const PictureView& view) {
     Scene& scene = state.editor.scene();
     const Selection& selection = state.editor.selection;
@@ -95,8 +95,8 @@ void scene_column(UiState& state, const PictureView& view) {
              selected_title(scene, state.editor.selection));
     ImGui::Dummy(title);
     ImGui::PopFont();
-    // What is edited is told apart by the selection: no field keeps its focus for another item, and each
-    // panel its own place of scrolling.
+    // The selection is the panel's ID: no field keeps its focus for another item, and each panel has its own
+    // scroll position.
     ImGui::PushID(number_of(state.editor.selection));
     ImGui::BeginChild("##panel");
     if (std::exchange(state.types_into_panel, false)) {
@@ -135,7 +135,7 @@ float height_of(const std::string& text, float width) {
 }  // namespace
 
 float even_width(const std::string& text, float width) {
-    constexpr int halvings = 10;  // of a width: to a pixel
+    constexpr int halvings = 10;  // of a width, down to one pixel
     const float lines = height_of(text, width);
     float too_narrow = 0, wide = width;
     for (int i = 0; i < halvings; ++i) {
@@ -175,11 +175,11 @@ void caption_line(const UiState& state, const Layout& layout) {
 
 namespace {
 
-/// What the left column holds: tabs where it is more than one.
+/// What the left column contains: tabs if there is more than one part.
 enum class LeftPart { Feature, Scene, Why };
 
 LeftPart left_part(const UiState& state, const Layout& layout) {
-    const bool held = is_held(state);  // there is nothing to be edited then, and nothing to be asked
+    const bool held = is_held(state);  // then nothing can be edited or picked
     if (layout.inspector_in_left && state.left_shows_inspector && !held) return LeftPart::Why;
     return state.layout.lesson && (held || !state.left_shows_scene) ? LeftPart::Feature : LeftPart::Scene;
 }
@@ -229,14 +229,14 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
         scene_column(state, view);
         break;
     case LeftPart::Why:
-        break;  // after the picture was drawn: inspector_columns()
+        break;  // after the picture is drawn: inspector_columns()
     }
     ImGui::End();
 }
 
 namespace {
 
-/// Draws a note in place of all numbers, which would tell the answer.
+/// Draws a note in place of all numbers, which would reveal the answer.
 void held_note() {
     ImGui::Dummy({0, px(8)});
     ImGui::PushFont(fonts().title);

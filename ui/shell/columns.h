@@ -1,6 +1,6 @@
 #pragma once
-// What stands round the picture: the scene's column, the column that says why a pixel has its colour, and the
-// rows above and below.
+// The parts around the picture: the scene's column, the column that explains a pixel's colour, and the bars
+// above and below.
 
 #include <string>
 
@@ -13,30 +13,30 @@ namespace glint {
 
 struct UiState;
 
-/// Where everything is in this frame: lay_out() of the window, with room for the open scene's caption.
-/// ImGui's current font is the one that the caption is written in.
+/// The layout of this frame: lay_out() of the window, with room for the open scene's caption. ImGui's current
+/// font must be the caption's.
 [[nodiscard]] Layout window_layout(const UiState& state);
 
-/// What a feature shows in place of the scene's list in the left column; null: nothing.
+/// The feature column that replaces the scene's list in the left column; null: none.
 [[nodiscard]] const LeftColumn* open_column(const UiState& state);
 
-/// Returns the least width at which `text`, in ImGui's current font, takes no more lines than at `width`: the
-/// lines are then about equally long, and none is a single word. At most `width`.
+/// Returns the smallest width at which `text`, in ImGui's current font, takes no more lines than at `width`:
+/// the lines are then about equally long, and no line is a single word. At most `width`.
 [[nodiscard]] float even_width(const std::string& text, float width);
 
-/// What the open scene says of itself, below the picture.
+/// The open scene's caption, below the picture.
 void caption_line(const UiState& state, const Layout& layout);
 
-/// The list of the scene and the selected item's panel. Where the window is narrow, WHY is a tab of it.
+/// The scene's list and the selected item's panel. In a narrow window WHY is a tab of it.
 void left_column(UiState& state, const Layout& layout, const PictureView& view);
 
-/// WHY, wherever it is. After the picture was drawn, so that its numbers are of the picture on the screen.
+/// WHY, in either column. Drawn after the picture, so that its numbers belong to the picture on the screen.
 void inspector_columns(UiState& state, const Layout& layout, const PictureView& view);
 
 /// The row at the top: menus, shading mode, reflection model, terms, undo and redo.
 void toolbar(UiState& state, const Rect& area);
 
-/// The row at the bottom: what a drag does now; what the last frame took and which stages were redone.
+/// The row at the bottom: what a drag does now; the time of the last frame and the stages that ran.
 void status_line(UiState& state, const Rect& area);
 
 }  // namespace glint

@@ -10,7 +10,7 @@ namespace glint {
 
 namespace {
 
-/// Takes the row of views and the scope's panel off the centre, the picture keeping half of it.
+/// Takes the row of views and the scope's panel from the centre; the picture keeps half of it.
 void share_centre(Layout& layout, const LayoutState& state, float scale) {
     const Rect all = layout.centre;
     layout.has_views = !state.hides_columns && !state.hides_all;
@@ -42,7 +42,7 @@ Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
     const float bars = state.hides_all ? 0 : scale;
     const float top = std::round(std::min(top_height * bars, height / 3));
     const float bottom = std::round(height - std::min(status_height * bars, height / 3));
-    // Columns take at most two thirds of the width together.
+    // Columns together take at most two thirds of the width.
     const float wanted_left = layout.has_left ? left_width(state) * scale : 0;
     const float wanted_right = layout.has_right ? state.right_width * scale : 0;
     const float shrink = std::min(1.0f, width * 2 / 3 / std::max(wanted_left + wanted_right, 1.0f));
@@ -76,8 +76,8 @@ Rect picture_area(const Rect& centre, float scale) {
 
 namespace {
 
-/// An edge at `x`. Unlike the columns it comes to the front, where it takes the mouse. `outwards`: 1 when a
-/// drag to the right makes its column wider, -1 when a drag to the left.
+/// A draggable edge at `x`. Unlike the columns it is in front, so that it receives the mouse. `outwards`: 1
+/// if a drag to the right makes its column wider, -1 if a drag to the left does.
 void edge(const char* id, float x, const Rect& column, float outwards, float initial, float least,
           float& width, float scale) {
     const float reach = 3 * scale;
@@ -96,7 +96,7 @@ void edge(const char* id, float x, const Rect& column, float outwards, float ini
                                                   to_u32(theme().accent));
     }
     if (held) {
-        // It is measured from the hand, so that the edge stays under it also after a limit was reached.
+        // Measured from the cursor, so that the edge stays under it after a limit was reached.
         const float wanted = outwards > 0 ? ImGui::GetIO().MousePos.x - column.low.x
                                           : column.high.x - ImGui::GetIO().MousePos.x;
         if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1))

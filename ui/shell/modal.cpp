@@ -24,7 +24,7 @@ bool pressed(const UiInput& input, Key key) {
                        [key](const KeyPress& p) { return p.key == key; });
 }
 
-/// What keys answer, below the buttons.
+/// The key for each answer, below the buttons.
 void key_words(const char* words) {
     ImGui::Dummy({0, px(2)});
     small_dim(words);
@@ -49,7 +49,7 @@ void unsaved_question(UiState& state, const UiInput& input) {
     ImGui::EndPopup();
 }
 
-/// Enter chooses nothing here: every answer but Cancel gives something up or needs a name.
+/// Enter chooses nothing here: each answer but Cancel discards something or needs a name.
 void changed_question(UiState& state, const UiInput& input) {
     if (!begin_question("Changed by another##question")) return;
     const std::string title = state.editor.title();
@@ -62,13 +62,13 @@ void changed_question(UiState& state, const UiInput& input) {
         state.asks_overwrite = state.asks_overwrite && !chosen;
         return chosen;
     };
-    if (answer("Overwrite", "What the other program wrote is lost", Key::O) && save_over(state))
+    if (answer("Overwrite", "Discards the other program's changes", Key::O) && save_over(state))
         finish_pending(state);
     ImGui::SameLine();
-    if (answer("Save as…", "Under another name: both are kept", Key::S))
+    if (answer("Save as…", "Saves under another name and keeps both", Key::S))
         state.files.ask(save_purpose, offered_name(state, ".json"));
     ImGui::SameLine();
-    if (answer("Reload", "What was changed here since the last saving is lost", Key::R)) reload(state);
+    if (answer("Reload", "Discards your changes since the last save", Key::R)) reload(state);
     ImGui::SameLine();
     if (answer("Cancel", "Nothing is saved", Key::Escape)) state.pending = {};
     key_words("O: overwrite  ·  S: save as  ·  R: reload  ·  Esc: cancel");
@@ -120,8 +120,7 @@ void leave_dialogs_of_scene(UiState& state) {
             left = true;
         }
     if (left)
-        state.notifications.add(Tone::Warning,
-                                fmt::format("The dialog was closed: it was about {}", state.editor.title()));
+        state.notifications.add(Tone::Warning, fmt::format("Closed a dialog about {}", state.editor.title()));
 }
 
 void close_left_modal(const UiState& state) {
@@ -148,8 +147,8 @@ bool begin_question(const char* id) {
 void dialogs(UiState& state, const UiInput& input) {
     const Dialog* dialog = open_dialog(state);
     if (dialog != nullptr) dialog->draw(state, input);
-    if (open_dialog(state) != dialog) redraw_within(0);  // the next one, or what lay below
-    // The name was not given, or the question not answered.
+    if (open_dialog(state) != dialog) redraw_within(0);  // the next one, or the one below
+    // The file dialog was cancelled, or the question was left unanswered.
     if (!state.files.open && !state.asks_overwrite && !state.pending.asking) state.pending = {};
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t max_at_once = 5;
 constexpr double seconds_over_dialog = 10;
-constexpr int frames_to_come_back = 3;     // of a dialog that was left for that of a file
-constexpr std::size_t longest_text = 480;  // bytes: some nine lines
+constexpr int frames_to_come_back = 3;     // of a dialog that was left for a file dialog
+constexpr std::size_t longest_text = 480;  // bytes: about nine lines
 
 double seconds_shown(Tone tone) {
     switch (tone) {
@@ -35,7 +35,7 @@ const ImVec4& ink(Tone tone) {
     return tone == Tone::Error ? theme().error : tone == Tone::Warning ? theme().warning : theme().accent;
 }
 
-/// A long text without its middle: what it begins with says where, what it ends with says what was expected.
+/// Cuts the middle out of a long text: its beginning says where, its end says what was expected.
 std::string without_middle(const std::string& text) {
     if (text.size() <= longest_text) return text;
     std::size_t head = longest_text * 2 / 3, tail = text.size() - longest_text / 3;
@@ -44,8 +44,8 @@ std::string without_middle(const std::string& text) {
     return text.substr(0, head) + " … " + text.substr(tail);
 }
 
-/// Draws it from `low_right` upwards, `top` at most: where the text is higher, its cross is seen and the
-/// wheel shows the rest. Returns the height taken; sets `closed`.
+/// Draws it from `low_right` upwards to at most `top`; of a taller text the close button stays visible and
+/// the wheel scrolls. Returns the height used; sets `closed`.
 float draw_one(const Notification& note, int index, ImVec2 low_right, float top, float width, bool& closed) {
     const std::string id = "##note" + std::to_string(index);
     ImGui::SetNextWindowPos(low_right, ImGuiCond_Always, {1, 1});
@@ -53,8 +53,8 @@ float draw_one(const Notification& note, int index, ImVec2 low_right, float top,
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(low_right.y - top, px(40))});
     ImGui::SetNextWindowBgAlpha(0.95f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(6));
-    // What a dialog did is read in front of it, and clicks go through to it. What was said before it opened
-    // would cover its buttons; what the dialog of a file did was said just before the other one came back.
+    // Notifications from an open dialog are shown in front of it, and clicks pass through them. Older ones
+    // would cover its buttons. A file dialog's notification arrives just before the previous dialog reopens.
     const double left = note.since + seconds_over_dialog - ImGui::GetTime();
     const bool over_dialog = ImGui::GetTopMostPopupModal() != nullptr && left > 0 &&
                              note.frame + frames_to_come_back > GImGui->OpenPopupStack.front().OpenFrameCount;
@@ -70,7 +70,7 @@ float draw_one(const Notification& note, int index, ImVec2 low_right, float top,
     const ImVec2 low = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect(low, low + size);  // the window's own leaves its padding out
+    list.PushClipRect(low, low + size);  // the window's own clip rectangle excludes its padding
     list.AddRectFilled(low, {low.x + px(4), low.y + size.y}, to_u32(ink(note.tone)), px(6),
                        ImDrawFlags_RoundCornersLeft);
     list.PopClipRect();

@@ -45,7 +45,7 @@ void stats_tooltip(const FrameStats& stats) {
     lines += fmt::format("{} pixels show a surface\n{} evaluations of the equation\n{} × {} threads",
                          with_thousands(stats.shaded_pixels), with_thousands(stats.evaluations),
                          stats.instruction_set, stats.threads);
-    tooltip("Last picture", "What was done again, and how long it took", lines);
+    tooltip("Last picture", "What was recomputed, and how long it took", lines);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// A small word before a switch, in the middle of the row.
+/// A short label before a switch, centred in the row.
 void caption(const char* text) {
     ImGui::PushFont(fonts().small);
     const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(text);
@@ -30,7 +30,7 @@ void mode_switch(Shading& shading) {
     shading.mode = static_cast<ShadingMode>(chosen);
 }
 
-/// All models side by side where there is room, else a drop-down.
+/// All models side by side if there is room, else a drop-down.
 void reflection_switch(Shading& shading, float room) {
     const auto& options = choices<Reflection>;
     int chosen = static_cast<int>(shading.reflection);
@@ -75,7 +75,7 @@ void term_switches(Terms& terms) {
     term_switch("s", "Specular", "/shading/terms/specular", Symbol::Specular, terms.specular);
 }
 
-/// Undo or redo; `step` is what it would take back or do again, empty when there is nothing.
+/// Undo or redo; `step` is the name of the step, empty when there is none.
 void history_button(UiState& state, CommandId id, Icon icon, const std::string& step) {
     const WindowCommand& row = command(id);
     ImGui::BeginDisabled(!can_run(state, row));
@@ -85,7 +85,7 @@ void history_button(UiState& state, CommandId id, Icon icon, const std::string& 
             keys_of(row));
 }
 
-/// What stands to the right of the menus.
+/// The controls to the right of the menus.
 void switches(UiState& state, const Rect& area) {
     Shading& shading = state.editor.scene().shading;
     const float button = ImGui::GetFrameHeight(), gap = px(area.size().x > px(three_column_width) ? 16 : 10);
@@ -113,7 +113,7 @@ void toolbar(UiState& state, const Rect& area) {
     ImGui::SetNextWindowPos(area.low);
     ImGui::SetNextWindowSize(area.size());
     const float line = ImGui::GetFontSize();
-    // The menu bar is as high as its frames: padding makes it fill the row.
+    // ImGui makes the menu bar one frame high: padding makes it fill the row.
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(7), (area.size().y - line) / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(4), 0});
     constexpr auto flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |

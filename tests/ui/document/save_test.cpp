@@ -229,7 +229,7 @@ TEST_CASE("what was asked of one scene is not answered for another that comes in
     REQUIRE(bench.state.files.asks_overwrite);
     open(bench, two);
     REQUIRE_FALSE(bench.state.notifications.list.empty());
-    CHECK(bench.state.notifications.list.back().text == "The dialog was closed: it was about one.json");
+    CHECK(bench.state.notifications.list.back().text == "Closed a dialog about one.json");
     bench.key(Key::Enter);
     bench.frames(2);
     CHECK(bytes_of(one) == before);

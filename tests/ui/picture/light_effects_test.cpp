@@ -287,7 +287,7 @@ TEST_CASE("the note at the hand leaves the ball free whose light is dragged", "[
     bench.key(Key::H);
     bench.move(bench.at_pixel(project(map, {0.2, 0.2, 0.9}).pixel));
     bench.frames(1);
-    const Rect note = bench.area_of("Note at the hand");
+    const Rect note = bench.area_of("Note at the cursor");
     // The unit ball's outline, seen from the eye.
     for (int i = 0; i < 360; ++i) {
         const double a = i * std::acos(-1.0) / 180;

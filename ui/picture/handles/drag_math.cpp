@@ -35,7 +35,7 @@ double along_line(const ScreenMap& map, glm::dvec3 place, glm::dvec3 axis, glm::
     const double value = by_x ? ndc.x : ndc.y, a = by_x ? at.x : at.y, b = by_x ? step.x : step.y;
     const double below = value * step.w - b;
     const double t = std::abs(below) < 1e-12 ? 0 : (a - value * at.w) / below;
-    // Beyond the vanishing point the line has no place in front of the eye.
+    // Beyond the vanishing point no point of the line is in front of the eye.
     return at.w + t * step.w > 1e-3 * at.w ? t : 0;
 }
 
@@ -49,13 +49,13 @@ glm::dvec3 on_dome(const Dome& dome, const Ray& ray, bool nearer) {
     return foot + (nearer ? -half_chord : half_chord) * ray.direction;
 }
 
-// The best of 360, then refined.
+// The best of 360 angles, then refined.
 double turn_towards(const ScreenMap& map, const Dome& circle, glm::dvec3 direction, glm::dvec3 axis,
                     glm::dvec2 cursor_px) {
     const auto distance = [&](double angle) {
         const ProjectedPoint at =
             project(map, circle.centre + circle.radius * rotated(direction, axis, angle));
-        // A small price on large turns keeps the handle from jumping to the far side of its circle.
+        // A small penalty on large turns keeps the handle from jumping to the far side of its circle.
         return (at.in_front ? glm::length(at.pixel - cursor_px) : 1e9) + std::abs(angle);
     };
     double best = 0;

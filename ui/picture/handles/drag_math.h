@@ -14,11 +14,11 @@ namespace glint {
 /// `v` turned by `angle` (radians, right-handed) round the unit vector `axis`.
 [[nodiscard]] glm::dvec3 rotated(glm::dvec3 v, glm::dvec3 axis, double angle);
 
-/// The rotation that takes one unit vector into another the short way; for opposite ones, any half turn.
+/// The shortest rotation that takes one unit vector to another; for opposite vectors, any half turn.
 [[nodiscard]] glm::dmat4 rotation_between(glm::dvec3 from, glm::dvec3 to);
 
 struct Across {
-    glm::dvec3 u, v;  // unit, at right angles to a direction and to one another
+    glm::dvec3 u, v;  // unit, perpendicular to a direction and to each other
 };
 [[nodiscard]] Across across(glm::dvec3 direction);
 
@@ -27,24 +27,24 @@ struct Across {
 [[nodiscard]] double along_line(const ScreenMap& map, glm::dvec3 place, glm::dvec3 axis,
                                 glm::dvec2 cursor_px);
 
-/// Returns where the line of sight meets a sphere, on the half nearer to the eye or the one behind; if it
+/// Returns where the line of sight meets a sphere, on the half nearer to the eye or on the far half; if it
 /// misses, the nearest point of the rim.
 [[nodiscard]] glm::dvec3 on_dome(const Dome& dome, const Ray& ray, bool nearer);
 
 /// Where the line of sight through the cursor meets the plane through `place` with unit normal `normal`.
-/// Nothing where the plane is seen within 2 degrees of edge on, or lies behind the eye.
+/// Nothing if the plane is within 2 degrees of edge on, or the point is behind the eye.
 [[nodiscard]] std::optional<glm::dvec3> on_plane(const ScreenMap& map, glm::dvec3 place, glm::dvec3 normal,
                                                  glm::dvec2 cursor_px);
 
-/// The angle, -pi to pi, by which centre + radius `direction` must turn round `axis` (both unit) to come
+/// The angle, -pi to pi, by which centre + radius `direction` must turn round `axis` (both unit) to be
 /// nearest to the cursor.
 [[nodiscard]] double turn_towards(const ScreenMap& map, const Dome& circle, glm::dvec3 direction,
                                   glm::dvec3 axis, glm::dvec2 cursor_px);
 
-/// A direction with its height and its angle round y at multiples of 15 degrees.
+/// The direction with elevation and azimuth round y rounded to multiples of 15 degrees.
 [[nodiscard]] glm::dvec3 snapped_direction(glm::dvec3 direction);
 
-/// The view through which a drag is seen. It must not change while a drag lasts.
+/// The view in which a drag happens. It must not change during a drag.
 struct DragView {
     ScreenMap map;
     Dome dome;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float line_reach = 4;  // of a terminator, of a highlight's rim: logical pixels
 
-/// The surfaces of the last picture, which must be there.
+/// The surfaces of the last picture, which must exist.
 SurfaceView surface_of(const ViewportFrame& frame) {
     return {frame.scene, *frame.renderer, frame.view.map, frame.view.dome};
 }
@@ -35,13 +35,12 @@ bool has_terminator_under(const ViewportFrame& frame, int light, glm::dvec2 curs
 void drag_light(LightDrag& drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
                 glm::dvec2 last_px, const HandKeys& keys) {
     Light& light = light_of(frame, held.grip);
-    // Another key: go on from here, so that nothing jumps.
+    // A key changed: the drag restarts from here, so that nothing jumps.
     if (const DragAlong along = drag_along(keys); along != drag.along) drag = {light, along, last_px};
     light = dragged(drag, held.view, cursor_px, keys.ctrl);
 }
 
-/// Aims at the point of the surface under the cursor; off any surface, at what lies as deep there as what was
-/// aimed at last.
+/// Aims at the surface point under the cursor; over the background, at the depth of the last aim.
 Light aimed(ShapeDrag& drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px, bool snap) {
     const ScreenMap& map = held.view.map;
     if (frame.renderer != nullptr)
@@ -56,7 +55,8 @@ void drag_shape(ShapeDrag& drag, const Held& held, const ViewportFrame& frame, g
                 glm::dvec2 last_px, const HandKeys& keys) {
     Light& light = light_of(frame, held.grip);
     const bool is_aim = drag.grip.part == ShapePart::Aim;
-    if (is_aim && keys.shift != drag.free) {  // another key: go on from here, so that nothing jumps
+    if (is_aim && keys.shift != drag.free) {  // a key changed: the drag restarts from here, so that nothing
+                                              // jumps
         drag.start = light;
         drag.grip.place = place_of(drag.grip, light, held.view.dome, held.view.map);
         drag.grabbed_px = last_px;
@@ -67,7 +67,7 @@ void drag_shape(ShapeDrag& drag, const Held& held, const ViewportFrame& frame, g
                                  : dragged_shape(drag, held.view, cursor_px, keys.ctrl);
 }
 
-/// Brighter upwards. The light stays where it is, and so does a highlight: the drag goes on from here.
+/// Brighter upwards. The light keeps its position, as does a highlight: the drag restarts from here.
 void dim_light(Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px) {
     Light& light = light_of(frame, held.grip);
     light.intensity = dimmed(light.intensity, last_px.y - cursor_px.y, held.view.map.size.height);
@@ -84,14 +84,14 @@ bool can_dim(GripKind kind) {
     return kind == GripKind::Light || kind == GripKind::Highlight || kind == GripKind::Terminator;
 }
 
-/// The highlight's size is the material's.
+/// The highlight's size belongs to the material.
 void drag_size(const SizeDrag& drag, Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px) {
     const auto material = sized_highlight(drag, surface_of(frame), cursor_px);
     held.no_solution = !material;
     if (material) frame.scene.objects[static_cast<std::size_t>(drag.object)].material = *material;
 }
 
-/// The light that is moved by what shows at the cursor.
+/// Moves the light so that its effect appears at the cursor.
 void drag_on_surface(Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px,
                      bool in_depth) {
     std::optional<Light> light;
@@ -103,12 +103,12 @@ void drag_on_surface(Held& held, const ViewportFrame& frame, glm::dvec2 cursor_p
     if (light) light_of(frame, held.grip) = *light;
 }
 
-/// A held axis key takes the place of the part that was grabbed.
+/// A pressed axis key overrides the grabbed part.
 void drag_object(ObjectDrag drag, Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
                  const HandKeys& keys) {
     for (std::size_t i = 0; i < 3; ++i)
         if (keys.axis[i] && drag.mode != GizmoMode::Scale) drag.part = static_cast<GizmoPart>(i);
-    held.grip.part = drag.part;  // what is lit and named
+    held.grip.part = drag.part;  // the part that is highlighted and named
     frame.scene.objects[static_cast<std::size_t>(held.grip.item)].transform =
         dragged_object(drag, held.view, cursor_px, keys.ctrl);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Finds what the cursor can take hold of in the picture, and edits the scene while that is dragged. This is
-// the closed list of grips; pure functions in the files beside say how each is dragged.
+// Finds what the cursor can grab in the picture, and edits the scene during a drag. This is the closed list
+// of grips; pure functions in the neighbouring files define each drag.
 
 #include <array>
 #include <string>
@@ -23,10 +23,10 @@ struct ViewportFrame {
     const Renderer* renderer = nullptr;  // of the last picture; null before the first
     PictureView view;
     GizmoMode gizmo = GizmoMode::Move;  // of the selected object
-    std::optional<glm::dvec3> pivot{};  // what Rotate turns it about, world coordinates; else its anchor
+    std::optional<glm::dvec3> pivot{};  // the pivot of Rotate, world coordinates; default: the gizmo's anchor
 };
 
-/// The keys that the other hand holds.
+/// Modifier keys pressed during a drag.
 struct HandKeys {
     bool shift = false, ctrl = false, alt = false;
     std::array<bool, 3> axis{};  // X, Y, Z
@@ -37,58 +37,59 @@ enum class GripKind { None, Light, Shape, Object, Highlight, HighlightRim, Termi
 /// Something that can be dragged.
 struct Grip {
     GripKind kind = GripKind::None;
-    int item = -1;                     // number of the light, or (Object) of the object
-    bool in_picture = true;            // else its place is outside and an arrow at the border points to it
+    int item = -1;                     // index of the light, or (Object) of the object
+    bool in_picture = true;            // else it is outside, and an arrow at the border points to it
     ShapeGrip shape = {};              // under Shape: a light's cone or rectangle
     GizmoPart part = GizmoPart::Free;  // under Object, with
     GizmoMode mode = GizmoMode::None;
     bool operator==(const Grip&) const = default;
 
     explicit operator bool() const { return kind != GripKind::None; }
-    /// A mark drawn on the picture, which takes clicks for itself; a click on the surface asks why.
+    /// Whether it is a mark drawn on the picture, which consumes clicks; a click on the surface picks a
+    /// pixel.
     [[nodiscard]] bool is_mark() const {
         return kind == GripKind::Light || kind == GripKind::Shape || kind == GripKind::Object;
     }
 };
 
-/// Whether the scene (still) has the light or object that the grip belongs to.
+/// Whether the scene (still) has the light or object of the grip.
 [[nodiscard]] bool exists(const Grip& grip, const Scene& scene);
 
-/// The grip that the cursor (pixels of the picture) is over: marks first, then the selected light's
-/// terminator, then highlights, their rims before their middles.
+/// The grip under the cursor (pixels of the picture): marks first, then the selected light's terminator, then
+/// highlights, their rims before their centres.
 [[nodiscard]] Grip grip_under(const ViewportFrame& frame, glm::dvec2 cursor_px);
 
-/// A grip in hand. `view` must not change while it is held.
+/// A grip being dragged. `view` must not change during the drag.
 struct Held {
     Grip grip;
     DragView view;
     std::variant<std::monostate, LightDrag, ShapeDrag, ObjectDrag, HighlightDrag, TerminatorDrag, SizeDrag>
         drag;
-    bool no_solution = false;  // the cursor is where the drag has no answer: the scene waits as it is
-    bool dims = false;         // the hand changes how bright the light is, and it stays where it is
+    bool no_solution = false;  // the drag has no solution at the cursor: the scene does not change
+    bool dims = false;         // the drag changes the light's intensity, not its position
 };
 
-/// Returns the gizmo of the selected object; nothing if no object is selected or it is not shown. While
-/// `held` drags the object, the gizmo stays at the point of the object at which it was taken hold of.
+/// Returns the gizmo of the selected object; nothing if no object is selected or shown. While `held` drags
+/// the object, the gizmo stays at the point of the object at which it was grabbed.
 [[nodiscard]] std::optional<ObjectGizmo> selected_gizmo(const ViewportFrame& frame,
                                                         const Held* held = nullptr);
 
-/// Takes hold of `grip` at a place of the cursor. Precondition: the grip exists in the scene.
+/// Begins a drag of `grip` at a cursor position. Precondition: the grip exists in the scene.
 [[nodiscard]] Held take_hold(const ViewportFrame& frame, Grip grip, glm::dvec2 cursor_px,
                              const HandKeys& keys);
 
-/// Edits the scene to where the cursor went; `last_px` is where it was before.
+/// Edits the scene for the cursor's new position; `last_px` is the one before.
 void drag_held(Held& held, ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px,
                const HandKeys& keys);
 
-/// Says for the status line what a drag would do, or does.
+/// Returns what a drag would do, or does, for the status line.
 [[nodiscard]] std::string hint_of(const Grip& grip, const Scene& scene);
 [[nodiscard]] std::string hint_of(const Held& held);
 
-/// Returns what the note at the hand says.
+/// Returns the text of the note at the cursor.
 [[nodiscard]] HandNote note_of(const Grip& grip, const Scene& scene);
 [[nodiscard]] HandNote note_of(const Held& held, const Scene& scene);
-/// "Bulb DONE, world coordinates", and where it is.
+/// "Bulb DONE, world coordinates", and its position.
 [[nodiscard]] HandNote note_of(const Light& light, const std::string& done);
 
 }  // namespace glint

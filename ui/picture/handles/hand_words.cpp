@@ -1,4 +1,4 @@
-// What the status line and the note at the cursor say about a grip.
+// Texts of the status line and of the note at the cursor about a grip.
 #include <fmt/core.h>
 
 #include <glm/geometric.hpp>
@@ -11,12 +11,12 @@
 namespace glint {
 namespace {
 
-/// {0} is the light's name, {1} the number of the material that a highlight's width follows.
+/// {0} is the light's name, {1} the material property that sets a highlight's width.
 struct GripText {
     const char* hover;       // status line
     const char* note;        // at the cursor
     const char* drag;        // status line
-    const char* impossible;  // status line where the drag has no solution
+    const char* impossible;  // status line if the drag has no solution
 };
 
 constexpr const char* cancel = " · Esc: cancel";
@@ -29,13 +29,13 @@ constexpr GripText grip_texts[] = {
     {"", "", "X Y Z: along or round an axis · Ctrl: snap", ""},
     {"Drag the highlight of {0} · Shift: in depth · Ctrl+Shift: brightness · Click: why · Alt+drag: orbit",
      "Drag the highlight",
-     "The light stands where v is mirrored at n · Shift: in depth · Ctrl+Shift: brightness",
+     "The light is in the direction of v mirrored at n · Shift: in depth · Ctrl+Shift: brightness",
      "No light can have its highlight there: the light stays as it is"},
     {"Drag the rim of {0}'s highlight, where it is half: {1} follows · Click: why · Alt+drag: orbit",
      "Size of the highlight", "The highlight is half of its peak under the cursor",
      "No highlight there: the material stays as it is"},
     {"Drag the terminator of {0}, where n·l = 0 · Ctrl+Shift: brightness · Alt+drag: orbit",
-     "Drag the terminator", "The light lies in the plane that touches the surface here",
+     "Drag the terminator", "The light is in the tangent plane at this point",
      "No surface there: the light stays as it is"},
 };
 static_assert(std::size(grip_texts) == static_cast<int>(GripKind::Terminator) + 1);
@@ -56,10 +56,10 @@ const char* text_of(ShapePart part) {
     return texts[static_cast<int>(part)];
 }
 
-/// What dragging a part of the gizmo does: "Move along X".
+/// The effect of dragging a part of the gizmo: "Move along X".
 std::string text_of(GizmoMode mode, GizmoPart part) {
     constexpr const char* free[] = {"", "Move in the view plane", "Rotate round the line of sight",
-                                    "Scale as a whole"};
+                                    "Scale uniformly"};
     constexpr const char* along[] = {"", "Move along", "Rotate round", "Scale along its own"};
     constexpr const char* parts[] = {"X", "Y", "Z", "Y and Z", "Z and X", "X and Y"};
     const int row = static_cast<int>(mode);
@@ -72,7 +72,7 @@ std::string three_numbers(glm::vec3 v, int decimals = 2, const char* unit = "") 
     return fmt::format("{} {} {}", text(v.x), text(v.y), text(v.z));
 }
 
-/// How the dragged light moves.
+/// The motion of the dragged light.
 std::string motion_text(const Held& held) {
     if (const auto* drag = std::get_if<LightDrag>(&held.drag)) {
         constexpr const char* moves[] = {"in the view plane", "in depth", "along X", "along Y", "along Z"};

@@ -14,15 +14,16 @@
 namespace glint {
 namespace {
 
-constexpr int patch_radius = 3;  // pixels
-// Factors of the light's distance. Near the mirror image that a hollow surface makes of the light, the
-// specular term hardly changes in one direction, and the falloff's slope leaves no peak: then the light is
-// put a little nearer or farther, by as little as needed.
+constexpr int patch_radius = 3;  // Distance factors of the light to try. Near the mirror image that a concave
+                                 // surface makes of the light, the specular term hardly changes in one
+                                 // direction, and the slope of the falloff leaves no peak. Then the light is
+                                 // moved slightly nearer or farther, by as little as needed.
+// pixels
 constexpr double other_distances[] = {1, 1.25, 0.8, 1.6,  0.63, 2,  0.5,  3,    0.33, 4,    0.25,
                                       6, 0.16, 10,  0.13, 0.1,  16, 0.08, 0.06, 0.04, 0.025};
 
-/// Turns a spot, if it must be, so that `place` lies well inside its cone: a highlight cut off by the cone's
-/// edge has its peak there.
+/// Turns a spot if necessary, so that `place` is well inside its cone: a highlight cut off by the cone's edge
+/// has its peak there.
 void aim_at(Light& light, glm::dvec3 place, const SurfaceView& view) {
     if (light.kind != LightKind::Spot || light.spot.cutoff_deg > 90) return;
     const glm::dvec3 way = glm::normalize(place - handle_of(light, view.dome, view.map));
@@ -35,7 +36,7 @@ void aim_at(Light& light, glm::dvec3 place, const SurfaceView& view) {
     turn_shape(light, rotation_between(axis, aim), view.map);
 }
 
-/// Looks for the direction of the light with which the specular term is level at the middle of a patch.
+/// Searches for the light direction at which the specular term is level at the centre of a patch.
 class PeakSearch {
   public:
     PeakSearch(const HighlightDrag& drag, const SurfaceView& view, const SurfacePatch& patch, double nearer)
@@ -45,7 +46,7 @@ class PeakSearch {
 
     [[nodiscard]] Light light(glm::dvec3 away) const { return carried(drag_, view_, place_, away, nearer_); }
 
-    /// Newton's steps from `first`; the direction with the gentlest slope met.
+    /// Newton steps from `first`; returns the direction with the smallest slope found.
     [[nodiscard]] glm::dvec3 level_from(glm::dvec3 first, int radius) const {
         const auto [u, v] = across(first);
         const auto away = [&, u = u, v = v](glm::dvec2 tilt) {
@@ -73,13 +74,13 @@ class PeakSearch {
         return away(tilt);
     }
 
-    /// The distance (pixels) of the brightest place from the middle; far where it is dark.
+    /// The distance (pixels) of the brightest point from the centre; large where it is dark.
     [[nodiscard]] double miss(const Light& light) const {
         return patch_.distance_of_maximum(highlight_at(view_.scene, view_.map.size, light, patch_.points));
     }
 
   private:
-    /// Returns the slope; a huge one if the middle is dark, since an unlit patch is level but no peak.
+    /// Returns the slope; a huge one if the centre is dark, since an unlit patch is level but not a peak.
     [[nodiscard]] glm::dvec2 slope(int radius, glm::dvec3 away) const {
         const std::vector<double> values =
             highlight_at(view_.scene, view_.map.size, light(away), patch_.points);
@@ -94,7 +95,7 @@ class PeakSearch {
     glm::dvec3 place_;
 };
 
-/// The light whose peak missed the cursor least.
+/// The light whose peak is nearest to the cursor.
 struct BestLight {
     std::optional<Light> light;
     double miss = 0;  // pixels
@@ -108,8 +109,8 @@ struct BestLight {
     }
 };
 
-/// Returns directions to search from: the mirror's; for a panel also those that put one of its middle
-/// samples, each of which has a peak of its own, in the mirror direction.
+/// Returns the directions to search from: the mirror direction; for a panel also those that put one of its
+/// central samples, each of which has its own peak, in the mirror direction.
 std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const SurfaceView& view, glm::dvec3 place,
                                          glm::dvec3 mirror, double nearer) {
     std::vector<glm::dvec3> all{mirror};
@@ -127,7 +128,7 @@ std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const Surfac
     return all;
 }
 
-/// The place where the peak is to lie.
+/// The target point of the peak.
 struct Sought {
     const SurfaceView& view;
     const SurfacePatch& patch;
@@ -147,7 +148,7 @@ void look_over_distances(const HighlightDrag& drag, const Sought& sought, BestLi
     }
 }
 
-/// The grab of a spot turned so that its axis goes through the place that was grabbed.
+/// The grab of a spot turned so that its axis passes through the grabbed point.
 HighlightDrag aimed_at_grabbed(const HighlightDrag& drag, const SurfaceView& view) {
     HighlightDrag aimed = drag;
     const glm::dvec3 axis = glm::normalize(to_world(drag.start, drag.start.spot.direction, 0, view.map));
@@ -193,7 +194,7 @@ std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceV
                         in_world(view.map, mirror, 0)};
     BestLight best;
     look_over_distances(drag, sought, best);
-    // Off the axis of a spot its own profile is a slope, at every distance: then it is aimed at the cursor.
+    // Off a spot's axis its angular profile is a slope, at every distance: then it is aimed at the cursor.
     if (best.miss > 1 && drag.start.kind == LightKind::Spot)
         look_over_distances(aimed_at_grabbed(drag, view), sought, best);
     return best.light;
@@ -207,7 +208,7 @@ std::optional<Light> moved_highlight(HighlightDrag& drag, const SurfaceView& vie
         drag.nearer = std::clamp(drag.nearer * factor, 1e-3, 1e3);
         return dragged_highlight(drag, view, *drag.stays_at);
     }
-    if (drag.stays_at) drag.beside = *drag.stays_at - last_px;  // go on from here, so that nothing jumps
+    if (drag.stays_at) drag.beside = *drag.stays_at - last_px;  // restart from here, so that nothing jumps
     drag.stays_at.reset();
     return dragged_highlight(drag, view, cursor_px + drag.beside);
 }

@@ -11,14 +11,15 @@
 namespace glint {
 namespace {
 
-constexpr double enough_share = 0.5;   // of the peak: what may be taken hold of
-constexpr double enough_light = 0.15;  // a fainter one is hardly seen, and turning the camera is meant
-constexpr double rim_share = 0.5;      // of the most, at the rim
+constexpr double enough_share = 0.5;   // of the peak: the part that can be grabbed
+constexpr double enough_light = 0.15;  // a fainter one is hardly visible, so the user means to turn the
+                                       // camera
+constexpr double rim_share = 0.5;      // of the maximum, at the rim
 constexpr double sharpest = 10'000, dullest = 0.1;  // exponents
 constexpr double smoothest = 0.02, roughest = 1;    // roughness
-constexpr double radius_share = 0.3;                // of a small highlight's inside, that its rim takes
+constexpr double radius_share = 0.3;                // of a small highlight's inside that belongs to its rim
 
-/// The number of the material that makes a highlight large or small, from the smallest to the largest one.
+/// The material parameter that sets a highlight's size, from the smallest to the largest.
 struct Width {
     float Material::*number;
     double smallest, largest;

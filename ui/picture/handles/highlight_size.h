@@ -1,7 +1,7 @@
 #pragma once
-// Finds the highlight under the cursor. Dragging its rim makes it larger or smaller: the exponent, or the
-// roughness, follows so that the rim stays under the cursor. The rim is where the highlight is half of the
-// most that it could be there.
+// Finds the highlight under the cursor. Dragging its rim resizes it: the exponent, or the roughness, is
+// solved so that the rim stays under the cursor. At the rim the highlight is half of its maximum possible
+// value there.
 
 #include <optional>
 
@@ -11,16 +11,16 @@
 
 namespace glint {
 
-/// Returns the highlight of a light at a point of a surface with that material, relative to what it would be
-/// if the light stood where its factor is largest there: (r.v)^n for Phong. 0 where the surface turns away
-/// from the viewer or there is no highlight; noise may bring it a little above 1.
+/// Returns the highlight of a light at a point of a surface with that material, relative to its maximum over
+/// all light directions there: (r.v)^n for Phong. 0 where the surface faces away from the viewer or there is
+/// no highlight; noise may raise it slightly above 1.
 [[nodiscard]] double highlight_share(const SurfaceView& view, const Light& light, const SeenPoint& point,
                                      const Material& material);
 
-/// A light whose highlight shows at a pixel.
+/// A light whose highlight is visible at a pixel.
 struct HoveredHighlight {
     int light = -1;
-    double share = 0;  // of the most that the highlight could be there, above 0
+    double share = 0;  // of the highlight's possible maximum there, above 0
 };
 
 /// Returns the light whose highlight covers the pixel: it must be visible (more than 0.15 of full brightness)
@@ -28,9 +28,9 @@ struct HoveredHighlight {
 /// specular term, or under models without a highlight.
 [[nodiscard]] std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dvec2 pixel);
 
-/// Returns the light whose highlight has its rim within `reach` pixels; inside a small highlight within less,
-/// so that its middle can be grabbed too. Nothing on the background, without the specular term, or under
-/// models without a highlight.
+/// Returns the light whose highlight has its rim within `reach` pixels; less inside a small highlight, so
+/// that its centre can be grabbed too. Nothing on the background, without the specular term, or under models
+/// without a highlight.
 [[nodiscard]] std::optional<int> highlight_rim_under(const SurfaceView& view, glm::dvec2 pixel, double reach);
 
 struct SizeDrag {
@@ -39,8 +39,8 @@ struct SizeDrag {
     Material start;
 };
 
-/// Returns the material with which the rim lies under `pixel`, or as near as its range allows. Nothing on the
-/// background, on other objects, or if the light has no highlight whatever the material.
+/// Returns the material that puts the rim under `pixel`, or as near as its range allows. Nothing on the
+/// background, on other objects, or if the light has no highlight with any material.
 [[nodiscard]] std::optional<Material> sized_highlight(const SizeDrag& drag, const SurfaceView& view,
                                                       glm::dvec2 pixel);
 

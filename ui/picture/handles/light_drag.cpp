@@ -1,4 +1,4 @@
-// Drags of a light by its handle, and by its terminator.
+// Drags of a light by its handle and by its terminator.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -54,7 +54,7 @@ Light dragged_sun(const LightDrag& drag, const DragView& view, glm::dvec2 cursor
     return light;
 }
 
-/// Coordinates that the drag moved, to multiples of the step; the others stay as they are.
+/// Rounds the coordinates that the drag changed to multiples of the step; the others stay.
 void snap_to_grid(Light& light, const Light& start, double step) {
     for (int i = 0; i < 3; ++i)
         if (light.position[i] != start.position[i])
@@ -82,7 +82,7 @@ Light dragged(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px,
         moved = unproject(view.map, wanted, handle.depth);
         break;
     case DragAlong::Depth: {
-        // A third of the picture's height is a factor e: as fine near the eye as far from it.
+        // A factor e per third of the picture's height: the same relative precision near and far.
         const double factor = std::exp(std::clamp(-3 * motion.y / view.map.size.height, -7.0, 7.0));
         moved = unproject(view.map, handle.pixel, handle.depth * factor);
         break;

@@ -12,13 +12,13 @@
 namespace glint {
 namespace {
 
-constexpr double faint = 0.01;  // the intensity from which a light without any is raised
+constexpr double faint = 0.01;  // starting intensity when a light without any is raised
 
 constexpr LightEffectInfo infos[] = {
-    {LightEffect::Brightest, "brightest here, n·l = 1", "The light stands where n points",
+    {LightEffect::Brightest, "brightest here, n·l = 1", "The light is in the direction of n",
      "No surface there: the light stays as it is"},
     {LightEffect::Rim, "behind, as a rim light", "The light comes from behind, 75° off n: the outline is lit",
-     "No light from behind could reach that: the light stays as it is"},
+     "No light from behind can reach that: the light stays as it is"},
 };
 
 /// Unit, towards the eye, world coordinates.
@@ -26,7 +26,7 @@ glm::dvec3 towards_eye(const SurfaceView& view, glm::dvec3 place) {
     return -ray_through(view.map, project(view.map, place).pixel).direction;
 }
 
-/// Unit, from the point to where the light shall stand; nothing where it cannot.
+/// Unit, from the point to the light's target direction; nothing if there is none.
 std::optional<glm::dvec3> way_to_light(LightEffect effect, const SurfaceView& view, glm::dvec3 place,
                                        glm::dvec3 n) {
     if (effect == LightEffect::Brightest) return n;

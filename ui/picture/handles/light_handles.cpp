@@ -19,11 +19,11 @@ namespace {
 using std::numbers::pi;
 constexpr float handle_radius = 7, grip_radius = 13;
 
-/// Where the border of the picture shows the way to what lies outside of it.
+/// The point on the picture's border in the direction of something outside.
 glm::dvec2 on_border(const ProjectedPoint& at, glm::dvec3 in_view, PictureSize size, double margin) {
     const glm::dvec2 middle{size.width / 2.0, size.height / 2.0};
     glm::dvec2 way = at.in_front ? at.pixel - middle : glm::dvec2(in_view.x, -in_view.y);
-    if (glm::length(way) < 1e-9) way = {0, -1};  // at the eye itself: shown at the top
+    if (glm::length(way) < 1e-9) way = {0, -1};  // exactly at the eye: shown at the top
     const glm::dvec2 half = middle - margin;
     const double reach =
         std::min(half.x / std::max(std::abs(way.x), 1e-12), half.y / std::max(std::abs(way.y), 1e-12));
@@ -33,7 +33,7 @@ glm::dvec2 on_border(const ProjectedPoint& at, glm::dvec3 in_view, PictureSize s
 void draw_stem(const WorldPen& pen, glm::dvec3 place, ImU32 colour, float opacity) {
     const glm::dvec3 foot{place.x, pen.view.bounds.min.y, place.z};
     pen.cased(place, foot, colour, opacity, 1);
-    const double radius = 0.06 * pen.view.dome.radius;  // follows the zoom
+    const double radius = 0.06 * pen.view.dome.radius;  // proportional to the zoom
     pen.circle(foot, {radius, 0, 0}, {0, 0, radius}, colour, opacity);
 }
 
@@ -45,7 +45,7 @@ void draw_cone(const WorldPen& pen, const Light& light, ImU32 colour, float opac
     for (int i = 0; i < 4; ++i) pen.cased(cone->place, cone->rim(i * pi / 2), colour, opacity);
 }
 
-/// The stick by which a light is aimed, and the marks that can be dragged.
+/// The stick that aims a light, and its draggable marks.
 void draw_shape_grips(const WorldPen& pen, const Light& light, glm::dvec3 place, ImU32 colour, float opacity,
                       const std::optional<glm::dvec3>& in_hand) {
     for (const ShapeGrip& grip : shape_grips(light, pen.view.dome, pen.view.map)) {
@@ -85,7 +85,7 @@ void draw_shape(const WorldPen& pen, const Light& light, const Handle& handle, I
     }
 }
 
-/// Points from the border of the picture to a light that lies outside of it.
+/// An arrow on the picture's border that points to a light outside.
 void draw_way_out(ImDrawList& list, const PictureView& view, glm::dvec2 pixel, ImU32 colour) {
     const glm::dvec2 middle{view.map.size.width / 2.0, view.map.size.height / 2.0};
     const glm::dvec2 way = glm::normalize(pixel - middle), side{-way.y, way.x};
@@ -96,7 +96,7 @@ void draw_way_out(ImDrawList& list, const PictureView& view, glm::dvec2 pixel, I
     list.AddTriangleFilled(at(15, 0), at(10, 5), at(10, -5), colour);
 }
 
-/// The grip itself: a disc of the light's colour with a dark rim; rays for a sun; a ring when it is off.
+/// The grip: a disc of the light's colour with a dark rim; rays for a sun; a ring when it is off.
 void draw_grip(ImDrawList& list, ImVec2 at, const Light& light, HandleLook look, float opacity) {
     const float radius = look.hovered ? handle_radius + 1.5f : handle_radius, r = px(radius);
     const ImU32 colour = to_u32(colour_of(light), opacity);
@@ -178,8 +178,8 @@ void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, 
 
 namespace {
 
-/// The upper left corner of a note of `size` for a hand at `at`: beside what is to stay clear, where one of
-/// its four sides has room; else beside the hand.
+/// The upper left corner of a note of `size` for a cursor at `at`: next to `clear`, the area to keep free, if
+/// one of its four sides has room; else next to the cursor.
 ImVec2 note_corner(const Rect& picture, ImVec2 at, ImVec2 size, const std::optional<Rect>& clear) {
     const ImVec2 away = px(1) * ImVec2(20, 18), end = picture.high, edge = px(4) * ImVec2(1, 1);
     ImVec2 beside = at + away;
@@ -212,7 +212,7 @@ void draw_note(ImDrawList& list, ImVec2 at, const HandNote& note, const std::opt
     const ImVec2 size = ImVec2(std::max(head.x, body.x), head.y + body.y) + 2 * pad;
     const ImVec2 low = note_corner(clip_area(list), at, size, clear);
     badge_ground(list, {low, low + size});
-    list_control("Note at the hand", "", {low, low + size});
+    list_control("Note at the cursor", "", {low, low + size});
     list.AddText(low + pad + ImVec2(0, head.y), to_u32(theme().text), note.numbers.c_str());
     ImGui::PopFont();
     list.AddText(low + pad, to_u32(theme().dim_text), note.title.c_str());

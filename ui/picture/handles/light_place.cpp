@@ -11,8 +11,8 @@
 namespace glint {
 namespace {
 
-// The renderer says which matrix carries a light into camera coordinates (renderer/shade/light_sources.h). A
-// light of the world is not carried there and back, so that no digit of it changes.
+// The renderer defines which matrix takes a light to camera coordinates (renderer/shade/light_sources.h). A
+// light in world space skips the round trip, so that no digit of it changes.
 glm::dmat4 world_from_own(const Light& light, const ScreenMap& map) {
     const glm::dmat4 carry = camera_from_light(light.space, map.view_from_world);
     return carry == map.view_from_world ? glm::dmat4(1) : map.world_from_view * carry;

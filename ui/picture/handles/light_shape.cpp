@@ -11,7 +11,7 @@ namespace glint {
 namespace {
 
 using std::numbers::pi;
-constexpr double least_edge = 1e-3;  // of a panel: a share of what it was
+constexpr double least_edge = 1e-3;  // of a panel: a share of its size before
 
 /// The direction in which a light shines, world, unit: a cone's axis, a panel's normal.
 glm::dvec3 aim_of(const Light& light, const DragView& view) {
@@ -30,7 +30,7 @@ Light with_cutoff(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor
     const auto cone = cone_of(light, view.dome, view.map);
     if (!cone) return light;
     const glm::dvec3 side = std::cos(drag.grip.azimuth) * cone->u + std::sin(drag.grip.azimuth) * cone->v;
-    // The rim moves on a circle round the light, in the plane of the axis and the place taken hold of.
+    // The rim moves on a circle round the light, in the plane of the axis and the grabbed point.
     const glm::dvec3 hand = (cone->rim(drag.grip.azimuth) - cone->place) / cone->slant;
     const glm::dvec2 offset = project(view.map, cone->rim(drag.grip.azimuth)).pixel - drag.grabbed_px;
     const double turn = turn_towards(view.map, {cone->place, cone->slant}, hand, glm::cross(cone->axis, side),
@@ -49,13 +49,13 @@ Light with_edges(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_
     const glm::dvec2 offset = project(view.map, grip).pixel - drag.grabbed_px;
     const auto there = on_plane(view.map, panel->place, panel->normal(), cursor_px + offset);
     if (!there) return light;
-    // There = place + a u + b v; the edges may stand at any angle to one another.
+    // Position = place + a u + b v; the edges may have any angle to each other.
     const glm::dvec3 way = *there - panel->place;
     const double uu = glm::dot(panel->u, panel->u), uv = glm::dot(panel->u, panel->v),
                  vv = glm::dot(panel->v, panel->v), det = uu * vv - uv * uv;
     const double wu = glm::dot(way, panel->u), wv = glm::dot(way, panel->v);
     const double a = (wu * vv - wv * uv) / det, b = (wv * uu - wu * uv) / det;
-    // Past the middle it is the opposite corner that is under the cursor.
+    // Past the centre, the opposite corner is under the cursor.
     const auto scaled = [&](glm::vec3 edge, double share) {
         double length = double(glm::length(edge)) * std::max(std::abs(share), least_edge);
         if (snap) length = std::max(std::round(length / view.snap_step), 1.0) * view.snap_step;

@@ -1,6 +1,6 @@
 #pragma once
-// An object is moved, rotated and scaled by hand: where its gizmo is, what of it is under the cursor, and
-// what a drag makes of the transform. Pure functions; M = T Rz Ry Rx S (models/scene/transform.h).
+// Moves, rotates and scales an object with the mouse: the position of its gizmo, the part under the cursor,
+// and the transform after a drag. Pure functions; M = T Rz Ry Rx S (models/scene/transform.h).
 
 #include <imgui.h>
 
@@ -16,28 +16,29 @@ namespace glint {
 
 enum class GizmoMode { None, Move, Rotate, Scale };
 
-/// X, Y, Z: an axis. PlaneX, PlaneY, PlaneZ: the plane at right angles to it. Free: moves in the view plane,
-/// turns round the line of sight, scales all axes alike.
+/// X, Y, Z: an axis. PlaneX, PlaneY, PlaneZ: the plane perpendicular to it. Free: moves in the view plane,
+/// turns round the line of sight, scales all axes equally.
 enum class GizmoPart { X, Y, Z, PlaneX, PlaneY, PlaneZ, Free };
 
-/// Where the gizmo stands, world coordinates.
+/// The gizmo in world coordinates.
 struct ObjectGizmo {
-    glm::dvec3 origin{0};              // where it stands: what it turns and scales the object about
-    glm::dvec3 anchor{0};              // the same as a place of the object, object coordinates
+    glm::dvec3 origin{0};              // its position: what it turns and scales the object about
+    glm::dvec3 anchor{0};              // the same point in object coordinates
     std::array<glm::dvec3, 3> axes{};  // unit: the world's, or (Scale) the object's own
-    double length = 1;                 // of an axis: the same on the screen wherever the object is
+    double length = 1;                 // of an axis: constant on the screen
     glm::dvec3 to_eye{0, 0, 1};        // unit, from the origin
 };
 
-/// Its rotation alone.
+/// The rotation alone.
 [[nodiscard]] glm::dmat3 rotation_of(const Transform& transform);
 
-/// The place of an object on which its gizmo stands, object coordinates: its origin, or the middle of its
-/// bounds where the origin lies outside of them, or outside of the picture while the middle is in it.
+/// The point of an object at which its gizmo is drawn, object coordinates: its origin, or the centre of its
+/// bounds if the origin is outside them, or outside the picture while the centre is inside.
 [[nodiscard]] glm::dvec3 gizmo_anchor(const Object& object, const PictureView& view);
 
-/// Where a gizmo stands. `pivot`: what Rotate turns about, world coordinates, in place of the anchor; other
-/// modes ignore it. gizmo_of() returns nothing under None, or if the gizmo would not be in front of the eye.
+/// The position of a gizmo. `pivot`: what Rotate turns about, world coordinates, in place of the anchor;
+/// other modes ignore it. gizmo_of() returns nothing under None, or if the gizmo would not be in front of the
+/// eye.
 struct GizmoPlace {
     glm::dvec3 anchor{0};  // object coordinates
     std::optional<glm::dvec3> pivot = {};
@@ -45,22 +46,23 @@ struct GizmoPlace {
 [[nodiscard]] std::optional<ObjectGizmo> gizmo_of(const Transform& transform, GizmoMode mode,
                                                   const PictureView& view, const GizmoPlace& place = {});
 
-/// Returns the part under the cursor (pixels of the picture), Free before axes before planes (Rotate: last).
+/// Returns the part under the cursor (pixels of the picture): Free before axes before planes (Rotate: Free
+/// last).
 [[nodiscard]] std::optional<GizmoPart> gizmo_under(const ObjectGizmo& gizmo, GizmoMode mode,
                                                    const PictureView& view, glm::dvec2 cursor_px);
 
 struct ObjectDrag {
     Transform start;
-    ObjectGizmo gizmo;  // as it was then
+    ObjectGizmo gizmo;  // at the start of the drag
     GizmoMode mode = GizmoMode::Move;
     GizmoPart part = GizmoPart::Free;
     glm::dvec2 grabbed_px{0};
 };
 
-/// The transform after the cursor went to `cursor_px`. `snap`: places to multiples of the view's step,
-/// turns to multiples of 15 degrees, scales to tenths. Where the motion has no answer (an axis seen end on,
-/// a plane edge on) it is what the drag began with. Scales stay away from 0. A turned or scaled object keeps
-/// the gizmo's place where it is: where that is not its origin, it is moved along.
+/// The transform after the cursor moved to `cursor_px`. `snap`: positions to multiples of the view's step,
+/// turns to multiples of 15 degrees, scales to tenths. If the motion has no solution (an axis seen end on, a
+/// plane edge on), the initial transform. Scales never reach 0. A turned or scaled object keeps the gizmo in
+/// place: if the gizmo is not at its origin, the object moves too.
 [[nodiscard]] Transform dragged_object(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_px,
                                        bool snap);
 
@@ -68,13 +70,13 @@ struct ObjectDrag {
 /// `near_deg`. At y = +-90 degrees, where x and z turn round the same axis, x is that of `near_deg`.
 [[nodiscard]] glm::vec3 euler_deg(const glm::dmat3& rotation, glm::vec3 near_deg);
 
-/// The small squares between two axes by which an object is moved in a plane: from this to this share of the
-/// axes' length.
+/// The small squares between two axes that move an object in a plane: from this to this share of the axes'
+/// length.
 inline constexpr double plane_from = 0.28, plane_to = 0.46;
 
 // The gizmo of the selected object: arrows, rings or boxes, each axis in its colour with its letter.
 
-/// `in_hand`: the part that is under the cursor or being dragged.
+/// `in_hand`: the part under the cursor or being dragged.
 void draw_object_gizmo(ImDrawList& list, const PictureView& view, const ObjectGizmo& gizmo, GizmoMode mode,
                        std::optional<GizmoPart> in_hand);
 

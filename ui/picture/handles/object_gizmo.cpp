@@ -1,4 +1,4 @@
-// Says where the gizmo of an object stands, and draws it.
+// Positions and draws the gizmo of an object.
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -17,7 +17,7 @@ const std::array axis_colours{ImVec4{0.93f, 0.42f, 0.35f, 1}, ImVec4{0.52f, 0.78
                               ImVec4{0.42f, 0.65f, 1.0f, 1}};
 constexpr const char* letters[] = {"X", "Y", "Z"};
 const ImVec4 all_axes_colour{1, 1, 1, 1};
-constexpr float axis_units = 84;                    // of the design
+constexpr float axis_units = 84;                    // design units
 constexpr float axis_width = 2.2f, held_width = 3;  // logical pixels
 
 struct GizmoPen {
@@ -34,7 +34,7 @@ struct GizmoPen {
         rimmed_text(pen.list, shown(at), axis_colours[axis], letters[axis]);
         ImGui::PopFont();
     }
-    /// A box at the end of an axis that scales or is seen end on, else an arrow's head.
+    /// A box at the end of an axis that scales or is seen end on, else an arrowhead.
     void head(std::size_t axis, GizmoMode mode) const {
         const ImU32 tint = colour(axis, static_cast<GizmoPart>(axis));
         const ImVec2 tip = shown(gizmo.origin + gizmo.length * gizmo.axes[axis]);
@@ -67,7 +67,7 @@ struct GizmoPen {
         pen.list.AddConvexPolyFilled(corners, 4, to_u32(tint, 0.45f));
         pen.list.AddPolyline(corners, 4, to_u32(tint), ImDrawFlags_Closed, px(1.2f));
     }
-    /// The half turned away is thin.
+    /// The half that faces away is thin.
     void ring(glm::dvec3 axis, double radius, ImU32 c, bool held, bool whole) const {
         const auto [u, v] = across(axis);
         constexpr int sides = 64;
