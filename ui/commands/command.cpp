@@ -21,12 +21,12 @@ namespace {
 /// A letter or a digit alone: easily pressed by mistake.
 bool is_one_letter(KeyPress press) { return press.is_alone() && press.key <= Key::Digit4; }
 
-/// What a key did, or why it did nothing: "Specular: off (S)".
+/// Reports what a key did, or why it did nothing: "Specular: off (S)".
 void tell(UiState& state, const WindowCommand& command, KeyPress press) {
     const std::string refused = why_disabled(state, command), key = " (" + text_of(press) + ")";
     const std::string_view sets = command.sets;
     std::string what = *command.noun != 0 ? command.noun : command.name;
-    // One of a closed set is chosen, not switched.
+    // A choice from a closed set has no on or off state.
     if (const auto on = is_on(state, command); on && sets.find('=') == std::string_view::npos)
         what += *on ? ": on" : ": off";
     if (refused.empty())
@@ -72,7 +72,7 @@ std::span<const WindowCommand> commands() {
 const WindowCommand& command(CommandId id) {
     for (const WindowCommand& row : commands())
         if (row.id == id) return row;
-    throw std::logic_error("a command without a row");  // a test asks for every one
+    throw std::logic_error("a command without a row");  // a test looks up every command
 }
 
 std::string keys_of(const WindowCommand& command) {
@@ -101,7 +101,7 @@ std::optional<bool> is_on(const UiState& state, const WindowCommand& command) {
 }
 
 void run_command(UiState& state, const WindowCommand& command) {
-    // Since it was looked at last, the end of a drag or a load may have taken the item away.
+    // The end of a drag or a load may have deleted the item since the last check.
     state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     if (!can_run(state, command)) return;
     state.viewport.touched |= command.changes_picture;
@@ -110,8 +110,8 @@ void run_command(UiState& state, const WindowCommand& command) {
 
 namespace {
 
-/// Whether a key belongs to the text that is being typed. Saving, opening, ending and finding an action do
-/// what they do, as pages and F keys do.
+/// Whether a key belongs to the text being typed. Saving, opening, quitting and finding an action keep their
+/// keys, as do Page and F keys.
 bool is_for_text(KeyPress press) {
     constexpr std::array of_window{Key::K, Key::N, Key::O, Key::Q, Key::S};
     if (press.key >= Key::PageUp && press.key <= Key::F12) return false;
@@ -141,14 +141,16 @@ void run_keys(UiState& state, const UiInput& input) {
             return std::count_if(list.begin(), list.end(),
                                  [now](const Notification& n) { return n.of_key && n.frame == now; });
         };
-        // What is pressed by mistake says what it did, and whatever does nothing says why.
+        // Keys that are easily pressed by mistake report what they did; keys without effect report why.
         const bool tells = is_one_letter(press) || !why_disabled(state, *found).empty();
         const auto told_before = told();
         const ItemCounts before = item_counts(state.editor.scene());
         run_command(state, *found);
-        // An open field or colour picker is one of an item by its number: from now on it would be another's.
+        // An open field or colour picker refers to its item by index, which would now be another item.
         if (item_counts(state.editor.scene()) != before) let_go_of_fields();
-        if (tells && told() == told_before) tell(state, *found, press);  // some say it better themselves
+        if (tells && told() == told_before)
+            tell(state, *found, press);  // some commands report a better text
+                                         // themselves
     }
 }
 

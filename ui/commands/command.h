@@ -1,7 +1,7 @@
 #pragma once
-// A command is anything that a menu item or a key does, defined once: one row of a table with the functions
-// that do it. Menus, keys, the palette, the tool bar and the sheet of shortcuts read the rows. The core's
-// rows are in commands_*.cpp, those of a feature in its folder.
+// A command is anything that a menu item or a key does, defined once as a row of a table of functions. Menus,
+// keys, the palette, the tool bar and the sheet of shortcuts read the rows. The core's rows are in
+// commands_*.cpp, those of a feature in its folder.
 
 #include <optional>
 #include <span>
@@ -17,8 +17,8 @@ struct UiState;
 
 enum class Menu { None, File, Edit, View, Lecture, Help };
 
-/// Where a command is in its menu, from top to bottom; within a section the core's commands come first, then
-/// those of features in the order of ui/features.cpp. Other: it is in no menu, and the palette finds it.
+/// A command's position in its menu, from top to bottom; within a section the core's commands come first,
+/// then those of features in the order of ui/features.cpp. Other: in no menu; only the palette lists it.
 enum class Section {
     FileOpen,
     FileSave,
@@ -52,42 +52,42 @@ struct WindowCommand {
     std::vector<KeyPress> keys = {};
     Section section = Section::Other;
     void (*run)(UiState&) = nullptr;
-    bool (*is_on)(const UiState&) = nullptr;                // null: it is not a switch
-    std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty reason: it can be done
+    bool (*is_on)(const UiState&) = nullptr;                // null: not a switch
+    std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty reason: enabled
     CommandId id = CommandId::None;
     bool line_above = false;       // in the menu
-    bool changes_picture = false;  // it draws over or replaces the picture, where hints would be in the way
-    bool quiet = false;            // it neither changes nor reveals the scene: allowed while a question waits
-    const char* noun = "";         // what is on or off, where that is not the name
-    const char* words = "";        // what it is about: Ctrl+K finds it by the beginnings of these words, too
-    const char* sets = "";         // what it sets of the scene, as keys_of_value() takes it
+    bool changes_picture = false;  // draws over or replaces the picture, where hints would be in the way
+    bool quiet = false;            // neither changes nor reveals the scene: allowed during a question
+    const char* noun = "";         // what is on or off, if different from the name
+    const char* words = "";        // topics: Ctrl+K also finds it by the beginnings of these words
+    const char* sets = "";         // the value of the scene that it sets, as in keys_of_value()
 };
 
-/// All commands, in the order of sections.
+/// All commands, in section order.
 [[nodiscard]] std::span<const WindowCommand> commands();
 [[nodiscard]] const WindowCommand& command(CommandId id);
 
 /// All its keys: "Ctrl+Shift+Z or Ctrl+Y".
 [[nodiscard]] std::string keys_of(const WindowCommand& command);
-/// Why it cannot be done now; empty when it can.
+/// Why it is disabled now; empty when it is enabled.
 [[nodiscard]] std::string why_disabled(const UiState& state, const WindowCommand& command);
 [[nodiscard]] inline bool can_run(const UiState& state, const WindowCommand& command) {
     return why_disabled(state, command).empty();
 }
-/// Whether what the command switches is on; nothing when it is not a switch.
+/// Whether a switch is on; nothing for other commands.
 [[nodiscard]] std::optional<bool> is_on(const UiState& state, const WindowCommand& command);
-/// Does it, if can_run().
+/// Runs it if can_run().
 void run_command(UiState& state, const WindowCommand& command);
 inline void run_command(UiState& state, CommandId id) { run_command(state, command(id)); }
 
-/// Runs the commands of the keys that came with this frame; Escape leaves the innermost thing.
+/// Runs the commands of this frame's keys; Escape leaves the innermost thing.
 void run_keys(UiState& state, const UiInput& input);
 
-// The rows of the core, by topic, and what rows are made of. A new command is one new row.
+// The core's rows by topic, and the parts of a row. A new command is one new row.
 
 [[nodiscard]] std::vector<WindowCommand> file_commands();
 [[nodiscard]] std::vector<WindowCommand> edit_commands();
-/// Lists what the mouse does to the selected object by its gizmo, and the rest of the edit menu below it.
+/// The gizmo's commands for the selected object, and the rest of the edit menu below them.
 [[nodiscard]] std::vector<WindowCommand> hand_commands();
 [[nodiscard]] std::vector<WindowCommand> camera_commands();
 [[nodiscard]] std::vector<WindowCommand> view_commands();

@@ -1,4 +1,3 @@
-// The commands of the menu Edit.
 
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
@@ -8,7 +7,7 @@
 namespace glint {
 namespace {
 
-/// Removes what keys told about their effect: after undo or redo it no longer holds.
+/// Removes messages about what keys did: after undo or redo they no longer hold.
 void forget_told(Notifications& notifications) {
     std::erase_if(notifications.list, [](const Notification& note) { return note.of_key; });
 }
@@ -19,14 +18,14 @@ template <LightEffect effect> void follow_by_effect(UiState& state) {
     begin_effect(state.viewport, state.editor.scene(), state.editor.selection, effect);
 }
 
-constexpr const char* is_of_another = "The picture shows another scene than the one that is edited";
+constexpr const char* is_of_another = "The picture is not showing the scene you are editing";
 
 std::string unless_light(const UiState& state) {
     if (state.on_screen.is_out_of_hand()) return is_of_another;
     return unless(!state.editor.scene().lights.empty(), "The scene has no light");
 }
 
-/// Returns the light that matters most under the cursor, else at the picked point.
+/// Returns the light that contributes most under the cursor, else at the picked point.
 std::optional<MainLight> light_that_matters(const UiState& state) {
     if (state.viewport.main_light) return state.viewport.main_light;
     return is_explained(state) ? main_light(*state.on_screen.explanation) : std::nullopt;
@@ -35,7 +34,7 @@ std::optional<MainLight> light_that_matters(const UiState& state) {
 std::string unless_item(const UiState& state) {
     const Selection::Kind kind = state.editor.selection.kind;
     return unless(kind == Selection::Kind::Light || kind == Selection::Kind::Object,
-                  "No light and no object is selected");
+                  "No light or object is selected");
 }
 
 std::string why_no_light(const UiState& state) {
@@ -54,14 +53,14 @@ std::string unless_object(const UiState& state) {
                   "No object is selected: double-click one");
 }
 
-/// Shows a gizmo; the key of the one that is shown hides it.
+/// Shows a gizmo; the key of the visible one hides it.
 void choose_gizmo(UiState& state, GizmoMode mode) {
     GizmoMode& shown = state.viewport.gizmo;
     shown = shown == mode && !state.viewport.pivot ? GizmoMode::None : mode;
     state.viewport.pivot.reset();
 }
 
-/// Makes the picked point the pivot: its pixel goes on showing it while everything else turns.
+/// Makes the picked point the pivot: its pixel keeps showing it while everything else turns.
 void rotate_about_picked(UiState& state) {
     state.editor.selection = {Selection::Kind::Object, state.on_screen.explanation->object_index};
     state.viewport.gizmo = GizmoMode::Rotate;
@@ -104,7 +103,7 @@ std::vector<WindowCommand> edit_commands() {
          .why_disabled =
              [](const UiState& s) {
                  if (!s.editor.history.can_redo()) return std::string("Nothing to redo");
-                 // There is no step yet of what was edited meanwhile: it would be lost.
+                 // Edits made in the meantime are not a step yet and would be lost.
                  return unless(!awaits_mesh(s), "A mesh is being built: wait for it, or Esc");
              },
          .id = CommandId::Redo},
@@ -151,7 +150,7 @@ std::vector<WindowCommand> edit_commands() {
              [](const UiState& s) {
                  if (s.on_screen.is_out_of_hand()) return std::string(is_of_another);
                  return unless(light_that_matters(s).has_value(),
-                               "No light adds anything under the cursor, nor at a picked point");
+                               "No light contributes under the cursor or at a picked point");
              },
          .id = CommandId::SelectMainLight},
     };

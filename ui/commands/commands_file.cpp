@@ -1,4 +1,3 @@
-// The commands of the menu File.
 
 #include <algorithm>
 
@@ -10,7 +9,8 @@
 namespace glint {
 namespace {
 
-/// Opens the dialog in the open scene's folder, else here; with the examples if there is no scene in it.
+/// Opens the dialog in the open scene's folder, or the working directory; in the examples if that has no
+/// scene.
 void ask_scene(UiState& state) {
     const std::string& path = state.editor.document.path;
     state.files.ask(open_purpose, path);

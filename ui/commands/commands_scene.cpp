@@ -1,5 +1,5 @@
-// The commands that set something of the scene: its camera (menu View, and the directions of view that have
-// keys alone), and the shading mode and terms of the equation, which stand in the tool bar and in no menu.
+// Commands that set a value of the scene: its camera (menu View, and the directions of view that have only
+// keys), and the shading mode and terms of the equation, which are in the tool bar and in no menu.
 #include "ui/commands/command.h"
 #include "ui/picture/orbit.h"
 #include "ui/ui.h"
@@ -30,7 +30,7 @@ void switch_projection(UiState& state) {
     if (state.rendered != nullptr) camera = other_projection(camera, state.rendered->size);
 }
 
-/// One view back or forward. That is a step within the views, so that none is left for it.
+/// Goes one view back or forward. This is a step within the view history and adds no view to it.
 void go_to_view(UiState& state, Camera (ViewHistory::*step)(const Camera&)) {
     Editor& editor = state.editor;
     editor.scene().camera = (editor.views.*step)(editor.scene().camera);
@@ -97,20 +97,24 @@ std::vector<WindowCommand> camera_commands() {
          .why_disabled =
              [](const UiState& s) {
                  return unless(s.editor.scene().camera != s.editor.saved.camera,
-                               "The camera is the saved one already");
+                               "The camera is already the saved one");
              }},
         {.name = "View before",
          .keys = {{Key::Left, !ctrl, !shift, alt}},
          .section = Section::ViewCamera,
          .run = [](UiState& s) { go_to_view(s, &ViewHistory::back); },
          .why_disabled =
-             [](const UiState& s) { return unless(s.editor.views.can_go_back(), "No view came before"); }},
+             [](const UiState& s) {
+                 return unless(s.editor.views.can_go_back(), "There is no previous view");
+             }},
         {.name = "View after",
          .keys = {{Key::Right, !ctrl, !shift, alt}},
          .section = Section::ViewCamera,
          .run = [](UiState& s) { go_to_view(s, &ViewHistory::forward); },
          .why_disabled =
-             [](const UiState& s) { return unless(s.editor.views.can_go_forward(), "No view comes after"); }},
+             [](const UiState& s) {
+                 return unless(s.editor.views.can_go_forward(), "There is no next view");
+             }},
         {.name = "Keep this view",
          .keys = {{Key::U, !ctrl, shift}},
          .section = Section::ViewCamera,

@@ -1,4 +1,4 @@
-// The commands of the menu View, but for the camera's and those of features.
+// The commands of the menu View, except those of the camera and of features.
 #include <imgui.h>
 
 #include "ui/commands/command.h"
@@ -14,7 +14,7 @@ void switch_magnifier(UiState& state) {
                state.viewport.probe.value_or(glm::dvec2(0.5)));
 }
 
-/// An arrow key asks about the pixel beside the picked one; with Shift it goes ten times as far.
+/// An arrow key picks the pixel next to the picked one; with Shift, ten pixels away.
 template <int right, int down> WindowCommand step_command(const char* name, Key key) {
     return {.name = name,
             .keys = {{key}, {key, !ctrl, shift}},
@@ -33,10 +33,10 @@ template <int right, int down> WindowCommand step_command(const char* name, Key 
 }
 
 std::vector<WindowCommand> stepping_commands() {
-    return {step_command<-1, 0>("Ask about the pixel to the left", Key::Left),
-            step_command<1, 0>("Ask about the pixel to the right", Key::Right),
-            step_command<0, -1>("Ask about the pixel above", Key::Up),
-            step_command<0, 1>("Ask about the pixel below", Key::Down)};
+    return {step_command<-1, 0>("Pick the pixel to the left", Key::Left),
+            step_command<1, 0>("Pick the pixel to the right", Key::Right),
+            step_command<0, -1>("Pick the pixel above", Key::Up),
+            step_command<0, 1>("Pick the pixel below", Key::Down)};
 }
 
 std::vector<WindowCommand> looking_commands() {
@@ -61,7 +61,7 @@ std::vector<WindowCommand> looking_commands() {
 
 bool is_narrow_now() { return is_narrow(ImGui::GetIO().DisplaySize, px(1)); }
 
-// In a narrow window both columns are tabs of one: to show one is to show its tab.
+// In a narrow window both columns are tabs of one column: showing a column selects its tab.
 
 bool shows_scene_column(const UiState& s) {
     return s.layout.left && !s.layout.hides_columns && !(is_narrow_now() && s.left_shows_inspector);

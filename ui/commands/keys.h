@@ -1,5 +1,5 @@
 #pragma once
-// Keys as the window hands them over: no library's codes. Letters are those of the user's keyboard layout.
+// Keys as the window delivers them, without a library's codes. Letters follow the user's keyboard layout.
 
 #include <array>
 #include <string>
@@ -42,20 +42,20 @@ struct KeyPress {
     bool operator==(const KeyPress&) const = default;
     [[nodiscard]] bool is_alone() const { return !ctrl && !shift && !alt; }
 };
-/// Writes it as the window does: "Ctrl+Shift+Z", "pad 5", "?".
+/// Returns the key as shown in the window: "Ctrl+Shift+Z", "pad 5", "?".
 [[nodiscard]] std::string text_of(KeyPress press);
 
-/// What arrived since the last frame, beside what ImGui's io holds.
+/// Input since the last frame, in addition to ImGui's io.
 struct UiInput {
     std::vector<KeyPress> presses;
     std::array<bool, 3> axis_held{};   // X, Y, Z are down
     bool b_held = false;               // B is down
-    std::vector<std::string> dropped;  // paths of files
+    std::vector<std::string> dropped;  // file paths
     bool close_asked = false;          // the window's own close button
 };
 
-/// Arrow keys in a list of so many entries, or in a grid of several columns. `chosen` is -1 before one is
-/// chosen. A list goes round, a grid ends. True when Enter has decided upon the chosen one.
+/// Arrow keys in a list of `count` entries, or in a grid of several columns. `chosen` is -1 before one is
+/// chosen. A list wraps round, a grid does not. True when Enter confirms the chosen entry.
 [[nodiscard]] bool choose_by_keys(int& chosen, int count, int columns, const UiInput& input);
 
 }  // namespace glint

@@ -23,7 +23,7 @@ constexpr std::array named_menus{std::pair{Menu::File, "File"}, std::pair{Menu::
                                  std::pair{Menu::View, "View"}, std::pair{Menu::Lecture, "Lecture"},
                                  std::pair{Menu::Help, "Help"}};
 
-/// Undo and redo say what they would undo.
+/// Undo and redo name their step.
 std::string shown_name(const UiState& state, const WindowCommand& command) {
     const History& history = state.editor.history;
     if (command.id == CommandId::Undo && history.can_undo() && !awaits_mesh(state))
@@ -47,7 +47,7 @@ void recent_menu(UiState& state) {
     const bool open = ImGui::BeginMenu("Open recent", !recent.empty());
     list_control("Open recent", "", last_item());
     if (!open) {
-        if (recent.empty()) tooltip("Open recent", "Nothing was opened yet");
+        if (recent.empty()) tooltip("Open recent", "No file was opened yet");
         return;
     }
     std::string chosen;
@@ -76,7 +76,7 @@ void menu(UiState& state, Menu which, const char* name) {
     ImGui::EndMenu();
 }
 
-/// What is done, and how; with an empty `how` a heading.
+/// An action and how to do it; with an empty `how`, a heading.
 struct Line {
     std::string does, how;
     [[nodiscard]] bool is_heading() const { return how.empty(); }
@@ -102,7 +102,7 @@ void add_mouse_lines(Lines& lines) {
     lines.insert(lines.end(), mouse.begin(), mouse.end());
 }
 
-/// Every command that has a key, in the table's order, under the names of the menus.
+/// Every command with a key, in the table's order, under the names of the menus.
 Lines all_lines() {
     Lines lines;
     const auto add = [&lines](Menu menu, const char* heading) {
@@ -122,7 +122,7 @@ float height_of(const Line& line) {
                              : ImGui::GetTextLineHeightWithSpacing();
 }
 
-/// Where each of `count` columns about equally high ends: where a heading is near, before it; never after
+/// Where each of `count` columns of about equal height ends: before a heading if one is near; never after
 /// one.
 std::vector<std::size_t> column_ends(const Lines& lines, std::size_t count) {
     float all = 0, before = 0;
@@ -139,7 +139,7 @@ std::vector<std::size_t> column_ends(const Lines& lines, std::size_t count) {
     return ends;
 }
 
-/// Lines `from` to `to`: what is done and how, each in its column.
+/// Draws lines `from` to `to`: action and key, each in its column.
 void sheet(const Lines& lines, std::size_t from, std::size_t to) {
     float widest = 0;
     for (std::size_t i = from; i < to; ++i)
@@ -155,7 +155,7 @@ void sheet(const Lines& lines, std::size_t from, std::size_t to) {
         ImGui::TextUnformatted(lines[i].does.c_str());
         ImGui::SameLine();
         ImGui::SetCursorPosX(left + widest +
-                             px(14));  // SameLine(offset) counts from the group, this does not
+                             px(14));  // SameLine(offset) counts from the group, this call does not
         coloured(theme().accent, lines[i].how);
     }
     ImGui::EndGroup();
@@ -184,7 +184,7 @@ void shortcuts_sheet(UiState& state) {
         ImGui::PushFont(fonts().small);
         const Lines lines = all_lines();
         const bool roomy = window.x > px(1180);
-        // Two columns are long: their lines stand closer.
+        // Two columns are long: their lines are closer together.
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8), px(roomy ? 4 : 0)});
         std::size_t from = 0;
         for (const std::size_t end : column_ends(lines, roomy ? 3 : 2)) {

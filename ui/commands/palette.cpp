@@ -21,8 +21,8 @@ namespace {
 
 constexpr int rows_shown = 11;
 
-/// How well an entry fits; less is better. By its name, by the beginning of a word about it, or by its name
-/// together with its group.
+/// How well an entry fits; lower is better. Matches its name, the beginning of a topic, or its name together
+/// with its group.
 std::optional<int> rank_of(const PaletteEntry& entry, const std::string& text) {
     const std::optional<int> by_name = match_rank(text, entry.name);
     if (by_name && *by_name <= 2) return by_name;
@@ -32,7 +32,7 @@ std::optional<int> rank_of(const PaletteEntry& entry, const std::string& text) {
     return {};
 }
 
-/// True when it was clicked.
+/// True when clicked.
 bool entry_row(const PaletteEntry& entry, bool chosen, int index) {
     const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -60,8 +60,8 @@ bool entry_row(const PaletteEntry& entry, bool chosen, int index) {
     return clicked;
 }
 
-/// Draws the visible rows, and the chosen one where it must be scrolled to. Returns the index of the entry
-/// that was clicked, or -1.
+/// Draws the visible rows, and the chosen one if it must be scrolled to. Returns the index of the clicked
+/// entry, or -1.
 int entry_rows(const PaletteState& state, bool shows_chosen) {
     int clicked = -1;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, px(1)});
@@ -79,10 +79,10 @@ int entry_rows(const PaletteState& state, bool shows_chosen) {
     return clicked;
 }
 
-/// The index of the entry that was decided upon, or -1.
+/// The index of the confirmed entry, or -1.
 int entry_list(PaletteState& state, const UiInput& input) {
     if (state.matches.empty())
-        wrapped_dim(fmt::format("Nothing is called “{}”: commands, fields, scenes and lessons are found here",
+        wrapped_dim(fmt::format("Nothing is called “{}”: this finds commands, fields, scenes and lessons",
                                 shortened(state.text)));
     const int before = state.chosen;
     const int count = static_cast<int>(state.matches.size());
@@ -101,9 +101,9 @@ void run_entry(UiState& state, int index) {
     entry.run(state);
 }
 
-/// ImGui gives a field the keyboard two frames after the request, and drops what is typed until then. So
-/// letters are kept, and typed when the field has the keyboard. If other keys came before the one that opens
-/// the list, nobody knows which letters are meant for the list: none are kept.
+/// ImGui focuses a field two frames after the request, and drops letters typed until then. So letters are
+/// kept, and typed once the field has focus. If other keys came before the one that opens the list, it is
+/// unknown which letters are meant for the list: none are kept.
 void type_ahead(PaletteState& state, const UiInput& input) {
     ImVector<ImWchar>& queue = ImGui::GetIO().InputQueueCharacters;
     std::vector<ImWchar>& ahead = state.typed_ahead;
@@ -142,7 +142,7 @@ void open_palette(UiState& state) {
 
 void palette(UiState& state, const UiInput& input) {
     PaletteState& palette = state.palette;
-    // Entries name lights and objects by their numbers.
+    // Entries refer to lights and objects by index.
     if (item_counts(state.editor.scene()) != palette.made_for) palette.open = false;
     if (!palette.open) return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -167,7 +167,7 @@ void palette(UiState& state, const UiInput& input) {
     const bool left = !palette.takes_keyboard && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     const bool entered = std::any_of(input.presses.begin(), input.presses.end(),
                                      [](const KeyPress& press) { return press.key == Key::Enter; });
-    palette.takes_keyboard = entered && decided < 0;  // Enter took the keyboard from the text
+    palette.takes_keyboard = entered && decided < 0;  // Enter took focus from the text
     ImGui::End();
     ImGui::PopStyleVar(2);
     if (left) palette.open = false;

@@ -38,7 +38,7 @@ void add_commands(Entries& entries, const UiState& state) {
     }
 }
 
-/// A switch, found again in the scene of the moment.
+/// A switch, looked up again in the present scene.
 template <class Find>
 void add_switch(Entries& entries, const UiState& state, std::string name, const char* group, Find find) {
     const bool on = find(const_cast<Scene&>(state.editor.scene()));
@@ -52,14 +52,15 @@ void add_mistakes(Entries& entries, const UiState& state) {
                    [flag = mistake.flag](Scene& s) -> bool& { return s.shading.mistakes.*flag; });
 }
 
-/// What the panel of the selected light does.
+/// The actions of the selected light's panel.
 void add_light_choices(Entries& entries, const UiState& state) {
     const int index = selected_light(state.editor.selection);
     if (index < 0) return;
     const auto at = static_cast<std::size_t>(index);
     const Light& light = state.editor.scene().lights[at];
     const bool rides = light.space == LightSpace::Camera;
-    add(entries, fmt::format("{}: {}", light.name, rides ? "leave it in the world" : "ride with the camera"),
+    add(entries,
+        fmt::format("{}: {}", light.name, rides ? "leave it in the world" : "attach it to the camera"),
         "Light", [at, rides](UiState& s) {
             Light& l = s.editor.scene().lights[at];
             l = in_space(l, rides ? LightSpace::World : LightSpace::Camera, s.editor.scene().camera);
@@ -74,7 +75,7 @@ void add_light_choices(Entries& entries, const UiState& state) {
             });
 }
 
-/// What the panel of the selected object does.
+/// The actions of the selected object's panel.
 void add_object_choices(Entries& entries, const UiState& state) {
     const Selection selection = state.editor.selection;
     const bool selected = selection.kind == Selection::Kind::Object;
@@ -93,14 +94,14 @@ void add_object_choices(Entries& entries, const UiState& state) {
             [at, primitive](UiState& s) {
                 Object& o = s.editor.scene().objects[at];
                 o.source = default_mesh(primitive);
-                o.mesh = nullptr;  // it is made in the background
+                o.mesh = nullptr;  // built in the background
             });
     }
     add(entries, fmt::format("{}: mesh file…", object.name), "Mesh",
         [at](UiState& s) { ask_mesh(s, static_cast<int>(at)); });
 }
 
-/// What the + of both lists adds, except for the light that has a key.
+/// The items of both lists' + buttons, except for the light that has a key.
 void add_additions(Entries& entries, const UiState& state) {
     const Scene& scene = state.editor.scene();
     const char* const no_light = scene.lights.size() >= max_lights ? is_full : "";
@@ -152,7 +153,7 @@ void add_recent(Entries& entries, const UiState& state) {
     }
 }
 
-/// What the offer to recover unsaved work asks.
+/// The answers to the offer of recovering unsaved work.
 void add_answers_of_copy(Entries& entries, const UiState& state) {
     if (state.persistence.orphans.empty()) return;
     const std::string title = state.persistence.orphans.front().title;
@@ -185,7 +186,7 @@ std::vector<PaletteEntry> palette_entries(UiState& state) {
     const std::string held = why_held(state);
     for (std::size_t i = of_the_scene; i < entries.size() && !held.empty(); ++i)
         if (!entries[i].quiet) entries[i].refused = held;
-    for (PaletteEntry& entry : entries)  // a row is one line, whatever an item is called
+    for (PaletteEntry& entry : entries)  // a row is one line, whatever the item's name contains
         for (std::string* text : {&entry.name, &entry.group})
             std::replace_if(text->begin(), text->end(), breaks_line, ' ');
     return entries;

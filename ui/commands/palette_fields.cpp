@@ -1,5 +1,5 @@
 // The palette's entries that follow from the rows of models/fields/scene_fields.h: every field of the scene,
-// and what its switches and closed sets can be.
+// and the values of its switches and closed sets.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace {
 
 using Entries = std::vector<PaletteEntry>;
 
-constexpr int most_items = 50;  // lights, and objects, whose fields are listed
+constexpr int most_items = 50;  // lights and objects whose fields are listed
 
-/// What has a panel.
+/// Something with a panel.
 struct FieldOwner {
     std::string group;
     Selection selection;
@@ -33,7 +33,7 @@ void show_field(UiState& state, const Selection& selection, const std::string& p
     ask_for_field(pointer, component);
 }
 
-/// An entry that shows the panel and puts the keyboard into the field.
+/// An entry that shows the panel and focuses the field.
 void add_field(Entries& entries, const FieldOwner& owner, const Row& row, const std::string& pointer,
                const std::string& component = "", const std::string& name_of_component = "") {
     entries.push_back({row.label + name_of_component, owner.group, "", "",
@@ -51,9 +51,9 @@ void add_fields(Entries& entries, const T& value, const std::string& pointer, co
         if constexpr (std::is_same_v<Kind, OneProjection> || std::is_same_v<Kind, OneMesh>) {
             add_fields(entries, member, at, owner);
         } else if constexpr (std::is_same_v<Member, Mistakes>) {
-            // They have a tab, and entries of their own.
+            // They have a tab and their own entries.
         } else if constexpr (std::is_same_v<Kind, Group>) {
-            if (row.applies) add_fields(entries, member, at, owner);  // its panel omits what has no effect
+            if (row.applies) add_fields(entries, member, at, owner);  // the panel omits fields without effect
         } else if constexpr (!std::is_same_v<Kind, List> && !std::is_same_v<Kind, Path>) {
             add_field(entries, owner, row, at);
             if constexpr (std::is_same_v<Kind, Vector> || std::is_same_v<Kind, Homogeneous>)
@@ -63,7 +63,7 @@ void add_fields(Entries& entries, const T& value, const std::string& pointer, co
     });
 }
 
-/// Lights or objects: the selected one first, since of equal matches the first is offered.
+/// Lights or objects: the selected one first, since the first of equal matches wins.
 template <class Item>
 void add_item_fields(Entries& entries, const std::vector<Item>& items, const char* list, Selection::Kind kind,
                      const Selection& selected) {
@@ -100,7 +100,7 @@ void add_settings(Entries& entries, const Scene& scene, T Scene::*part, const ch
     });
 }
 
-/// The kind is not a row of the scene's fields: another kind has other fields.
+/// The kind of projection is not a row of the scene's fields: each kind has different fields.
 void add_projections(Entries& entries) {
     for (const ProjectionKind kind : enumerators<ProjectionKind>)
         entries.push_back({fmt::format("Projection: {}", choice_of(kind).label), "Camera", "", "",

@@ -1,5 +1,5 @@
 #pragma once
-// Tells the user if a mesh without normals gets averaged ones, which make its creases look smooth.
+// Notifies the user if a mesh without normals gets averaged ones, which make its creases look smooth.
 
 #include "models/scene/scene.h"
 
@@ -7,13 +7,13 @@ namespace glint {
 
 struct UiState;
 
-/// Whether the object's mesh has no normals of its own and its facets' are averaged across every edge.
+/// Whether the object's mesh has no normals and its facets' are averaged across every edge.
 [[nodiscard]] bool smooths_every_edge(const Object& object);
 
-/// Adds a notification if smooths_every_edge() holds for the object.
+/// Adds a notification if smooths_every_edge() is true for the object.
 void say_averaged(UiState& state, const Object& object);
 
-/// If the open document is such a mesh, says so and selects the object: its panel can keep the creases.
+/// If the open document is such a mesh, reports it and selects the object: its panel can keep the creases.
 void tell_averaged_normals(UiState& state);
 
 }  // namespace glint

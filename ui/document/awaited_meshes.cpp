@@ -1,4 +1,4 @@
-// Meshes that an edit asks for: made at once if that is quick, else loaded while the window goes on.
+// Meshes that an edit needs: made at once if that is quick, else loaded in the background.
 #include <algorithm>
 #include <utility>
 
@@ -17,7 +17,7 @@ bool waits(const Object& object, const AwaitedMesh& awaited) {
     return awaited.mesh_before && object.source == awaited.wanted && object.mesh == awaited.mesh_before;
 }
 
-/// Returns what the object's mesh was made of, which is not its source while it waits for another.
+/// Returns the source of the object's present mesh, which differs from its source while it waits for another.
 MeshSource made_of(const Object& object, const std::vector<AwaitedMesh>& awaited) {
     const auto own = [&object](const AwaitedMesh& a) { return waits(object, a); };
     const auto found = std::find_if(awaited.begin(), awaited.end(), own);
@@ -30,7 +30,7 @@ bool is_quick(const MeshSource& source) {
 }
 
 /// Returns the object in `known` that objects[index] was before its source was edited; everything else in it
-/// is unchanged. Null if that cannot be told because objects were added or deleted in the same moment.
+/// is unchanged. Null if unknown because objects were added or deleted at the same time.
 const Object* before_edit(const Objects& known, const Objects& objects, std::size_t index) {
     const int place = place_in(objects, known, static_cast<int>(index));
     if (place < 0 || place >= std::ssize(known)) return nullptr;
@@ -41,7 +41,7 @@ const Object* before_edit(const Objects& known, const Objects& objects, std::siz
     return before.mesh && edited == before ? &before : nullptr;
 }
 
-/// The mesh of the same source in the scene or in the newest step; null when there is none.
+/// The mesh of the same source in the scene or in the newest step; null if there is none.
 MeshPtr known_mesh(const Scene& scene, const Scene& present, const MeshSource& source,
                    const std::vector<AwaitedMesh>& awaited) {
     for (const Scene* known : {&scene, &present})
@@ -53,7 +53,8 @@ MeshPtr known_mesh(const Scene& scene, const Scene& present, const MeshSource& s
     return nullptr;
 }
 
-/// Edits that left an object without its mesh: the object keeps the old one until the new one is there.
+/// Records edits that left an object without its mesh: the object keeps the old one until the new one is
+/// ready.
 void note_slow_edits(UiState& state) {
     Scene& scene = state.editor.scene();
     Loading& loading = state.loading;
@@ -78,7 +79,7 @@ bool is_deleted(const Editor& editor, const AwaitedMesh& awaited) {
     return awaited.mesh_before && has_it(editor.history.present()) && !has_it(editor.scene());
 }
 
-/// What nobody waits for any more (undone, deleted, changed again) is forgotten.
+/// Drops meshes that are no longer needed (undone, deleted, changed again).
 void forget_unwanted(UiState& state) {
     const auto& objects = state.editor.scene().objects;
     const auto unwanted = [&objects](const AwaitedMesh& awaited) {
@@ -88,12 +89,12 @@ void forget_unwanted(UiState& state) {
     auto& list = state.loading.awaited;
     if (std::any_of(list.begin(), list.end(), [&](const auto& a) { return is_deleted(state.editor, a); }))
         state.notifications.tell(
-            "The object was deleted before its new mesh was made: undo brings it back with the old one");
+            "The object was deleted before its new mesh was made: undo restores it with the old one");
     list.erase(std::remove_if(list.begin(), list.end(), unwanted), list.end());
     if (list.empty()) leave(state.loading.meshes);
 }
 
-/// A problem with a mesh of `scene` by the mesh's name: an object that is only to come has no place yet.
+/// A problem with a mesh of `scene`, by the mesh's name: a new object has no index yet.
 Problem about_its_mesh(Problem problem, const Scene& scene) {
     if (const std::optional<ListItem> object = item_in(problem.pointer, "/objects/")) {
         problem.file = short_name(scene.objects[static_cast<std::size_t>(object->place)].source);
@@ -126,7 +127,7 @@ void start_meshes(UiState& state) {
     loading.since = ImGui::GetTime();
 }
 
-/// The new mesh for the objects that wait for it; a new object where none does.
+/// Assigns the new mesh to the objects that wait for it; adds an object if none does.
 void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) {
     Editor& editor = state.editor;
     for (Object& object : editor.scene().objects)
@@ -136,14 +137,14 @@ void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) 
         editor.scene().objects.back().mesh = mesh;
 }
 
-/// Whether only the resolution of a mesh was edited: its panel has words of its own beside the sliders, and a
-/// drag brings many such edits.
+/// Whether only the resolution of a mesh was edited: its panel shows its own message next to the sliders, and
+/// a drag causes many such edits.
 bool has_other_resolution(const AwaitedMesh& awaited) {
     return awaited.mesh_before && as_given(awaited.wanted) == as_given(awaited.before);
 }
 
-/// Whether the meshes can be taken. Not while the picture is dragged: Esc brings the scene back that was
-/// there when the drag began, and what had come since would be lost.
+/// Whether the meshes can be assigned. Not during a drag in the picture: Esc restores the scene from before
+/// the drag, and would lose them.
 bool meshes_have_come(const UiState& state) {
     const JobPtr<SceneDocument>& job = state.loading.meshes;
     return job && job->done() && state.viewport.gesture == Gesture::None;
@@ -175,7 +176,7 @@ void poll_meshes(UiState& state) {
                         if (!has_other_resolution(awaited)) say_averaged(state, object);
                         return true;
                     }
-                return false;  // wanted only since the load began
+                return false;  // needed only since the load began
             };
             list.erase(std::remove_if(list.begin(), list.end(), come), list.end());
         }
@@ -201,7 +202,7 @@ void undo_awaiting(UiState& state) {
 
 bool is_quick(const PrimitiveMesh& mesh) {
     if (mesh.decimate > 0 || mesh.subdivide > 3) return false;
-    // Triangles go with the square of the detail; a largest one has about 8 million
+    // Triangles grow with the square of the detail; the largest mesh has about 8 million
     // (models/mesh/primitives/primitives.cpp).
     const int most = info_of(mesh.primitive).max_detail >> (mesh.subdivide > 0 ? mesh.subdivide + 1 : 0);
     if (mesh.primitive == Primitive::Icosphere)
@@ -232,7 +233,7 @@ Scene as_made(const UiState& state, Scene scene) {
     const Objects& known = state.loading.known;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         Object& object = scene.objects[i];
-        // Edited in this very frame, it will be awaited in the next.
+        // If it was edited in this frame, it will be awaited in the next.
         if (const Object* before = awaits_slow_mesh(object) ? before_edit(known, scene.objects, i) : nullptr)
             object = *before;
         object.source = made_of(object, state.loading.awaited);

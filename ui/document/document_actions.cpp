@@ -21,7 +21,7 @@
 namespace glint {
 namespace {
 
-/// Whether the picture that was drawn last shows a state of the document in hand.
+/// Whether the last drawn picture shows a state of the open document.
 bool knows_drawn(const UiState& state) { return state.rendered_is_edited && !state.editor.before; }
 
 void leave_document(UiState& state, const SceneDocument& next) {
@@ -29,14 +29,14 @@ void leave_document(UiState& state, const SceneDocument& next) {
         if (feature->leave_document != nullptr) feature->leave_document(state, next);
 }
 
-/// Restores the edited scene as it was drawn last, or as the history's newest step has it. A scene that was
-/// drawn already stays.
+/// Restores the edited scene as it was last drawn, or as in the history's newest step. A scene that was drawn
+/// already stays.
 void take_scene_back(UiState& state) {
     Editor& editor = state.editor;
     if (knows_drawn(state) && state.rendered_scene == editor.scene()) return;
     (void)cancel_gesture(state.viewport, editor.scene());
     if (state.persistence.autosave && state.persistence.has_copy_of(editor.scene()))
-        state.persistence.autosave.reset();  // the file stays: what it holds is in no other
+        state.persistence.autosave.reset();  // the file stays: it is the only copy of its contents
     if (editor.before) {
         state.loading.failed = editor.document.path;
         leave_document(state, editor.before->document);
@@ -105,9 +105,9 @@ void use_mesh(UiState& state, const std::string& path) {
     const int object = std::exchange(state.mesh_for_object, -1);
     std::error_code failed;
     const std::filesystem::path whole = std::filesystem::absolute(path, failed);
-    if (failed)  // the folder that the program was started in is gone
+    if (failed)  // the working directory was deleted
         return state.notifications.add(
-            Problem{path, "", "cannot be made absolute: " + failed.message(), "a path from the root"});
+            Problem{path, "", "cannot be made absolute: " + failed.message(), "an absolute path"});
     begin_mesh(state, MeshFile{whole.string()}, object);
 }
 
@@ -157,7 +157,7 @@ std::string offered_name(const UiState& state, const char* ending) {
 bool is_among_shipped(const UiState& state, const std::string& path) {
     if (state.shipped_scenes.empty()) return false;
     std::error_code failed;
-    const std::string replaced = replaced_file(path);  // wherever links lead
+    const std::string replaced = replaced_file(path);  // with links resolved
     const std::filesystem::path folder =
         std::filesystem::path(replaced.empty() ? path : replaced).parent_path();
     return std::filesystem::equivalent(folder.empty() ? "." : folder, state.shipped_scenes, failed);
@@ -170,8 +170,8 @@ void ask_mesh(UiState& state, int object) {
 
 bool save(UiState& state) {
     if (state.editor.has_scene_file() && is_among_shipped(state, state.editor.document.path)) {
-        // The user's files do not belong in the folder of the examples, so the dialog offers the folder in
-        // which the program was started.
+        // The user's files do not belong in the folder of the examples, so the dialog offers the working
+        // directory.
         const std::filesystem::path name = std::filesystem::path(state.editor.document.path).filename();
         state.files.ask(save_purpose, name.string());
         state.notifications.add(Tone::Warning, "This is a built-in example. Choose where to save your copy.");
@@ -190,7 +190,7 @@ bool save(UiState& state) {
 
 namespace {
 
-/// Warns where a mesh that the scene names is not there any more, of the first one.
+/// Warns about the first missing mesh file of the scene.
 void say_missing_mesh(UiState& state) {
     const SceneDocument& document = state.editor.document;
     for (const Object& object : document.scene.objects) {
@@ -198,9 +198,9 @@ void say_missing_mesh(UiState& state) {
         if (named == nullptr) continue;
         const auto why = why_no_mesh_file(path_from(document.mesh_dir, named->path));
         if (!why) continue;
-        return state.notifications.add(Tone::Warning,
-                                       fmt::format("The scene opens again when \"{}\" is there: {}",
-                                                   on_one_line(named->path), why->what));
+        return state.notifications.add(
+            Tone::Warning,
+            fmt::format("The scene opens again when \"{}\" exists: {}", on_one_line(named->path), why->what));
     }
 }
 
@@ -209,7 +209,7 @@ void say_missing_mesh(UiState& state) {
 bool save_as(UiState& state, const std::string& path) {
     const Scene saved = as_made(state, state.editor.scene());
     if (saved == state.editor.scene())
-        remember_step(state.editor, false);  // undo leads back to what is saved
+        remember_step(state.editor, false);  // undo leads back to the saved state
     if (const auto problem = save_file(state.editor, path, saved)) {
         state.notifications.add(*problem);
         state.pending = {};
@@ -218,7 +218,7 @@ bool save_as(UiState& state, const std::string& path) {
     const char* awaited = "";
     if (awaits_mesh(state)) {
         awaited = ", with the mesh as it was: the new one is being built";
-        state.pending = {};  // the scene in hand is not given up before it is whole
+        state.pending = {};  // the present scene stays until the next one is complete
     }
     const std::string named = notes_of_edited(state).in_file;
     state.notifications.add(Tone::Done, fmt::format("Saved {}{}{}", state.editor.title(), awaited,
@@ -246,7 +246,7 @@ void draw_scene_before(UiState& state, bool previewed) {
 
 void give_up_frame(UiState& state, const std::exception& error) {
     if (state.rendered == nullptr) throw;
-    // Ending open windows does not pop the fonts that they have pushed.
+    // Ending open windows does not pop their pushed fonts.
     GImGui->FontStack.resize(0);
     ImGui::SetCurrentFont(ImGui::GetDefaultFont());
     ImGui::ErrorCheckEndFrameRecover(nullptr);

@@ -1,5 +1,5 @@
 #pragma once
-// The document in hand: a scene, where it came from, whether it was saved, and how it came to be. No drawing.
+// The open document: a scene, its file, its saved state and its history. No drawing.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,28 +16,27 @@
 
 namespace glint {
 
-// Undo and redo: a list of scenes. A step costs the memory of its plain data and of those meshes that only it
+// Undo and redo: a list of scenes. A step costs the memory of its plain data and of meshes that only it
 // keeps, because the present scene has lost or changed them.
 
 class History {
   public:
-    /// Forgets all steps and begins at `scene`.
+    /// Drops all steps and starts at `scene`.
     void reset(const Scene& scene);
 
-    /// Adds a step from the present scene to `scene`, named by what changed, and drops undone steps. A scene
-    /// of the same description adds nothing. True if the present scene changed.
+    /// Adds a step from the present scene to `scene`, named by the change, and drops undone steps. A scene
+    /// with the same description adds nothing. True if the present scene changed.
     bool commit(const Scene& scene);
-    /// Sets the present step's view without adding a step. What is undone later is seen from there too,
-    /// unless the step that is taken back edited the camera.
+    /// Sets the present step's view without adding a step. Later undos are seen from there too, unless the
+    /// undone step edited the camera.
     void look(const Camera& camera) { steps_[at_].scene.camera = camera; }
 
     [[nodiscard]] const Scene& present() const { return steps_[at_].scene; }
-    /// Returns the camera that the file or the last edit set, whatever view was taken since.
+    /// Returns the camera that the file or the last edit set, regardless of later changes of view.
     [[nodiscard]] const Camera& edited_camera() const { return steps_[at_].edited_camera; }
     [[nodiscard]] bool can_undo() const { return at_ > 0; }
     [[nodiscard]] bool can_redo() const { return at_ + 1 < steps_.size(); }
-    /// Names of the step that undo() takes back and of the one that redo() does again; empty when there is
-    /// none.
+    /// Names of the step that undo() reverts and of the one that redo() restores; empty if there is none.
     [[nodiscard]] std::string undo_name() const { return can_undo() ? steps_[at_].name : std::string(); }
     [[nodiscard]] std::string redo_name() const { return can_redo() ? steps_[at_ + 1].name : std::string(); }
 
@@ -47,7 +46,7 @@ class History {
 
   private:
     struct Step {
-        std::string name;  // of the change that led here
+        std::string name;  // of the change that led to this scene
         Scene scene;
         Camera edited_camera;
         bool edits_camera = false;
@@ -61,14 +60,14 @@ class History {
     std::size_t at_ = 0;
 };
 
-/// What changed between two scenes, as the name of a step: "Move Bulb", "Material of Teapot", "Add Lamp".
-/// Empty when their descriptions are equal.
+/// The change between two scenes, as the name of a step: "Move Bulb", "Material of Teapot", "Add Lamp". Empty
+/// if their descriptions are equal.
 [[nodiscard]] std::string step_name(const Scene& before, const Scene& after);
 
-/// The views that were left: one can go back to them and forward again, apart from undo.
+/// The earlier views: one can go back to them and forward again, independently of undo.
 class ViewHistory {
   public:
-    /// The view moves away from `camera`: one can come back to it.
+    /// Records `camera` before the view changes.
     void leave(const Camera& camera);
     [[nodiscard]] bool can_go_back() const { return !before_.empty(); }
     [[nodiscard]] bool can_go_forward() const { return !after_.empty(); }
@@ -80,63 +79,62 @@ class ViewHistory {
     std::vector<Camera> before_, after_;  // the nearest last
 };
 
-/// What a document without a file of its own was made from: a lesson.
+/// The source of a document without its own file: a lesson.
 struct DocumentSource {
     std::string title, path;
 };
 
 struct Editor {
     SceneDocument document;      // `document.scene` is what panels edit
-    Scene saved;                 // as it was opened or saved last
+    Scene saved;                 // as last opened or saved
     Camera saved_edited_camera;  // History::edited_camera() at that time
     History history;
     ViewHistory views;
-    bool edits_camera = false;  // the camera's numbers are being edited: that is an edit, not a look
+    bool edits_camera = false;  // the camera's numbers are being edited: an edit, not a change of view
     DocumentSource source;
     Selection selection;
-    std::optional<Scene> valid;             // the scene as it last was one that a file can hold
-    std::optional<FollowedItems> followed;  // nothing until the scene was drawn first
-    std::unique_ptr<Editor> before;         // what was in hand, until this document has been drawn; then null
+    std::optional<Scene> valid;             // the last state of the scene that a file can represent
+    std::optional<FollowedItems> followed;  // nothing until the scene is drawn for the first time
+    std::unique_ptr<Editor> before;         // the previous document, until this one has been drawn; then null
 
     [[nodiscard]] Scene& scene() { return document.scene; }
     [[nodiscard]] const Scene& scene() const { return document.scene; }
-    /// Edits that are in no file. Where one looks from is not an edit.
+    /// Edits that are in no file. A change of view is not an edit.
     [[nodiscard]] bool unsaved() const {
         return !same_but_camera(document.scene, saved) || history.edited_camera() != saved_edited_camera;
     }
     /// file_title() its path.
     [[nodiscard]] std::string title() const;
-    /// True when saving needs no question: the document is a scene file already.
+    /// True if saving needs no question: the document is a scene file already.
     [[nodiscard]] bool has_scene_file() const;
 };
 
-/// The name of a file for titles and questions; "New scene" when there is none. On one line and at most 80
-/// characters long: a path that anyone may have written does not push away what stands below it.
+/// The name of a file for titles and questions; "New scene" if there is none. On one line and at most 80
+/// characters long, so that an arbitrary path does not displace other text.
 [[nodiscard]] std::string file_title(const std::string& path);
 
-/// Puts a document in hand, with a fresh history; `before` keeps what was.
+/// Opens a document with a fresh history; `before` keeps the previous one.
 void take_document(Editor& editor, SceneDocument document);
 
-/// Saves `scene`, the edited one or what of it can be opened again (as_made), as a scene file. ".json" is
-/// added to a name without it.
+/// Saves `scene`, the edited one or its part that can be opened again (as_made), as a scene file. Appends
+/// ".json" to a name without it.
 [[nodiscard]] std::optional<Problem> save_file(Editor& editor, std::string path, const Scene& scene);
 
-/// Whether the document's file is there and is not the one that was opened or saved last: saving would write
-/// over what another program, or another window, has put there.
+/// Whether the document's file exists and differs from the one that was last opened or saved: saving would
+/// overwrite the changes of another program or window.
 [[nodiscard]] bool changed_by_another(const Editor& editor);
 
-/// Takes back what makes the scene one that no file could hold, and returns what it was: a number beyond its
-/// field's range, a condition that is broken. Whatever edits the scene, it can be saved, copied and
-/// recovered.
+/// Reverts edits that make the scene invalid as a file, and returns the problem: a number beyond its field's
+/// range, a violated condition. However the scene is edited, it can be saved, copied and recovered.
 [[nodiscard]] std::optional<Problem> take_back_invalid(Editor& editor);
 
-/// The scene is again that of the history's newest step.
+/// Restores the scene of the history's newest step.
 void take_back_edits(Editor& editor);
 
-/// Loads meshes that an edit left unloaded. On a problem the scene returns to the history's newest step.
+/// Loads meshes that an edit left unloaded. On a problem, restores the history's newest step.
 [[nodiscard]] std::optional<Problem> settle(Editor& editor);
 
-/// Records what was done since, as an edit or a change of view. `join`: it continues the last such change.
+/// Records the changes since, as an edit or a change of view. `join`: they continue the last such change.
 /// Returns true if it was an edit.
 bool remember_step(Editor& editor, bool join);
 
@@ -144,7 +142,7 @@ bool remember_step(Editor& editor, bool join);
 bool undo(Editor& editor);
 bool redo(Editor& editor);
 
-/// A scene for a window that was given no file: a ball, a sun in the world and a bulb at the viewer's side.
+/// The scene of a window without a file: a ball, a sun in the world and a bulb attached to the camera.
 [[nodiscard]] SceneDocument first_scene();
 
 }  // namespace glint

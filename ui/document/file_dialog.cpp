@@ -35,7 +35,7 @@ bool writes_many(const std::string& path, const FilePurpose& purpose) {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// The digits at the front of `text`, without leading zeros; they are taken off it.
+/// Removes the digits at the front of `text` and returns them without leading zeros.
 std::string_view take_number(std::string_view& text) {
     std::size_t length = 0;
     while (length < text.size() && is_digit(text[length])) ++length;
@@ -45,7 +45,7 @@ std::string_view take_number(std::string_view& text) {
     return digits;
 }
 
-/// Below 0, 0 or above 0, as `a` comes before, with or after `b`.
+/// Below 0, 0 or above 0, as `a` sorts before, with or after `b`.
 int natural_order(std::string_view a, std::string_view b) {
     while (!a.empty() && !b.empty()) {
         if (is_digit(a[0]) && is_digit(b[0])) {
@@ -75,17 +75,17 @@ std::string from_home(const std::string& name) {
     return home != nullptr ? home + name.substr(1) : name;
 }
 
-/// Where folder and name lead; an absolute name stands alone.
+/// Joins folder and name; an absolute name ignores the folder.
 fs::path place_of(const FileDialog& dialog) { return fs::path(dialog.folder) / from_home(dialog.name); }
 
-/// The path of the file, with the ending that it needs.
+/// The path of the file, with the required extension.
 std::string whole_path(const FileDialog& dialog) {
     const std::string path = place_of(dialog).string();
     const bool is_named = !dialog.purpose->saves || serves(path, *dialog.purpose);
     return is_named ? path : path + dialog.purpose->extensions.front();
 }
 
-/// Opens a folder, asks before overwriting, or gives the chosen path.
+/// Opens a folder, asks before overwriting, or returns the chosen path.
 std::optional<std::string> decide(FileDialog& dialog) {
     if (dialog.name.empty()) return {};
     std::error_code failed;
@@ -106,20 +106,20 @@ std::optional<std::string> decide(FileDialog& dialog) {
 
 void folder_line(FileDialog& dialog) {
     if (icon_button("##up", Icon::Up)) go_to(dialog, fs::path(dialog.folder).parent_path());
-    tooltip("Up", "To the folder that holds this one");
+    tooltip("Up", "To the parent folder");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     if (text_field("##folder", "", dialog.folder, ImGuiInputTextFlags_EnterReturnsTrue))
         go_to(dialog, from_home(dialog.folder));
 }
 
-/// Returns the words that stand in place of an empty list.
+/// Returns the message in place of an empty list.
 const char* nothing_words(const FileDialog& dialog) {
     std::error_code failed;
     return fs::is_directory(dialog.folder, failed) ? dialog.purpose->nothing : "There is no such folder";
 }
 
-/// What a click or two on an entry asked for.
+/// The result of a click or double-click on an entry.
 struct Clicked {
     std::string enter_folder;
     bool decided = false;
@@ -181,7 +181,7 @@ std::vector<FolderEntry> list_folder(const std::string& folder, const FilePurpos
 
 bool natural_less(std::string_view a, std::string_view b) {
     const int order = natural_order(a, b);
-    return order != 0 ? order < 0 : a < b;  // "a1" and "a01" are in some order, always the same
+    return order != 0 ? order < 0 : a < b;  // "a1" and "a01" need some fixed order
 }
 
 bool may_replace(const std::string& path, const FilePurpose& purpose) {
@@ -212,7 +212,7 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     if (std::exchange(dialog.asks_keyboard, false) || ImGui::IsWindowAppearing())
         ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-px(180));
-    // ImGui would go on with the selection that the field had when it was left last.
+    // ImGui would restore the field's previous selection.
     const int selects = dialog.offers_name ? ImGuiInputTextFlags_AutoSelectAll : 0;
     if (text_field("##name", "name or path", dialog.name, selects)) dialog.asks_overwrite = false;
     if (ImGui::IsItemActive()) dialog.offers_name = false;
@@ -223,7 +223,7 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     if (ImGui::Button("Cancel", {px(84), 0})) dialog.open = false;
     const bool many = writes_many(whole_path(dialog), say);
     const char* const question =
-        many ? "Frames of that name are there already. Replace them?" : "It is there already. Replace it?";
+        many ? "Frames with that name exist already. Replace them?" : "The file exists already. Replace it?";
     if (dialog.asks_overwrite || dialog.warning.empty())
         dim_text(dialog.asks_overwrite ? question : say.hint);
     else

@@ -1,5 +1,5 @@
 #pragma once
-// A small file browser of our own: one types a path or clicks through folders.
+// A small file browser: one types a path or clicks through folders.
 
 #include <optional>
 #include <string>
@@ -10,29 +10,29 @@ namespace glint {
 
 struct UiState;
 
-/// What a file is chosen for.
+/// The purpose of choosing a file.
 struct FilePurpose {
     const char *title, *button, *hint;
     const char* nothing = "No folder and no file of this kind here yet";  // in place of an empty list
-    std::vector<std::string> extensions = {};  // beside meshes; a new file's name gets the first one
+    std::vector<std::string> extensions = {};  // in addition to meshes; a new file's name gets the first one
     bool takes_meshes = false;
-    bool saves = false;          // a file is written
-    bool is_about_scene = true;  // about the open one: the dialog closes when another takes its place
-    // Where several files are written to one path, and whether that would replace one of them.
+    bool saves = false;          // the file is written
+    bool is_about_scene = true;  // about the open scene: the dialog closes when another scene replaces it
+    // If several files are written for one path: whether that would replace one of them.
     bool (*writes_many)(const std::string& path) = nullptr;
     bool (*may_replace_many)(const std::string& path) = nullptr;
     void (*use)(UiState& state, const std::string& path) = nullptr;
 };
 
-/// An entry of a folder; folders first, then by name without regard to case. Hidden ones are left out.
+/// An entry of a folder; folders first, then by name, ignoring case. Hidden entries are left out.
 struct FolderEntry {
     std::string name;
     bool folder = false;
 };
-/// Entries of `folder` that serve the purpose (its extensions). Nothing when it cannot be read.
+/// Entries of `folder` that fit the purpose (its extensions). Nothing if it cannot be read.
 [[nodiscard]] std::vector<FolderEntry> list_folder(const std::string& folder, const FilePurpose& purpose);
 
-/// Numbers within names count as numbers, capitals do not: "Step 2" < "step 10" < "step 10b".
+/// Compares numbers within names by value and ignores case: "Step 2" < "step 10" < "step 10b".
 [[nodiscard]] bool natural_less(std::string_view a, std::string_view b);
 
 /// Whether writing to `path` may replace a file.
@@ -44,16 +44,16 @@ struct FileDialog {
     std::string folder, name;
     std::vector<FolderEntry> entries;
     bool asks_overwrite = false;
-    bool offers_name = false;    // until the name is in hand: all of it is selected then, and typed over
-    bool asks_keyboard = false;  // for the name, when the next frame is drawn
+    bool offers_name = false;    // until the name is focused: all of it is selected then, and replaced by
+                                 // typing
+    bool asks_keyboard = false;  // focus the name in the next frame
     std::string warning;         // below the name, in place of the hint; ask() clears it
 
-    /// Opens the dialog in the folder of `path` (the working directory's, when empty) with its name filled
-    /// in.
+    /// Opens the dialog in the folder of `path` (the working directory if empty) with its name filled in.
     void ask(const FilePurpose& asked_for, const std::string& path);
 };
 
-/// Draws the dialog. Precondition: it is open. Returns the path once, when the user decides. `enter`: the
+/// Draws the dialog. Precondition: it is open. Returns the path once, when the user confirms. `enter`: the
 /// Enter key was pressed.
 [[nodiscard]] std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter);
 

@@ -1,4 +1,4 @@
-// What a file is called where a window has little room and its name may be anything.
+// File names for places with little room, where a name may contain anything.
 #include <filesystem>
 
 #include "models/problem.h"

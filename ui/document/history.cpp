@@ -1,5 +1,5 @@
-// Undo and redo, and the names of the steps: derived from what changed by the rows of scene_fields.h, so that
-// whoever edits need not say it and cannot say it wrong.
+// Undo and redo, and the names of the steps: derived from the changed rows of scene_fields.h, so that editing
+// code need not name them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t max_undone = 500;  // beside the present one
-// A light or an object takes about 300 bytes: this many in all steps together is about 60 MB.
+constexpr std::size_t max_undone = 500;  // besides the present one
+// A light or an object takes about 300 bytes: this many in all steps together are about 60 MB.
 constexpr std::size_t max_items = 200'000;
-// Meshes that no object has any more may take this share of the memory that there is.
+// Meshes that no object uses any more may take this fraction of memory.
 constexpr std::uint64_t meshes_share = 8;
 
 /// The rows in which a and b differ.
@@ -33,7 +33,7 @@ template <class T> std::vector<Row> changed_rows(const T& a, const T& b) {
     return changed;
 }
 
-/// What all changed rows are called: "Colour of Bulb" for two of its colours; `otherwise` where they differ.
+/// The common name of all changed rows: "Colour of Bulb" for two of its colours; `otherwise` if they differ.
 std::string common_name(const std::vector<Row>& changed, const std::string& name,
                         std::string_view otherwise) {
     const auto is_same = [&](const Row& row) { return std::string_view(row.undo) == changed.front().undo; };
@@ -42,7 +42,7 @@ std::string common_name(const std::vector<Row>& changed, const std::string& name
     return fmt::format(fmt::runtime(one_name ? std::string_view(changed.front().undo) : otherwise), name);
 }
 
-/// Whether the light only moved, and its shape turned with it.
+/// Whether the light only moved, and its shape turned along.
 bool is_carried(const Light& a, const Light& b) {
     Light same = a;
     same.position = b.position;
@@ -71,7 +71,7 @@ std::string object_step(const Object& a, const Object& b) {
     if (changed.front().key == "visible") return fmt::format("{} {}", b.visible ? "Show" : "Hide", b.name);
     if (changed.front().key != "transform") return common_name(changed, b.name, "Edit {}");
     const std::vector<Row> moved = changed_rows(a.transform, b.transform);
-    // Turned or scaled about a point that is not the object's origin, it moves too.
+    // An object turned or scaled about a point other than its origin moves too.
     const bool turned = a.transform.rotate_deg != b.transform.rotate_deg;
     const bool scaled = a.transform.scale != b.transform.scale;
     if (turned != scaled) return fmt::format("{} {}", turned ? "Rotate" : "Scale", b.name);
@@ -92,7 +92,7 @@ std::string list_step(const std::vector<Item>& a, const std::vector<Item>& b, It
     return otherwise;
 }
 
-/// A mesh that was loaded again is not a change that has a name.
+/// A reloaded mesh is not a change with a name.
 Scene without_meshes(Scene scene) {
     for (Object& object : scene.objects) object.mesh = nullptr;
     return scene;
@@ -125,7 +125,7 @@ std::uint64_t History::bytes_of_lost_meshes() const {
     for (const Step& step : steps_) {
         const std::vector<Object>& objects = step.scene.objects;
         for (std::size_t i = 0; i < objects.size(); ++i) {
-            // Most steps have the meshes of the step before: those need not be looked up.
+            // Most steps share the meshes of the step before: those need no lookup.
             if (before != nullptr && i < before->objects.size() && before->objects[i].mesh == objects[i].mesh)
                 continue;
             const Mesh* mesh = objects[i].mesh.get();

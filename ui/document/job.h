@@ -1,5 +1,5 @@
 #pragma once
-// Work on a thread of its own, so that the window never waits for a file or a large picture.
+// Work on its own thread, so that the window never waits for a file or a large picture.
 
 #include <atomic>
 #include <chrono>
@@ -20,19 +20,19 @@
 
 namespace glint {
 
-/// Starts `work` on a thread. Returns why it cannot: as many threads run as the system allows. `about`: for
+/// Starts `work` on a thread. Returns why it cannot: the system's limit of threads is reached. `about`: for
 /// the screen.
 template <class Do>
 [[nodiscard]] std::optional<Problem> start_thread(std::thread& thread, const std::string& about, Do work) {
     try {
         thread = std::thread(std::move(work));
     } catch (const std::system_error& error) {
-        return Problem{about, "", "no thread can do it: " + error.code().message(), ""};
+        return Problem{about, "", "the system allows no further thread: " + error.code().message(), ""};
     }
     return {};
 }
 
-/// A job of any result.
+/// A job with any type of result.
 class AnyJob {
   public:
     explicit AnyJob(std::string name) : name_(std::move(name)) {}
@@ -42,7 +42,7 @@ class AnyJob {
 
     void cancel() { progress_.cancelled = true; }
     [[nodiscard]] bool done() const { return done_; }
-    /// Waits until it is done, but not longer than that. Returns done().
+    /// Waits until it is done, but at most `longest`. Returns done().
     bool wait_for(std::chrono::milliseconds longest) const {
         const auto end = std::chrono::steady_clock::now() + longest;
         while (!done_ && std::chrono::steady_clock::now() < end)
@@ -66,9 +66,8 @@ template <class T> class Job : public AnyJob {
   public:
     using Work = std::function<Result<T>(LoadProgress&)>;
 
-    /// Starts `work`, which may touch only what it holds itself. Loads within it report to its LoadProgress,
-    /// and so may it. If no thread can start, the job is done, with a Problem. `name`: what it is about, for
-    /// the screen.
+    /// Starts `work`, which may only touch its own data. Loads within it report to its LoadProgress, and so
+    /// may it. If no thread can start, the job is done, with a Problem. `name`: the subject, for the screen.
     Job(std::string name, Work work) : AnyJob(std::move(name)) {
         const auto problem = start_thread(thread_, name_, [this, work = std::move(work)] { run(work); });
         if (!problem) return;
@@ -88,7 +87,7 @@ template <class T> class Job : public AnyJob {
         try {
             const ProgressScope scope(progress_);
             result_ = work(progress_);
-        } catch (const std::exception& error) {  // a thread must not end with one
+        } catch (const std::exception& error) {  // an exception must not leave a thread
             result_ = problem_from(error, name_);
         }
         done_ = true;
@@ -101,7 +100,7 @@ template <class T> class Job : public AnyJob {
 template <class T> using JobPtr = std::shared_ptr<Job<T>>;
 using LoadJob = Job<SceneDocument>;
 
-/// All jobs of a window that have not ended, including cancelled ones whose threads go on for a while.
+/// All jobs of a window that have not ended, including cancelled ones whose threads still run.
 class Jobs {
   public:
     ~Jobs() {
@@ -122,17 +121,17 @@ class Jobs {
     std::vector<std::shared_ptr<AnyJob>> jobs_;
 };
 
-/// Cancels a job, if there is one, without waiting for its end. Precondition: it is among the window's Jobs.
+/// Cancels a job, if there is one, without waiting for it. Precondition: it is among the window's Jobs.
 template <class T> void leave(JobPtr<T>& job) {
     if (job) job->cancel();
     job.reset();
 }
-/// Likewise; `ending` is the job that was cancelled last, for work that runs one at a time.
+/// Likewise; `ending` is the last cancelled job, for work that runs one at a time.
 template <class T> void leave(JobPtr<T>& job, JobPtr<T>& ending) {
     if (job) ending = job;
     leave(job);
 }
-/// Whether work may begin that runs one at a time.
+/// Whether work that runs one at a time may begin.
 template <class T> [[nodiscard]] bool has_ended(const JobPtr<T>& ending) { return !ending || ending->done(); }
 
 }  // namespace glint

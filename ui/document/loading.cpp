@@ -15,17 +15,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Puts a loaded document in hand: a file's, or the copy that a window left behind, which is not saved and
-/// from now on is this window's own.
+/// Opens a loaded document: a file's, or an orphaned copy, which is unsaved and from now on belongs to this
+/// window.
 void take_loaded(UiState& state, SceneDocument document) {
     Loading& loading = state.loading;
-    // If the new scene cannot be drawn, the present one comes back: nothing in it may be waiting then.
+    // If the new scene cannot be drawn, the present one is restored: nothing in it may be waiting then.
     (void)cancel_gesture(state.viewport, state.editor.scene());
     give_up_meshes(state);
     std::optional<Recovery> recovery = std::exchange(loading.recovery, std::nullopt);
     if (recovery) drop_autosave(state);
     take_scene(state, std::move(document));
-    if (recovery) {  // before anything that may fail: what is in hand is not saved
+    if (recovery) {  // before anything that may fail: the present document is unsaved
         state.editor.saved_edited_camera = recovery->in_file->camera;
         state.editor.saved = std::move(*recovery->in_file);
         keep_orphan(state, recovery->autosave);
@@ -35,7 +35,7 @@ void take_loaded(UiState& state, SceneDocument document) {
     if (const auto opened = std::exchange(loading.opened, nullptr)) opened(state);
 }
 
-/// The problem of a file that is neither a scene nor a mesh names what else the window takes.
+/// The problem of a file that is neither a scene nor a mesh lists what else the window opens.
 Problem with_all_that_opens(Problem problem) {
     if (problem.expected == opened_files)
         problem.expected = fmt::format(
@@ -45,11 +45,11 @@ Problem with_all_that_opens(Problem problem) {
 
 void poll_document(UiState& state) {
     Loading& loading = state.loading;
-    // The user cancelled: the loaded document is dropped. After "save" it waits for the name, too: read again
+    // The user cancelled: the loaded document is dropped. After "save" it also waits for the name: read again
     // from its file, it would lack the assignments, or would not be a lesson.
     if (!state.pending.then) loading.loaded.reset();
     if (!loading.document || !loading.document->done()) return;
-    if (state.pending.asking) return;  // the question is about the scene in hand
+    if (state.pending.asking) return;  // the question is about the present scene
     Result<SceneDocument> result = loading.document->take();
     loading.document.reset();
     if (const Problem* problem = problem_of(result)) {
@@ -59,7 +59,7 @@ void poll_document(UiState& state) {
     auto& document = std::get<SceneDocument>(result);
     if (same_description(state.editor.scene(), loading.scene_then) || !state.editor.unsaved())
         return take_loaded(state, std::move(document));
-    // Work went on while it was loading: it is not thrown away unasked.
+    // Edits were made during loading: ask before discarding them.
     loading.loaded = std::move(document);
     state.pending = {[](UiState& s) {
                          if (auto loaded = std::exchange(s.loading.loaded, std::nullopt))
@@ -68,7 +68,7 @@ void poll_document(UiState& state) {
                      true};
 }
 
-/// Waits for a document, in place of the one that was being loaded.
+/// Waits for a document, replacing the one being loaded.
 void await_document(UiState& state, Opening opening, std::optional<Recovery> recovery) {
     Loading& loading = state.loading;
     leave(loading.document);

@@ -1,5 +1,5 @@
-// What lies over the picture for a while: what is being loaded, with the way to end it, and the offer of a
-// copy that a crash left.
+// Temporary panels over the picture: the present load, with a cancel button, and the offer of a copy that a
+// crash left.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -20,10 +20,10 @@
 namespace glint {
 namespace {
 
-constexpr double shown_after = 0.25;      // seconds: what is quicker does not flash
+constexpr double shown_after = 0.25;      // seconds: a quicker load shows no panel
 constexpr double seconds_a_frame = 0.03;  // while something loads
 
-/// A bar; a piece that runs along it when the share is not known.
+/// A progress bar; a segment that runs along it if the share is unknown.
 void bar(float share) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = px(5);
@@ -106,7 +106,7 @@ void loading_panel(UiState& state, const Rect& picture) {
 
 namespace {
 
-/// Whether the window is shown to others: then nothing pops up by itself.
+/// Whether the window is presented to an audience: then nothing pops up by itself.
 bool is_shown_to_others(const UiState& state) {
     const auto is_presented = [&state](const Feature* feature) {
         return feature->is_presented != nullptr && feature->is_presented(state);
@@ -135,13 +135,12 @@ void recovery_panel(UiState& state, const Rect& picture) {
     if (left.empty() || state.pending.asking || state.loading.active() || is_shown_to_others(state)) return;
     const float width = begin_over_picture("##recovery", px(470), picture);
     ImGui::PushTextWrapPos(width - px(14));
-    ImGui::TextUnformatted(
-        fmt::format("Glint ended while {} had changes that were not saved. A copy from {} was kept.",
-                    left.front().title, left.front().when)
-            .c_str());
+    ImGui::TextUnformatted(fmt::format("Glint ended while {} had unsaved changes. A copy from {} was kept.",
+                                       left.front().title, left.front().when)
+                               .c_str());
     ImGui::PopTextWrapPos();
     const bool open = ImGui::Button("Recover", {px(110), 0});
-    tooltip("Recover", "Opens the copy; what is in the file stays until it is saved");
+    tooltip("Recover", "Opens the copy; the file stays as it is until you save");
     ImGui::SameLine();
     const bool discard = ImGui::Button("Discard", {px(110), 0});
     tooltip("Discard", "Deletes the copy");

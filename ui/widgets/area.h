@@ -1,6 +1,6 @@
 #pragma once
-// Places in the window, rectangles, and the window's fixed parts as ImGui windows: columns, bars, the
-// picture's room.
+// Window positions, rectangles, and the window's fixed parts as ImGui windows: columns, bars, the picture's
+// area.
 
 #include <imgui.h>
 
@@ -26,13 +26,13 @@ struct Rect {
     [[nodiscard]] ImVec2 middle() const { return (low + high) / 2; }
     /// The middle of the upper edge.
     [[nodiscard]] ImVec2 top() const { return {middle().x, low.y}; }
-    /// The edges low and left are part of it, those high and right are not.
+    /// The left and upper edges are inside, the right and lower ones are not.
     [[nodiscard]] bool holds(ImVec2 at) const {
         return at.x >= low.x && at.x < high.x && at.y >= low.y && at.y < high.y;
     }
 };
 
-/// Whether they have a part in common; edges that touch are none.
+/// Whether they intersect; touching edges do not count.
 [[nodiscard]] inline bool overlap(const Rect& a, const Rect& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
@@ -42,11 +42,11 @@ struct Rect {
     return {list.GetClipRectMin(), list.GetClipRectMax()};
 }
 
-/// Where the item drawn last lies.
+/// The rectangle of the item drawn last.
 [[nodiscard]] inline Rect last_item() { return {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}; }
 
 /// The window's parts draw no background: the window is cleared to the colour of panels, which software
-/// rendering does far faster than it blends a rectangle of the same size.
+/// rendering does far faster than blending a rectangle of the same size.
 inline constexpr ImGuiWindowFlags fixed_window =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground;
@@ -58,7 +58,7 @@ inline void begin_area(const char* id, const Rect& area, ImGuiWindowFlags furthe
     ImGui::Begin(id, nullptr, fixed_window | further);
 }
 
-/// Goes on with a part that was begun before in this frame.
+/// Continues a part that was begun earlier in this frame.
 inline void resume_area(const char* id) { ImGui::Begin(id, nullptr, fixed_window); }
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// One of a closed set: as a drop-down, or as joined buttons.
+// A choice from a closed set: as a drop-down, or as joined buttons.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -20,21 +20,21 @@ float segment_width(const Choice& option, float padding) {
     return ImGui::CalcTextSize(option.label).x + 2 * padding;
 }
 
-/// Room on either side of a segment's word: less where the row is too narrow for all of them.
+/// Space on either side of a segment's label: less if the row is too narrow for all of them.
 float segment_padding(std::span<const Choice> options) {
     const float wanted = segments_width(options), room = ImGui::GetContentRegionAvail().x;
     const float missing = std::max(wanted - room, 0.0f) / (2 * static_cast<float>(options.size()));
     return std::max(px(8) - missing, px(2));
 }
 
-/// How one of the joined buttons looks: its outer corners are round.
+/// The style of one of the joined buttons: its outer corners are round.
 struct Segment {
     bool on;
     ImDrawFlags corners;
     float padding;
 };
 
-/// True when it was pressed.
+/// True when pressed.
 bool segment(const Choice& option, const Segment& look) {
     const auto [on, corners, padding] = look;
     const bool pressed = hit_area("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()});
@@ -84,12 +84,12 @@ float segments_width(std::span<const Choice> options) {
 int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help) {
     ImGui::PushID(id);
     int result = chosen;
-    // Where the words do not fit they are smaller: none is cut.
+    // If the labels do not fit they use a smaller font, so that none is cut off.
     const bool crowded = segment_padding(options) < px(4);
     if (crowded) ImGui::PushFont(fonts().small);
     const float padding = segment_padding(options);
     for (int i = 0; i < static_cast<int>(options.size()); ++i) {
-        ImGui::PushID(i);  // words may be empty
+        ImGui::PushID(i);  // labels may be empty
         const Choice& option = options[static_cast<std::size_t>(i)];
         const bool first = i == 0, last = i + 1 == static_cast<int>(options.size());
         if (!first) ImGui::SameLine(0, px(1));

@@ -23,13 +23,13 @@ constexpr std::size_t presets_a_row = 10;
 bool swatch(const char* id, glm::vec3 colour, float side) {
     const bool pressed = ImGui::ColorButton(id, {colour.x, colour.y, colour.z, 1},
                                             as_numbers | ImGuiColorEditFlags_NoTooltip, {side, side});
-    // A white one on a light panel, a black one on a dark panel.
+    // White on a light panel, black on a dark one.
     ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
                                         to_u32(theme().dim_text, 0.6f), ImGui::GetStyle().FrameRounding);
     return pressed;
 }
 
-/// A swatch that was dragged here from another field gives its colour.
+/// Takes the colour of a swatch that was dragged here from another field.
 bool take_dropped_colour(glm::vec3& value) {
     if (!ImGui::BeginDragDropTarget()) return false;
     const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(IMGUI_PAYLOAD_TYPE_COLOR_3F);
@@ -59,7 +59,7 @@ bool presets(glm::vec3& value, float width) {
     return chosen;
 }
 
-/// The picker with the presets below it, beside the swatch that opened it.
+/// The picker with the presets below it, next to the swatch that opened it.
 bool picker(const char* label, glm::vec3& value) {
     if (!ImGui::BeginPopup("##colour")) return false;
     ImGui::PushFont(fonts().title);
@@ -109,7 +109,7 @@ bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const 
 
 std::span<const ColourPreset> colour_presets() {
     // Lamps: Planck's law over the colour matching functions of CIE 1931 (Wyman, Sloan, Shirley 2013), to
-    // linear sRGB, cut at 0 and divided by the largest channel.
+    // linear sRGB, clamped at 0 and divided by the largest channel.
     static constexpr std::array all{ColourPreset{"White", {1, 1, 1}},
                                     ColourPreset{"Half grey", {0.5f, 0.5f, 0.5f}},
                                     ColourPreset{"Middle grey, 18 %", {0.18f, 0.18f, 0.18f}},

@@ -179,8 +179,8 @@ ImVec4 colour_of(const Light& light) {
 }
 
 ImVec4 legible(ImVec4 colour) {
-    constexpr double enough = 3;  // of a sign, which is larger than text. Source: WCAG 2.1, 1.4.11
-    // On a chosen row of a list, too, which is darker than the panel.
+    constexpr double enough = 3;  // for an icon, which is larger than text. Source: WCAG 2.1, 1.4.11
+    // Also on a selected row of a list, which is darker than the panel.
     constexpr float tint = 0.3f;
     const ImVec4 &panel = theme().panel, &accent = theme().accent;
     const auto mixed = [](float a, float b) { return (1 - tint) * a + tint * b; };

@@ -1,5 +1,5 @@
 #pragma once
-// Icons, drawn: no icon font is needed, and a light's icon can carry the light's own colour.
+// Icons, drawn: no icon font is needed, and a light's icon can have the light's own colour.
 
 #include <imgui.h>
 
@@ -36,10 +36,10 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 col
 /// The light's colour at full brightness, for icons and handles; grey for a black light.
 [[nodiscard]] ImVec4 colour_of(const Light& light);
 
-/// A light's colour darkened until it shows on the theme's panels: for lists.
+/// A light's colour, darkened until it is visible on the theme's panels: for lists.
 [[nodiscard]] ImVec4 legible(ImVec4 colour);
 
-/// A square button with an icon, as high as a line of widgets. `on` shows it chosen.
+/// A square button with an icon, as high as a line of widgets. `on` draws it as chosen.
 [[nodiscard]] bool icon_button(const char* id, Icon icon, bool on = false);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// A result that takes long to compute, with what it was computed from.
+// A cached result of a slow computation, with its key.
 
 #include <imgui.h>
 
@@ -12,9 +12,9 @@ namespace glint {
 
 template <class Key, class Value> class Kept {
   public:
-    /// Whether the kept result is that of `key`, compared by ==.
+    /// Whether the cached result belongs to `key`, compared by ==.
     [[nodiscard]] bool is_of(const Key& key) const { return key_ == key; }
-    /// What was kept last, of whatever key; null before the first.
+    /// The last result, for any key; null before the first.
     [[nodiscard]] const Value* value() const { return key_ ? &value_ : nullptr; }
     [[nodiscard]] const std::optional<Key>& key() const { return key_; }
 
@@ -22,7 +22,7 @@ template <class Key, class Value> class Kept {
         value_ = std::move(value);
         key_ = key;
     }
-    /// The result of `key`: compute() again when another key's is kept.
+    /// The result for `key`: calls compute() if another key's is cached.
     template <class Compute> const Value& of(const Key& key, const Compute& compute) {
         if (!is_of(key)) keep(key, compute());
         return value_;
@@ -34,7 +34,7 @@ template <class Key, class Value> class Kept {
     Value value_{};
 };
 
-/// Computes again what takes some milliseconds, but not while the mouse drags something.
+/// Recomputes something that takes some milliseconds, but not during a drag.
 template <class Key, class Value, class Compute>
 void update_at_rest(Kept<Key, Value>& kept, const Key& key, const Compute& compute) {
     if (kept.is_of(key)) return;

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-/// Draws a button with the colours of a chosen one.
+/// Draws a button in the colours of a chosen one.
 template <class Button> bool with_choice(bool chosen, const Button& button) {
     const Theme& t = theme();
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? t.accent : t.field);
@@ -27,8 +27,7 @@ template <class Button> bool with_choice(bool chosen, const Button& button) {
     return clicked;
 }
 
-/// Breaks a text between words where a line of `width` is full. ImGui would break after a decimal point,
-/// too.
+/// Breaks a text between words if it exceeds a line of `width`. ImGui would also break after a decimal point.
 std::string in_lines(const std::string& text, float width) {
     std::string lines, line;
     const auto end_line = [&] { lines += (lines.empty() ? "" : "\n") + std::exchange(line, {}); };

@@ -1,6 +1,6 @@
 #pragma once
-// What panels and the picture's overlay are made of, beside the fields of widgets.h: words in colours,
-// buttons that show a choice, and marks, lines and badges that can be read on any picture.
+// Parts of panels and of the picture's overlays, in addition to the fields of widgets.h: coloured text,
+// buttons that show a choice, and marks, lines and badges that are legible on any picture.
 
 #include <imgui.h>
 
@@ -17,50 +17,47 @@
 
 namespace glint {
 
-// Words of a panel.
+// Text of a panel.
 
 void coloured(const ImVec4& colour, const std::string& text);
 void coloured(Symbol symbol, const std::string& text);
-/// Whether the character would end, break or widen a line of text: a name that holds it is shown with a
-/// blank.
+/// Whether the character would end, break or widen a line of text: it is drawn as a blank in names.
 [[nodiscard]] constexpr bool breaks_line(char c) { return c == '\n' || c == '\r' || c == '\t' || c == '\0'; }
-/// One line in the font in use from `low`, cut off with dots where it would pass `right`.
+/// One line in the current font from `low`, cut off with dots if it would pass `right`.
 void cut_text(ImDrawList& list, ImVec2 low, float right, std::string_view text);
-/// The light's icon at the cursor, which stays.
+/// The light's icon at the cursor, which does not move.
 void light_icon(const Light& light);
 /// Each word in its symbol's colour, all in one line.
 void legend(std::initializer_list<std::pair<Symbol, std::string>> words);
-/// A sentence that warns.
 void warning_text(const std::string& text);
 void wrapped_dim(const std::string& text);
-/// Draws dim text in the small font.
 void small_dim(const std::string& text);
-/// A heading that folds away what stands below it; true while that is to be drawn. A click opens and closes
-/// it, and it stays so while the window is open. `open_at_first`: how it is until somebody clicks. `opens`:
-/// it opens now.
+/// A heading that folds away the controls below it; true if they are to be drawn. A click toggles it; it
+/// stays so while the window is open. `open_at_first`: its state before the first click. `opens`: it opens
+/// now.
 [[nodiscard]] bool fold(const char* title, bool open_at_first, bool opens = false);
 
 // Choices.
 
-/// A button on the accent's ground while it is chosen, `width` wide, or as wide as its label for 0. The small
-/// one is as high as a line of text.
+/// A button on the accent's background while it is chosen, `width` wide, or as wide as its label for 0. The
+/// small one is as high as a line of text.
 bool chosen_button(const char* label, bool chosen, float width = 0);
 bool small_chosen_button(const char* label, bool chosen);
-/// A drop-down of the lights' names, as wide as ImGui was told; `light` is brought into the range of
-/// `lights`, which are not empty. False while its list is open.
+/// A drop-down of the lights' names, as wide as ImGui's next item; clamps `light` to the range of `lights`,
+/// which must not be empty. False while its list is open.
 bool light_combo(const char* id, int& light, const std::vector<Light>& lights);
-/// Goes on in the line of the item drawn last where `width` still fits to the left of `right`.
+/// Continues on the line of the item drawn last if `width` still fits to the left of `right`.
 void same_line_if_fits(float width, float gap, float right);
 
-/// True when the mouse rests on the item drawn last and nothing is being dragged: then a panel may show
-/// another scene than the edited one.
+/// True when the mouse hovers over the item drawn last and nothing is being dragged: then a panel may preview
+/// a scene other than the edited one.
 [[nodiscard]] bool is_pointed_at();
-/// Whether a rectangle of the window drawn into is pointed at.
+/// Whether a rectangle of the current window is hovered.
 [[nodiscard]] bool is_pointed_at(const Rect& area);
 
-// Over the picture. Widths and radii are in logical pixels, places in the window's.
+// Over the picture. Widths and radii are in logical pixels, positions in the window's units.
 
-/// How much wider a dark line is than the bright one on it.
+/// Extra width of a dark line around a bright one.
 inline constexpr float rim_width = 1.8f;
 /// The dark that surrounds bright lines and marks.
 [[nodiscard]] ImU32 rim_colour(float opacity = 1);
@@ -73,13 +70,13 @@ void cased_outline(ImDrawList& list, const std::vector<ImVec2>& corners, ImU32 c
 void rimmed_disc(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour, float opacity = 1);
 /// A triangle with its tip at `tip`, pointing along `way` (unit).
 void arrow_head(ImDrawList& list, ImVec2 tip, ImVec2 way, float length, float half_width, ImU32 colour);
-/// Text in the font in use with a dark rim, its middle at `middle`.
+/// Text in the current font with a dark rim, centred at `middle`.
 void rimmed_text(ImDrawList& list, ImVec2 middle, const ImVec4& colour, const std::string& text);
 
-/// The ground of what is written over the picture.
+/// The background of text over the picture.
 void badge_ground(ImDrawList& list, const Rect& area, bool lit = false);
-/// Text in the font in use on such a ground. `at`: its corner low and left, or the point that `pivot` (shares
-/// of its size) says. Returns what it covers.
+/// Text in the current font on such a background. `at`: its upper left corner, or the point at `pivot`
+/// (shares of its size). Returns its rectangle.
 Rect badge(ImDrawList& list, ImVec2 at, const std::string& text, ImVec2 pivot = {0, 0});
 
 }  // namespace glint

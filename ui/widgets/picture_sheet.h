@@ -1,5 +1,5 @@
 #pragma once
-// Small pictures of one size, laid out in one picture that the window keeps as one texture.
+// Small pictures of one size, laid out in one picture with one texture.
 
 #include <imgui.h>
 
@@ -16,10 +16,10 @@ struct PictureSheet {
     PictureSize cell{1, 1};  // of each small picture
     int columns = 1;
     Picture picture;                // all of them
-    std::uint64_t serial = 0;       // counts changes: the texture follows it
+    std::uint64_t serial = 0;       // incremented by changes: the texture is updated
     ImTextureID texture = nullptr;  // given by the window
 
-    /// Begins anew with room for `count` pictures, all of them empty.
+    /// Clears the sheet and makes room for `count` pictures.
     void reset(PictureSize cell_size, int column_count, int count) {
         cell = cell_size;
         columns = column_count;
@@ -27,7 +27,7 @@ struct PictureSheet {
         picture.rgba.assign(4 * picture.size.pixels(), 0);
         ++serial;
     }
-    /// Precondition: `index` has room, and `small` is of the cell's size.
+    /// Precondition: `index` is in range, and `small` has the cell's size.
     void put(int index, const Picture& small) {
         const int left = index % columns * cell.width, top = index / columns * cell.height;
         for (int y = 0; y < cell.height; ++y)
@@ -36,7 +36,7 @@ struct PictureSheet {
                         picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * picture.pixel(left, top + y)));
         ++serial;
     }
-    /// `strength` 0 to 1: 0 leaves what is there.
+    /// `strength` 0 to 1: 0 leaves the background unchanged.
     void draw(ImDrawList& list, int index, ImVec2 low, ImVec2 high, float strength = 1) const {
         const float across = 1 / float(columns), down = float(cell.height) / float(picture.size.height);
         const int whole_rows = index / columns;

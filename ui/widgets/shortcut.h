@@ -1,13 +1,13 @@
 #pragma once
-// The keys of a command, for whatever draws a control that does the same. The table of commands
-// (ui/commands/command.h) defines these functions, so that no key is written down twice.
+// The shortcut of a command, for controls that do the same. The table of commands (ui/commands/command.h)
+// defines these functions, so that each key is defined once.
 
 #include <string>
 #include <string_view>
 
 namespace glint {
 
-/// The commands that code names; all others are rows of the table and nothing more.
+/// The commands that code refers to; all others are only rows of the table.
 enum class CommandId {
     None,
     Open,
@@ -43,14 +43,14 @@ enum class CommandId {
     Freeze,
     Pen,
     WipePen,
-    Count  // no command: how many there are
+    Count  // not a command: the number of commands
 };
 
-/// All keys of a command, as shown: "Ctrl+Shift+Z or Ctrl+Y"; empty when it has none.
+/// All keys of a command, as shown: "Ctrl+Shift+Z or Ctrl+Y"; empty if it has none.
 [[nodiscard]] std::string keys_of(CommandId command);
 
 /// The keys of the command that sets a value of the scene, by the value's JSON pointer
-/// ("/shading/terms/diffuse"), or one of a closed set ("/shading/mode = \"flat\""). Empty when there is none.
+/// ("/shading/terms/diffuse"), or one of a closed set ("/shading/mode = \"flat\""). Empty if there is none.
 [[nodiscard]] std::string keys_of_value(std::string_view value);
 
 }  // namespace glint

@@ -7,12 +7,12 @@
 namespace glint {
 namespace {
 
-/// 0xRRGGBB as ImGui counts colours.
+/// 0xRRGGBB as an ImGui colour.
 ImVec4 rgb(unsigned hex) {
     return {float((hex >> 16) & 255) / 255, float((hex >> 8) & 255) / 255, float(hex & 255) / 255, 1};
 }
 
-// Applied last (ui/ui.h).
+// applied last (ui/ui.h)
 const Theme* applied_theme = nullptr;
 float applied_scale = 1;
 
@@ -23,9 +23,9 @@ double luminance(const ImVec4& c) {
     return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
 }
 
-constexpr double projector_contrast = 7.1;  // a little over 7: bytes round
+constexpr double projector_contrast = 7.1;  // slightly over 7: colours are rounded to bytes
 
-/// `ink` brought towards white (on dark grounds) or black until it stands out from all of `grounds`.
+/// `ink` shifted towards white (on dark backgrounds) or black until it contrasts with all of `grounds`.
 ImVec4 strengthened(ImVec4 ink, std::initializer_list<ImVec4> grounds, bool dark) {
     const float end = dark ? 1 : 0;
     for (float share = 0; share <= 1; share += 0.01f) {
@@ -165,7 +165,7 @@ void apply_theme(const Theme& chosen, float scale) {
     style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;
     style.ScaleAllSizes(scale);
-    // No length of the design but ImGui's own lower limit: scaled by less than 1 it would be rounded to 0.
+    // Not a design length but ImGui's own lower limit: scaled by less than 1 it would be rounded to 0.
     style.WindowMinSize = {1, 1};
     set_colours(style, chosen);
     ImGui::GetStyle() = style;

@@ -1,4 +1,4 @@
-// What a control says of itself: to the pointer that rests on it, and to tests.
+// Describes a control: to the pointer that hovers over it, and to tests.
 #include <fmt/core.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -20,22 +20,22 @@ namespace {
 
 constexpr double rest_before_tooltip = 0.45;  // seconds
 
-// Kept from frame to frame, as ui/ui.h says.
+// Kept from frame to frame; see ui/ui.h.
 double earliest_redraw = std::numeric_limits<double>::infinity();
 /// The item under the pointer.
 struct Resting {
-    ImGuiID item = 0;  // or 0: `at` tells it apart
+    ImGuiID item = 0;  // or 0: `at` identifies it
     ImVec2 at;
     double since = 0;
     int frame = -1;        // the last in which the pointer was on it
-    bool clicked = false;  // what it says is known: it stays silent until the pointer has left it
+    bool clicked = false;  // the user knows it: no tooltip until the pointer has left it
 };
 Resting resting;
-/// Where a click silenced tooltips: what it opened there is not covered until the pointer moves.
+/// Where a click silenced tooltips: they do not cover what it opened until the pointer moves.
 std::optional<ImVec2> silenced;
 std::vector<NamedControl>* listed = nullptr;
 
-/// Whether text is typed in another window, such as the list of actions, over which a tooltip would lie.
+/// Whether text is typed in another window, such as the list of actions, which a tooltip would cover.
 bool types_elsewhere() {
     const ImGuiWindow* const typed = GImGui->ActiveIdWindow;
     return ImGui::GetIO().WantTextInput && GImGui->ActiveId != 0 && typed != nullptr &&
@@ -50,7 +50,7 @@ void follow_clicks() {
         silenced.reset();
 }
 
-/// Follows the pointer on the item drawn last: whether it rested there long enough to be told what it is.
+/// Tracks the pointer on the item drawn last: true once it has hovered long enough for a tooltip.
 bool is_due() {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return false;
     const ImGuiID item = GImGui->LastItemData.ID;
@@ -67,8 +67,8 @@ bool is_due() {
     return rested >= rest_before_tooltip;
 }
 
-/// Where the next tooltip stands, and how wide its lines may be. In a column it stays within the column,
-/// below its item or above it, so that it does not cover the picture; elsewhere beside the pointer.
+/// Positions the next tooltip and returns the width of its lines. In a column it stays within the column,
+/// below or above its item, so that it does not cover the picture; elsewhere it is next to the pointer.
 float place_tooltip() {
     constexpr float usual = 320, least = 180;
     const ImGuiWindow& part = *ImGui::GetCurrentWindow()->RootWindow;
@@ -88,7 +88,7 @@ float place_tooltip() {
 std::string whole_label(const std::string& name) {
     std::string label;
     for (const char c : name) {
-        // A carriage return is a letter to what looks for "##", and is not drawn.
+        // A carriage return counts as a letter in the search for "##", and is not drawn.
         if (c == '#' && !label.empty() && label.back() == '#') label += '\r';
         label += breaks_line(c) ? ' ' : c;
     }
@@ -106,7 +106,7 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
     const float width = place_tooltip();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10), px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);      // a disabled item is translucent
-    ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // whatever colour the item's own text has
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // regardless of the item's own colour
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(width);
     ImGui::PushFont(fonts().title);
@@ -119,7 +119,7 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
         ImGui::TextUnformatted(what);
     ImGui::PushFont(fonts().small);
     if (!range.empty()) dim_text(range.c_str());
-    if (!key.empty() && ImGui::GetIO().KeyAlt) dim_text(key.c_str());  // for those who write files
+    if (!key.empty() && ImGui::GetIO().KeyAlt) dim_text(key.c_str());  // for users who write scene files
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();

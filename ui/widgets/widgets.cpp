@@ -82,7 +82,7 @@ bool bare_number(const char* label, float& value, const Real& kind, float initia
 bool integer_field(const char* label, int& value, const Count& count, int initial, const Help& help) {
     const int low = count.low, high = count.high;
     const std::string words = fmt::format("{} to {}", low, high);
-    // A drag over 300 pixels goes from the default to four times the default, whatever the limit is.
+    // A drag over 300 pixels goes from the default to four times the default, regardless of the limit.
     const Real kind{.range = {double(low), double(high), words},
                     .step = std::max(0.03f, float(initial) / 100),
                     .format = "%.0f",
@@ -90,7 +90,7 @@ bool integer_field(const char* label, int& value, const Count& count, int initia
                     .zero = count.zero};
     float real = float(value);
     if (!number_field(label, real, kind, float(initial), help)) return false;
-    if (real != std::round(real)) {  // typed or pasted: a drag gives whole ones
+    if (real != std::round(real)) {  // typed or pasted: a drag gives integers
         refuse_edit("the field takes whole numbers");
         return false;
     }
@@ -134,7 +134,7 @@ bool name_field(const char* label, std::string& name, std::size_t max_characters
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(label_cell(label));
     const bool changed = text_field("##name", "", name);
-    if (changed) name = with_invalid_replaced(name);  // a scene file is UTF-8, what is pasted need not be
+    if (changed) name = with_invalid_replaced(name);  // a scene file is UTF-8, pasted text may not be
     if (changed && max_characters > 0) name = first_characters(name, max_characters);
     const bool is_cut = ImGui::CalcTextSize(name.c_str()).x > ImGui::GetItemRectSize().x - px(12);
     tooltip(label, help.what, is_cut ? name : "", help.pointer);

@@ -1,6 +1,6 @@
 #pragma once
-// The controls that every panel is made of: a label and a field in a row, with a tooltip that says what it
-// is, its unit, range and default, and its key in the scene file. Each edits a value and says whether it did.
+// The controls of every panel: a label and a field in a row, with a tooltip that explains it and shows unit,
+// range, default and key in the scene file. Each edits its value and returns whether it did.
 
 #include <imgui.h>
 
@@ -16,20 +16,20 @@
 
 namespace glint {
 
-/// What a control is. `pointer` is the JSON pointer of its value in the scene file.
+/// The description of a control. `pointer` is the JSON pointer of its value in the scene file.
 struct Help {
     const char* what = "";
     std::string pointer;
 };
 
-/// Label and draggable number of that kind. Values never leave its range, however they are entered.
-/// It is dragged, typed into after a click, and has a menu: ui/widgets/numbers/number_input.h.
+/// Label and draggable number of that kind. Values never leave its range, however they are entered. It can be
+/// dragged, typed after a click, and has a menu: ui/widgets/numbers/number_input.h.
 [[nodiscard]] bool number_field(const char* label, float& value, const Real& kind, float initial,
                                 const Help& help);
-/// The bare draggable number, `width` wide, for one that stands in a text; the same habits and tooltip.
+/// The bare draggable number, `width` wide, for use within text; same behaviour and tooltip.
 [[nodiscard]] bool bare_number(const char* label, float& value, const Real& kind, float initial,
                                const Help& help, float width);
-/// Whole numbers of `count`; one that is not allowed is the caller's to refuse.
+/// Integers of `count`; the caller must reject one that is not allowed.
 [[nodiscard]] bool integer_field(const char* label, int& value, const Count& count, int initial,
                                  const Help& help);
 /// Three numbers of that kind.
@@ -41,52 +41,52 @@ struct Help {
 [[nodiscard]] bool name_field(const char* label, std::string& name, std::size_t max_characters,
                               const Help& help);
 
-/// The index chosen, `chosen` when nothing changed. As a drop-down, alone or in a row, or as joined buttons.
+/// The chosen index; `chosen` if nothing changed. As a drop-down, alone or in a row, or as joined buttons.
 [[nodiscard]] int drop_down(const char* label, int chosen, std::span<const Choice> options, const Help& help);
 [[nodiscard]] int choose(const char* label, int chosen, std::span<const Choice> options, const Help& help);
 [[nodiscard]] int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help);
-/// Width that segments() takes where there is room; in less its words stand closer together.
+/// Width that segments() takes if there is room; with less, its labels are closer together.
 [[nodiscard]] float segments_width(std::span<const Choice> options);
 
-/// A tooltip for the item drawn last, after the pointer rested on it: title, explanation, and two lower lines
-/// (range and default; the key). Empty ones are left out.
+/// A tooltip for the item drawn last, after the pointer hovered over it: title, explanation, and two lower
+/// lines (range and default; the key). Empty ones are left out.
 void tooltip(const char* title, const char* what, const std::string& range = "", const std::string& key = "");
 
-/// A user's name or a path as ImGui draws it whole and on one line: of a label it leaves out what follows
-/// "##".
+/// A user's name or a path as a label that ImGui draws completely and on one line: it would omit everything
+/// after "##".
 [[nodiscard]] std::string whole_label(const std::string& name);
 
-/// Asks for another frame within `seconds`, e.g. when a tooltip is due. next_redraw() is the earliest asked
-/// for since reset_next_redraw(); infinity when none was.
+/// Requests another frame within `seconds`, e.g. when a tooltip is due. next_redraw() is the earliest request
+/// since reset_next_redraw(); infinity if there was none.
 void redraw_within(double seconds);
 void reset_next_redraw();
 [[nodiscard]] double next_redraw();
 
-/// Whether what is drawn now is only to be read: it stands between ImGui's BeginDisabled() and EndDisabled().
+/// Whether controls drawn now are read-only: between ImGui's BeginDisabled() and EndDisabled().
 [[nodiscard]] bool is_read_only();
 
-/// A rectangle that takes the mouse and draws nothing, for a control that draws itself; true when it was
-/// clicked. At least one unit wide and high however little room there is: ImGui ends the program over an
-/// invisible button without an area, and reads a negative size as a distance from the right.
+/// A rectangle that receives the mouse and draws nothing, for a control that draws itself; true when clicked.
+/// At least one unit wide and high: ImGui ends the program over an invisible button without an area, and
+/// reads a negative size as a distance from the right.
 bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
 
 /// Starts a row: the label in its column, the field after it. Returns the width left for the field.
 float label_cell(const char* label);
 void section_heading(const char* title);
 void dim_text(const char* text);
-/// A count as it is written everywhere: "12 946".
+/// A count in the common format: "12 946".
 [[nodiscard]] std::string with_thousands(std::uint64_t n);
 /// Text in figures of equal width.
 void mono_text(const std::string& text);
 
-/// A colour to choose: one of the pure ones that a lecture reasons with, or that of a lamp.
+/// A colour to choose: one of the pure ones used in lectures, or that of a lamp.
 struct ColourPreset {
     const char* name;
     glm::vec3 linear;  // linear sRGB, the largest channel at most 1
     int kelvin = 0;    // of a lamp: the black body whose chromaticity this is; else 0
 };
 
-/// The lamps follow the others, from the warmest to the coldest.
+/// The lamps come after the others, from the warmest to the coldest.
 [[nodiscard]] std::span<const ColourPreset> colour_presets();
 
 }  // namespace glint

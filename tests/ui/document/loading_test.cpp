@@ -123,8 +123,8 @@ TEST_CASE("a file and a mesh that no thread can load are told of once, and the s
         bench.frames(10);
         CHECK_FALSE(bench.state.loading.active());
     }
-    CHECK(bench.notes_with("given.json: no thread can do it") == 1);
-    CHECK(bench.notes_with("no thread can do it") == 2);
+    CHECK(bench.notes_with("given.json: the system allows no further thread") == 1);
+    CHECK(bench.notes_with("the system allows no further thread") == 2);
     CHECK(bench.scene() == before);
     begin_open(bench.state, path);
     bench.wait_for_loads();
@@ -190,7 +190,7 @@ TEST_CASE("of a mesh without normals it is said that they are averaged, where it
     (void)bench.frame(drop);
     bench.wait_for_loads();
     bench.frames(2);
-    const auto said = [&bench] { return bench.notes_with("brings no normals") > 0; };
+    const auto said = [&bench] { return bench.notes_with("has no normals") > 0; };
     CHECK(said());
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, 0});
     const Rect crease = bench.area_of("/objects/0/normals/crease_deg");  // in sight, without scrolling
@@ -419,11 +419,11 @@ TEST_CASE("who saves a scene whose mesh is gone is told that it will not open", 
     const auto told = saved();
     REQUIRE(told.size() == 2);
     CHECK(told[1].tone == Tone::Warning);
-    CHECK(told[1].text == "The scene opens again when \"one.obj\" is there: no such file");
+    CHECK(told[1].text == "The scene opens again when \"one.obj\" exists: no such file");
     std::filesystem::create_directory(mesh);
     const auto found = saved();
     REQUIRE(found.size() == 2);
-    CHECK(found[1].text == "The scene opens again when \"one.obj\" is there: it is a directory");
+    CHECK(found[1].text == "The scene opens again when \"one.obj\" exists: it is a directory");
 }
 
 TEST_CASE("a mesh that cannot be read leaves the object as it was, and says why", "[ui][loading]") {

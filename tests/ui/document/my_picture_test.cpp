@@ -395,7 +395,7 @@ TEST_CASE("where no thread can search it is said once, and again when the scene 
     bench.frames(2);
     const TemporaryDirectory folder;
     bring(bench, folder, flipped_picture(bench));
-    const auto told = [&bench] { return bench.notes_with("mine.png: no thread can do it"); };
+    const auto told = [&bench] { return bench.notes_with("mine.png: the system allows no further thread"); };
     {
         const test::NoThreads none;
         bench.scene().global_ambient = {1, 1, 1};

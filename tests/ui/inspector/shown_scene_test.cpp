@@ -84,7 +84,7 @@ TEST_CASE("while B is looked at, each click is explained of B, whose numbers can
     bench.frames(2);
     bench.check_explains_b();
     CHECK(why_disabled(bench.state, command(CommandId::SelectMainLight)) ==
-          "The picture shows another scene than the one that is edited");
+          "The picture is not showing the scene you are editing");
     CHECK(bench.state.on_screen.explanation->x == bench.state.on_screen.pixel.x);
     bench.check_column_edits_nothing();
     CHECK_FALSE(is_explained(bench.state));

@@ -80,7 +80,8 @@ TEST_CASE("where no thread can measure the column says so, until the scene chang
         test::ask(bench, InspectorTab::Sensitivity, {0.5, 0.45});
         REQUIRE(wait_for_numbers(bench));
         CHECK_FALSE(bench.state.get<SensitivityState>().shown);
-        CHECK(bench.state.get<SensitivityState>().why_none.find("no thread can do it") != std::string::npos);
+        CHECK(bench.state.get<SensitivityState>().why_none.find("the system allows no further thread") !=
+              std::string::npos);
         CHECK(bench.state.notifications.list.empty());  // no frame was given up
         bench.frames(30);
         CHECK_FALSE(bench.state.get<SensitivityState>().job);

@@ -140,7 +140,7 @@ TEST_CASE("a mesh of a path that cannot be made absolute is refused in one line,
     bench.frames(2);
     REQUIRE(bench.state.notifications.list.size() == 1);
     CHECK(bench.state.notifications.list[0].text ==
-          "rel/x.obj: cannot be made absolute: No such file or directory; expected a path from the root");
+          "rel/x.obj: cannot be made absolute: No such file or directory; expected an absolute path");
     CHECK(bench.state.get<CompareState>().choice.on);
     CHECK_FALSE(bench.state.loading.active());
 }

@@ -14,9 +14,9 @@
 namespace glint {
 namespace {
 
-constexpr int deepest = 40;  // brackets in brackets: what is typed must not exhaust the stack
+constexpr int deepest = 40;  // nested brackets: typed text must not exhaust the stack
 
-/// Signs that the window itself writes, and the comma of other languages, in the signs of the calculation.
+/// Replaces the signs that the window itself writes, and decimal commas, by the signs of the calculation.
 std::string in_plain_signs(std::string_view text) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> signs{
         {{"−", "-"}, {"×", "*"}, {"·", "*"}, {"÷", "/"}, {"π", "pi"}, {"px", " "}, {",", "."}}};
@@ -50,7 +50,7 @@ class Calculation {
     }
 
   private:
-    /// Takes the sign away where it comes next.
+    /// Removes the sign if it comes next.
     bool take(std::string_view sign) {
         skip_blanks();
         if (!rest_.starts_with(sign)) return false;
@@ -64,7 +64,7 @@ class Calculation {
     void skip_blanks() {
         while (!rest_.empty() && rest_.front() == ' ') rest_.remove_prefix(1);
     }
-    /// The first problem is the one to tell.
+    /// Only the first problem is reported.
     double fail(const std::string& problem) {
         if (problem_.empty()) problem_ = problem;
         rest_ = {};
@@ -122,7 +122,7 @@ class Calculation {
     std::optional<double> written_number() {
         double value = 0;
         const char *first = rest_.data(), *last = first + rest_.size();
-        // "inf" and "nan" are numbers to from_chars.
+        // from_chars accepts "inf" and "nan".
         if (*first != '.' && (*first < '0' || *first > '9')) return {};
         const auto [end, error] = std::from_chars(first, last, value);
         if (error == std::errc::invalid_argument) return {};
@@ -158,7 +158,7 @@ class Calculation {
     std::string_view rest_;
     std::string problem_;
     int depth_ = 0;
-    double degree_ = 1;  // what ° multiplies by: fields of angles are in degrees, a function takes radians
+    double degree_ = 1;  // factor of °: fields of angles are in degrees, a function takes radians
 };
 
 }  // namespace

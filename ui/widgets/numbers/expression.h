@@ -1,5 +1,5 @@
 #pragma once
-// What is typed into a number's field: a number, or a small calculation. No drawing.
+// Parses the text of a number field: a number, or a small calculation. No drawing.
 
 #include <string>
 #include <string_view>
@@ -7,15 +7,16 @@
 namespace glint {
 
 struct Calculated {
-    double value = 0;     // finite where `problem` is empty
-    std::string problem;  // what is wrong, a clause: "“)” is missing"
+    double value = 0;     // finite if `problem` is empty
+    std::string problem;  // the error, a clause: "“)” is missing"
 };
 
 /// Calculates + − * / ^ ( ), also written × · and ÷, with pi (π), deg (π/180), sqrt, abs, and sin, cos, tan
-/// of radians. A comma is a decimal point. A unit sign at the end (° or px) is passed over.
+/// of radians. A comma is a decimal point. A unit sign at the end (° or px) is ignored.
 ///
-/// What begins with + * or / goes on from `before`: "+0.1", "*2", "/2"; so do "+=0.1", "-=0.1", "*=2", "/=2".
-/// "-0.1" is the number below 0. Problem: a text that is empty, says something else, or has no finite value.
+/// A text that begins with + * or / continues from `before`: "+0.1", "*2", "/2"; so do "+=0.1", "-=0.1",
+/// "*=2", "/=2". "-0.1" is the negative number. Problem: a text that is empty, is not a calculation, or has
+/// no finite value.
 [[nodiscard]] Calculated calculated(std::string_view text, double before);
 
 }  // namespace glint

@@ -20,14 +20,14 @@
 namespace glint {
 namespace {
 
-constexpr float press_becomes_drag = 3;     // logical pixels that a press may move and still be a click
-constexpr std::size_t longest_text = 1024;  // bytes, with the 0 at its end
+constexpr float press_becomes_drag = 3;     // logical pixels that a click may move
+constexpr std::size_t longest_text = 1024;  // bytes, including the terminating 0
 
-// The one number in hand, kept from frame to frame as ui/ui.h says.
+// The one number being edited, kept from frame to frame; see ui/ui.h.
 
 struct Scrub {
     float before = 0;
-    double at = 0;     // the value, not rounded to what is shown
+    double at = 0;     // the value, not rounded for display
     float last_x = 0;  // of the cursor
     float pressed_x = 0;
     bool moved = false;  // far enough to be a drag
@@ -36,8 +36,8 @@ struct Typing {
     float before = 0;
     std::string began_with;
     std::array<char, longest_text> text{};
-    std::string problem;  // of the text as it is
-    std::string refused;  // why the scene does not take the number that it is
+    std::string problem;  // of the present text
+    std::string refused;  // why the scene rejects the number
 };
 struct InHand {
     ImGuiID id = 0;
@@ -47,7 +47,7 @@ struct InHand {
     Typing typing;
 };
 InHand hand;
-/// The number that is to take the keyboard.
+/// The number that gets focus next.
 struct Awaited {
     std::string pointer;
     int frame = -1;
@@ -60,13 +60,13 @@ bool is_held(ImGuiID id) { return hand.id == id && hand.frame + 1 >= ImGui::GetF
 
 // Typing.
 
-/// `text` is what it begins with, all of it selected: the next letter takes its place.
+/// `text` is the initial text, all of it selected: the next letter replaces it.
 void begin_typing(ImGuiID id, float value) {
     hand = {id, ImGui::GetFrameCount(), true, {}, {}};
     hand.typing.before = value;
     hand.typing.began_with = exact_text(value);
     hand.typing.began_with.copy(hand.typing.text.data(), longest_text - 1);
-    // How ImGui's own drags ask their text field to begin.
+    // The same request that ImGui's own drags use to open their text field.
     GImGui->NavActivateId = GImGui->NavActivateInputId = id;
     GImGui->NavActivateFlags = ImGuiActivateFlags_PreferInput;
 }
@@ -82,7 +82,7 @@ bool take_typed(float& value, const Range& range) {
     return found.problem.empty() && assign(value, found.value, range);
 }
 
-/// Why a typed text does not become the number; empty when it does.
+/// Why a typed text does not become the number; empty if it does.
 std::string why_refused(const Typing& typing, const std::string& text, const Calculated& found) {
     if (text.empty()) return "The field is empty";
     if (!found.problem.empty())
@@ -92,7 +92,7 @@ std::string why_refused(const Typing& typing, const std::string& text, const Cal
     return {};
 }
 
-/// A refused text restores the value from before.
+/// A rejected text restores the previous value.
 bool end_typing(float& value, const Range& range) {
     const Typing typing = hand.typing;
     hand = {};
@@ -109,7 +109,7 @@ bool end_typing(float& value, const Range& range) {
     return false;
 }
 
-/// Over its neighbours where the text is wider than the number's place.
+/// Covers its neighbours if the text is wider than the number's field.
 ImRect frame_for_typing(const ImRect& frame) {
     const float wanted =
         ImGui::CalcTextSize(hand.typing.text.data()).x + 2 * ImGui::GetStyle().FramePadding.x + px(12);
@@ -131,7 +131,7 @@ bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value,
     if (wrong) ImGui::PopStyleColor();
     if (GImGui->ActiveId == id) return edited;
     if (!edited) return end_typing(value, range);
-    redraw_within(0);  // whether the scene takes it is known in the next frame
+    redraw_within(0);  // whether the scene accepts it is known in the next frame
     return true;
 }
 
@@ -175,7 +175,7 @@ bool drag(float& value, const NumberInput& input) {
     return assign(value, wanted, {range.low, range.high, range.words, range.low_open, range.high_open});
 }
 
-/// While the button is down, and when it is let go.
+/// While the button is down, and when it is released.
 bool hold(ImGuiID id, float& value, const NumberInput& input, bool hovered) {
     hand.frame = ImGui::GetFrameCount();
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
@@ -207,7 +207,7 @@ void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput
             ImGui::GetWindowDrawList()->AddRectFilled(
                 frame.Min, {end, frame.Max.y}, ImGui::GetColorU32(slider_fill(theme(), ground)), rounding);
     }
-    // On the ground of what is pointed at not every colour of a term can be read.
+    // On a hovered background not every colour of a term is legible.
     const bool plain = hovered || held;
     ImGui::PushStyleColor(ImGuiCol_Text, plain ? theme().text : ImGui::GetStyleColorVec4(ImGuiCol_Text));
     const std::string text = fitting_text(value, input.kind, frame.GetWidth() - px(2));
@@ -215,7 +215,7 @@ void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput
     ImGui::PopStyleColor();
 }
 
-/// Whether type_into() asked for it; it is asked once.
+/// Whether type_into() requested it; resets the request.
 bool is_awaited(const std::string& pointer) {
     if (awaited.frame != ImGui::GetFrameCount() || pointer.empty()) return false;
     if (!is_within(pointer, awaited.pointer)) return false;
@@ -223,7 +223,7 @@ bool is_awaited(const std::string& pointer) {
     return true;
 }
 
-/// A press, or Tab, takes the number into the hand.
+/// A press, or Tab, makes the number the edited one.
 void take_in_hand(ImGuiID id, float value, const NumberInput& input, bool hovered) {
     const bool tabbed = (GImGui->LastItemData.StatusFlags & ImGuiItemStatusFlags_FocusedByTabbing) != 0 ||
                         GImGui->NavActivateInputId == id || is_awaited(input.pointer);
@@ -241,7 +241,7 @@ void take_in_hand(ImGuiID id, float value, const NumberInput& input, bool hovere
 bool assign(float& value, double wanted, const Range& range) {
     const float before = value;
     const auto near = static_cast<float>(std::clamp(wanted, -max_number, max_number));
-    // contains(): also the one number beside the range.
+    // contains(): the range may include one number outside its interval.
     value = range.contains(near) ? near : std::clamp(near, lowest(range), highest(range));
     return value != before;
 }
@@ -250,7 +250,7 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     if (window->SkipItems) return false;
     const ImGuiID id = window->GetID(label);
-    if (hand.frame > ImGui::GetFrameCount()) hand = {};  // of a window that was closed
+    if (hand.frame > ImGui::GetFrameCount()) hand = {};  // from a closed window
     ImGui::PushFont(fonts().figures);
     const ImVec2 low = window->DC.CursorPos;
     const ImRect frame(low, {low.x + input.width, low.y + ImGui::GetFrameHeight()});
@@ -261,7 +261,7 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
     }
     const bool hovered = ImGui::ItemHoverable(frame, id);
     bool edited = false;
-    if (is_held(id) && GImGui->ActiveId != id) {  // something else was clicked, or took the keys
+    if (is_held(id) && GImGui->ActiveId != id) {  // something else was clicked or focused
         if (hand.types) edited = end_typing(value, input.kind.range);
         hand = {};
     }

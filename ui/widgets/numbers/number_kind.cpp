@@ -1,4 +1,4 @@
-// What a number's kind says about sliders, steps and texts.
+// Sliders, steps and texts of a number's kind.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -53,7 +53,8 @@ double drag_step(const Real& kind, double value) {
 
 std::string shown_text(float value, const Real& kind) {
     if (value == 0 && *kind.zero != 0) return kind.zero;
-    constexpr std::size_t longest = 10;  // letters: a field is not wider, and its end must not be cut off
+    constexpr std::size_t longest = 10;  // characters: the width of a field; the end of a number must not be
+                                         // cut off
     char plain[64];
     std::snprintf(plain, sizeof plain, kind.format, double(value));
     const std::string_view format = kind.format;

@@ -1,4 +1,4 @@
-// What the right button opens over a number.
+// The context menu of a number.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -25,13 +25,13 @@ void copy(const std::string& text) {
     say(fmt::format("{} is on the clipboard", text));
 }
 
-/// True when the clipboard held another number. Where its text did not come, the window has said so.
+/// True if the clipboard had another number. If reading it failed, the window has reported that.
 bool paste(float& value, const Range& range) {
     const char* text = ImGui::GetClipboardText();
     if (text == nullptr) return false;
     const Calculated found = calculated(text, double(value));
     if (!found.problem.empty()) {
-        say_refused("The clipboard holds no number: " + on_one_line(found.problem));
+        say_refused("The clipboard has no number: " + on_one_line(found.problem));
         return false;
     }
     const bool edited = assign(value, found.value, range);
@@ -47,7 +47,7 @@ bool number_menu(float& value, const NumberInput& input) {
     ImGui::PopStyleVar();
     if (!open) return false;
     ImGui::PushFont(fonts().body);
-    ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // whatever colour the number itself has
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // regardless of the number's own colour
     const float before = value;
     bool edited = false;
     if (item("Copy", exact_text(value))) copy(exact_text(value));
@@ -57,7 +57,7 @@ bool number_menu(float& value, const NumberInput& input) {
         value = input.initial;
         edited = true;
     }
-    if (value == input.initial && !edited) tooltip("Reset to default", "It is the default already");
+    if (value == input.initial && !edited) tooltip("Reset to default", "It is already the default");
     if (!input.pointer.empty()) {
         ImGui::Separator();
         if (item("Copy pointer", input.pointer)) copy(input.pointer);

@@ -23,8 +23,8 @@ const char* text_in_one_line(void* data) {
     return line.c_str();
 }
 
-/// What Dear ImGui returns of a text that is visited and not edited: replaced characters have other lengths,
-/// but the length is that from before.
+/// Dear ImGui's output for a text that had focus without an edit: replaced characters have other lengths, but
+/// the length is the original one.
 std::string as_visited(const std::string& text) {
     std::vector<ImWchar> wide(text.size() + 1);
     ImTextStrFromUtf8(wide.data(), static_cast<int>(wide.size()), text.c_str(), nullptr);
