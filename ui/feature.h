@@ -1,7 +1,7 @@
 #pragma once
-// A feature of the window takes part in a frame by one row of functions; those that it does not need are
-// null. Its state is defined in its own folder and reached by UiState::get. ui/features.cpp lists all
-// features; the core of the window includes nothing of theirs.
+// A feature of the window takes part in a frame through one row of functions; those that it does not need are
+// null. Its state is defined in its own folder and accessed by UiState::get. ui/features.cpp lists all
+// features; the core of the window includes none of their headers.
 
 #include <imgui.h>
 
@@ -30,13 +30,13 @@ struct UiInput;
 struct UiState;
 struct WindowCommand;
 
-/// What the next picture has to have for what is read off it.
+/// Requirements on the next picture from the features that read it.
 struct PictureNeeds {
     bool linear = false;     // Picture::linear
-    bool full_size = false;  // also while something moves
+    bool full_size = false;  // also during a motion
 };
 
-/// How places on the picture, as shares of its size, change when it gets another shape.
+/// The change of positions on the picture, as shares of its size, when it gets another shape.
 struct Reshape {
     glm::dvec2 scale{1};      // of distances from its middle, in shares
     glm::vec2 in_heights{1};  // likewise, in heights of the picture
@@ -48,22 +48,22 @@ struct Dialog {
     bool (*is_open)(const UiState&) = nullptr;
     void (*close)(UiState&) = nullptr;  // as Escape does: nothing happens
     void (*draw)(UiState&, const UiInput&) = nullptr;
-    bool is_about_scene = false;  // it is closed when another scene replaces the present one
+    bool is_about_scene = false;  // closed when another scene replaces the present one
 };
 
-/// What takes the place of the scene's list in the left column.
+/// A column that replaces the scene's list in the left column.
 struct LeftColumn {
     const char* (*name)(const UiState&) = nullptr;  // of its tab; null: it is closed
     void (*draw)(UiState&) = nullptr;
     void (*close)(UiState&) = nullptr;
-    void (*button)(UiState&, float right) = nullptr;  // draws one that ends at `right`, beside the tabs
+    void (*button)(UiState&, float right) = nullptr;  // draws a button that ends at `right`, next to the tabs
 };
 
 struct Feature {
     // Once a frame, in this order.
     void (*begin)(UiState&, const UiInput&) = nullptr;  // before any window is drawn
     void (*settle)(UiState&) = nullptr;                 // after the panels, before the picture is drawn
-    void (*compose)(UiState&) = nullptr;                // changes what is displayed of the picture
+    void (*compose)(UiState&) = nullptr;                // changes the displayed picture
     void (*update)(UiState&) = nullptr;                 // the picked pixel is explained
     void (*draw)(UiState&, const Layout&) = nullptr;    // its own windows
     void (*end)(UiState&) = nullptr;                    // the frame's edits have become a step
@@ -73,45 +73,45 @@ struct Feature {
     PictureNeeds (*needs)(const UiState&) = nullptr;
     const Tool* tool = nullptr;
     void (*overlay)(ImDrawList&, UiState&, const PictureView&) = nullptr;
-    bool overlay_stays = false;  // also over a clean picture, and while a question waits
+    bool overlay_stays = false;  // also over a picture without bars, and during a question
     std::optional<PictureNote> (*note)(const UiState&, const Scene&) = nullptr;
     void (*reshape)(UiState&, const Reshape&) = nullptr;
 
     // Around the picture.
     LeftColumn column = {};
-    bool (*why)(UiState&, const PictureView&) = nullptr;  // in the WHY column; false: nothing below it
+    bool (*why)(UiState&, const PictureView&) = nullptr;  // in the WHY column; false: draw nothing below it
     float (*status)(UiState&, ImVec2 right) = nullptr;    // in the status line; returns its width
     std::optional<std::string> (*caption)(const UiState&) = nullptr;  // in place of the scene's own
     Dialog dialog = {};
-    PictureSheet* (*sheet)(UiState&) = nullptr;  // that the window keeps as a texture
+    PictureSheet* (*sheet)(UiState&) = nullptr;  // that is kept as a texture
 
     // Keys and commands.
     std::vector<WindowCommand> (*commands)() = nullptr;
     void (*palette)(std::vector<PaletteEntry>&, UiState&) = nullptr;
-    bool (*key)(UiState&, KeyPress) = nullptr;  // true: the key is used up
-    bool (*escape)(UiState&) = nullptr;         // true: it had something to leave
+    bool (*key)(UiState&, KeyPress) = nullptr;  // true: the key is consumed
+    bool (*escape)(UiState&) = nullptr;         // true: there was something to leave
 
     // Files and settings.
-    std::optional<Opening> (*open)(const std::string& path) = nullptr;  // where it knows that kind of file
-    bool (*drop)(UiState&, const std::string& path) = nullptr;          // a file that is no document
+    std::optional<Opening> (*open)(const std::string& path) = nullptr;  // if it supports that kind of file
+    bool (*drop)(UiState&, const std::string& path) = nullptr;          // a file that is not a document
     void (*write_settings)(const UiState&, Json&) = nullptr;
-    void (*read_settings)(UiState&, const Json&) = nullptr;  // untrusted; what is missing is reset
+    void (*read_settings)(UiState&, const Json&) = nullptr;  // untrusted; missing settings are reset
 
-    // Together with others.
-    std::string (*why_held)(const UiState&) = nullptr;  // why the scene cannot be changed or asked; or empty
-    bool (*is_presented)(const UiState&) = nullptr;     // to others: nothing pops up by itself
+    // Interaction with others.
+    std::string (*why_held)(const UiState&) = nullptr;  // why the scene cannot be changed or picked; or empty
+    bool (*is_presented)(const UiState&) = nullptr;     // to an audience: nothing pops up by itself
     void (*leave_document)(UiState&, const SceneDocument& next) = nullptr;
-    void (*put_away)(UiState&) = nullptr;  // ends what is shown in place of the picture or over it
+    void (*put_away)(UiState&) = nullptr;  // ends everything shown in place of the picture or over it
 };
 
-/// All of them. Where several want the same (the picture, the mouse, Escape), the first one has it. Those
-/// further up are drawn over the others.
+/// All features. If several want the same (the picture, the mouse, Escape), the first one gets it. Earlier
+/// ones are drawn over later ones.
 [[nodiscard]] std::span<const Feature* const> features();
 
-/// What all of them need together.
+/// The combined needs of all features.
 [[nodiscard]] PictureNeeds picture_needs(const UiState& state);
 
-/// Why a feature keeps the scene from being changed and the picture from being asked; empty: none does.
+/// Why a feature keeps the scene from being changed and the picture from being picked; empty: none does.
 [[nodiscard]] std::string why_held(const UiState& state);
 [[nodiscard]] bool is_held(const UiState& state);
 

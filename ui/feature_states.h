@@ -1,12 +1,12 @@
 #pragma once
-// What features remember from frame to frame. The window's core does not know their types.
+// State that features keep from frame to frame. The window's core does not know their types.
 
 #include <memory>
 #include <vector>
 
 namespace glint {
 
-/// One value of each type that is requested, made by its first request. Its address never changes.
+/// One value of each requested type, created by its first request. Its address never changes.
 class FeatureStates {
   public:
     template <class T> [[nodiscard]] T& get() const {
@@ -18,7 +18,7 @@ class FeatureStates {
     }
 
   private:
-    template <class T> static inline char type_id = 0;  // its address tells types apart
+    template <class T> static inline char type_id = 0;  // its address identifies the type
 
     struct State {
         const char* type;

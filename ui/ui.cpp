@@ -24,13 +24,13 @@ namespace glint {
 namespace {
 
 /// Dear ImGui 1.86 leaves 0 segments to a corner whose radius is below a millionth of a pixel, and divides by
-/// them. A bar that runs along comes to such a width some day.
+/// them. A running progress bar eventually reaches such a width.
 void give_tiny_corners_segments() {
     ImGui::GetDrawListSharedData()->CircleSegmentCounts[0] = IM_DRAWLIST_ARCFAST_SAMPLE_MAX;
 }
 
-/// After all that may have edited the scene, before it is drawn or kept as a step. A number stays in the
-/// hand: "0" may become "0.5", and a drag may lead through 0.
+/// After all edits of the scene, before it is drawn or kept as a step. A number being edited stays: "0" may
+/// become "0.5", and a drag may lead through 0.
 void keep_scene_valid(UiState& state) {
     const std::optional<Problem> problem = take_back_invalid(state.editor);
     if (!problem) return;
@@ -39,7 +39,7 @@ void keep_scene_valid(UiState& state) {
     state.notifications.add(Tone::Warning, "Not possible: " + problem->text());
 }
 
-/// Makes one step when nothing has the scene in hand any more, or a field has it from another one.
+/// Makes one step when nothing edits the scene any more, or another field has begun to.
 void remember(UiState& state, bool in_hand) {
     const ImGuiID now = GImGui->ActiveId, before = std::exchange(state.active_before, now);
     const bool left_one = before != 0 && now != before;
@@ -47,8 +47,7 @@ void remember(UiState& state, bool in_hand) {
     remember_step(state.editor, state.viewport.wheel_goes_on);
 }
 
-/// Whether a window that is as large as what it holds came to hold something else: it takes its size in the
-/// next frame.
+/// Whether the contents of a window that fits its contents have changed: it is resized in the next frame.
 bool a_window_changes_size() {
     const ImVector<ImGuiWindow*>& all = ImGui::GetCurrentContext()->Windows;
     return std::any_of(all.begin(), all.end(), [](const ImGuiWindow* window) {
@@ -74,8 +73,8 @@ UiRequests requests(UiState& state) {
     return wants;
 }
 
-/// Takes the request to close, and dropped files. In the middle of a drag they wait for its end: the drag is
-/// not a step yet, and would go on below a question. A light that follows the cursor is put back.
+/// Handles the request to close, and dropped files. During a drag they wait for its end: the drag is not a
+/// step yet, and would continue below a question. A light that follows the cursor is reverted.
 void take_requests(UiState& state, const UiInput& input) {
     state.close_asked |= input.close_asked;
     if (!input.dropped.empty()) state.dropped = input.dropped;
@@ -100,7 +99,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     run_keys(state, input);
     each(&Feature::begin, state, input);
     close_left_modal(state);
-    // Whatever has changed the scene since the last frame.
+    // The scene may have changed in any way since the last frame.
     state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     follow_items(state);
     ImGui::PushFont(fonts().body);

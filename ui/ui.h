@@ -1,6 +1,6 @@
 #pragma once
-// One frame of the window's inside: input in, scene edited, picture drawn, requests out. Draws with ImGui
-// alone; knows neither GLFW nor GL, so that tests run it without a window.
+// One frame of the window's contents: input in, scene edited, picture drawn, requests out. Draws with ImGui
+// only and uses neither GLFW nor GL, so that tests run it without a window.
 
 #include <imgui.h>
 
@@ -31,34 +31,33 @@ namespace glint {
 
 struct UiState;
 
-/// What waits for the answer to "save changes?".
+/// The action that waits for the answer to "save changes?".
 struct Pending {
     std::function<void(UiState&)> then;  // null: nothing waits
     bool asking = false;                 // the question is on the screen; else the changes are being saved
 };
 
-/// Where the picture goes, in the window: to all of `picture`, cut off at `room`.
+/// The position of the picture in the window: all of `picture`, clipped to `room`.
 struct PlacedPicture {
     Rect picture, room;
     bool operator==(const PlacedPicture&) const = default;
 };
 
-/// Everything that the window remembers from frame to frame, beside ImGui's own context and what ui/widgets
-/// keeps of the current one: the theme and scale applied last (theme.cpp), the fonts loaded last (fonts.cpp);
-/// the item on which the pointer rests, the earliest frame asked for, and the list in which tests find
-/// controls (tooltip.cpp); the number in hand and what it has to say (number_input.cpp); the field that was
-/// asked for (field_panel.cpp).
+/// The window's state from frame to frame, in addition to ImGui's own context and what ui/widgets keeps of
+/// the present one: the theme and scale applied last (theme.cpp), the fonts loaded last (fonts.cpp); the
+/// hovered item, the earliest requested frame, and the list in which tests find controls (tooltip.cpp); the
+/// number being edited and its messages (number_input.cpp); the requested field (field_panel.cpp).
 struct UiState {
     explicit UiState(int thread_count)
         : threads(thread_count), renderer(std::make_unique<Renderer>(thread_count)) {}
 
-    /// The state of a feature, which the feature's own header defines.
+    /// The state of a feature, defined in the feature's own header.
     template <class T> [[nodiscard]] T& get() { return features.get<T>(); }
     template <class T> [[nodiscard]] const T& get() const { return features.get<T>(); }
 
     Editor editor;
     ViewportState viewport;
-    ToolCapture capture;  // the tool on the picture that a button holds
+    ToolCapture capture;  // the tool on the picture that a button drags
     LayoutState layout;
     Notifications notifications;
     FileDialog files;
@@ -69,33 +68,35 @@ struct UiState {
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's
     bool dark = true, shows_shortcuts = false;
-    bool left_shows_inspector = false, left_shows_scene = false;  // where the left column has tabs
-    bool types_into_panel = false;  // asked for: the selected item's first field takes the keys
+    bool left_shows_inspector = false, left_shows_scene = false;  // if the left column has tabs
+    bool types_into_panel = false;  // requested: focus the selected item's first field
     bool quits = false;
-    bool close_asked = false;          // by the system, and not answered yet
+    bool close_asked = false;          // requested by the system, and not answered yet
     std::vector<std::string> dropped;  // paths of files, not opened yet
-    bool asks_overwrite = false;       // saving would write over what another program put into the file
+    bool asks_overwrite = false;       // saving would overwrite another program's changes to the file
 
     FramePace pace;
-    std::vector<Camera> kept_views;  // kept by hand, of whatever scene; remembered with the settings
+    std::vector<Camera> kept_views;  // saved views, of any scene; remembered with the settings
     FeatureStates features;
 
     int threads;  // of each renderer
     std::unique_ptr<Renderer> renderer;
     const Picture* rendered = nullptr;  // the last one drawn
-    PictureSize full_size;          // of the picture in the window; for a moment `rendered` may be smaller
-    PictureSize failed_size{0, 0};  // a picture of that size failed: the last one drawn keeps its own
-    const Picture* displayed = nullptr;  // what the window shows: `rendered`, or what features made of it
-    const Picture* unpainted = nullptr;  // that without stripes and false colours
-    std::uint64_t picture_serial = 0;    // counts what was shown: the texture follows it
+    PictureSize full_size;              // of the picture in the window; `rendered` may be temporarily smaller
+    PictureSize failed_size{0, 0};      // a picture of that size failed: the last one drawn keeps its own
+    const Picture* displayed = nullptr;  // the picture in the window: `rendered`, or what features made of it
+    const Picture* unpainted = nullptr;  // the same without stripes and false colours
+    std::uint64_t picture_serial = 0;    // incremented with each shown picture, so that the texture is
+                                         // updated
     std::vector<ShownPart> parts;        // of `displayed`
-    double parts_ms = 0;                 // that parts took beside `rendered`
-    PlacedPicture picture_rect;          // where it lies in the window
-    float legend_width = 0, label_height = 0;  // that a feature's overlay takes at its left and upper edge
-    Scene rendered_scene;                      // what `rendered` shows
-    bool rendered_is_edited = false;  // that was the edited scene: no preview, none that awaits a mesh
-    ImGuiID active_before = 0;        // the control that was in hand in the frame before; 0: none
-    Scene edited_drawn;               // the edited scene as it was drawn last, whatever shows since
+    double parts_ms = 0;                 // of the parts, in addition to `rendered`
+    PlacedPicture picture_rect;          // its position in the window
+    float legend_width = 0, label_height = 0;  // of a feature's overlay at its left and upper edge
+    Scene rendered_scene;                      // the scene in `rendered`
+    bool rendered_is_edited = false;  // whether that was the edited scene: no preview, none that awaits a
+                                      // mesh
+    ImGuiID active_before = 0;        // the active control of the previous frame; 0: none
+    Scene edited_drawn;               // the last drawn state of the edited scene, whatever is shown since
     OnScreen on_screen;
 
     Jobs jobs;  // last: they use the others
@@ -103,15 +104,15 @@ struct UiState {
 
 struct UiRequests {
     bool quit = false;
-    std::string title;                                         // of the window; empty: as it is
+    std::string title;                                         // of the window; empty: unchanged
     double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, if no event comes
 };
 
-/// Between ImGui::NewFrame() and ImGui::Render(). The caller fills the window with theme().panel, puts
-/// UiState::displayed where UiState::picture_rect says, and draws ImGui's data over both.
+/// Between ImGui::NewFrame() and ImGui::Render(). The caller fills the window with theme().panel, draws
+/// UiState::displayed at UiState::picture_rect, and ImGui's data over both.
 [[nodiscard]] UiRequests ui_frame(UiState& state, const UiInput& input);
 
-/// The sheets of small pictures that the window keeps as textures; they stay where they are.
+/// The sheets of thumbnails that the window keeps as textures; their addresses are stable.
 [[nodiscard]] std::vector<PictureSheet*> sheets_of(UiState& state);
 
 }  // namespace glint

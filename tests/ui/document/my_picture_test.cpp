@@ -183,7 +183,7 @@ TEST_CASE("an experiment is offered for the scene that it was found for alone", 
         return std::any_of(bench.controls().begin(), bench.controls().end(),
                            [](const NamedControl& c) { return c.name == "Change the scene this way"; });
     };
-    const WindowCommand& by_command = test::command_named("Change the scene this way, to be sure");
+    const WindowCommand& by_command = test::command_named("Change the scene this way to be sure");
     CHECK(is_offered());
     CHECK(can_run(bench.state, by_command));
     bench.scene().lights.erase(bench.scene().lights.begin());
@@ -218,7 +218,7 @@ TEST_CASE("the search ends when it is told to, and begins anew when the scene ch
     bench.frames(2);
     wait_for_answer(bench);
     REQUIRE(bench.state.get<MyPictureState>().answer);
-    bench.click(test::in_column(bench, "Put my picture away"));
+    bench.click(test::in_column(bench, "Close my picture"));
     CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 
@@ -300,7 +300,7 @@ TEST_CASE("a picture that carries its scene opens it; the command compares it al
     wait_for_answer(bench);
     CHECK(bench.state.get<MyPictureState>().shown);
     CHECK(found(bench).verdict == Verdict::Mistake);
-    run_command(bench.state, test::command_named("Put my picture away"));
+    run_command(bench.state, test::command_named("Close my picture"));
     CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 

@@ -21,7 +21,7 @@ TEST_CASE("the inspector names the object that stands before a light, and only t
     // The pixel of docs/lecture_map.md, row 2: on the floor, behind what stands on it.
     const std::string words = words_at({652, 558});
     INFO(words);
-    CHECK(words.find(" stands in the way") != std::string::npos);
+    CHECK(words.find(" is between this light and the point") != std::string::npos);
     CHECK(words_at({40, 680}).empty());
     // A light moved to the other side of the obstacle, in the same frame's order of things, is asked anew.
     (void)words_at({652, 558});
@@ -61,5 +61,5 @@ TEST_CASE("an object that only marks where a light is does not stand in its way"
     bench.scene().objects.back().transform.translate = 0.5f * (light + why.spaces.world);
     bench.frames(2);
     INFO(words());
-    CHECK(words().find("stands in the way") != std::string::npos);
+    CHECK(words().find("is between this light and the point") != std::string::npos);
 }

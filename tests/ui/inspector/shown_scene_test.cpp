@@ -164,7 +164,7 @@ TEST_CASE("a click on a frozen picture is answered", "[ui][window][lecture]") {
     bench.state.notifications.list.clear();
     bench.click(bench.at_share(0.5, 0.5));
     REQUIRE(bench.state.notifications.list.size() == 1);
-    CHECK(bench.state.notifications.list[0].text == "The picture is frozen: F8 lets it go on");
+    CHECK(bench.state.notifications.list[0].text == "The picture is frozen: F8 unfreezes it");
 }
 
 TEST_CASE("a copy and a command of a picture are of the scene that it shows", "[ui][window]") {

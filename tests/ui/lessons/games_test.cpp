@@ -104,7 +104,7 @@ TEST_CASE("a hint names the term that is off, and how", "[ui][match]") {
     Renderer renderer(1);
     const MatchTask task = match_task(1);
     Scene scene = task.target;
-    CHECK(match_hint(renderer, scene, task.target) == "Nothing is off.");
+    CHECK(match_hint(renderer, scene, task.target) == "Nothing differs.");
     scene.objects[0].material.shininess *= 4;
     CHECK(match_hint(renderer, scene, task.target) ==
           "The specular term is off most: its highlight is too small.");
@@ -119,11 +119,11 @@ TEST_CASE("a hint names the term that is off, and how", "[ui][match]") {
     CHECK(match_hint(renderer, scene, task.target).find("elsewhere") != std::string::npos);
     scene.lights.clear();
     CHECK(match_hint(renderer, scene, task.target) ==
-          "The diffuse term is off most: its light is not there.");
+          "The diffuse term is off most: its light is missing.");
     scene = task.target;
     scene.shading.terms.diffuse = false;
     CHECK(match_hint(renderer, scene, task.target) ==
-          "The shading is not the target's: Begin again brings it back.");
+          "The shading differs from the target's: Begin again restores it.");
 }
 
 TEST_CASE("a game that was saved under a name is work, and its changes are asked about",
@@ -157,7 +157,7 @@ TEST_CASE("what a game compares is not remembered for the next window", "[ui][wi
     bench.frames(2);
     const Json before = features_to_remember(bench.state);
     open_game(bench, 2);
-    bench.click(bench.control("Target beside it"));
+    bench.click(bench.control("Target next to it"));
     bench.frames(2);
     CHECK(features_to_remember(bench.state) == before);
 }
@@ -167,7 +167,7 @@ TEST_CASE("a game puts away what was shown before it, and Escape ends what plays
     bench.frames(2);
     const auto play = [&] {
         if (!bench.state.get<AnimateState>().open)
-            run_command(bench.state, test::command_named("Animate: turntable, numbers to and fro…"));
+            run_command(bench.state, test::command_named("Animate: turntable, numbers back and forth…"));
         bench.frames(2);
         bench.state.get<AnimateState>().animation.motion = Motion::Turntable;
         bench.click(bench.control("Play"));
@@ -190,10 +190,10 @@ TEST_CASE("a game puts away what was shown before it, and Escape ends what plays
 TEST_CASE("another stored scene is not the target beside it", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
     open_game(bench, 2);
-    bench.click(bench.control("Target beside it"));
+    bench.click(bench.control("Target next to it"));
     bench.state.get<CompareState>().choice.stored = std::make_shared<const Scene>(bench.scene());
     bench.frames(2);
-    bench.click(bench.control("Target beside it"));
+    bench.click(bench.control("Target next to it"));
     bench.frames(2);
     CHECK(bench.state.get<CompareState>().choice.on);
     CHECK(*bench.state.get<CompareState>().choice.stored == bench.state.get<MatchState>().task.target);
@@ -204,7 +204,7 @@ namespace {
 /// Opens a game, puts its target beside it, and brings a picture, "mine.png".
 void open_game_with_picture(HeadlessWindow& bench, const TemporaryDirectory& folder) {
     open_game(bench, 2);
-    bench.click(bench.control("Target beside it"));
+    bench.click(bench.control("Target next to it"));
     bring_picture(bench.state, folder.file("mine.png", png_bytes(bench.state.get<MatchState>().target, "")));
     while (!bench.state.get<MyPictureState>().shown) (void)bench.frame();
     bench.frames(2);
@@ -216,7 +216,7 @@ TEST_CASE("an own picture is not the target beside it, and goes with its game", 
     const TemporaryDirectory folder;
     HeadlessWindow bench({1280, 1000});
     open_game_with_picture(bench, folder);
-    bench.click(bench.control("Target beside it"));
+    bench.click(bench.control("Target next to it"));
     bench.frames(2);
     const CompareChoice& choice = bench.state.get<CompareState>().choice;
     CHECK(choice.on);
@@ -236,7 +236,7 @@ TEST_CASE("B that was stored during a game stays, and the target goes", "[ui][wi
     run_command(bench.state, CommandId::StoreB);
     const auto before = choice.stored;
     open_game(bench, 2);
-    bench.click(bench.control("Target beside it"));
+    bench.click(bench.control("Target next to it"));
     bench.click(bench.control("Leave"));
     bench.frames(2);
     CHECK(choice.stored == before);
@@ -286,7 +286,7 @@ TEST_CASE("the game is played by its buttons: hint, target beside, again, anothe
     bench.click(bench.control("A hint"));
     bench.frames(1);
     CHECK(bench.state.get<MatchState>().hint.find("specular term") != std::string::npos);
-    bench.click(bench.control("Target beside it"));
+    bench.click(bench.control("Target next to it"));
     bench.frames(2);
     CHECK(bench.state.get<CompareState>().choice.on);
     CHECK(*bench.state.get<CompareState>().choice.stored == bench.state.get<MatchState>().task.target);
@@ -364,7 +364,7 @@ TEST_CASE("the quiz is answered by keys, and the next window goes on with it unt
     CHECK(bench.state.get<QuizState>().at == 0);
     CHECK(bench.state.get<QuizState>().taken == Taken(24));
     bench.frames(2);
-    bench.click(bench.control("Bring them back"));
+    bench.click(bench.control("Restore them"));
     CHECK(bench.state.get<QuizState>().taken[0] == 2u);
 }
 

@@ -129,7 +129,7 @@ TEST_CASE("a file of progress that cannot be read, or that is full, stays as it 
         bench.frames(2);
         REQUIRE(bench.state.get<LessonState>().progress.station == 1);
         CHECK(bytes_of(file) == kept);
-        CHECK(is_told(bench, "What is answered and done here cannot be remembered: "));
+        CHECK(is_told(bench, "Your answers and progress cannot be remembered: "));
     }
 }
 

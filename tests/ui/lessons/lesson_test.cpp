@@ -85,7 +85,7 @@ TEST_CASE("an answer stands beside the right one, and its number is marked in th
     bench.state.get<InspectorState>().marked.reset();
     bench.state.get<InspectorState>().tab = InspectorTab::Mistakes;
     bench.frames(1);
-    bench.click(bench.control("Where it stands in the equation"));
+    bench.click(bench.control("Show it in the equation"));
     bench.frames(2);
     CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Equation);
     CHECK(column.holds(bench.control("Marked number")));
@@ -529,7 +529,7 @@ TEST_CASE("answers that cannot be kept are told of, once", "[ui][window][lesson]
     CHECK_FALSE(says(bench, "cannot be remembered"));
     bench.key(Key::PageDown);
     bench.frames(3);
-    CHECK(says(bench, "What is answered and done here cannot be remembered: "));
+    CHECK(says(bench, "Your answers and progress cannot be remembered: "));
     bench.state.notifications.list.clear();
     bench.click(bench.control("Show it without"));
     bench.frames(3);

@@ -276,10 +276,10 @@ TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
     WedgeRow row{"black", 0, 1};
     CHECK(wedge_words(row) == "On black: click the first patch that the last row of the room can see");
     row.seen = 0;
-    CHECK(wedge_words(row) == "On black every step is seen");
+    CHECK(wedge_words(row) == "On black every step is visible");
     row.seen = 4;  // 6 is seen, 4 is not
     CHECK(wedge_words(row) ==
-          "On black this projector swallows steps below 6/255: colours 0.016 apart look the same");
+          "On black this projector loses steps below 6/255: colours 0.016 apart look the same");
     HeadlessWindow bench;
     bench.frame();
     run_command(bench.state, test::command_named("Step wedge: what does this projector show?"));
@@ -310,7 +310,7 @@ TEST_CASE("the pen draws lines of any length, up to what the picture holds", "[u
     bench.drag(bench.at_pixel({100, 200}), bench.at_pixel({300, 300}));
     REQUIRE(pen.lines.size() == 3);
     CHECK(pen.lines[2].places.size() == 2);
-    CHECK(last() == "The pen has drawn as much as the picture holds: Shift+W wipes it clean");
+    CHECK(last() == "The pen has reached its limit for a picture: Shift+W erases everything");
     bench.drag(bench.at_pixel({100, 200}), bench.at_pixel({300, 300}));
     CHECK(pen.lines.size() == 3);
 }

@@ -51,9 +51,9 @@ TEST_CASE("a command is found by a word about it", "[ui][palette]") {
     const std::string about[][2] = {{"game", "Match the target"},
                                     {"screenshot", "Save picture…"},
                                     {"dark", "Light theme"},
-                                    {"zebra", "Stripes over what is too bright"},
+                                    {"zebra", "Stripes over colours that are too bright"},
                                     {"fullscreen", "Picture alone"},
-                                    {"gif", "Animate: turntable, numbers to and fro…"},
+                                    {"gif", "Animate: turntable, numbers back and forth…"},
                                     {"focus", "Frame the selected object, or all"}};
     for (const auto& [text, name] : about) {
         const auto entries = found(bench.state, text);
@@ -123,7 +123,7 @@ TEST_CASE("the scope's card and its copying, and the pen's colour and last line 
     HeadlessWindow bench;
     bench.frames(2);
     CHECK(found(bench.state, "grey card").at(0).refused == "The scope is not open");
-    CHECK(found(bench.state, "next colour").at(0).refused == "The pen is not in hand");
+    CHECK(found(bench.state, "next colour").at(0).refused == "The pen is not active");
     CHECK(found(bench.state, "last line").at(0).refused == "Nothing is drawn");
     (void)bench.key(Key::P);
     (void)bench.key(Key::W);
@@ -179,7 +179,7 @@ TEST_CASE("a component of a vector is found, and takes the keyboard", "[ui][pale
 TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
-    CHECK(found(bench.state, "latex").at(0).refused == "No pixel is picked that shows an object");
+    CHECK(found(bench.state, "latex").at(0).refused == "No picked pixel shows an object");
     bench.click(
         bench.at_pixel({bench.state.rendered->size.width / 2.0, bench.state.rendered->size.height / 2.0}));
     bench.frames(2);
@@ -197,7 +197,7 @@ TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palett
     ImGui::SetClipboardText("mine");
     copy.run(bench.state);
     CHECK(std::string(ImGui::GetClipboardText()) == "mine");
-    CHECK(bench.state.notifications.list.back().text == "No pixel is picked that shows an object");
+    CHECK(bench.state.notifications.list.back().text == "No picked pixel shows an object");
 }
 
 TEST_CASE("the palette adds what the lists add, and gives the selected object another mesh",
@@ -482,7 +482,7 @@ TEST_CASE("arrow keys pick a pixel and go on to the next, ten at once with Shift
     bench.frames(1);
     (void)bench.key(Key::Right);
     CHECK(picked().x == 0);
-    CHECK(bench.notes_with("The picture is frozen: F8 lets it go on") == 1);
+    CHECK(bench.notes_with("The picture is frozen: F8 unfreezes it") == 1);
 }
 
 TEST_CASE("F says why it does not frame what is too far away", "[ui][window][commands]") {

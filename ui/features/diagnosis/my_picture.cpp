@@ -1,4 +1,4 @@
-// The picture's way into the window, and the diagnosis beside it.
+// Opens the user's picture in the window, and runs the diagnosis of it.
 #include "ui/features/diagnosis/my_picture.h"
 
 #include <imgui.h>
@@ -28,15 +28,15 @@ namespace glint {
 namespace {
 
 constexpr double stillness = 0.3;    // seconds before a diagnosis begins
-constexpr double look_again = 0.05;  // seconds between looks at its progress
+constexpr double look_again = 0.05;  // seconds between checks of its progress
 
-/// The window keeps a core for itself.
+/// The window keeps one core for itself.
 int threads_beside() {
     const unsigned cores = std::thread::hardware_concurrency();
     return cores > 1 ? static_cast<int>(cores - 1) : 1;
 }
 
-/// Reports to the job's own progress, and ends the diagnosis when that is cancelled.
+/// Reports to the job's own progress, and stops the diagnosis when that is cancelled.
 PictureAnswer answer_of(const SceneDocument& document, const Picture& wrong, bool pairs,
                         LoadProgress& progress) {
     DiagnosisOptions options{pairs, threads_beside(), {}};
@@ -73,7 +73,7 @@ BroughtPicture brought(const std::string& path, const std::shared_ptr<const Pict
     return {path, file, std::make_shared<const Picture>(as_shown(*file, display)), display};
 }
 
-/// Puts a picture that was read beside the scene, and its tab into sight.
+/// Adds a loaded picture to the comparison and shows its tab.
 void take_picture(UiState& state, BroughtPicture picture) {
     MyPictureState& mine = state.get<MyPictureState>();
     CompareChoice& choice = state.get<CompareState>().choice;
@@ -94,7 +94,7 @@ void take_picture(UiState& state, BroughtPicture picture) {
     choice.mine = mine.shown;
     choice.on = true;
     choice.shows_stored = false;
-    state.get<LectureState>().frozen.reset();  // it would stand beside a scene that is not the edited one
+    state.get<LectureState>().frozen.reset();  // it would be compared with a scene that is not the edited one
     set_parts(choice, {{}, {Variant::Kind::Mine, 0}});
     state.get<DebugViewState>().set.choice.view = DebugView::Picture;
     state.get<InspectorState>().tab = InspectorTab::MyPicture;
@@ -145,8 +145,7 @@ bool is_bare_picture(const std::string& path) {
 
 void bring_picture(UiState& state, const std::string& path) {
     if (is_held(state))
-        return state.notifications.add(Tone::Warning,
-                                       "The lesson asks first: answer, and drop the picture then");
+        return state.notifications.add(Tone::Warning, "The lesson asks first: answer, then drop the picture");
     MyPictureState& mine = state.get<MyPictureState>();
     cancel_reading(mine);
     mine.reading_since = ImGui::GetTime();
@@ -199,10 +198,10 @@ void ask_for_pairs(MyPictureState& mine) {
 
 std::string why_no_pairs(const MyPictureState& mine) {
     if (!mine.answer || !mine.current) return "No picture was compared with this scene";
-    if (mine.pairs) return "Two mistakes at once have been looked for";
+    if (mine.pairs) return "The search for two mistakes at once is already done";
     return mine.answer->diagnosis.verdict == Verdict::NotInCatalogue
                ? std::string()
-               : "Nothing is left that two mistakes would explain";
+               : "There is nothing left for two mistakes to explain";
 }
 
 void poll_my_picture(UiState& state) {
@@ -258,7 +257,7 @@ void try_experiment(UiState& state, const Experiment& experiment) {
 
 const Experiment* offered_experiment(const UiState& state) {
     const MyPictureState& mine = state.get<MyPictureState>();
-    // Its pointers are those of the scene that was asked about.
+    // Its pointers refer to the diagnosed scene.
     if (!mine.answer || !mine.current || shown_experiment(state) != nullptr) return nullptr;
     const std::optional<Experiment>& found = mine.answer->diagnosis.experiment;
     return found ? &*found : nullptr;
@@ -284,24 +283,24 @@ std::vector<WindowCommand> my_picture_commands() {
          .section = Section::ViewCompare,
          .run = [](UiState& s) { s.files.ask(my_picture_purpose, s.editor.document.path); },
          .words = "diagnose wrong mistake image"},
-        {.name = "Put my picture away",
+        {.name = "Close my picture",
          .section = Section::ViewCompare,
          .run = put_picture_away,
          .why_disabled =
              [](const UiState& s) {
                  return unless(s.get<MyPictureState>().shown != nullptr,
-                               "No picture was brought to compare with");
+                               "No picture to compare with is open");
              }},
         {.name = "Look for two mistakes at once",
          .run = [](UiState& s) { ask_for_pairs(s.get<MyPictureState>()); },
          .why_disabled = [](const UiState& s) { return why_no_pairs(s.get<MyPictureState>()); },
          .words = "diagnose my picture pairs"},
-        {.name = "Change the scene this way, to be sure",
+        {.name = "Change the scene this way to be sure",
          .run = [](UiState& s) { try_experiment(s, *offered_experiment(s)); },
          .why_disabled =
              [](const UiState& s) {
                  return unless(offered_experiment(s) != nullptr,
-                               "No change would tell more of the mistake in a picture");
+                               "No change would narrow down the mistake in a picture");
              },
          .words = "diagnose my picture experiment"},
     };

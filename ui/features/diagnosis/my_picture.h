@@ -1,6 +1,6 @@
 #pragma once
 // The user's own program drew a picture of the open scene: it joins the comparison, a diagnosis runs in the
-// background, and the findings are listed, tried on the scene, and written into the equation.
+// background, and the findings are listed, tried on the scene, and shown in the equation.
 
 #include <glm/vec2.hpp>
 #include <memory>
@@ -21,20 +21,20 @@ namespace glint {
 struct UiState;
 struct PictureView;
 
-/// What a diagnosis has to show.
+/// The result of a diagnosis.
 struct PictureAnswer {
     Diagnosis diagnosis;
-    std::shared_ptr<const Picture> mine;  // bytes, with what happened at the display taken away
-    std::vector<Picture> thumbnails;      // of the scene under each candidate, as small as thumbnail_size()
+    std::shared_ptr<const Picture> mine;  // bytes, with display mistakes removed
+    std::vector<Picture> thumbnails;      // of the scene under each candidate, of size thumbnail_size()
 };
 
-/// An experiment that was applied to the scene, and the scene that it made, without mistakes.
+/// An experiment that was applied to the scene, and the resulting scene, without mistakes.
 struct TriedExperiment {
     Experiment experiment;
     Scene scene;
 };
 
-/// A picture as its file has it, and as bytes (see as_shown()): the same if the file holds bytes.
+/// A picture as in its file, and as bytes (see as_shown()): the same if the file contains bytes.
 struct BroughtPicture {
     std::string path;
     std::shared_ptr<const Picture> file, shown;
@@ -42,84 +42,84 @@ struct BroughtPicture {
 };
 
 struct MyPictureState {
-    std::string path, name;                // of the file that was brought last; empty: none was
+    std::string path, name;                // of the last loaded file; empty: none
     std::shared_ptr<const Picture> shown;  // its bytes; null: there is no picture
-    std::shared_ptr<const Picture> file;   // as the file has it
+    std::shared_ptr<const Picture> file;   // as in the file
     Display display;                       // that made the bytes of a linear one
-    bool pairs = false;                    // two mistakes at once are looked for, too
+    bool pairs = false;                    // also search for two mistakes at once
     JobPtr<BroughtPicture> reading;
-    double reading_since = 0;  // ImGui's time when it began
+    double reading_since = 0;  // ImGui time when it began
     JobPtr<PictureAnswer> job;
-    JobPtr<PictureAnswer> ending;         // the diagnosis cancelled last
+    JobPtr<PictureAnswer> ending;         // the last cancelled diagnosis
     Scene asked_of;                       // the open scene without mistakes, as it is diagnosed, or will be
-    double asked_since = 0;               // ImGui's time when it became so
-    bool settled = false;                 // `asked_of` was diagnosed, or somebody gave that up
-    bool current = false;                 // `answer` is of `asked_of`
+    double asked_since = 0;               // ImGui time when it became so
+    bool settled = false;                 // `asked_of` was diagnosed, or the user cancelled
+    bool current = false;                 // `answer` belongs to `asked_of`
     std::optional<PictureAnswer> answer;  // the last one
     std::optional<TriedExperiment> tried;
-    std::size_t chosen = 0;                     // candidate that the equation shows
+    std::size_t chosen = 0;                     // candidate shown in the equation
     PictureSheet sheet;                         // of the candidates
-    std::unique_ptr<Renderer> right, mistaken;  // what the equation asks at the picked pixel
+    std::unique_ptr<Renderer> right, mistaken;  // of the picked pixel in the equation
 };
 
 extern const FilePurpose my_picture_purpose;
-/// Begins to read a picture drawn by any program; once complete it replaces the one before. If it cannot be
-/// read, a notification says so and everything stays.
+/// Begins to load a picture drawn by any program; once complete it replaces the previous one. If it cannot be
+/// read, a notification reports that and nothing changes.
 void bring_picture(UiState& state, const std::string& path);
-/// Removes the picture, restores the comparison and the tab from before it, and cancels what is being
-/// computed.
+/// Removes the picture, restores the previous comparison and tab, and cancels running computations.
 void put_picture_away(UiState& state);
-/// The picture that is being read is not brought.
+/// Cancels loading a picture.
 void cancel_reading(MyPictureState& mine);
-/// Gives the diagnosis up until the scene changes, or ask_again().
+/// Cancels the diagnosis until the scene changes, or ask_again().
 void cancel_diagnosis(MyPictureState& mine);
 void ask_again(MyPictureState& mine);
-/// The diagnosis anew, of every two mistakes at once, which takes longer.
+/// Starts a new diagnosis of all pairs of mistakes, which takes longer.
 void ask_for_pairs(MyPictureState& mine);
-/// Why there is no need for that; empty: no single mistake explains the picture, and two may.
+/// Why that is not needed; empty: no single mistake explains the picture, and two may.
 [[nodiscard]] std::string why_no_pairs(const MyPictureState& mine);
 
-/// Call this once a frame. It takes finished results, and begins a new diagnosis when the scene, apart from
-/// its mistakes, has changed and stood still for a moment.
+/// Call this once a frame. Collects finished results, and begins a new diagnosis when the scene, apart from
+/// its mistakes, has changed and then been still for a moment.
 void poll_my_picture(UiState& state);
 
 /// Whether the file is a picture without a scene that Glint could open.
 [[nodiscard]] bool is_bare_picture(const std::string& path);
 
-/// The size of a small picture of a candidate, for a picture of that size.
+/// The size of a candidate's thumbnail, for a picture of that size.
 [[nodiscard]] PictureSize thumbnail_size(PictureSize size);
 
 /// "Normals flipped + gamma twice", as the Mistakes tab names them.
 [[nodiscard]] std::string title_of(const MistakeSet& mistakes);
 
-/// Switches these mistakes on and all others off; if just these are on, switches them off.
+/// Switches these mistakes on and all others off; if exactly these are on, switches them off.
 void switch_mistakes(Scene& scene, const MistakeSet& mistakes);
 
-/// Applies the experiment to the scene and picks the pixel that tells, as one step to undo. A notification
-/// says if it cannot be applied.
+/// Applies the experiment to the scene and picks the decisive pixel, as one undo step. A notification reports
+/// if it cannot be applied.
 void try_experiment(UiState& state, const Experiment& experiment);
-/// The experiment of the answer, where the scene is as it was asked about and does not show it yet; null:
+/// The experiment of the answer, if the scene is still the diagnosed one and does not show it yet; null:
 /// none.
 [[nodiscard]] const Experiment* offered_experiment(const UiState& state);
 /// The experiment that the open scene shows now; null: none.
 [[nodiscard]] const Experiment* shown_experiment(const UiState& state);
 
-/// The tab that lists what was found. Resting on a candidate shows the scene under it, a click keeps it.
+/// The tab that lists the findings. Hovering over a candidate previews the scene under it, a click switches
+/// it on.
 void my_picture_tab(UiState& state, const PictureView& view);
 
-/// The picked pixel: in the user's picture, as it should be, and as the chosen candidate makes it.
+/// The picked pixel: in the user's picture, as it should be, and under the chosen candidate.
 struct PixelOfMine {
     glm::ivec2 place{0};  // in the picture
-    Rgb mine{};           // with what happened at the display taken away
+    Rgb mine{};           // with display mistakes removed
     Explanation right;
     std::optional<Explanation> mistaken;  // nothing without a candidate
 };
-/// Returns nothing if there is no picture, no pixel is picked, or the picture does not reach there.
+/// Returns nothing if there is no picture, no pixel is picked, or the picture does not cover the pixel.
 [[nodiscard]] std::optional<PixelOfMine> pixel_of_mine(UiState& state);
 /// Draws it into the equation tab, term by term; nothing without a picture.
 void my_pixel(UiState& state);
 
-/// Draws a colour with its bytes, and what it is.
+/// Draws a colour with its bytes and a label.
 void colour_line(const char* what, Rgb colour);
 
 }  // namespace glint

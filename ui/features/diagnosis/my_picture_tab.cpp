@@ -1,4 +1,4 @@
-// The tab "My picture": what is wrong in the picture that was brought.
+// The tab "My picture": what is wrong in the user's picture.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -23,7 +23,8 @@
 namespace glint {
 namespace {
 
-constexpr float shown_share = 0.5f;  // of a small picture's pixels, in logical ones: sharp on fine displays
+constexpr float shown_share = 0.5f;  // of a thumbnail's pixels, in logical ones: sharp on high-resolution
+                                     // displays
 
 std::string what_is_done(const MistakeSet& mistakes) {
     std::string text;
@@ -37,11 +38,11 @@ bool are_on(const Scene& scene, const MistakeSet& mistakes) {
     return under_mistakes(scene, mistakes).shading.mistakes == scene.shading.mistakes;
 }
 
-/// Resting on the item drawn last shows the scene under the mistakes, a click on it switches them.
+/// Hovering over the item drawn last previews the scene under the mistakes, a click switches them.
 void offer(UiState& state, const MistakeSet& mistakes, bool clicked) {
     const bool pointed = is_pointed_at();
     const std::string title = title_of(mistakes);
-    tooltip(title.c_str(), what_is_done(mistakes).c_str(), "Rest here to see it, click to switch it",
+    tooltip(title.c_str(), what_is_done(mistakes).c_str(), "Hover to preview it, click to switch it",
             fmt::format("/shading/mistakes/{}", mistake_names()[mistakes.front()].name));
     Scene& scene = state.editor.scene();
     if (clicked) switch_mistakes(scene, mistakes);
@@ -61,10 +62,10 @@ void heading(UiState& state) {
     ImGui::PopClipRect();
     ImGui::SameLine(end);
     if (icon_button("##away", Icon::Close)) put_picture_away(state);
-    tooltip("Put my picture away", "The comparison is then what it was before");
+    tooltip("Close my picture", "Restores the previous comparison");
 }
 
-/// How far the diagnosis has come, with the way to end it; or the offer to begin it again.
+/// The progress of the diagnosis, with a button to cancel it; or a button to start it again.
 void progress(MyPictureState& mine) {
     if (mine.current) return;
     const LoadProgress* now = mine.job ? &mine.job->progress() : nullptr;
@@ -81,14 +82,15 @@ void progress(MyPictureState& mine) {
             cancel_diagnosis(mine);
     }
     tooltip(mine.settled ? "Look for the mistake" : "Cancel the search",
-            "The picture stays beside the scene while nothing is searched");
+            "The picture stays next to the scene while nothing is searched");
     small_dim(mine.settled
                   ? "The search for the mistake is stopped."
-                  : "The scene is drawn right and under every mistake, and held against the picture.");
+                  : "The scene is drawn correctly and under every mistake, and compared with the picture.");
     if (mine.answer) small_dim("Below is what the previous search found.");
 }
 
-/// The answer in large letters, and what was taken away; in whole sentences where no mistake explains it.
+/// The answer in large letters, and the removed display mistakes; full sentences if no mistake explains the
+/// picture.
 void verdict(const Diagnosis& d, const Scene& scene) {
     std::string word(verdict_text(d.verdict));
     word[0] = static_cast<char>(word[0] - 'a' + 'A');
@@ -101,7 +103,7 @@ void verdict(const Diagnosis& d, const Scene& scene) {
     ImGui::PopFont();
     if (d.verdict != Verdict::Mistake) {
         std::string text = diagnosis_text(d, scene);
-        text.erase(0, text.find(": ") + 2);  // the verdict, which stands above
+        text.erase(0, text.find(": ") + 2);  // the verdict, which is shown above
         text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
         text.pop_back();  // the end of its last line
         return wrapped_dim(text);
@@ -112,14 +114,14 @@ void verdict(const Diagnosis& d, const Scene& scene) {
     ImGui::Dummy({0, px(2)});
 }
 
-/// Where no single mistake explains the picture, two at once may.
+/// If no single mistake explains the picture, two at once may.
 void offer_pairs(MyPictureState& mine) {
     if (!why_no_pairs(mine).empty()) return;
     if (ImGui::Button("Look for two at once")) ask_for_pairs(mine);
-    tooltip("Look for two mistakes at once", "Every two of the catalogue are tried: a second or two");
+    tooltip("Look for two mistakes at once", "Tries all pairs of the catalogue, which takes a second or two");
 }
 
-/// Draws a candidate's small picture and its words, in rows as high as they need.
+/// Draws a candidate's thumbnail and text, in rows as high as they need.
 void candidate_row(UiState& state, const Candidate& candidate, std::size_t index) {
     MyPictureState& mine = state.get<MyPictureState>();
     const PictureSize cell = mine.sheet.cell;
@@ -172,7 +174,7 @@ void candidates(UiState& state) {
     colour_line(title_of(c.mistakes).c_str(), c.as_mistaken);
 }
 
-/// The change of the scene that parts the candidates, and what each shows then.
+/// The change of the scene that distinguishes the candidates, and what each shows then.
 void experiment(UiState& state) {
     const Experiment* shown = shown_experiment(state);
     const Experiment* e = shown != nullptr ? shown : offered_experiment(state);
@@ -185,10 +187,9 @@ void experiment(UiState& state) {
     if (shown == nullptr) {
         if (ImGui::Button("Change the scene this way")) try_experiment(state, *e);
         tooltip("Change the scene this way",
-                "Changes the scene in one step, which undo takes back, and picks the pixel that tells the "
-                "mistakes apart");
+                "Changes the scene in one undo step and picks the pixel that distinguishes the mistakes");
     } else {
-        small_dim(fmt::format("The scene has this change ({} undoes it). Draw it with your program, too.",
+        small_dim(fmt::format("The scene has this change ({} undoes it). Draw it with your program too.",
                               keys_of(CommandId::Undo)));
     }
     small_dim(fmt::format("Pixel {}, {} of a picture of {}×{} then has:", e->pixel.x, e->pixel.y,
@@ -207,7 +208,7 @@ void nothing_brought(UiState& state) {
     const std::string again =
         whole_label(fmt::format("Compare {} again", std::filesystem::path(path).filename().string()));
     if (ImGui::Button(again.c_str())) bring_picture(state, path);
-    tooltip(again.c_str(), "The picture that was compared last");
+    tooltip(again.c_str(), "The last compared picture");
 }
 
 }  // namespace
@@ -240,7 +241,7 @@ void my_picture_tab(UiState& state, const PictureView&) {
         return nothing_brought(state);
     }
     heading(state);
-    if (!mine.shown) return;  // it was put away
+    if (!mine.shown) return;  // it was closed
     progress(mine);
     if (!mine.answer) return;
     verdict(mine.answer->diagnosis, state.editor.scene());

@@ -1,5 +1,5 @@
-// The picked pixel in the picture that was brought, beside what is right there and what the chosen mistake
-// makes of it, term by term.
+// The picked pixel in the user's picture, the correct pixel, and the pixel under the chosen mistake, term by
+// term.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -20,8 +20,8 @@
 namespace glint {
 namespace {
 
-/// The pixel as the scene under these mistakes shows it. A mistake may change which face shows there, so the
-/// scene is drawn.
+/// The pixel as the scene under these mistakes shows it. A mistake may change the visible face, so the scene
+/// is drawn.
 Explanation explained_under(UiState& state, std::unique_ptr<Renderer>& renderer, const MistakeSet& mistakes,
                             glm::ivec2 pixel) {
     if (!renderer) renderer = std::make_unique<Renderer>(state.threads);
@@ -42,7 +42,7 @@ struct TermRow {
     float right = 0, mistaken = 0;
 };
 
-/// The sums of terms, then the terms of single lights that differ.
+/// The sums of terms, then the differing terms of single lights.
 std::vector<TermRow> term_rows(const Explanation& right, const Explanation& mistaken, int channel) {
     const TermSums a = term_sums(right), b = term_sums(mistaken);
     std::vector<TermRow> rows{{Symbol::Emission, "e  emission", a.emission[channel], b.emission[channel]},
@@ -68,7 +68,7 @@ void number_cell(float value, const ImVec4& colour) {
     ImGui::PopStyleColor();
 }
 
-/// Rows of what differs stand out.
+/// Highlights differing rows.
 void term_table(const UiState& state, const Explanation& right, const Explanation& mistaken) {
     constexpr std::array channels{"red", "green", "blue"};
     const int channel = state.get<InspectorState>().channel;
@@ -100,7 +100,7 @@ void term_table(const UiState& state, const Explanation& right, const Explanatio
     ImGui::EndTable();
 }
 
-/// The candidate that was chosen; null: there is none.
+/// The chosen candidate; null: none.
 const Candidate* chosen_candidate(const MyPictureState& mine) {
     if (!mine.answer || mine.answer->diagnosis.candidates.empty()) return nullptr;
     const auto& all = mine.answer->diagnosis.candidates;
@@ -134,7 +134,7 @@ void my_pixel(UiState& state) {
     if (!state.get<MyPictureState>().shown) return;
     section_heading("In my picture");
     const std::optional<PixelOfMine> pixel = pixel_of_mine(state);
-    if (!pixel) return wrapped_dim("My picture does not reach this pixel.");
+    if (!pixel) return wrapped_dim("My picture does not cover this pixel.");
     if (shown_experiment(state) != nullptr)
         small_dim("It shows the scene before the experiment.");
     else

@@ -23,7 +23,7 @@ namespace {
 constexpr int max_frames = 2000;
 constexpr int numbers_listed = 7;
 
-/// The pointers of the numbers that have an effect and match what was typed, best first.
+/// The pointers of the numbers that have an effect and match the search, best first.
 std::vector<std::string> matching(const Scene& scene, const std::string& text) {
     const std::vector<SceneNumber> numbers = numbers_of(scene);
     std::vector<std::pair<int, std::size_t>> ranked;
@@ -41,14 +41,14 @@ std::vector<std::string> matching(const Scene& scene, const std::string& text) {
     return found;
 }
 
-/// The other end of an interval to begin with: twice the number, or half of it where that is too much.
+/// The initial other end of an interval: twice the number, or half of it if that is too much.
 double other_end(const SceneNumber& number) {
     const double twice = number.value == 0 ? 1 : 2 * number.value;
     const double far = number.kind.range.contains(twice) ? twice : number.value / 2;
     return number.count ? number.count->nearest(far) : far;
 }
 
-/// As matching(): of thousands of objects it takes longer than a frame has.
+/// As matching(), cached: with thousands of objects it takes longer than a frame.
 const std::vector<std::string>& found_numbers(AnimateState& animate, const Scene& scene) {
     if (animate.searched != animate.search) animate.found.forget();
     animate.searched = animate.search;
@@ -58,7 +58,7 @@ const std::vector<std::string>& found_numbers(AnimateState& animate, const Scene
     return *animate.found.value();
 }
 
-/// A row of the list; it is taken by a click, or when it is `entered`.
+/// A row of the list; chosen by a click, or when `entered`.
 void offer_number(AnimateState& animate, const Scene& scene, const SceneNumber& number, bool entered) {
     Animation& animation = animate.animation;
     const std::string words = number_words(scene, number);
@@ -80,12 +80,12 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered = text_field("##search", "a part of its name: roughness …", animate.search,
                                     ImGuiInputTextFlags_EnterReturnsTrue);
-    tooltip("Number", "What goes to and fro; Enter takes the first");
+    tooltip("Number", "The number to animate; Enter takes the first match");
     const std::vector<std::string>& found = found_numbers(animate, scene);
     if (found.empty() && !animate.search.empty())
         wrapped_dim(fmt::format("No number of the scene is called “{}”", shortened(animate.search)));
     for (const std::string& pointer : found)
-        if (const auto number = number_at(scene, pointer))  // while the mouse drags, it may have gone
+        if (const auto number = number_at(scene, pointer))  // it may have disappeared during a drag
             offer_number(animate, scene, *number, entered && &pointer == &found.front());
     const std::optional<SceneNumber> number = number_at(scene, animation.pointer);
     if (!number) return;
@@ -112,12 +112,12 @@ void write_buttons(UiState& state) {
     ImGui::BeginDisabled(!possible);
     const char* const play = animate.playing ? "Stop" : "Play";
     if (ImGui::Button(play, {px(90), 0})) switch_playing(state);
-    tooltip(play, "The scene stays as it is: only the picture shows what moves", "", "Enter");
+    tooltip(play, "The scene stays as it is: only the picture is animated", "", "Enter");
     ImGui::SameLine();
     if (ImGui::Button("Write frames…", {px(130), 0})) ask_for_frames(state);
     tooltip("Write frames",
-            "As one file (NAME.gif, NAME.webp) or one file a frame (NAME-0001.png). "
-            "A GIF mixes 256 colours by dithering; WebP and PNG keep every colour",
+            "One file (NAME.gif, NAME.webp) or one file per frame (NAME-0001.png). A GIF mixes 256 colours "
+            "by dithering; WebP and PNG keep every colour",
             "At the size and samples of Export picture");
     ImGui::EndDisabled();
 }
@@ -133,7 +133,7 @@ void animate_panel(UiState& state) {
     ImGui::SetNextWindowSize({std::min(px(400), window.x - px(20)), 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
-    // While frames are written it stays: it says how far they have come.
+    // While frames are written it stays open and shows the progress.
     if (ImGui::Begin("Animate", animate.job ? nullptr : &animate.open,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_AlwaysAutoResize)) {
@@ -143,7 +143,7 @@ void animate_panel(UiState& state) {
         if (animate.animation.motion == Motion::PingPong) choose_number(animate, state.editor.scene());
         if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
         (void)integer_field("Frames", animate.animation.frames, Count{1, max_frames}, 48,
-                            {"Frames of one period; then it begins again", ""});
+                            {"Frames of one period; then it repeats", ""});
         (void)integer_field("Speed", animate.frames_a_second, Count{1, 50}, 25, {"Frames a second", ""});
         if (!(animate.animation == before)) animate.refused.clear();
         if (!animate.refused.empty()) {

@@ -26,7 +26,8 @@
 namespace glint {
 namespace {
 
-/// After lights or objects went, were renamed or came with another scene, the pointer may lead to another.
+/// After lights or objects were deleted, renamed or replaced with the scene, the pointer may lead to a
+/// different number.
 void forget_number_that_is_gone(UiState& state) {
     AnimateState& animate = state.get<AnimateState>();
     if (animate.animation.pointer.empty()) return;
@@ -38,10 +39,10 @@ void forget_number_that_is_gone(UiState& state) {
     forget_number(state);
 }
 
-/// Says so where a number is to move and none is chosen.
+/// Reports it if a number is to be animated and none is chosen.
 bool refuses_no_number(AnimateState& animate) {
     if (animate.animation.motion != Motion::PingPong || !animate.animation.pointer.empty()) return false;
-    animate.refused = "No number is chosen: click one of the list";
+    animate.refused = "No number is chosen: click one in the list";
     return true;
 }
 
@@ -59,7 +60,7 @@ Scene turned(Scene scene, double angle) {
     return scene;
 }
 
-/// The scene with the number at that value; the meshes that this changes are not made yet.
+/// The scene with the number set to that value; changed meshes are not made yet.
 Result<Scene> with_number(Scene scene, const std::string& pointer, double value) {
     const std::optional<SceneNumber> number = number_at(scene, pointer);
     const bool is_count = number && number->count;
@@ -68,8 +69,7 @@ Result<Scene> with_number(Scene scene, const std::string& pointer, double value)
     return scene;
 }
 
-/// Whether this frame, or the animation's end that is farther from here, needs a mesh that takes long to
-/// make.
+/// Whether this frame, or the animation's farther end, needs a mesh that takes long to make.
 bool is_held_up(const SceneDocument& document, const Animation& animation, int frame) {
     const auto of_object = item_in(animation.pointer, "/objects/");
     if (animation.motion != Motion::PingPong || !of_object || !is_within(of_object->rest, "/mesh"))
@@ -114,7 +114,7 @@ bool animate_by_key(UiState& state, KeyPress press) {
 
 void ask_for_frames(UiState& state) {
     if (refuses_no_number(state.get<AnimateState>())) {
-        state.get<AnimateState>().open = true;  // it says why
+        state.get<AnimateState>().open = true;  // it shows why
         return;
     }
     state.files.ask(frames_purpose, offered_name(state, ".gif"));
@@ -150,9 +150,9 @@ void poll_animation(UiState& state) {
     const SceneDocument document = document_as_made(state);
     if (is_held_up(document, animate.animation, static_cast<int>(frame))) {
         animate.playing = false;
-        return state.notifications.add(
-            Tone::Warning,
-            "Animate: such meshes take too long to be played; Write frames… makes them beside the window");
+        return state.notifications.add(Tone::Warning,
+                                       "Animate: making such meshes takes too long to play them; Write "
+                                       "frames… makes them in the background");
     }
     Result<Scene> scene = scene_at(document, animate.animation, static_cast<int>(frame));
     if (const Problem* problem = problem_of(scene)) {
@@ -187,7 +187,7 @@ namespace {
 
 void switch_animate(UiState& state) {
     AnimateState& animate = state.get<AnimateState>();
-    animate.open = !animate.open || animate.job;  // it says how far what is written has come
+    animate.open = !animate.open || animate.job;  // it shows the progress of writing
     animate.playing &= animate.open;
 }
 
@@ -199,7 +199,7 @@ std::optional<OtherScene> show_frame(const UiState& state) {
                      .label = "Animated",
                      .note = "Animation",
                      .end = stop_animation};
-    // What a lesson plays goes on until a hand comes, which may want what moves there.
+    // A lesson's animation plays until a press, which may be meant for what moves there.
     if (!animate.open) shown.press = [](UiState& s) { s.get<AnimateState>().playing = false; };
     return shown;
 }
@@ -207,7 +207,7 @@ std::optional<OtherScene> show_frame(const UiState& state) {
 bool close_panel(UiState& state) {
     AnimateState& animate = state.get<AnimateState>();
     if (!animate.open) return false;
-    if (animate.job)  // what is being written does not go on unseen
+    if (animate.job)  // keep the progress of writing visible
         animate.job->cancel();
     else
         animate.open = animate.playing = false;
@@ -216,7 +216,7 @@ bool close_panel(UiState& state) {
 
 std::vector<WindowCommand> animation_commands() {
     return {
-        {.name = "Animate: turntable, numbers to and fro…",
+        {.name = "Animate: turntable, numbers back and forth…",
          .keys = {{Key::T, ctrl}},
          .section = Section::LectureAnimate,
          .run = switch_animate,

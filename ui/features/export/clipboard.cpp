@@ -35,7 +35,7 @@ bool in_path(const std::string& program) {
     return false;
 }
 
-/// A file in memory with these bytes, read from its beginning; -1 when there is no room.
+/// A file in memory with these bytes, positioned at its beginning; -1 if there is no memory.
 int file_of(const std::string& bytes) {
     const int file = ::memfd_create("glint-picture", MFD_CLOEXEC);
     if (file < 0) return -1;
@@ -51,7 +51,7 @@ int file_of(const std::string& bytes) {
     return file;
 }
 
-/// The exit status of the tool, fed with `input`; -1 when it did not run.
+/// The exit status of the tool with `input` as its standard input; -1 if it did not run.
 int run_tool(const std::vector<std::string>& command, int input) {
     std::vector<char*> words;
     words.reserve(command.size() + 1);
@@ -60,7 +60,7 @@ int run_tool(const std::vector<std::string>& command, int input) {
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-    // The tool stays behind to serve the clipboard: it must not hold our terminal or pipe open.
+    // The tool keeps running to serve the clipboard: it must not keep our terminal or pipe open.
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     pid_t child = 0;
@@ -71,7 +71,7 @@ int run_tool(const std::vector<std::string>& command, int input) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// Whether `b` has all keys of `a`: a missing key stands for its default, which is not known here.
+/// Whether `b` has all keys of `a`: a missing key means its default, which is unknown here.
 bool has_keys_of(const Json& b, const Json& a) {
     return std::all_of(members_of(a).begin(), members_of(a).end(),
                        [&b](const auto& member) { return find_member(b, member.first) != nullptr; });
@@ -80,7 +80,7 @@ bool has_keys_of(const Json& b, const Json& a) {
 /// Appends " --set POINTER=JSON" for each smallest part in which `b` differs from `a`.
 void append_sets(std::string& command, const Json& a, const Json& b, const std::string& pointer) {
     if (a == b) return;
-    // A mesh or a projection of another kind has other keys, and is set whole.
+    // A mesh or a projection of another kind has other keys, and is set as a whole.
     const bool members = a.is_object() && b.is_object() && has_keys_of(b, a);
     const bool items = !elements_of(b).empty() && elements_of(a).size() == elements_of(b).size() &&
                        elements_of(b)[0].is_object();
@@ -96,7 +96,7 @@ void append_sets(std::string& command, const Json& a, const Json& b, const std::
     }
 }
 
-/// Names a file as seen from the working directory: relative where it lies below it.
+/// A file name relative to the working directory if it is below it, else absolute.
 std::string named_from_here(const std::string& path) {
     std::error_code failed;
     const fs::path whole = fs::absolute(path, failed);
@@ -136,7 +136,7 @@ Result<std::monostate> copy_png(const std::string& bytes) {
     if (input < 0) return Problem{command[0], "", "there is not enough memory for the picture", ""};
     const int status = run_tool(command, input);
     ::close(input);
-    if (status != 0) return Problem{command[0], "", "did not take the picture", "a clipboard to put it on"};
+    if (status != 0) return Problem{command[0], "", "did not take the picture", "a clipboard tool"};
     return std::monostate{};
 }
 
@@ -154,7 +154,8 @@ std::string file_word(const std::string& path) {
 
 namespace {
 
-/// "glint VERB FILE --set … --size WxH": the beginning of a command about what a picture of that size shows.
+/// "glint VERB FILE --set … --size WxH": the beginning of a command about a picture of that size of the shown
+/// scene.
 std::string command_of_shown(const char* verb, const SceneDocument& document, const Scene& in_file,
                              PictureSize size) {
     std::error_code failed;
@@ -172,8 +173,8 @@ std::string command_of_shown(const char* verb, const SceneDocument& document, co
         shown = with_absolute_meshes(document.scene, document.mesh_dir);
         command = fmt::format(R"(echo '{{"glint": 1}}' | glint {} -)", verb);
     }
-    // `about` is left out: it is text about a scene and draws nothing. Projections are compared as fitted():
-    // the window shows them so, and so does a picture that it wrote.
+    // `about` is left out: it is text about a scene and draws nothing. Projections are compared as fitted(),
+    // which is how the window shows and writes them.
     base.about = shown.about = {};
     shown.camera.projection = fitted(shown.camera.projection, {size.width, size.height, true});
     if (document.fitted_to) base.camera.projection = fitted(base.camera.projection, *document.fitted_to);

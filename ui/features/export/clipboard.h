@@ -1,6 +1,6 @@
 #pragma once
-// Copies pictures and commands out of the window. GLFW's clipboard holds text only, so a tool of the desktop
-// takes the pictures.
+// Copies pictures and commands to the clipboard. GLFW's clipboard supports text only, so a desktop tool
+// handles pictures.
 
 #include <glm/vec2.hpp>
 #include <string>
@@ -12,23 +12,23 @@
 namespace glint {
 
 /// The program and its arguments that put a PNG from standard input on the clipboard: `wl-copy` under
-/// Wayland, `xclip` under X11, where $PATH has it. Empty when there is none.
+/// Wayland, `xclip` under X11, if $PATH has it. Empty if there is none.
 [[nodiscard]] std::vector<std::string> clipboard_command();
 
-/// Why there is none, for the one who wants it; empty when there is one.
+/// Why there is none, as text for the user; empty if there is one.
 [[nodiscard]] std::string clipboard_disabled_reason();
 
-/// Puts PNG bytes on the clipboard and waits until the tool has taken them. Not for the window's thread.
+/// Puts PNG bytes on the clipboard and waits until the tool has read them. Not for the window's thread.
 [[nodiscard]] Result<std::monostate> copy_png(const std::string& bytes);
 
-/// The text as one word of a POSIX shell: as it is when that is safe, else in single quotes.
+/// The text as one word of a POSIX shell: unchanged if that is safe, else in single quotes.
 [[nodiscard]] std::string shell_word(const std::string& text);
 /// A path as a word that is not an option: "./-a.json".
 [[nodiscard]] std::string file_word(const std::string& path);
 
-/// `glint render FILE --set … --size WxH -o OUT` for a POSIX shell in the working directory: what differs
-/// from the file stands in --set. `in_file`: the scene as the document's file has it. A document without a
-/// file, or whose file is gone, is set whole on an empty scene from standard input. `samples`: 1, 2, 4 or 8.
+/// `glint render FILE --set … --size WxH -o OUT` for a POSIX shell in the working directory: differences from
+/// the file are passed by --set. `in_file`: the scene in the document's file. A document without a file, or
+/// with a deleted one, is set completely on an empty scene from standard input. `samples`: 1, 2, 4 or 8.
 [[nodiscard]] std::string render_command_text(const SceneDocument& document, const Scene& in_file,
                                               PictureSize size, int samples, const std::string& out);
 /// `glint profile FILE --set … --size WxH --from X,Y --to X,Y`, as above. `from`, `to`: pixels of that

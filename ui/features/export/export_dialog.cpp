@@ -34,7 +34,7 @@ constexpr std::array sizes{NamedSize{"HD", {1280, 720}}, NamedSize{"Full HD", {1
                            NamedSize{"4K", {3840, 2160}}, NamedSize{"Square", {1024, 1024}}};
 constexpr std::array<int, 4> samples{1, 2, 4, 8};
 
-/// All of `text`, but for spaces around it, as a side of a picture.
+/// Parses `text`, except surrounding spaces, as a side of a picture.
 std::optional<int> side_in(std::string_view text) {
     while (text.starts_with(' ')) text.remove_prefix(1);
     while (text.ends_with(' ')) text.remove_suffix(1);
@@ -67,7 +67,7 @@ void size_rows(UiState& state, ExportOptions& options) {
         list_control(named.name, "", last_item());
     }
     const Help help{"Size of the picture, in pixels; 800x600 sets both", ""};
-    (void)take_refused_text();  // of another field
+    (void)take_refused_text();  // from another field
     (void)integer_field("Width", options.size.width, Count{1, max_picture_side}, 1920, help);
     (void)integer_field("Height", options.size.height, Count{1, max_picture_side}, 1080, help);
     if (const std::optional<PictureSize> both = size_in(take_refused_text())) {
@@ -76,7 +76,7 @@ void size_rows(UiState& state, ExportOptions& options) {
     }
 }
 
-/// Whether the key answers the dialog: while a number is typed, it is the field's.
+/// Whether the key answers the dialog: while a number is typed, it belongs to the field.
 bool answers(const UiInput& input, Key key) {
     const auto is_key = [key](const KeyPress& press) { return press == KeyPress{key}; };
     return enter_answers(std::any_of(input.presses.begin(), input.presses.end(), is_key)) &&
@@ -90,7 +90,7 @@ void sample_row(ExportOptions& options, const UiInput& input) {
     const auto at = std::find(samples.begin(), samples.end(), options.samples) - samples.begin();
     label_cell("Samples");
     int chosen = segments("##samples", static_cast<int>(at), choices,
-                          {"More make the edges smooth; inside a face nothing changes", ""});
+                          {"More samples smooth the edges; the inside of a face does not change", ""});
     if (answers(input, Key::Left)) --chosen;
     if (answers(input, Key::Right)) ++chosen;
     options.samples = samples[static_cast<std::size_t>(std::clamp(chosen, 0, int(samples.size()) - 1))];
@@ -105,9 +105,8 @@ void export_buttons(UiState& state, const UiInput& input) {
         save_with_command(state, exporting.options);
     }
     ImGui::EndDisabled();
-    tooltip(
-        "Save here and copy its command",
-        "Into a new file of the working directory; the command line that writes it goes onto the clipboard");
+    tooltip("Save here and copy its command",
+            "Saves to a new file in the working directory and copies the command line that writes it");
     if (ImGui::Button("Choose a name…", {px(150), 0}) || answers(input, Key::Enter)) {
         exporting.open = false;
         ask_for_picture(state, export_purpose);
@@ -139,7 +138,7 @@ void export_dialog(UiState& state, const UiInput& input) {
     size_rows(state, exporting.options);
     sample_row(exporting.options, input);
     ImGui::Dummy({0, px(4)});
-    dim_text(".png carries its scene; .pfm and .exr hold linear float numbers");
+    dim_text(".png embeds its scene; .pfm and .exr store linear float numbers");
     if (const std::string warning = file_warning(notes_of_shown(state)); !warning.empty())
         warning_text(warning);
     ImGui::Dummy({0, px(4)});

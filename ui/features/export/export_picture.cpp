@@ -23,13 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double seconds_a_look = 0.1;  // between looks whether it is done
+constexpr double seconds_a_look = 0.1;  // between checks whether it is done
 
-/// The open document with the scene that the picture shows, as it shows it.
+/// The open document with the scene in the picture.
 SceneDocument shown_document(const UiState& state) {
     SceneDocument document = state.editor.document;
     document.scene = as_made(state, shown_scene(state));
-    // Nothing else in the file tells that it is not the whole scene.
+    // Nothing else in the file indicates that the scene is incomplete.
     if (const auto& other = state.on_screen.resting; other && other->is_partial) {
         std::string& about = document.scene.about;
         about = about.empty() ? other->note : other->note + ". " + about;
@@ -37,7 +37,8 @@ SceneDocument shown_document(const UiState& state) {
     return document;
 }
 
-/// Draws the shown scene aside into a picture file for `path`, whose bytes `deliver` puts where they go.
+/// Draws the shown scene in the background into a picture file for `path`, whose bytes are passed to
+/// `deliver`.
 void begin_picture(UiState& state, const ExportOptions& options, const std::string& path,
                    const std::function<Result<Notification>(const std::string& bytes)>& deliver) {
     const int threads = state.renderer->stats().threads;
@@ -89,7 +90,7 @@ Result<std::string> picture_file(const SceneDocument& document, const ExportOpti
 
 const FilePurpose save_picture_purpose{.title = "Save the picture",
                                        .button = "Save",
-                                       .hint = "Picture (.png), which carries its scene",
+                                       .hint = "Picture (.png) with its scene embedded",
                                        .extensions = {".png"},
                                        .saves = true,
                                        .use = [](UiState& s, const std::string& path) {
@@ -99,7 +100,7 @@ const FilePurpose save_picture_purpose{.title = "Save the picture",
 const FilePurpose export_purpose{
     .title = "Export the picture",
     .button = "Export",
-    .hint = "Picture: .png (carries its scene), .pfm, .exr (linear float)",
+    .hint = "Picture: .png (with its scene), .pfm, .exr (linear float)",
     .extensions = {".png", ".pfm", ".exr"},
     .saves = true,
     .use = [](UiState& s, const std::string& path) { begin_export(s, s.get<ExportState>().options, path); }};
@@ -113,7 +114,7 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
     const std::string name = fs::path(path).filename().string();
     if (const auto problem = why_not_writable(path)) return state.notifications.add(*problem);
     state.get<ExportState>().last = {options, name, state.editor.document.path};
-    std::error_code failed;  // a folder that is gone is told of when it is written to
+    std::error_code failed;  // a missing folder is reported on writing
     const std::string folder = fs::absolute(path, failed).lexically_normal().parent_path().string();
     begin_picture(state, options, path,
                   [path, name, folder, options,
@@ -121,14 +122,14 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
                       const auto written = write_file_at_once(path, bytes);
                       if (const Problem* problem = problem_of(written)) return *problem;
                       return file_message(
-                          fmt::format("Saved {} in {} ({} × {}, {} {} a pixel)", name, folder,
+                          fmt::format("Saved {} in {} ({} × {}, {} {} per pixel)", name, folder,
                                       options.size.width, options.size.height, options.samples,
                                       options.samples == 1 ? "sample" : "samples"),
                           notes);
                   });
 }
 
-/// What is copied, in words: not what is composed in the place of the scene's picture.
+/// The name of the copied picture: not of something composed in its place.
 static const char* copied_words(const UiState& state) {
     return is_composed(state) ? "the scene's own picture" : "this picture";
 }
@@ -153,7 +154,7 @@ void copy_render_command(UiState& state, const ExportOptions& options, const std
     });
     ImGui::SetClipboardText(command.c_str());
     state.notifications.add(
-        Tone::Done, fmt::format("The command that draws {} is on the clipboard: {} × {}, {} {} a pixel, {}",
+        Tone::Done, fmt::format("The command that draws {} is on the clipboard: {} × {}, {} {} per pixel, {}",
                                 copied_words(state), options.size.width, options.size.height, options.samples,
                                 options.samples == 1 ? "sample" : "samples", name));
 }

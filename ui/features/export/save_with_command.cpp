@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name in the working directory that no file has: "scene.png", "scene-2.png".
+/// An unused file name in the working directory: "scene.png", "scene-2.png".
 std::string free_name(const UiState& state) {
     const fs::path offered = fs::path(offered_name(state, ".png")).filename();
     std::error_code failed;

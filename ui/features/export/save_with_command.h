@@ -5,9 +5,9 @@
 
 namespace glint {
 
-/// Draws the picture into a new file of the working directory and puts the command for it onto the clipboard.
+/// Draws the picture into a new file of the working directory and copies the command for it to the clipboard.
 void save_with_command(UiState& state, const ExportOptions& options);
-/// Does so with the options of the scene's last export, or for the picture as it is shown if there was none.
+/// Does so with the options of the scene's last export, or for the shown picture if there was none.
 /// Precondition: the picture is drawn.
 void save_with_command(UiState& state);
 

@@ -1,4 +1,4 @@
-// Frames of an animation as files.
+// Writes the frames of an animation to files.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -24,12 +24,12 @@ struct FrameJob {
     SceneDocument document;
     Animation animation;
     std::string path;
-    std::optional<AnimationFormat> format;  // none: each frame is a PNG of its own
+    std::optional<AnimationFormat> format;  // none: each frame is its own PNG
     PictureSize size;
     int samples = 1, frames_a_second = 25, threads = 0;
 };
 
-/// Calls `take` with each frame's scene and picture; stops at the first problem, or when it is cancelled.
+/// Calls `take` with each frame's scene and picture; stops at the first problem, or when cancelled.
 template <class Take>
 std::optional<Problem> for_each_frame(const FrameJob& job, LoadProgress& progress, Take take) {
     Renderer renderer(job.threads);
@@ -86,7 +86,7 @@ Result<std::string> write_animation(const FrameJob& job, LoadProgress& progress)
                        job.animation.frames);
 }
 
-/// Why one of the files to be written cannot be, the first of them; nothing where all can.
+/// Why one of the output files cannot be written, the first of them; nothing if all can.
 std::optional<Problem> why_not_all_writable(const FrameJob& job) {
     if (job.format) return why_not_writable(job.path);
     for (int frame = 0; frame < job.animation.frames; ++frame)
@@ -94,10 +94,10 @@ std::optional<Problem> why_not_all_writable(const FrameJob& job) {
     return {};
 }
 
-/// Whether each frame gets a file of its own.
+/// Whether each frame gets its own file.
 bool writes_many(const std::string& path) { return !animation_format(path); }
 
-/// Whether a file is there that one of the frames would replace.
+/// Whether one of the frames would replace an existing file.
 bool has_frames(const std::string& path) {
     const fs::path file(path), folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     std::error_code failed;
@@ -116,7 +116,7 @@ bool has_frames(const std::string& path) {
 
 const FilePurpose frames_purpose{.title = "Write frames",
                                  .button = "Write",
-                                 .hint = "One file (.gif .webp), or one a frame: NAME-0001.png …",
+                                 .hint = "One file (.gif .webp), or one per frame: NAME-0001.png …",
                                  .extensions = {".gif", ".webp", ".png"},
                                  .saves = true,
                                  .writes_many = writes_many,
@@ -141,11 +141,11 @@ void begin_frames(UiState& state, const std::string& path, PictureSize size, int
                        samples,
                        animate.frames_a_second,
                        state.renderer->stats().threads};
-    // Drawing takes long, and replaces frames that were there: what can be told before it is told now.
+    // Drawing takes long and replaces existing frames, so problems are reported before it starts.
     if (const auto problem = why_not_all_writable(job)) return state.notifications.add(*problem);
     animate.playing = false;
     animate.frame.reset();
-    animate.open = true;  // it says how far they have come
+    animate.open = true;  // it shows the progress
     animate.job = state.jobs.start<Notification>(
         fs::path(path).filename().string(),
         [job, notes = notes_of_edited(state)](LoadProgress& progress) -> Result<Notification> {

@@ -22,7 +22,7 @@
 namespace glint {
 namespace {
 
-/// Returns the scene from where the target is seen, wherever its own camera stands.
+/// Returns the scene seen by the target's camera.
 Scene seen_as_target(const MatchState& match, Scene scene) {
     scene.camera = match.task.target.camera;
     return scene;
@@ -50,13 +50,13 @@ void ask_to_begin(UiState& state, std::uint64_t seed) {
     ask_first(state, [seed](UiState& s) { begin_match(s, seed); });
 }
 
-/// Another one than the last, so that the command played twice plays two.
+/// Different from the last, so that repeating the command starts another game.
 void new_match(UiState& state) {
     const MatchState& match = state.get<MatchState>();
     ask_to_begin(state, match.seed + (match.on ? 1 : 0));
 }
 
-/// Falls to the left while the hand comes closer.
+/// Shrinks to the left as the scene gets closer.
 void distance_bar(const MatchState& match) {
     const float share = match.first > 0 ? std::min(float(match.now / match.first), 1.0f) : 0;
     const ImVec2 low = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, px(8)};
@@ -85,7 +85,7 @@ void target_picture(const MatchState& match) {
 void hint(MatchState& match, const Scene& scene) {
     if (!match.shows_hint) {
         if (ImGui::Button("A hint")) match.shows_hint = true;
-        return tooltip("A hint", "Which term is off most");
+        return tooltip("A hint", "Which term differs most");
     }
     if (match.hint.empty())
         match.hint = match_hint(*match.renderer, seen_as_target(match, scene), match.task.target);
@@ -126,7 +126,7 @@ void end_match(UiState& state) {
     if (!match.on) return;
     match.on = false;
     CompareChoice& choice = state.get<CompareState>().choice;
-    if (has_target_as_b(match, choice)) {  // it goes with its game
+    if (has_target_as_b(match, choice)) {  // it ends with its game
         choice.stored = match.stored_before;
         choice.shows_stored = false;
     }
@@ -155,7 +155,7 @@ void match_column(UiState& state) {
     ImGui::PushFont(fonts().heading);
     ImGui::TextUnformatted("Match the target");
     ImGui::PopFont();
-    small_dim(fmt::format("Number {}: the same for everybody", match.seed));
+    small_dim(fmt::format("Number {}: the same for everyone", match.seed));
     target_picture(match);
     distance_bar(match);
     ImGui::Dummy({0, px(4)});
@@ -163,18 +163,18 @@ void match_column(UiState& state) {
         prose_line("✓ Matched.", theme().accent);
     else
         prose_line(
-            "Drag the light or its highlight, the highlight's rim for its size, Ctrl+Shift for how bright "
-            "it is, until the picture is this one.");
+            "Drag the light or its highlight, the highlight's rim for its size, Ctrl+Shift for its "
+            "brightness, until the picture matches this one.");
     hint(match, match.asked_of);
     ImGui::Dummy({0, px(4)});
     const CompareChoice& choice = state.get<CompareState>().choice;
     const bool beside =
         choice.on && has_target_as_b(match, choice) && choice.parts.back().kind == Variant::Kind::Stored;
-    if (chosen_button("Target beside it", beside)) show_beside(state, !beside);
-    tooltip("Target beside it", "Half of the picture is the target, behind a line to drag");
+    if (chosen_button("Target next to it", beside)) show_beside(state, !beside);
+    tooltip("Target next to it", "Half of the picture is the target, behind a draggable line");
     ImGui::SameLine(0, px(8));
     if (ImGui::Button("Begin again")) state.editor.scene() = match.task.start;
-    tooltip("Begin again", "As it was at first; undo brings yours back");
+    tooltip("Begin again", "The scene from the beginning; undo restores yours");
     const bool another = match.solved ? main_button("Another") : ImGui::Button("Another");
     tooltip("Another", "The next number: some are harder");
     if (another) ask_to_begin(state, match.seed + 1);

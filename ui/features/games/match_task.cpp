@@ -1,4 +1,4 @@
-// The scenes of *Match the target*, from a seed; and what is off.
+// The scenes of *Match the target*, from a seed, and hints about the difference.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-/// Numbers in [0, 1) that are the same everywhere. Source: Steele, Lea, Flood 2014, SplitMix64.
+/// Numbers in [0, 1) that are the same on every machine. Source: Steele, Lea, Flood 2014, SplitMix64.
 class Draws {
   public:
     explicit Draws(std::uint64_t seed) : state_(seed) {}
@@ -30,7 +30,7 @@ class Draws {
     std::uint64_t state_;
 };
 
-/// Towards a sun whose highlight the camera sees.
+/// Towards a sun whose highlight is visible.
 glm::vec3 draw_direction(Draws& draws) {
     return {draws.between(-1, 1), draws.between(0.05f, 1), draws.between(0.35f, 0.9f)};
 }
@@ -62,7 +62,7 @@ Scene drawn_scene(Draws& draws) {
     return scene;
 }
 
-/// A light, as a hand finds it again: far enough from where it was.
+/// Moves a light far enough that the player notices.
 void move_sun(MatchTask& task, Draws& draws) {
     constexpr float least_deg = 30;
     glm::vec3 way = task.start.lights[0].position;
@@ -86,7 +86,7 @@ void change_brightness(MatchTask& task, Draws& draws) {
     task.numbers.emplace_back("/lights/0/intensity");
 }
 
-/// How bright a picture of one term is, how many pixels are bright in it, and where they lie.
+/// The brightness of a picture of one term, the number of bright pixels in it, and their position.
 struct Blob {
     double sum = 0, bright = 0;
     glm::dvec2 middle{0};
@@ -118,16 +118,16 @@ Picture term_picture(Renderer& renderer, const Scene& scene, Symbol term) {
     return renderer.render(alone, match_size);
 }
 
-/// How `mine` is to `wanted`: elsewhere, too large, too small, too bright, too dark.
+/// Compares `mine` with `wanted`: elsewhere, too large, too small, too bright, too dark.
 std::string how(const Blob& mine, const Blob& wanted, const char* what, bool has_size) {
     constexpr double far = 5, larger = 1.25, brighter = 1.08;  // pixels of match_size; ratios
-    if (mine.bright == 0) return fmt::format("{} is not there", what);
+    if (mine.bright == 0) return fmt::format("{} is missing", what);
     if (glm::length(mine.middle - wanted.middle) > far) return fmt::format("{} lies elsewhere", what);
     if (has_size && mine.bright > larger * wanted.bright) return fmt::format("{} is too large", what);
     if (has_size && wanted.bright > larger * mine.bright) return fmt::format("{} is too small", what);
     if (mine.sum > brighter * wanted.sum) return fmt::format("{} is too bright", what);
     if (wanted.sum > brighter * mine.sum) return fmt::format("{} is too dark", what);
-    return fmt::format("{} lies a little elsewhere", what);
+    return fmt::format("{} is slightly misplaced", what);
 }
 
 }  // namespace
@@ -160,9 +160,9 @@ std::string match_hint(Renderer& renderer, const Scene& scene, const Scene& targ
                                Term{Symbol::Diffuse, "diffuse", "its light", false},
                                Term{Symbol::Specular, "specular", "its highlight", true}};
     if (scene.shading != target.shading)
-        return "The shading is not the target's: Begin again brings it back.";
+        return "The shading differs from the target's: Begin again restores it.";
     double most = 0;
-    std::string hint = "Nothing is off.";
+    std::string hint = "Nothing differs.";
     for (const Term& term : terms) {
         const Picture wanted = term_picture(renderer, target, term.symbol);
         const Picture mine = term_picture(renderer, scene, term.symbol);

@@ -22,7 +22,7 @@
 namespace glint {
 namespace {
 
-/// A picture as the sheet of questions on paper has it, twice as large for fine displays.
+/// A picture of the printed question sheet, twice as large for high-resolution displays.
 Result<QuizPage> page_of(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
                          const LessonStep& step, const Prediction& question) {
     QuizPage page;
@@ -71,7 +71,7 @@ std::string text_of(const QuizState& quiz, const QuizAnswers& answers) {
     return json_text(answers_json(quiz.pages->lesson, answers));
 }
 
-/// What is kept, as far as it fits these questions.
+/// The stored answers that fit these questions.
 std::optional<QuizAnswers> kept_answers(const UiState& state) {
     constexpr std::size_t longest_file = 1 << 16;
     const QuizState& quiz = state.get<QuizState>();
@@ -85,7 +85,7 @@ std::optional<QuizAnswers> kept_answers(const UiState& state) {
     return *answers;
 }
 
-/// What was answered in a window before; goes on at the first question that was not.
+/// Restores the answers of an earlier window and continues at the first unanswered question.
 void recall_answers(UiState& state) {
     QuizState& quiz = state.get<QuizState>();
     quiz.taken.assign(quiz.pages->pages.size(), {});
@@ -103,7 +103,7 @@ void keep_answers(UiState& state) {
     QuizState& quiz = state.get<QuizState>();
     const QuizAnswers now = answers_of(quiz);
     if (now == quiz.kept) return;
-    const char* const answers = "What is answered here";
+    const char* const answers = "Your answers";
     if (!can_keep(state, answers)) return;
     quiz.kept = now;
     const auto written = write_file_at_once(kept_file(state), text_of(quiz, now));
@@ -171,7 +171,8 @@ void last_page(UiState& state) {
     QuizState& quiz = state.get<QuizState>();
     prose_line(fmt::format("You answered {} of {} questions.", count_taken(quiz), quiz.taken.size()));
     prose_line(
-        "What is right is not shown here: the lessons explain it, and after them you are asked again.");
+        "The right answers are not shown here: the lessons explain them, and after the lessons you answer "
+        "again.");
     ImGui::Dummy({0, px(6)});
     if (ImGui::RadioButton("before the lessons", !quiz.after)) quiz.after = false;
     ImGui::SameLine(0, px(16));
@@ -180,7 +181,7 @@ void last_page(UiState& state) {
     if (main_button("Save my answers…"))
         state.files.ask(answers_purpose, quiz.after ? "answers-after.json" : "answers-before.json");
     tooltip("Save my answers", "As a file that `glint quiz ANSWERS.json...` counts for a class");
-    small_dim("The file has no name in it but the one that you give it.");
+    small_dim("The file contains no name except the one that you give it.");
 }
 
 void answer_by_key(QuizState& quiz, KeyPress press) {
@@ -202,15 +203,15 @@ void ways_on(QuizState& quiz) {
     ImGui::BeginDisabled(quiz.at == 0);
     if (ImGui::Button("‹ Back##quiz", {width, 0})) --quiz.at;
     ImGui::EndDisabled();
-    tooltip("Question before", "PgUp does it, too");
+    tooltip("Question before", "Shortcut: PgUp");
     if (count_taken(quiz) > 0) {
         ImGui::SameLine();
         if (ImGui::Button("Begin again##quiz")) begin_quiz_again(quiz);
-        tooltip("Begin again", "At the first question, with nothing answered");
+        tooltip("Begin again", "From the first question, with nothing answered");
     } else if (!quiz.put_away.empty()) {
         ImGui::SameLine();
-        if (ImGui::Button("Bring them back##quiz")) quiz.taken = std::exchange(quiz.put_away, {});
-        tooltip("Bring them back", "The answers as they were before you began again");
+        if (ImGui::Button("Restore them##quiz")) quiz.taken = std::exchange(quiz.put_away, {});
+        tooltip("Restore them", "The answers from before you began again");
     }
     const std::string place = quiz.at < count ? fmt::format("{} of {}", quiz.at + 1, count) : "the end";
     ImGui::SameLine((right - ImGui::CalcTextSize(place.c_str()).x) / 2);
@@ -218,7 +219,7 @@ void ways_on(QuizState& quiz) {
     if (quiz.at >= count) return;
     ImGui::SameLine(right - width);
     if (chosen_button("Next ›##quiz", quiz.taken[quiz.at].has_value(), width)) ++quiz.at;
-    tooltip("Next question", "PgDn and Enter do it, too");
+    tooltip("Next question", "Shortcut: PgDn or Enter");
 }
 
 }  // namespace
@@ -258,7 +259,7 @@ void quiz_dialog(UiState& state, const UiInput& input) {
     } else {
         if (!ImGui::IsWindowAppearing())
             for (const KeyPress& press : input.presses) answer_by_key(quiz, press);
-        ImGui::PushID(static_cast<int>(quiz.at));  // each page its own place of scrolling
+        ImGui::PushID(static_cast<int>(quiz.at));  // each page has its own scroll position
         ImGui::BeginChild("##page", {0, -ImGui::GetFrameHeightWithSpacing() - px(8)});
         if (quiz.at < quiz.pages->pages.size())
             page(quiz);

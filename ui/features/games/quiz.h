@@ -1,7 +1,7 @@
 #pragma once
-// The concept inventory in the window: a picture and four options a question, before the lessons or after
-// them, and the answers as a file that `glint quiz` counts. Until they are saved they are kept beside the
-// window's other memory, for the next window to go on.
+// The concept inventory in the window: a picture and four options per question, before or after the lessons,
+// and the answers as a file that `glint quiz` counts. Until they are saved, the answers are kept with the
+// window's settings, so that the next window can continue.
 
 #include <cstddef>
 #include <memory>
@@ -26,7 +26,7 @@ struct QuizPage {
     std::vector<ProseBlock> text;
     std::string question;
     std::vector<std::string> options;
-    Picture picture;  // that does not tell the answer
+    Picture picture;  // that does not reveal the answer
 };
 struct QuizPages {
     Lesson lesson;
@@ -38,16 +38,16 @@ struct QuizState {
     JobPtr<QuizPages> loading;
     std::optional<QuizPages> pages;
     std::vector<std::optional<std::size_t>> taken;     // an option for each page, from 0
-    std::vector<std::optional<std::size_t>> put_away;  // by *Begin again*, which can be taken back
-    QuizAnswers kept;                                  // as they are on the disk
+    std::vector<std::optional<std::size_t>> put_away;  // by *Begin again*, which can be reverted
+    QuizAnswers kept;                                  // as on disk
     std::size_t at = 0;                                // pages.size(): the end
     PictureSheet sheet;
 };
 
-extern const FilePurpose answers_purpose;  // writes the answers, and ends keeping them for another window
-/// Opens the dialog; answers that were given and not saved are still there.
+extern const FilePurpose answers_purpose;  // writes the answers, and stops keeping them for another window
+/// Opens the dialog; unsaved answers are still there.
 void open_quiz(UiState& state);
-/// Draws it. Keys: the letter of an option takes it, Enter and PgDn go on, PgUp goes back.
+/// Draws it. Keys: an option's letter chooses it, Enter and PgDn go to the next question, PgUp goes back.
 void quiz_dialog(UiState& state, const UiInput& input);
 
 }  // namespace glint

@@ -43,7 +43,7 @@ Scene with_term_alone(Scene scene, Symbol term) {
 }
 
 void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests) {
-    if (same_description(scene, state.editor.scene())) return;  // a click has just taken it
+    if (same_description(scene, state.editor.scene())) return;  // a click has just applied it
     if (!has_turn(state, inspector_feature)) return;
     InspectorState& inspector = state.get<InspectorState>();
     inspector.instead = scene;

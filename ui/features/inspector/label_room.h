@@ -1,6 +1,6 @@
 #pragma once
-// Finds places for labels that do not cover one another: each lies as near to its wanted place as those
-// before it let it. The most important labels come first.
+// Finds positions for labels without overlaps: each is as near to its preferred position as earlier ones
+// allow. The most important labels come first.
 
 #include <imgui.h>
 
@@ -14,17 +14,17 @@ namespace glint {
 class LabelRoom {
   public:
     LabelRoom() = default;
-    /// Nothing is written outside `bounds`, as far as it fits in.
+    /// Labels stay within `bounds` if they fit.
     explicit LabelRoom(const Rect& bounds) : bounds_(bounds) {}
 
-    /// Nothing may be written over `area`.
+    /// No label may cover `area`.
     void keep_free(const Rect& area) { taken_.push_back(area); }
 
-    /// Finds the middle for a label of `size`, at most `reach` away from `wanted`, and takes that room from
-    /// now on. Returns nothing, and takes nothing, if there is no room.
+    /// Finds a centre for a label of `size`, at most `reach` away from `wanted`, and reserves that area.
+    /// Returns nothing and reserves nothing if there is no room.
     [[nodiscard]] std::optional<ImVec2> place(ImVec2 wanted, ImVec2 size, float reach);
 
-    /// Returns place(), or `wanted` where there is no room.
+    /// Returns place(), or `wanted` if there is no room.
     [[nodiscard]] ImVec2 place_anyhow(ImVec2 wanted, ImVec2 size, float reach);
 
   private:

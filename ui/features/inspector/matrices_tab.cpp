@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-/// Four columns of figures; what each row means stands in its tooltip.
+/// Four columns of figures; each row's meaning is in its tooltip.
 void matrix(const char* id, const glm::dmat4& m, const std::array<const char*, 4>& meaning) {
     if (!ImGui::BeginTable(id, 4, ImGuiTableFlags_PadOuterX | ImGuiTableFlags_BordersOuterV)) return;
     for (int row = 0; row < 4; ++row) {
@@ -43,10 +43,10 @@ double distance_from_identity(const glm::dmat4& m) {
 void camera_matrices(const Camera& camera, PictureSize size) {
     const glm::dmat4 view = view_from_world(camera), inverse = world_from_view(camera);
     section_heading("view_from_world: camera from world");
-    matrix(
-        "##view", view,
-        {"To the right of the camera, u; last: −u·eye", "Up, v; last: −v·eye",
-         "Backwards, w = (eye − target) made unit; last: −w·eye", "Keeps w: 1 for places, 0 for directions"});
+    matrix("##view", view,
+           {"To the right of the camera, u; last: −u·eye", "Up, v; last: −v·eye",
+            "Backwards, w = (eye − target) normalised; last: −w·eye",
+            "Keeps w: 1 for positions, 0 for directions"});
     small_dim("Takes the eye to the origin. The lecture calls this one M_V2W.");
     section_heading("world_from_view: its inverse");
     matrix("##inverse", inverse,
@@ -73,7 +73,7 @@ std::string four_numbers(glm::vec4 v) { return shown_vector(v) + " " + shown_num
 
 void light_rows(UiState& state) {
     const Scene& scene = explained_scene(state);
-    section_heading("Lights, carried into camera coordinates");
+    section_heading("Lights in camera coordinates");
     if (scene.lights.empty()) return wrapped_dim("There is no light.");
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
@@ -103,12 +103,12 @@ void carried_point(const UiState& state) {
     if (!state.on_screen.explanation || !state.on_screen.explanation->hit)
         return wrapped_dim("Click an object to follow a point of it.");
     const ExplainedSpaces& s = state.on_screen.explanation->spaces;
-    stop("object", shown_vector(s.object), "As the mesh has it");
+    stop("object", shown_vector(s.object), "In the mesh");
     stop("world", shown_vector(s.world), "After the object's transform");
     stop("camera", shown_vector(s.camera), "After view_from_world");
     ImGui::PushFont(fonts().small);
     ImGui::PushTextWrapPos(0);
-    coloured(Symbol::L, "↳ lit here: angles and distances are still true");
+    coloured(Symbol::L, "↳ lit here: angles and distances are still correct");
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     stop("clip", four_numbers(s.clip), "After clip_from_view; w last");
@@ -117,8 +117,8 @@ void carried_point(const UiState& state) {
          "Scaled to the picture; y down");
     const InBothFrames& n = state.on_screen.explanation->at.normal;
     section_heading("Its normal");
-    stop("world", shown_vector(n.world), "By the inverse transpose of the object's transform, made unit");
-    stop("camera", shown_vector(n.camera), "A normal is not projected: it has done its work before");
+    stop("world", shown_vector(n.world), "By the inverse transpose of the object's transform, normalised");
+    stop("camera", shown_vector(n.camera), "A normal is not projected: it was used before");
 }
 
 }  // namespace

@@ -16,9 +16,9 @@
 namespace glint {
 namespace {
 
-/// What looks the same in small is compared in a picture so many times as wide and high.
+/// Thumbnails that look the same are compared in a picture this many times as wide and high.
 constexpr int enlarged = 4;
-/// A difference below this can hardly be seen, in levels of 0 to 255.
+/// A smaller difference is hardly visible, in levels of 0 to 255.
 constexpr int seen_levels = 4;
 
 using Bytes = std::vector<std::uint8_t>;
@@ -29,7 +29,7 @@ int largest_difference(const Bytes& a, const Bytes& b) {
     return largest;
 }
 
-/// Draws the scene without mistakes first, then under one after the other.
+/// Draws the scene without mistakes first, then under each one.
 class DrawUnderMistakes {
   public:
     DrawUnderMistakes(Scene right, PictureSize size) : right_(std::move(right)), size_(size) {}
@@ -51,7 +51,7 @@ class DrawUnderMistakes {
     [[nodiscard]] Scene under(std::size_t row) const {
         return under_mistakes(right_, {mistakes_as_seen()[row]});
     }
-    /// Compares it to the scene without mistakes in a larger picture: a speck may hide in a small one.
+    /// Compares it to the scene without mistakes in a larger picture: a speck may disappear in a thumbnail.
     bool looks_right(Renderer& renderer, const Scene& scene) {
         const PictureSize size{enlarged * size_.width, enlarged * size_.height, size_.keeps_width};
         if (!right_enlarged_) right_enlarged_ = renderer.render(right_, size).rgba;
@@ -64,12 +64,12 @@ class DrawUnderMistakes {
     std::optional<Bytes> right_enlarged_;
 };
 
-/// Whether nothing moves and all meshes are there.
+/// Whether nothing moves and all meshes are loaded.
 bool at_rest(const UiState& state) {
     return !ImGui::IsAnyMouseDown() && !state.get<AnimateState>().frame && !awaits_mesh(state);
 }
 
-/// Notices that other pictures are wanted than those begun last.
+/// Records that the wanted pictures differ from those last begun.
 void ask_again(MistakePictures& m, const Scene& scene, PictureSize size) {
     const bool same_size = m.asked_size == size;
     // The scene is known to have changed: it is compared and copied only when the button is released.

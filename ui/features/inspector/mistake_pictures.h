@@ -1,6 +1,6 @@
 #pragma once
-// Small pictures of the open scene under each mistake alone, drawn in the background while the mouse rests
-// and the tab of mistakes is looked at.
+// Thumbnails of the open scene under each mistake, drawn in the background while the mouse is idle and the
+// tab of mistakes is visible.
 
 #include <cstddef>
 #include <span>
@@ -13,12 +13,12 @@ namespace glint {
 
 struct UiState;
 
-/// The first replaces the picture of a mistake that changes nothing; the second lies over one that can hardly
-/// be told from the scene without it.
+/// The first replaces the picture of a mistake that changes nothing; the second is drawn over one that is
+/// hard to distinguish from the scene without it.
 inline constexpr const char* no_difference = "no difference here";
 inline constexpr const char* hardly_differs = "hardly differs";
 
-/// Samples a pixel of these pictures.
+/// Samples per pixel of these pictures.
 inline constexpr int mistake_samples = 4;
 
 struct MistakePictures {
@@ -26,20 +26,20 @@ struct MistakePictures {
     Scene seen;              // the open scene, as of the last frame
     Scene asked;             // `seen` without mistakes: the pictures do not change when one is switched on
     PictureSize asked_size{0, 0};
-    double asked_since = 0;  // time at which scene and size became what they are
-    bool begun = false;      // since then the pictures were begun
+    double asked_since = 0;  // time since when scene and size are unchanged
+    bool begun = false;      // the pictures were begun since then
     bool looked_at = false;  // in this frame
 };
 
-/// Places in mistake_names(), in the order of the tab: group by group, as all_seen_as has them.
+/// Indices into mistake_names(), in the order of the tab: group by group, as in all_seen_as.
 [[nodiscard]] std::span<const std::size_t> mistakes_as_seen();
 
-/// Takes what has been drawn, and begins anew if the scene or size has changed and stood still for a moment
-/// with no button down. The tab calls this once a frame.
+/// Collects finished pictures, and begins again if the scene or size has changed and then been still for a
+/// moment with no button down. The tab calls this once a frame.
 void look_at_mistake_pictures(UiState& state, PictureSize size);
 
-/// Ends the drawing and keeps no mesh if nobody has looked at the pictures in this frame. Call it after
-/// everything that might have.
+/// Ends the drawing and releases all meshes if the pictures were not visible in this frame. Call it after the
+/// tab.
 void rest_mistake_pictures(MistakePictures& of_mistakes);
 
 }  // namespace glint

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// The lower lines of its tooltip: what looks like it, and who asked about it.
+/// The lower lines of its tooltip: similar mistakes, and who reported it.
 std::string notes_on(const MistakeName& mistake) {
     std::string notes;
     if (!mistake.look_alikes.empty()) {
@@ -28,15 +28,15 @@ std::string notes_on(const MistakeName& mistake) {
     return notes + "off by default";
 }
 
-/// One line of the font in use, cut off with dots.
+/// One line in the current font, cut off with dots.
 void cut_line(ImDrawList& list, const Rect& line, const ImVec4& colour, std::string_view text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     cut_text(list, line.low, line.high.x, text);
     ImGui::PopStyleColor();
 }
 
-/// Words in the font in use, broken into as many lines as fit into `area`, the last one cut off with dots.
-/// Writes the lines and returns where they end.
+/// Text in the current font, wrapped to the lines that fit into `area`, the last one cut off with dots.
+/// Returns the end of the text.
 float broken_lines(ImDrawList& list, const Rect& area, const ImVec4& colour, std::string_view words) {
     const float height = ImGui::GetTextLineHeight();
     const char *at = words.data(), *const end = at + words.size();
@@ -65,7 +65,7 @@ void box(ImVec2 low, float edge, bool on) {
                                edge - 2 * inset);
 }
 
-/// Beside the picture: the switch and the name, how it is recognised, who asked.
+/// Next to the picture: the switch and the name, how to recognise it, who reported it.
 void words_of(const MistakeName& mistake, bool on, bool dim, const Rect& area) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetTextLineHeight();
@@ -80,7 +80,7 @@ void words_of(const MistakeName& mistake, bool on, bool dim, const Rect& area) {
     const float last = mistake.sources.empty() ? 0 : ImGui::GetTextLineHeight();
     const float y = broken_lines(list, {{area.low.x, first.high.y + px(2)}, area.high - ImVec2(0, last)},
                                  theme().dim_text, mistake.looks);
-    // One line: a tracker's name and number has no place to be broken at. Its tooltip has all of them.
+    // One line: a tracker's name and number cannot be wrapped. The tooltip lists all of them.
     cut_line(list, {{area.low.x, y}, {area.high.x, y + last}}, theme().disabled_text, mistake.sources);
     ImGui::PopFont();
 }
@@ -127,7 +127,7 @@ bool mistake_row(const MistakeName& mistake, bool& on, const SmallLook& look, in
     ImGui::PushID(index);
     if (hit_area("##mistake", {wide, look.extent().y + 2 * inset})) on = !on;
     ImGui::PopID();
-    if (!ImGui::IsItemVisible()) return false;  // most are scrolled away: their words cost nothing
+    if (!ImGui::IsItemVisible()) return false;  // most are scrolled away: their texts cost nothing
     const bool pointed = is_pointed_at();
     tooltip(title_of(mistake).c_str(), fmt::format("{} {}", mistake.what, mistake.looks).c_str(),
             notes_on(mistake), fmt::format("/shading/mistakes/{}", mistake.name));

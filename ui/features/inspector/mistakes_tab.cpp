@@ -18,37 +18,37 @@
 namespace glint {
 namespace {
 
-/// The size of the small pictures: four to three, at most a third of the column wide.
+/// The size of the thumbnails: four to three, at most a third of the column wide.
 PictureSize small_size(float room, bool keeps_width) {
     const int width = static_cast<int>(std::clamp(std::min(px(96), room / 3), 8.0f, 192.0f));
     return {width, width * 3 / 4, keeps_width};
 }
 
-/// Above the list, which moves below it: the picture to compare with.
+/// Above the list, which scrolls below it: the picture to compare with.
 void right_row(UiState& state, const SmallLook& look) {
     Mistakes& mistakes = state.editor.scene().shading.mistakes;
     ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() + ImVec2(small_inset(), small_inset()));
     draw_small(look, 0, ImGui::GetCursorScreenPos());
     ImGui::Dummy(look.extent());
-    tooltip("Without mistakes", "The open scene as it should be, to compare with");
+    tooltip("Without mistakes", "The open scene without mistakes, to compare with");
     ImGui::SameLine(0, px(8));
     ImGui::BeginGroup();
     ImGui::TextUnformatted("Without mistakes");
     if (!look.pictures.problem.empty()) {
         warning_text(look.pictures.problem);
     } else if (mistakes_on(mistakes) == 0) {
-        small_dim("Rest on a line to see it large, click to keep it.");
+        small_dim("Hover over a row to preview it; click to switch it on.");
     } else {
         warning_text(mistakes_text(mistakes));
         if (ImGui::Button("All off")) mistakes = {};
-        tooltip("All off", "The equation as it should be");
+        tooltip("All off", "The correct equation");
     }
     ImGui::EndGroup();
     ImGui::Separator();
 }
 
-/// The rows below the headings of their groups, scrolled to `wanted` if it is not null. The one that is
-/// pointed at.
+/// The rows below the headings of their groups, scrolled to `wanted` if it is not null. Returns the hovered
+/// one.
 const MistakeName* mistake_rows(Mistakes& mistakes, const SmallLook& look, const MistakeName* wanted) {
     const MistakeName* pointed = nullptr;
     std::optional<SeenAs> group;
@@ -57,14 +57,14 @@ const MistakeName* mistake_rows(Mistakes& mistakes, const SmallLook& look, const
         const MistakeName& mistake = mistake_names()[place];
         if (group != mistake.seen_as) section_heading(std::string(heading_of(mistake.seen_as)).c_str());
         group = mistake.seen_as;
-        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - px(2));  // the rows have margins of their own
+        ImGui::SetCursorPosY(ImGui::GetCursorPosY() - px(2));  // the rows have their own margins
         if (mistake_row(mistake, mistakes.*mistake.flag, look, ++index)) pointed = &mistake;
         if (&mistake == wanted) ImGui::SetScrollHereY(0.3f);
     }
     return pointed;
 }
 
-/// Those that are on, in the order of the tab.
+/// The mistakes that are on, in the order of the tab.
 std::vector<const MistakeName*> names_on(const Mistakes& mistakes) {
     std::vector<const MistakeName*> on;
     for (const std::size_t place : mistakes_as_seen())
@@ -97,7 +97,7 @@ void mistakes_tab(UiState& state, const PictureView& view) {
     const PictureSize size = small_size(ImGui::GetContentRegionAvail().x, view.map.size.keeps_width);
     look_at_mistake_pictures(state, size);
     const SmallLook look{state.get<MistakePictures>().pictures, size};
-    // In a low window it goes with the list, which would have no room left.
+    // In a low window it scrolls with the list, which would have no room left.
     const bool stays = ImGui::GetContentRegionAvail().y > 4 * look.extent().y;
     if (stays) right_row(state, look);
     ImGui::BeginChild("##rows");

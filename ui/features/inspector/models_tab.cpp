@@ -18,7 +18,7 @@
 namespace glint {
 namespace {
 
-/// Clamps a linear colour: only for the explained sum is it known exactly what the display makes of it.
+/// Clamps a linear colour: the exact displayed colour is known only for the explained sum.
 ImU32 ink_of(glm::vec3 c) {
     return to_u32({std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f), 1});
 }
@@ -30,7 +30,7 @@ void swatch(ImU32 colour, float edge) {
     ImGui::Dummy({edge, edge});
 }
 
-/// Lists the corners that make the colour, with their weights.
+/// Lists the corners of the colour, with their weights.
 void corner_lines(const Explanation& explanation) {
     char letter = 'A';
     for (const ExplainedCorner& corner : explanation.corners) {
@@ -42,7 +42,7 @@ void corner_lines(const Explanation& explanation) {
     }
 }
 
-/// Says how the mode comes by the colour.
+/// Explains how the mode computes the colour.
 void how(const Explanation& explanation, const Shading& shading) {
     switch (explanation.mode) {
     case ShadingMode::Flat:
@@ -56,7 +56,7 @@ void how(const Explanation& explanation, const Shading& shading) {
                               choice_of(explanation.interpolation).word));
         return corner_lines(explanation);
     case ShadingMode::Phong:
-        return small_dim("lit here, with the corners' normals mixed and made unit:");
+        return small_dim("lit here, with the corners' normals interpolated and normalised:");
     }
 }
 
@@ -84,7 +84,7 @@ void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode
     if (ImGui::Selectable(choice.label, chosen)) shading.mode = mode;
     ImGui::PopFont();
     const bool pointed = is_pointed_at();
-    tooltip(choice.label, choice.meaning, "Rest here: the picture under it. Click: take it", "/shading/mode");
+    tooltip(choice.label, choice.meaning, "Hover to preview the picture. Click to apply it", "/shading/mode");
     mono_text(shown_vector(explanation.sum));
     ImGui::EndGroup();
     how(explanation, shading);
@@ -99,8 +99,8 @@ void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode
     show_instead(state, other, fmt::format("{} shading", choice.label));
 }
 
-/// Says with which shininess Blinn's highlight looks most like this one of Phong's; a click takes model and
-/// shininess.
+/// Finds the shininess with which Blinn's highlight looks most like this one of Phong's; a click applies
+/// model and shininess.
 void like_line(UiState& state, const Explanation& explanation) {
     Scene& scene = state.editor.scene();
     const auto object = static_cast<std::size_t>(explanation.object_index);
@@ -109,12 +109,12 @@ void like_line(UiState& state, const Explanation& explanation) {
     const double like = state.get<PlotsState>().blinn_like.of(n, [n] { return blinn_shininess_like(n); });
     section_heading("Blinn against Phong");
     wrapped_dim(fmt::format(
-        "Blinn's (n·h)ˢ comes nearest to this Phong highlight of shininess {:.4g} with {:.4g}.", n, like));
+        "Blinn's (n·h)ˢ is closest to this Phong highlight of shininess {:.4g} with {:.4g}.", n, like));
     if (ImGui::Button("Change to Blinn")) {
         scene.shading.reflection = Reflection::BlinnPhong;
         scene.objects[object].material.shininess = static_cast<float>(like);
     }
-    tooltip("Change to Blinn", "Blinn's model with that shininess; undo brings Phong's back");
+    tooltip("Change to Blinn", "Blinn's model with that shininess; undo restores Phong's");
     if (!is_pointed_at()) return;
     Scene other = scene;
     other.shading.reflection = Reflection::BlinnPhong;
@@ -122,7 +122,7 @@ void like_line(UiState& state, const Explanation& explanation) {
     show_instead(state, other, fmt::format("Blinn, shininess {:.4g}", like));
 }
 
-/// Whether the scenes agree in all that decides what shows at a pixel.
+/// Whether the scenes agree in everything that decides what is visible at a pixel.
 bool same_faces(const Scene& a, const Scene& b) {
     return same_surfaces(a, b) && a.shading.cull == b.shading.cull && a.npr == b.npr;
 }
@@ -149,9 +149,9 @@ std::optional<Explanation> under_phong(const UiState& state, const Explanation& 
 void models_tab(UiState& state, const PictureView&) {
     if (!state.on_screen.explanation)
         return inspector_empty_state(
-            "Here the pixel appears under flat, facet, Gouraud and Phong shading at once.");
+            "Click a pixel to see it under flat, facet, Gouraud and Phong shading at once.");
     const Explanation& explanation = *state.on_screen.explanation;
-    if (!explanation.hit) return wrapped_dim("No object shows here: every model leaves the background.");
+    if (!explanation.hit) return wrapped_dim("No object is visible here: every model keeps the background.");
     if (!same_faces(state.rendered_scene, state.editor.scene()))
         return wrapped_dim("Another scene is on the screen; the models are those of the edited one.");
     const std::array<Explanation, 4> all = under_each_mode(state, explanation);

@@ -21,28 +21,28 @@ namespace {
 constexpr std::size_t max_lines = 6000;  // of all meshes together
 const ImVec4 ink{0.06f, 0.06f, 0.07f, 1};
 
-/// A word at a mark. It would like to stand on that side of it, `way` (0, or unit).
+/// The label of a mark. `way`: its preferred side of the mark (0, or unit).
 struct Label {
     ImVec2 mark, way;
     std::string words;
     ImU32 colour;
 };
 
-/// A pen that also writes, when all lines are drawn: so that no word covers another, nor a line a word.
+/// A pen that also writes, after all lines are drawn, so that no label covers another or a line.
 struct LabelledPen : WorldPen {
     LabelRoom& room;
     std::vector<Label>& labels;
 
-    /// Beside a place of the window, on the right; or on the side of `way`.
+    /// Next to a position of the window, on the right; or on the side of `way`.
     void text(ImVec2 mark, const std::string& words, ImU32 colour, ImVec2 way = {1, 0}) const {
         labels.push_back({mark, way, words, colour});
     }
-    /// Lets no word stand over a mark.
+    /// Keeps labels off a mark.
     void keep_free(ImVec2 mark, float radius) const {
         const ImVec2 half = px(radius) * ImVec2(1, 1);
         room.keep_free({mark - half, mark + half});
     }
-    /// Writes a label; pushed away where something is written, it is tied to its mark by a line.
+    /// Writes a label; if it is displaced, a line ties it to its mark.
     void write(const Label& label) const {
         const ImVec2 size = ImGui::CalcTextSize(label.words.c_str()), more{px(2), 0};
         const ImVec2 away{px(5) + size.x / 2, px(2) + size.y / 2};
@@ -58,8 +58,8 @@ struct LabelledPen : WorldPen {
     }
 };
 
-/// Makes the lines of an object fainter if it is large beside what the camera looks at, such as a floor: what
-/// stands on it matters.
+/// Makes the lines of an object fainter if it is large compared to the camera's target, such as a floor: the
+/// objects on it matter more.
 float mesh_opacity(const Object& object, double reach) {
     const glm::dmat3 world(world_from_object(object.transform));
     const glm::dvec3 edges = glm::dvec3(object.mesh->bounds.max) - glm::dvec3(object.mesh->bounds.min);
@@ -101,7 +101,7 @@ void draw_axes(const LabelledPen& pen, const glm::dmat4& frame, double length,
     }
 }
 
-/// Draws the eye and the volume it sees.
+/// Draws the eye and its view volume.
 void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) {
     const ScreenMap& map = what.main.map;
     const Camera& camera = what.scene.camera;
@@ -126,7 +126,7 @@ void draw_camera(const LabelledPen& pen, const OutsideScene& what, double size) 
     draw_axes(pen, map.world_from_view, size, {"x", "y", "z"});
 }
 
-/// Lets no word stand over a light's mark.
+/// Keeps labels off a light's mark.
 void keep_light_free(const LabelledPen& pen, const OutsideScene& what, std::size_t index) {
     const ProjectedPoint at =
         project(pen.view.map, handle_of(what.scene.lights[index], what.main.dome, what.main.map));

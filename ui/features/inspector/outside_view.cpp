@@ -19,9 +19,9 @@
 namespace glint {
 namespace {
 
-constexpr float grip_units = 11;  // of the design: how near to a light a click selects it
+constexpr float grip_units = 11;  // design units: a click within this distance of a light selects it
 
-/// Adds the ends of what is drawn of the camera, and of the world's axes.
+/// Adds the ends of the drawn parts of the camera, and of the world's axes.
 void add_drawn(std::vector<glm::dvec3>& places, const Scene& scene, const PictureView& main) {
     const double w = main.map.size.width, h = main.map.size.height, deep = drawn_depth(scene.camera);
     for (const glm::dvec2 corner : {glm::dvec2(0, 0), {w, 0}, {w, h}, {0, h}})
@@ -36,8 +36,8 @@ void add_drawn(std::vector<glm::dvec3>& places, const Scene& scene, const Pictur
     }
 }
 
-/// All that must be in sight: eye, target, lights and what is drawn of the camera, and of the objects what is
-/// no farther from the target than these. A wide floor would make all else too small to see.
+/// All points that must be in view: eye, target, lights and the drawn parts of the camera, and objects as far
+/// as they are no farther from the target than these. A wide floor would make everything else too small.
 std::vector<glm::dvec3> all_places(const Scene& scene, const PictureView& main) {
     const glm::dvec3 target(scene.camera.target);
     std::vector<glm::dvec3> places{target, glm::dvec3(scene.camera.eye)};
@@ -77,9 +77,9 @@ void use_mouse(OutsideState& state, PictureSize size, bool hovered) {
 }
 
 void legend() {
-    wrapped_dim("Drag: turn. Wheel: closer. Double-click: all in sight. Click a light: select it.");
+    wrapped_dim("Drag: turn. Wheel: closer. Double-click: show all. Click a light: select it.");
     wrapped_dim(
-        "C lights ride with the camera, on a line from the eye; W lights stay in the world. Orbit the "
+        "C lights are attached to the camera, on a line from the eye; W lights stay in the world. Orbit the "
         "picture and watch.");
 }
 
@@ -98,7 +98,7 @@ Camera outside_camera(const Scene& scene, const PictureView& main, PictureSize s
     glm::dvec3 low = seen[0], high = seen[0];
     for (const glm::dvec3& place : seen) low = glm::min(low, place), high = glm::max(high, place);
     const glm::dvec3 middle = (low + high) / 2.0;
-    // The camera is as near as the position farthest out allows; a tenth is left for the words beside the
+    // The camera is as near as the outermost position allows; a tenth is left for the labels next to the
     // marks.
     constexpr double fov_y_deg = 40, used = 0.9;
     const double half_y = used * std::tan(fov_y_deg / 360 * std::numbers::pi);

@@ -1,4 +1,4 @@
-// The sensitivity tab: jobs that measure in the background, and the lines that show their results.
+// The sensitivity tab: jobs that measure in the background, and the rows of their results.
 #include "ui/features/inspector/sensitivity.h"
 
 #include <fmt/core.h>
@@ -40,9 +40,9 @@ std::vector<Sensitivity> ranked(const Sensitivities& sensitivities) {
 
 namespace {
 
-constexpr double look_again = 0.05;  // seconds between looks at its progress
+constexpr double look_again = 0.05;  // seconds between checks of its progress
 
-/// Measures one pixel of one scene. The document's meshes are shared, nothing else.
+/// Measures one pixel of one scene. Shares only the document's meshes.
 JobPtr<Sensitivities> measure(Jobs& jobs, const SceneDocument& document, PictureSize size, glm::ivec2 pixel) {
     const auto work = [document, size, pixel](LoadProgress& progress) -> Result<Sensitivities> {
         if (document.scene.lights.size() > max_sensitivity_lights)
@@ -58,8 +58,8 @@ JobPtr<Sensitivities> measure(Jobs& jobs, const SceneDocument& document, Picture
     return jobs.start<Sensitivities>("Sensitivity", work);
 }
 
-/// Starts, drops and collects jobs; once a frame while the results are wanted. A job starts when scene and
-/// pixel have stood still for a moment.
+/// Starts, drops and collects jobs; once a frame while the results are needed. A job starts when scene and
+/// pixel have been still for a moment.
 void poll_sensitivity(Jobs& jobs, SensitivityState& state, const SceneDocument& document, PictureSize size,
                       glm::ivec2 pixel) {
     const double now = ImGui::GetTime();
@@ -90,7 +90,7 @@ void poll_sensitivity(Jobs& jobs, SensitivityState& state, const SceneDocument& 
     redraw_within(look_again);
 }
 
-/// The channel that moves most: 0 red, 1 green, 2 blue.
+/// The channel that changes most: 0 red, 1 green, 2 blue.
 int strongest(glm::dvec3 v) {
     const glm::dvec3 size = glm::abs(v);
     if (size.x >= size.y && size.x >= size.z) return 0;
@@ -104,20 +104,20 @@ void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
     };
     tooltip(fmt::format("{}: {}", named.owner, named.what).c_str(),
             "How much the pixel's colour changes with this number. Click: its panel",
-            fmt::format("now {:.4g}{}\nmoved by {:+.3g}: {}\nfor each unit: {}", number.value,
+            fmt::format("now {:.4g}{}\nmoved by {:+.3g}: {}\nper unit: {}", number.value,
                         number.one_sided ? ", can move one way only" : "", number.move, parts(number.effect),
                         parts(number.change)),
             number.pointer);
 }
 
-/// Selects what the number belongs to in the scene that was measured. Until it is measured again another may
-/// have that place: then nothing is selected.
+/// Selects the owner of the number in the measured scene. Until the next measurement its index may belong to
+/// another item: then nothing is selected.
 void select_owner(UiState& state, const std::string& pointer, const NamedNumber& named) {
     if (named_number(pointer, state.editor.scene()).owner == named.owner)
         state.editor.selection = named.selection;
 }
 
-/// A line: how much, as a bar and in figures, and of what. A click selects it.
+/// A row: the effect, as a bar and in figures, and the number's name. A click selects it.
 void number_row(UiState& state, const Sensitivity& number, double most) {
     const NamedNumber named = named_number(number.pointer, state.get<SensitivityState>().shown_scene);
     const float line = ImGui::GetTextLineHeight();
@@ -144,7 +144,7 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
     ImGui::PopID();
 }
 
-/// Numbers without effect, an owner a line.
+/// Numbers without effect, one owner per line.
 void owners(UiState& state, const char* title, const std::vector<std::string>& pointers) {
     if (pointers.empty() || !fold(title, false)) return;
     struct Line {
@@ -165,7 +165,7 @@ void owners(UiState& state, const char* title, const std::vector<std::string>& p
         if (ImGui::Selectable(whole_label(named.owner).c_str())) select_owner(state, pointer, named);
         ImGui::PopID();
         ImGui::Indent(px(12));
-        small_dim(words.empty() ? "does not show at this pixel" : words);
+        small_dim(words.empty() ? "is not visible at this pixel" : words);
         ImGui::Unindent(px(12));
     }
 }
@@ -175,11 +175,11 @@ void progress(const SensitivityState& job) {
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme().accent);
     ImGui::ProgressBar(share, {ImGui::GetContentRegionAvail().x, px(4)}, "");
     ImGui::PopStyleColor();
-    small_dim(job.shown ? "Measuring again; below are the numbers from before."
-                        : "Moving every number of the scene a little, and looking at the pixel.");
+    small_dim(job.shown ? "Measuring again; below are the previous numbers."
+                        : "Moving every number of the scene slightly and measuring the pixel.");
 }
 
-/// The edited scene under the setting of the part of a comparison that was asked; a stored B is not edited.
+/// The edited scene under the setting of the picked part of a comparison; a stored B is not edited.
 SceneDocument asked_document(const UiState& state) {
     SceneDocument document = state.editor.document;
     if (state.get<CompareState>().asked_part.kind != Variant::Kind::Stored)
@@ -191,8 +191,7 @@ SceneDocument asked_document(const UiState& state) {
 
 void sensitivity_tab(UiState& state, const PictureView& view) {
     if (!state.on_screen.explanation)
-        return inspector_empty_state(
-            "Here every number of the scene is sorted by how much it matters there.");
+        return inspector_empty_state("Click a pixel to sort every number of the scene by its effect there.");
     SensitivityState& job = state.get<SensitivityState>();
     if (state.get<CompareState>().asked_part == Variant{})
         poll_sensitivity(state.jobs, job, state.editor.document, view.map.size, state.on_screen.pixel);
@@ -204,20 +203,18 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
         return;
     }
     small_dim(
-        "How much the colour changes, in the channel that changes most, when a number moves by a tenth of "
-        "its "
-        "usual "
-        "range, or by a drag of 100 pixels where it has none.");
+        "The change of the colour, in the channel that changes most, when a number moves by a tenth of its "
+        "usual range, or by a drag of 100 pixels if it has none.");
     constexpr std::size_t first_few = 12;
     const double most = job.rank.empty() ? 1 : largest(job.rank.front().effect);
-    if (job.rank.empty()) wrapped_dim("No number of the scene moves this pixel.");
+    if (job.rank.empty()) wrapped_dim("No number of the scene affects this pixel.");
     for (std::size_t i = 0; i < job.rank.size(); ++i) {
         if (i == first_few &&
-            !fold(fmt::format("{} more that matter less", job.rank.size() - i).c_str(), false))
+            !fold(fmt::format("{} more with less effect", job.rank.size() - i).c_str(), false))
             break;
         number_row(state, job.rank[i], most);
     }
-    owners(state, "Does not matter here", job.shown->no_effect);
+    owners(state, "No effect here", job.shown->no_effect);
 }
 
 extern const Feature sensitivity_feature;

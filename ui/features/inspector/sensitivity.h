@@ -12,24 +12,24 @@
 
 namespace glint {
 
-/// The numbers that count, the largest effect of a channel first; without the w of positions.
+/// The numbers with an effect, the largest effect on a channel first; without the w of positions.
 [[nodiscard]] std::vector<Sensitivity> ranked(const Sensitivities& sensitivities);
 
-/// The job that is wanted now, the results shown until it is done, and jobs that are coming to their end.
+/// The present job, the results shown until it is done, and cancelled jobs that are still running.
 struct SensitivityState {
     JobPtr<Sensitivities> job;
-    JobPtr<Sensitivities> ending;  // the one cancelled last
-    double asked_since = 0;        // time at which scene and pixel became what they are
+    JobPtr<Sensitivities> ending;  // the last cancelled one
+    double asked_since = 0;        // time since when scene and pixel are unchanged
     Scene asked_scene;
     glm::ivec2 asked_pixel{-1, -1};
     PictureSize asked_size;
     std::optional<Sensitivities> shown;
     std::vector<Sensitivity> rank;  // of `shown`
-    std::string why_none;           // in place of `shown`, where measuring failed
-    Scene shown_scene;              // that `shown` is of: its pointers are of this scene
-    bool current = false;           // `shown` is of the scene and pixel as they are
+    std::string why_none;           // in place of `shown`, if measuring failed
+    Scene shown_scene;              // of `shown`: its pointers refer to this scene
+    bool current = false;           // `shown` belongs to the present scene and pixel
 
-    /// Another scene is in hand: its lights and objects are others.
+    /// Another scene is open: its lights and objects differ.
     void forget() {
         shown.reset();
         current = false;

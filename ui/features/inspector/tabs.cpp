@@ -32,7 +32,7 @@ namespace glint {
 extern const Feature inspector_feature;
 namespace {
 
-/// Ends whatever is shown in place of the picture.
+/// Ends everything shown in place of the picture.
 void end_cells(UiState& state) {
     state.get<TermGridState>().solo.reset();
     state.get<TermGridState>().muted.clear();
@@ -49,27 +49,27 @@ constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Models, "Models",
                      "The same pixel under flat, facet, Gouraud and Phong shading", models_tab,
                      TabScene::Edited, true},
-    InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that are really made, each a switch",
+    InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that really happen, each as a switch",
                      mistakes_tab, TabScene::Edited, true},
     InspectorTabInfo{InspectorTab::MyPicture, "My picture",
                      "What is wrong in a picture of this scene that your own program drew", my_picture_tab},
     InspectorTabInfo{InspectorTab::Program, "Program",
-                     "The calls by which OpenGL draws this scene, every number to be dragged", program_tab},
+                     "The OpenGL calls that draw this scene, with draggable numbers", program_tab},
     InspectorTabInfo{InspectorTab::Plots, "Plots",
                      "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab, TabScene::Asked},
     InspectorTabInfo{InspectorTab::Grid, "Light × term",
                      "Every term of every light as a small picture: alone, or left out", term_grid_tab,
                      TabScene::Shown},
     InspectorTabInfo{InspectorTab::Sensitivity, "Sensitivity",
-                     "What matters here: every number, sorted by how much the pixel moves with it",
-                     sensitivity_tab},
-    InspectorTabInfo{InspectorTab::Matrices, "Matrices", "View, its inverse, projection, and what they carry",
-                     matrices_tab, TabScene::Asked},
+                     "Every number, sorted by its effect on the pixel", sensitivity_tab},
+    InspectorTabInfo{InspectorTab::Matrices, "Matrices",
+                     "View, its inverse, projection, and the point through each of them", matrices_tab,
+                     TabScene::Asked},
     InspectorTabInfo{InspectorTab::Outside, "From outside",
                      "The eye, its view volume and the lights, seen from outside", outside_tab},
 };
 
-/// The place of the heading's square of colour.
+/// The position of the heading's square of colour.
 struct Square {
     ImVec2 low;
     float edge;
@@ -88,7 +88,7 @@ void nothing_picked(const Square& square) {
     ImGui::EndGroup();
 }
 
-/// Writes the parts that have room beside the cross; the place always.
+/// Writes the parts that fit next to the cross; the position always.
 void pixel_line(const std::string& what, const std::string& place, const std::string& bytes) {
     ImGui::PushFont(fonts().figures);
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - px(4);
@@ -104,7 +104,7 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
     list.AddRectFilled(square.low, square.high(), IM_COL32(r, g, b, 255), px(4));
     list.AddRect(square.low, square.high(), to_u32(theme().line), px(4));
     ImGui::Dummy({square.edge, square.edge});
-    tooltip("Colour", "As it is on the screen: red, green, blue from 0 to 255",
+    tooltip("Colour", "As on the screen: red, green, blue from 0 to 255",
             fmt::format("{} {} {}   #{:02x}{:02x}{:02x}", r, g, b, r, g, b));
     ImGui::SameLine(0, px(10));
     ImGui::BeginGroup();
@@ -120,8 +120,7 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
         const bool clicked = ImGui::Selectable("##object", false, 0, {room, 0});
         if (clicked && is_explained(state))
             state.editor.selection = {Selection::Kind::Object, explanation.object_index};
-        tooltip("Object", is_explained(state) ? "Click to show its panel" : "Of the scene that is shown",
-                what);
+        tooltip("Object", is_explained(state) ? "Click to show its panel" : "Of the shown scene", what);
         cut_text(list, at, at.x + room, what);
         ImGui::SameLine(0, px(12));
         coloured(is_plain_front(explanation) ? theme().dim_text : theme().warning, side);
@@ -138,9 +137,9 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
     tooltip("Forget this pixel", "Click the picture to pick another");
 }
 
-/// Draws a square of the pixel's colour, its byte values, the pixel, and what it shows. A click on the object
-/// selects it, a click on the cross forgets the pixel. Without a pixel it says how to pick one, at the same
-/// height, so that the tabs below it stay in place.
+/// Draws a square of the pixel's colour, its byte values, its position, and its object. A click on the object
+/// selects it, a click on the cross forgets the pixel. Without a pixel it explains how to pick one, at the
+/// same height, so that the tabs below stay in place.
 void heading(UiState& state) {
     const Square square{ImGui::GetCursorScreenPos(), 2 * ImGui::GetTextLineHeight() + px(6)};
     if (state.on_screen.explanation)
@@ -150,7 +149,7 @@ void heading(UiState& state) {
     ImGui::SetCursorScreenPos({square.low.x, square.high().y + px(8)});
 }
 
-/// A button of the bar; the chosen one stands on a bar of the accent.
+/// A button of the bar; the chosen one has a bar in the accent colour.
 bool tab_button(const char* label, const char* what, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().text : theme().dim_text);
@@ -165,7 +164,7 @@ bool tab_button(const char* label, const char* what, bool chosen) {
     return clicked;
 }
 
-/// The tabs that only few ask for, behind a button that says which of them is shown.
+/// The less common tabs, behind a button that names the shown one.
 void more_tabs(InspectorState& inspector, float right) {
     const auto shown = std::find_if(tabs.begin(), tabs.end(), [&](const InspectorTabInfo& info) {
         return info.tab == inspector.tab && !info.is_first;
@@ -187,7 +186,7 @@ void more_tabs(InspectorState& inspector, float right) {
     ImGui::EndPopup();
 }
 
-/// The buttons in as many rows as they need.
+/// The buttons in as many rows as needed.
 void tab_bar(InspectorState& inspector) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(fonts().small);
@@ -206,15 +205,15 @@ void tab_bar(InspectorState& inspector) {
     ImGui::Dummy({0, px(3)});
 }
 
-/// Draws a tab while what was asked is of another scene than the edited one.
+/// Draws a tab while the explanation is of a scene other than the edited one.
 void draw_beside_other(UiState& state, const InspectorTabInfo& info, const PictureView& view) {
     const char* const which = state.on_screen.explained_other->name;
     if (info.scene == TabScene::Edited)
         wrapped_dim(fmt::format("The {} is of {}. What follows is of the edited scene.",
                                 state.on_screen.explanation ? "pixel" : "picture", which));
     if (info.scene != TabScene::Asked) return info.draw(state, view);
-    wrapped_dim(fmt::format("Numbers of {}: not to be edited.", which));
-    ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);  // they are there to be read
+    wrapped_dim(fmt::format("Numbers of {}: read-only.", which));
+    ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);  // they are meant to be read
     ImGui::BeginDisabled();
     info.draw(state, view);
     ImGui::EndDisabled();
@@ -233,7 +232,7 @@ void inspector(UiState& state, const PictureView& view) {
     tab_bar(state.get<InspectorState>());
     for (const InspectorTabInfo& info : tabs) {
         if (info.tab != state.get<InspectorState>().tab) continue;
-        ImGui::BeginChild(info.label);  // each tab keeps its own place of scrolling
+        ImGui::BeginChild(info.label);  // each tab has its own scroll position
         if (state.on_screen.explained_other)
             draw_beside_other(state, info, view);
         else
@@ -242,7 +241,7 @@ void inspector(UiState& state, const PictureView& view) {
     }
     if (pointed_vector != state.get<InspectorState>().pointed_vector ||
         pointed_light != state.get<InspectorState>().pointed_light)
-        redraw_within(0);  // the picture's arrows were drawn before
+        redraw_within(0);  // the picture's arrows were drawn earlier
 }
 
 void inspector_empty_state(const char* promise) {
@@ -256,7 +255,7 @@ void inspector_empty_state(const char* promise) {
 
 namespace {
 
-/// A preview under the mouse waits until an edit has been drawn and explained: the numbers beside it are
+/// A preview under the mouse waits until an edit has been drawn and explained: the numbers next to it are
 /// those of the edited scene.
 std::optional<OtherScene> show_listed(const UiState& state) {
     const InspectorState& inspector = state.get<InspectorState>();
@@ -287,7 +286,7 @@ std::vector<WindowCommand> inspector_commands() {
 
 std::string why_no_copy(const UiState& state) {
     const auto& explanation = state.on_screen.explanation;
-    return explanation && explanation->hit ? "" : "No pixel is picked that shows an object";
+    return explanation && explanation->hit ? "" : "No picked pixel shows an object";
 }
 
 void add_entries(std::vector<PaletteEntry>& entries, UiState& state) {
@@ -300,15 +299,15 @@ void add_entries(std::vector<PaletteEntry>& entries, UiState& state) {
     for (const CopyFormat& format : copy_formats())
         entries.push_back({fmt::format("Copy the explanation as {}", format.label), "Action", "",
                            why_no_copy(state), [&format](UiState& s) {
-                               // Since the entry was made the pixel may have gone.
+                               // The pixel may have been removed since the entry was made.
                                const std::string refused = why_no_copy(s);
                                if (!refused.empty()) return s.notifications.add(Tone::Warning, refused);
                                copy_explanation(s, format);
                            }});
 }
 
-/// Names the mistakes that are on; a click opens their tab. While a lesson's question waits it would give the
-/// answer away.
+/// Names the mistakes that are on; a click opens their tab. During a lesson's question it would reveal the
+/// answer.
 float mistakes_mark(UiState& state, ImVec2 right) {
     const std::string text = mistakes_text(state.editor.scene().shading.mistakes);
     if (text.empty() || is_held(state)) return 0;
@@ -332,7 +331,7 @@ std::optional<PictureNote> note_of_mistakes(const UiState&, const Scene& scene) 
 }  // namespace
 
 const Feature inspector_feature{.update =
-                                    [](UiState& s) {  // what is pointed at in this frame is shown in the next
+                                    [](UiState& s) {  // hovering takes effect in the next frame
                                         s.get<InspectorState>().instead.reset();
                                         s.get<InspectorState>().preview_name.clear();
                                     },

@@ -17,7 +17,7 @@ struct Example {
     bool operator==(const Example&) const = default;
 };
 
-/// The scene files of `folder`: those that its lecture_order.txt names, in that order, then the others by
+/// The scene files of `folder`: those listed in its lecture_order.txt, in that order, then the others by
 /// name.
 [[nodiscard]] std::vector<Example> examples_in(const std::string& folder);
 

@@ -21,7 +21,7 @@ namespace {
 
 ImU32 grey(int value) { return IM_COL32(value, value, value, 255); }
 
-/// A patch in its cell of the row, to be clicked.
+/// A clickable patch in its cell of the row.
 void patch(ImDrawList& list, WedgeRow& row, int index, const Rect& cell) {
     const ImVec2 size = cell.size();
     const int step = wedge_steps[static_cast<std::size_t>(index)];
@@ -42,7 +42,7 @@ void patch(ImDrawList& list, WedgeRow& row, int index, const Rect& cell) {
     list.AddText({middle.x - text.x / 2, cell.high.y - text.y - px(7)}, ink, label.c_str());
 }
 
-/// The row's patches over the whole width.
+/// The row's patches over the full width.
 void patches(WedgeRow& row, float height) {
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -61,9 +61,9 @@ void patches(WedgeRow& row, float height) {
 std::string wedge_words(const WedgeRow& row) {
     if (row.seen < 0)
         return fmt::format("On {}: click the first patch that the last row of the room can see", row.name);
-    if (row.seen == 0) return fmt::format("On {} every step is seen", row.name);
+    if (row.seen == 0) return fmt::format("On {} every step is visible", row.name);
     const auto seen = std::min(static_cast<std::size_t>(row.seen), wedge_steps.size() - 1);
-    return fmt::format("On {} this projector swallows steps below {}/255: colours {:.3f} apart look the same",
+    return fmt::format("On {} this projector loses steps below {}/255: colours {:.3f} apart look the same",
                        row.name, wedge_steps[seen], double(wedge_steps[seen - 1]) / 255);
 }
 
@@ -79,7 +79,7 @@ void step_wedge(WedgeState& wedge) {
     ImGui::PopFont();
     ImGui::SameLine(window.x - px(100));
     if (ImGui::Button("Close", {px(88), 0})) wedge.open = false;
-    wrapped_dim("Each patch differs from its ground by so many of 255 steps");
+    wrapped_dim("Each patch differs from its background by this many of 255 steps");
     const float wrap = ImGui::GetContentRegionAvail().x;
     const auto words_height = [wrap](const WedgeRow& row) {
         return ImGui::CalcTextSize(wedge_words(row).c_str(), nullptr, false, wrap).y;
@@ -105,7 +105,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_order = 1 << 16;  // bytes
 
-/// The names that the folder's lecture_order.txt lists come first, in its order.
+/// The names in the folder's lecture_order.txt come first, in its order.
 void sort_for_lecture(std::vector<std::string>& names, const std::string& folder) {
     std::sort(names.begin(), names.end(), natural_less);
     const Result<std::string> order =

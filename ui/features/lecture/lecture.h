@@ -1,5 +1,5 @@
 #pragma once
-// The window helps in a lecture: with large type, a clean picture, freeze, pen, a step wedge.
+// Features for a lecture: large type, a picture without bars, freeze, pen, a step wedge.
 
 #include <imgui.h>
 
@@ -20,11 +20,11 @@ namespace glint {
 
 struct UiState;
 
-// A pen to draw over the picture with, as on a blackboard. Strokes are kept apart from the scene and the
-// saved picture.
+// A pen that draws over the picture, as on a blackboard. Strokes are not part of the scene or the saved
+// picture.
 
-/// A line of the pen. Places count from the picture's middle, in its heights, so that a line stays on what it
-/// was drawn on when the window changes.
+/// A line of the pen. Positions are relative to the picture's middle, in its heights, so that a line stays in
+/// place when the window changes.
 struct PenLine {
     std::vector<glm::vec2> places;
     int colour = 0;  // of pen_colours
@@ -42,26 +42,26 @@ inline constexpr int pen_colour_count = 5;
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
 
-/// Draws the pen's colours, the way back and the sponge, at the upper edge of `picture`, the part of it
-/// that is in sight, while the pen is in hand.
+/// Draws the pen's colours, its undo and its eraser, at the upper edge of `picture`, its visible part, while
+/// the pen is active.
 void pen_bar(PenState& pen, const Rect& picture);
 
 extern const Tool pen_tool;
 
-/// Freezes what is shown: the drawn scene and its selection, until LectureState::frozen is reset.
+/// Freezes the shown scene and its selection, until LectureState::frozen is reset.
 void freeze(UiState& state);
 
-// The wedge's patches differ little from their ground: a projector, in its room, tells only some apart.
+// The wedge's patches differ little from their background: a projector, in its room, distinguishes only some.
 
 /// Differences in steps of 1/255 of the display's range.
 inline constexpr std::array<int, 10> wedge_steps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
 
-/// The patches on one ground, and which of them are seen.
+/// The patches on one background, and which of them are visible.
 struct WedgeRow {
     const char* name;  // "black"
     int ground;        // 0 .. 255
     int sign;          // patches are ground + sign * step
-    int seen = -1;     // index of the smallest step seen; -1: not asked yet; wedge_steps.size(): none
+    int seen = -1;     // index of the smallest visible step; -1: not asked yet; wedge_steps.size(): none
     bool operator==(const WedgeRow&) const = default;
 };
 
@@ -70,46 +70,44 @@ struct WedgeState {
     std::array<WedgeRow, 3> rows{{{"black", 0, 1}, {"grey", 128, 1}, {"white", 255, -1}}};
 };
 
-/// The meaning of a row's answer: "On black, differences below 6/255 are swallowed: a colour of 0.02 is
-/// black."
+/// The meaning of a row's answer: "On black, differences below 6/255 are lost: a colour of 0.02 is black."
 [[nodiscard]] std::string wedge_words(const WedgeRow& row);
 
-/// Covers the whole window while it is open.
+/// Covers the entire window while it is open.
 void step_wedge(WedgeState& wedge);
 
-// The scenes of a folder, in the order in which a person would count them.
+// The scenes of a folder, in natural order.
 
-/// The scene files (.json) of a folder in that order, as paths. Hidden ones are left out; empty when the
-/// folder cannot be read.
+/// The scene files (.json) of a folder in that order, as paths. Hidden ones are left out; empty if the folder
+/// cannot be read.
 [[nodiscard]] std::vector<std::string> folder_scenes(const std::string& folder);
 
-/// Returns the scene `step` places after `path` (before it, if negative) in its folder; if `path` is not in
-/// the list, counted from where it would be. Empty if there is none.
+/// Returns the scene `step` positions after `path` (before it, if negative) in its folder; if `path` is not
+/// in the list, counted from where it would be. Empty if there is none.
 [[nodiscard]] std::string scene_beside(const std::string& path, int step);
 
-/// The scene `step` places after `path` (before it, when negative) among those that the program was given,
-/// empty where there is none; nothing where `path` was not given.
+/// The scene `step` positions after `path` (before it, if negative) among those on the command line, empty if
+/// there is none; nothing if `path` is not among them.
 [[nodiscard]] std::optional<std::string> given_scene_beside(const std::vector<std::string>& given,
                                                             const std::string& path, int step);
 
-/// Type and widgets are so many times larger: the smallest type, 13 units, becomes 18.
+/// Type and widgets are this many times larger: the smallest type, 13 units, becomes 18.
 inline constexpr float projector_scale = 1.4f;
 
-/// The scene that PgDn or PgUp asked for last.
+/// The scene last requested by PgDn or PgUp.
 struct AskedScene {
-    std::string from;  // path of the document that was open
+    std::string from;  // path of the document open at that time
     std::string path;
-    int step =
-        0;  // 1: by PgDn; -1: by PgUp. If it cannot be opened, further that way comes the one behind it
+    int step = 0;  // 1: by PgDn; -1: by PgUp. If it cannot be opened, the next one in that direction follows
 };
 
 struct LectureState {
-    std::optional<Scene> frozen;  // shown whatever is edited; set by freeze()
+    std::optional<Scene> frozen;  // shown regardless of edits; set by freeze()
     Selection frozen_selection;   // in it
-    /// The scenes of the command line, a lecture in an order of one's own: PgDn and PgUp go through these
+    /// The scenes of the command line, a lecture in the user's own order: PgDn and PgUp go through these
     /// while one of them is open, else through the open scene's folder.
     std::vector<std::string> given_scenes;
-    std::string last_given;  // of these, the one that was open last: a scene without a file stands after it
+    std::string last_given;  // of these, the last one opened: a scene without a file comes after it
     AskedScene asked;
 };
 

@@ -1,4 +1,4 @@
-// The features of a lecture: freeze and pages, the step wedge, the pen, a clean picture.
+// The features of a lecture: freeze and pages, the step wedge, the pen, a picture without bars.
 #include <utility>
 
 #include "ui/commands/command.h"
@@ -12,8 +12,8 @@
 namespace glint {
 namespace {
 
-/// Returns the next scene of those that the program was given, else of the folder; for a scene without a
-/// file, of those that come with the program. One that cannot be opened is passed over the next time.
+/// Returns the next scene on the command line, else of the folder; for a scene without a file, of those that
+/// come with the program. Skips one that could not be opened.
 std::string other_scene(const UiState& state, int step) {
     const AskedScene& asked = state.get<LectureState>().asked;
     const std::string& open = state.editor.document.path;
@@ -46,7 +46,7 @@ void switch_projector(UiState& state) {
         layout.left_before = layout.left;
         layout.right_before = layout.right;
     }
-    // The equation stays, larger, and has the room of the scene's list; a lesson keeps its own.
+    // The equation stays, enlarged, and uses the room of the scene's list; a lesson keeps its own column.
     layout.left = !layout.projector && layout.left_before;
     layout.right = layout.projector || layout.right_before;
     if (!layout.lesson) state.left_shows_inspector |= layout.projector;
@@ -71,7 +71,7 @@ std::optional<OtherScene> show_frozen(const UiState& state) {
         .key = CommandId::Freeze,
         .end = [](UiState& s) { s.get<LectureState>().frozen.reset(); },
         .selection = lecture.frozen_selection,
-        .refusal = "The picture is frozen: " + key + " lets it go on",
+        .refusal = "The picture is frozen: " + key + " unfreezes it",
         .hint = "Frozen · " + key + ": go on",
         .press = [](UiState& s) { s.notifications.tell(s.on_screen.refusal(), Tone::Warning); }};
 }
@@ -134,14 +134,14 @@ std::vector<WindowCommand> pen_commands() {
          .line_above = true,
          .quiet = true,
          .words = "draw annotate"},
-        {.name = "Wipe what the pen drew",
+        {.name = "Erase all pen strokes",
          .keys = {{Key::W, !ctrl, shift}},
          .section = Section::LectureShow,
          .run = [](UiState& s) { s.get<PenState>().lines.clear(); },
          .why_disabled = unless_drawn_on,
          .id = CommandId::WipePen,
          .quiet = true},
-        {.name = "Pen: take the last line back",
+        {.name = "Pen: undo the last stroke",
          .run = [](UiState& s) { s.get<PenState>().lines.pop_back(); },
          .why_disabled = unless_drawn_on,
          .quiet = true,
@@ -150,7 +150,7 @@ std::vector<WindowCommand> pen_commands() {
          .run =
              [](UiState& s) { s.get<PenState>().colour = (s.get<PenState>().colour + 1) % pen_colour_count; },
          .why_disabled =
-             [](const UiState& s) { return unless(s.get<PenState>().on, "The pen is not in hand"); },
+             [](const UiState& s) { return unless(s.get<PenState>().on, "The pen is not active"); },
          .quiet = true},
     };
 }
@@ -175,7 +175,7 @@ std::vector<WindowCommand> wedge_commands() {
 
 void freeze(UiState& state) {
     LectureState& lecture = state.get<LectureState>();
-    // Of B, or of what plays, nothing is selected.
+    // In B, or in an animation, nothing is selected.
     lecture.frozen_selection = state.on_screen.is_out_of_hand()
                                    ? Selection{}
                                    : valid_selection(state.editor.selection, state.rendered_scene);

@@ -17,9 +17,9 @@ namespace glint {
 namespace {
 
 constexpr float line_width = 3.5f;           // logical pixels
-constexpr double least_step = 1.5;           // pixels between places of a line
+constexpr double least_step = 1.5;           // pixels between points of a line
 constexpr std::size_t max_places = 100'000;  // of all lines together
-constexpr std::size_t drawn_at_once = 4000;  // places: an index of ImGui tells 65,536 corners apart
+constexpr std::size_t drawn_at_once = 4000;  // points: ImGui's indices address up to 65,536 vertices
 
 glm::vec2 to_place(glm::dvec2 pixel, const PictureView& view) {
     const double height = view.map.size.height;
@@ -31,12 +31,12 @@ ImVec2 to_window(glm::vec2 place, const PictureView& view) {
     return view.to_window({view.map.size.width / 2.0 + place.x * height, height / 2 + place.y * height});
 }
 
-/// Whether the pen has drawn as much as it may; then it says so.
+/// Whether the pen has reached its limit; reports it.
 bool is_used_up(UiState& state) {
     std::size_t places = 0;
     for (const PenLine& line : state.get<PenState>().lines) places += line.places.size();
     if (places < max_places) return false;
-    state.notifications.tell(fmt::format("The pen has drawn as much as the picture holds: {} wipes it clean",
+    state.notifications.tell(fmt::format("The pen has reached its limit for a picture: {} erases everything",
                                          keys_of(CommandId::WipePen)),
                              Tone::Warning);
     return true;
@@ -74,7 +74,7 @@ bool pen_drag(ToolFrame& frame) {
     return true;
 }
 
-/// Draws a line's first places; the next piece begins where this one ends.
+/// Draws a line's first points; the next piece begins where this one ends.
 void draw_piece(ImDrawList& list, std::span<const glm::vec2> places, ImU32 colour, const PictureView& view) {
     std::vector<ImVec2> corners;
     for (const glm::vec2 place : places.first(std::min(places.size(), drawn_at_once)))
@@ -87,7 +87,7 @@ void draw_piece(ImDrawList& list, std::span<const glm::vec2> places, ImU32 colou
 const Tool pen_tool{.hover = pen_hover, .press = pen_press, .drag = pen_drag};
 
 ImVec4 pen_colour(int index) {
-    // Okabe and Ito's yellow, sky blue, vermillion and green; white. On a picture: not the theme's.
+    // Okabe and Ito's yellow, sky blue, vermillion and green; white. On a picture: independent of the theme.
     static const ImVec4 colours[pen_colour_count] = {{0.94f, 0.89f, 0.26f, 1},
                                                      {0.34f, 0.71f, 0.91f, 1},
                                                      {0.84f, 0.37f, 0, 1},
@@ -122,7 +122,7 @@ void pen_bar(PenState& pen, const Rect& picture) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddCircleFilled(middle, size * 0.32f, to_u32(pen_colour(i)));
         list.AddCircle(middle, size * 0.32f, to_u32(theme().dim_text), 0,
-                       px(1));  // so that white is seen on white
+                       px(1));  // so that white is visible on white
         if (pen.colour == i) list.AddCircle(middle, size * 0.45f, to_u32(theme().text), 0, px(1.5f));
         tooltip("Pen", "Draws in this colour over the picture");
         ImGui::PopID();
@@ -131,14 +131,15 @@ void pen_bar(PenState& pen, const Rect& picture) {
     ImGui::SameLine(0, px(10));
     ImGui::BeginDisabled(pen.lines.empty());
     if (icon_button("##back", Icon::Undo)) pen.lines.pop_back();
-    tooltip("Last line", "Takes the last line back");
+    tooltip("Last line", "Undoes the last stroke");
     ImGui::SameLine(0, px(4));
     if (ImGui::Button("Wipe")) pen.lines.clear();
-    tooltip("Wipe", "Takes all lines away", "", keys_of(CommandId::WipePen));
+    tooltip("Wipe", "Erases all strokes", "", keys_of(CommandId::WipePen));
     ImGui::EndDisabled();
     ImGui::SameLine(0, px(4));
     if (icon_button("##away", Icon::Close)) pen.on = false;
-    tooltip("Put the pen away", "The lines stay until they are wiped", "", keys_of(CommandId::Pen) + ", Esc");
+    tooltip("Put the pen away", "The strokes stay until they are erased", "",
+            keys_of(CommandId::Pen) + ", Esc");
     ImGui::End();
     ImGui::PopStyleVar();
 }

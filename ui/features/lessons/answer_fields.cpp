@@ -1,4 +1,4 @@
-// The ways to answer a question, one a kind; and the answer beside the right one.
+// The answer fields, one per kind of question; and an answer next to the right one.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -25,11 +25,11 @@ bool number_answer(LessonState& lesson, const Prediction& question) {
     const float width = px(130);
     ImGui::PushFont(fonts().reading);
     ImGui::SetNextItemWidth(width);
-    // In the first frame of a window those that appear after it take the keyboard away again.
+    // In the first frame of a window, later windows take the focus away again.
     if (!ImGui::IsWindowAppearing() && std::exchange(lesson.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered =
         text_field("##answer", "a number", lesson.typed, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (entered && !can_lock(lesson)) {  // it is to be mended
+    if (entered && !can_lock(lesson)) {  // so that it can be corrected
         lesson.takes_keys = true;
         redraw_within(0);
     }
@@ -66,7 +66,7 @@ void sketch_answer(LessonState& lesson, const Prediction& question) {
     if (wipes) lesson.chosen = {};
 }
 
-/// Whose answer it is, in a row of two; a large figure under a small word.
+/// Whose answer it is, in a row of two; a large figure under a small label.
 void figure(const char* word, const std::string& text, const ImVec4& colour) {
     ImGui::BeginGroup();
     small_dim(word);
@@ -79,7 +79,7 @@ void figure(const char* word, const std::string& text, const ImVec4& colour) {
     list_control(word, "", last_item());
 }
 
-/// Both side by side where they fit.
+/// Both side by side if they fit.
 void two_figures(const std::string& mine, const std::string& right, bool counts) {
     const float left = ImGui::GetCursorPosX(), half = ImGui::GetContentRegionAvail().x / 2;
     ImGui::PushFont(fonts().heading);
@@ -140,8 +140,8 @@ void revealed_value(LessonState& lesson, const StationQuestion& question, const 
     case PredictionKind::Choice:
         return revealed_choice(question, given);
     case PredictionKind::Click:
-        return small_dim(given.locked ? "In the picture: the ring is yours, the cross is the place."
-                                      : "In the picture: the cross is the place.");
+        return small_dim(given.locked ? "In the picture: the ring is yours, the cross is the answer."
+                                      : "In the picture: the cross is the answer.");
     case PredictionKind::Sketch:
         sketch_plot(lesson, asks, given.value, &right);
         if (given.locked) coloured(theme().warning, "yours");
@@ -182,8 +182,8 @@ void answer_fields(UiState& state, const StationQuestion& question) {
         choice_answer(lesson, asks);
         break;
     case PredictionKind::Click:
-        prose_line(lesson.chosen == Json() ? "Click the place in the picture."
-                                           : "The ring marks your place. Click elsewhere to move it.",
+        prose_line(lesson.chosen == Json() ? "Click the position in the picture."
+                                           : "The ring marks your position. Click elsewhere to move it.",
                    theme().accent);
         break;
     case PredictionKind::Sketch:
@@ -199,7 +199,7 @@ void answer_fields(UiState& state, const StationQuestion& question) {
     ImGui::BeginDisabled(!can);
     const bool locked = main_button("Lock it in");
     ImGui::EndDisabled();
-    tooltip("Lock it in", can ? "It stands then, and the answer is shown (Enter)" : why.c_str());
+    tooltip("Lock it in", can ? "Makes it final and shows the answer (Enter)" : why.c_str());
     if (can && (locked || entered)) return lock_in(state);
     ImGui::SameLine(0, px(12));
     ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});
@@ -223,7 +223,7 @@ std::string why_no_answer(const LessonState& lesson) {
     const auto gap = std::find_if_not(values.begin(), values.end(), is_drawn);
     if (values.size() == sketch_length(question) && gap == values.end()) return {};
     const auto end = std::find_if(gap, values.end(), is_drawn);
-    return fmt::format("The curve has a gap from {} to {} on the lower axis: draw it there, too",
+    return fmt::format("The curve has a gap from {} to {} on the lower axis: draw it there too",
                        gap - values.begin(), end - values.begin());
 }
 
@@ -259,7 +259,7 @@ void revealed_answer(UiState& state, const StationQuestion& question, const Give
     if (given.skipped && !state.get<LessonState>().lecturer) small_dim("You did not predict it.");
     const Reveal* reveal = state.get<LessonState>().station().reveal;
     if (reveal == nullptr || !reveal->pick) return;
-    const char* const label = asks.term.empty() ? "The pixel's equation" : "Where it stands in the equation";
+    const char* const label = asks.term.empty() ? "The pixel's equation" : "Show it in the equation";
     if (ImGui::SmallButton(label)) show_in_equation(state, asks);
     tooltip(label, asks.term.empty() ? "Of the pixel that the lesson picked"
                                      : "The picked pixel's equation, with this number marked");

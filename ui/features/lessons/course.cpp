@@ -45,10 +45,10 @@ class Cutter {
     std::size_t step_ = 0;
 };
 
-/// The station's scenes and answers. `step`: its step's scene.
+/// Computes the station's scenes and answers. `step`: its step's scene.
 std::optional<Problem> make_ready(Station& station, const Lesson& lesson, const SceneDocument& step,
                                   LessonRunner& runner) {
-    // It is asked as on paper: what the picture would tell is told by the reveal.
+    // The question is posed as on paper: the reveal shows what the picture would reveal.
     Result<SceneDocument> asked = LessonRunner::for_paper(step, lesson.steps[station.step], lesson, false);
     if (const Problem* problem = problem_of(asked)) return *problem;
     station.asked = station.questions.empty() ? step.scene : std::get<SceneDocument>(std::move(asked)).scene;
@@ -85,7 +85,7 @@ Result<std::shared_ptr<const Course>> open_course(const std::string& path) {
     const auto course = std::make_shared<Course>();
     course->lesson = std::get<Lesson>(std::move(read));
     const Lesson& lesson = course->lesson;
-    LessonRunner runner(1);  // beside the window
+    LessonRunner runner(1);  // separate from the window's
     Result<SceneDocument> opened = runner.open(lesson);
     if (const Problem* problem = problem_of(opened)) return *problem;
     course->document = std::get<SceneDocument>(std::move(opened));

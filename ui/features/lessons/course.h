@@ -14,43 +14,44 @@
 
 namespace glint {
 
-/// A question with its right answer on the station's scene.
+/// A question with the right answer for the station's scene.
 struct StationQuestion {
     const Prediction* asks = nullptr;  // in Course::lesson
     RightAnswer right;
 };
 
-/// What follows the answer: text, or a task.
+/// A part that follows the answer: text, or a task.
 struct StationPart {
     const std::vector<ProseBlock>* told = nullptr;  // one of the two
     const Task* task = nullptr;
 };
 
-/// What stands from one question to the next: text, questions, what is revealed once all of them are
-/// answered, and what follows from it. A station without a question is revealed at once.
+/// The parts from one question to the next: text, questions, what is revealed once all of them are answered,
+/// and what follows from it. A station without a question is revealed at once.
 struct Station {
     std::size_t step = 0;  // in Lesson::steps
     std::vector<const std::vector<ProseBlock>*> before;
     std::vector<StationQuestion> questions;
     const Reveal* reveal = nullptr;  // or none
     std::vector<StationPart> after;
-    Scene asked, revealed;  // the step's scene, and with what the reveal sets
+    Scene asked, revealed;  // the step's scene, and with the reveal's changes
 };
 
 struct Course {
     Lesson lesson;
-    SceneDocument document;  // the lesson's scene with its meshes, and no path: nothing is saved over it
+    SceneDocument document;  // the lesson's scene with its meshes, and no path, so that nothing is saved over
+                             // it
     std::vector<Station> stations;  // at least one; they point into `lesson`
 };
 
-/// Reads the lesson's file, loads its scene, and runs what its questions ask for. What is wrong is one line
-/// with the number of its line. Ends early when this thread's load is cancelled (models/progress.h).
+/// Reads the lesson's file, loads its scene, and computes its answers. A problem is one line of text with its
+/// line number. Ends early when this thread's load is cancelled (models/progress.h).
 [[nodiscard]] Result<std::shared_ptr<const Course>> open_course(const std::string& path);
 
 /// Whether a path names a lesson: it ends in .md.
 [[nodiscard]] bool is_lesson_file(const std::string& path);
 
-/// An answer that somebody gives to a question, and whether it is final.
+/// A user's answer to a question, and whether it is final.
 struct GivenAnswer {
     Json value;  // null: none is given yet
     bool locked = false, skipped = false;
@@ -58,10 +59,10 @@ struct GivenAnswer {
     bool operator==(const GivenAnswer&) const = default;
 };
 
-/// An answer that was locked in counts as right where it is not farther off than the tolerance.
+/// A locked-in answer is right if it is within the tolerance.
 [[nodiscard]] bool is_right(const StationQuestion& question, const GivenAnswer& given);
 
-/// How far somebody has come in a lesson; it has the shape of the lesson's stations.
+/// A user's progress in a lesson; it has the structure of the lesson's stations.
 struct CourseProgress {
     std::size_t station = 0;
     std::vector<std::vector<GivenAnswer>> given;
@@ -70,10 +71,10 @@ struct CourseProgress {
 };
 [[nodiscard]] CourseProgress fresh_progress(const Course& course);
 
-/// Whether nothing of the station is left to be answered.
+/// Whether all questions of the station are answered.
 [[nodiscard]] bool is_answered(const CourseProgress& progress, std::size_t station);
 
-/// How many questions were asked, answered, answered right, and how many tasks there are and were done.
+/// The numbers of questions, answers and right answers, and of tasks and done tasks.
 struct CourseScore {
     int questions = 0, locked = 0, right = 0, tasks = 0, done = 0;
 };

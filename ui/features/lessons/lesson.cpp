@@ -23,17 +23,17 @@
 namespace glint {
 namespace {
 
-/// A scene of the lesson is not an edit that could be lost, but it is a step that can be undone. It belongs
-/// to no file, whatever name the one before was saved under.
+/// A scene of the lesson is not an edit that could be lost, but it is an undo step. It belongs to no file,
+/// even if the previous one was saved under a name.
 void set_scene(UiState& state, const Scene& scene) {
     Editor& editor = state.editor;
     (void)cancel_gesture(state.viewport, editor.scene());
     let_go_of_fields();
-    give_up_meshes(state);  // the step that goes before has the meshes that are seen
+    give_up_meshes(state);  // the step before has the visible meshes
     remember_step(editor, false);
     editor.scene() = scene;
     state.get<SensitivityState>().forget();
-    editor.followed.reset();  // its lights are others, not those before that came or went
+    editor.followed.reset();  // its lights are unrelated to the previous ones
     editor.document.path.clear();
     editor.document.stamp = {};
     editor.edits_camera = true;
@@ -49,7 +49,7 @@ void forget_input(LessonState& lesson) {
     lesson.sketched.reset();
 }
 
-/// The item that the first task's hand is to move is selected: its handles show.
+/// Selects the item that the first task edits: its handles show.
 void select_for_tasks(UiState& state) {
     for (const StationPart& part : state.get<LessonState>().station().after) {
         if (part.task == nullptr) continue;
@@ -57,14 +57,14 @@ void select_for_tasks(UiState& state) {
             const std::optional<Selection> item = selection_in(pointer);
             if (!item) continue;
             state.editor.selection = valid_selection(*item, state.editor.scene());
-            // The gizmo would hide what is looked at; it is needed only if the object itself is to move.
+            // The gizmo would cover the view; it is needed only if the object itself is to move.
             if (pointer.find("/transform") == std::string::npos) state.viewport.gizmo = GizmoMode::None;
             return;
         }
     }
 }
 
-constexpr int frames_of_layout = 3;  // until the picture has its new room
+constexpr int frames_of_layout = 3;  // until the picture has its new size
 
 void show_reveal(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
@@ -86,7 +86,7 @@ void show_reveal(UiState& state) {
     select_for_tasks(state);
 }
 
-/// Arrives at the station where the progress stands.
+/// Shows the station of the present progress.
 void arrive(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
     forget_input(lesson);
@@ -103,8 +103,8 @@ void arrive(UiState& state) {
 }
 
 /// Does `what` to the open lesson at once, or asks first whether to save. It asks if a scene was saved under
-/// a name and has unsaved changes: that is somebody's work. The lesson's own scene is not, however it was
-/// explored.
+/// a name and has unsaved changes: that is the user's work. The lesson's own scene is not, however it was
+/// edited.
 void ask_in_lesson(UiState& state, const std::function<void(UiState&)>& what) {
     const auto then = [what](UiState& s) {
         if (s.get<LessonState>().course) what(s);
@@ -190,7 +190,7 @@ void switch_lecturer(UiState& state) {
     if (lesson.lecturer) return ask_in_lesson(state, become_student);
     keep_progress(state);
     lesson.lecturer = true;
-    lesson.written = lesson.progress;  // to come back to
+    lesson.written = lesson.progress;  // to return to
 }
 
 void go_on(UiState& state, int steps) {

@@ -1,6 +1,6 @@
 #pragma once
-// A lesson in the window: which one is open, how far it has come, and what each step of it does to the scene.
-// While a question waits for its answer the picture stands still, and nothing that is read off it is shown.
+// A lesson in the window: the open one, its progress, and the effect of each step on the scene. While a
+// question waits for its answer the picture is frozen, and nothing read from it is shown.
 
 #include <imgui.h>
 
@@ -27,7 +27,7 @@ struct WatchedTasks {
     std::shared_ptr<const Course> course;
     Scene of;
     std::size_t station = 0;
-    std::vector<bool> done;  // in the order of the station's tasks; empty where it cannot be told
+    std::vector<bool> done;  // in the order of the station's tasks; empty if unknown
 };
 
 struct LessonState {
@@ -35,19 +35,20 @@ struct LessonState {
     std::string inventory;                 // the questions of its quiz; empty: none
     std::shared_ptr<const Course> course;  // null: no lesson is open
     CourseProgress progress;
-    bool lecturer = false;  // questions are shown without a way to answer them, and nothing is noted
-    bool scrolls_up = false, scrolls_down = false;  // asked for: to the top, to what was just told
-    bool takes_keys = false;                        // asked for: what is typed is the answer
-    int lays_line = 0;  // frames in which pixel and line are laid where the reveal says: the room changes
-    // The answer that is being given to the first open question:
+    bool lecturer = false;  // questions are shown without answer fields, and nothing is recorded
+    bool scrolls_up = false, scrolls_down = false;  // requested: to the top, to the newest text
+    bool takes_keys = false;                        // requested: focus the answer field
+    int lays_line = 0;  // frames in which pixel and line are set to the reveal's positions: the layout
+                        // changes
+    // The answer being given to the first open question:
     std::string typed;                     // of a number
     Json chosen;                           // of all other kinds; null: none yet
-    std::optional<glm::dvec2> sketched;    // where the hand was on a sketch: (number of the value, value)
-    std::unique_ptr<LessonRunner> runner;  // of `watching`: it keeps what it drew
+    std::optional<glm::dvec2> sketched;    // the last position on a sketch: (index of the value, value)
+    std::unique_ptr<LessonRunner> runner;  // of `watching`: it caches its pictures
     JobPtr<std::vector<bool>> watching;
-    WatchedTasks asked_of;                // what `watching` is about: the lesson may be another by then
+    WatchedTasks asked_of;                // the subject of `watching`: the lesson may be another by then
     std::optional<WatchedTasks> watched;  // the last answer
-    CourseProgress written;               // as the file has it
+    CourseProgress written;               // as in the file
 
     [[nodiscard]] const Station& station() const { return course->stations[progress.station]; }
     [[nodiscard]] std::vector<GivenAnswer>& given() { return progress.given[progress.station]; }
@@ -57,59 +58,59 @@ struct LessonState {
 /// Begins to open a lesson, whatever its file is called.
 [[nodiscard]] Opening opening_of_lesson(const std::string& path);
 
-/// Opens the lesson's column where it was left. Precondition: Course::document is the open document, as
-/// take_scene() makes it.
+/// Opens the lesson's column where it was left. Precondition: Course::document is the open document, as made
+/// by take_scene().
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course);
-/// The scene stays, the lesson goes.
+/// Closes the lesson; the scene stays.
 void leave_lesson(UiState& state);
 
-/// Returns the first question of this station that waits for an answer; nothing if none does.
+/// Returns the first open question of this station; nothing if there is none.
 [[nodiscard]] std::optional<std::size_t> open_question(const LessonState& lesson);
 
-// Whatever opens a scene of the lesson asks first if the open scene was saved under a name and has unsaved
-// changes.
+// Every action that opens a scene of the lesson asks first if the open scene was saved under a name and has
+// unsaved changes.
 
-/// Goes `steps` stations on, or back if negative, and shows the scene there. At the ends it says so.
+/// Goes `steps` stations forward, or back if negative, and shows the scene there. Reports the ends.
 void go_on(UiState& state, int steps);
-/// Does what PgDn and PgUp do; for a lecturer, PgDn first shows an open answer.
+/// Handles PgDn and PgUp; for a lecturer, PgDn first shows an open answer.
 void page_lesson(UiState& state, int steps);
-/// Begins the lesson at its first station again, with nothing answered.
+/// Restarts the lesson at its first station, with nothing answered.
 void begin_again(UiState& state);
-/// Restores the lesson's scene of this station, as one step to undo.
+/// Restores the lesson's scene of this station, as one undo step.
 void back_to_scene(UiState& state);
-/// Says why what is given to the open question is not an answer yet; empty where it is one.
+/// Returns why the given answer to the open question is incomplete; empty if it is complete.
 [[nodiscard]] std::string why_no_answer(const LessonState& lesson);
-/// Whether what is given to the open question is an answer.
+/// Whether the open question has a complete answer.
 [[nodiscard]] bool can_lock(const LessonState& lesson);
-/// Answers the open question by a key: the letter of an option takes it, Enter locks in what is given. False
-/// where the key is for something else.
+/// Answers the open question by a key: an option's letter chooses it, Enter locks in the answer. False if the
+/// key means something else.
 bool answer_by_key(UiState& state, KeyPress press);
 /// Makes the given answer final; after the station's last one, the answers are revealed.
 void lock_in(UiState& state);
-/// Shows all answers of the station; what was not locked in counts as not answered.
+/// Shows all answers of the station; answers that were not locked in do not count.
 void reveal_unanswered(UiState& state);
 /// Whether the scene differs from the lesson's here; a changed view counts too.
 [[nodiscard]] bool has_strayed(const UiState& state);
 
-/// Plays what the reveal lets go to and fro, or stops it.
+/// Plays or stops the reveal's animation.
 void play_reveal(UiState& state);
-/// Marks the answer's number in its tab of the WHY column, for a moment.
+/// Highlights the answer's number in its tab of the WHY column, for a moment.
 void mark_in_equation(UiState& state, const Prediction& question);
-/// Asks about the pixel that the reveal names and leads to where the answer's number stands.
+/// Picks the reveal's pixel and scrolls to the answer's number.
 void show_in_equation(UiState& state, const Prediction& question);
 
-/// While a question waits, undoes whatever this frame did to its scene. Call it before the picture is drawn.
+/// During a question, undoes all edits of this frame. Call it before the picture is drawn.
 void hold_lesson(UiState& state);
-/// Once a frame: tests the tasks' conditions on the scene in hand and writes the progress.
+/// Once a frame: tests the tasks' conditions on the present scene and writes the progress.
 void poll_lesson(UiState& state);
 
-/// The lesson's column: title, text, question, answer, tasks, and the ways on. Nothing without a lesson.
+/// The lesson's column: title, text, question, answer, tasks, and navigation. Nothing without a lesson.
 void lesson_column(UiState& state);
 extern const Tool lesson_tool;
-/// Draws the places and lines of a station's questions into the picture.
+/// Draws the positions and lines of a station's questions into the picture.
 void draw_lesson(ImDrawList& list, UiState& state, const PictureView& view);
 
-/// In a few words what the lesson asks or tells, for a picture without columns; empty without a lesson.
+/// A short version of the lesson's question or text, for a picture without columns; empty without a lesson.
 [[nodiscard]] std::string lesson_caption(const UiState& state);
 
 /// A pixel of the lesson's pictures as a share of the window's picture, of the same camera; and back.
@@ -118,7 +119,7 @@ void draw_lesson(ImDrawList& list, UiState& state, const PictureView& view);
 
 /// Returns the number of values in a sketch from A to B: one for each pixel.
 [[nodiscard]] std::size_t sketch_length(const Prediction& question);
-/// Draws with the mouse: values between `from` and `to`, each (number, value), follow the line; others stay.
+/// Draws with the mouse: values between `from` and `to`, each (index, value), follow the line; others stay.
 /// Null values are not drawn yet.
 void sketch(Json& values, std::size_t count, glm::dvec2 from, glm::dvec2 to);
 

@@ -1,4 +1,4 @@
-// The lesson's column: where one is, what is told and asked here, and the ways on.
+// The lesson's column: the present station, its text and question, and navigation.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -25,7 +25,7 @@ const std::string& step_title(const Course& course, std::size_t station) {
     return step.title.empty() ? course.lesson.title : step.title;
 }
 
-/// A stroke for each station, to be clicked: answered ones are full, the one that is shown is high.
+/// A clickable stroke for each station: answered ones are filled, the shown one is high.
 void station_strokes(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
     const std::size_t count = lesson.course->stations.size();
@@ -64,7 +64,7 @@ void heading(UiState& state) {
     ImGui::Dummy({0, px(2)});
 }
 
-/// A question's or a task's words behind a bar, below a small word.
+/// The text of a question or a task behind a bar, below a small label.
 void asked(const char* word, const std::string& text) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     ImGui::Indent(px(12));
@@ -78,7 +78,7 @@ void asked(const char* word, const std::string& text) {
     list_control(text.c_str(), word, {from, {from.x + ImGui::GetContentRegionAvail().x, end}});
 }
 
-/// Shows a lecturer what can be answered, and nothing that could be chosen by mistake.
+/// Shows a lecturer the options, without controls that could be clicked by mistake.
 void posed(const StationQuestion& question) {
     const std::vector<LessonOption>& options = question.asks->options;
     for (std::size_t i = 0; i < options.size(); ++i)
@@ -90,7 +90,9 @@ void questions(UiState& state) {
     const Station& station = state.get<LessonState>().station();
     const auto open = open_question(state.get<LessonState>());
     if (open && !state.get<LessonState>().course->lesson.steps[station.step].picture.empty())
-        small_dim("Until you have answered, the picture shows another setting: it would tell the answer.");
+        small_dim(
+            "Until you have answered, the picture shows a different setting, since it would reveal the "
+            "answer.");
     for (std::size_t i = 0; i < station.questions.size(); ++i) {
         if (open && i > *open && !state.get<LessonState>().lecturer) return;
         const StationQuestion& question = station.questions[i];
@@ -111,7 +113,7 @@ void questions(UiState& state) {
     }
     if (!open || !state.get<LessonState>().lecturer) return;
     if (main_button("Show the answer")) reveal_unanswered(state);
-    tooltip("Show the answer", "PgDn does it, too");
+    tooltip("Show the answer", "Shortcut: PgDn");
 }
 
 void told(UiState& state) {
@@ -120,7 +122,7 @@ void told(UiState& state) {
     if (std::exchange(lesson.scrolls_down, false)) ImGui::SetScrollHereY(0.6f);
     if (station.reveal != nullptr && !station.reveal->play.empty()) {
         if (ImGui::Button(state.get<AnimateState>().playing ? "Stop" : "Play it")) play_reveal(state);
-        tooltip("Play it", "To and fro, between the two ends");
+        tooltip("Play it", "Back and forth, between the two ends");
     }
     const bool current = lesson.watched && lesson.watched->station == lesson.progress.station;
     std::size_t task = 0;
@@ -139,21 +141,21 @@ void told(UiState& state) {
     }
 }
 
-/// Where the last station is answered: how it went.
+/// After the last station is answered: the score.
 void summary(UiState& state) {
     const LessonState& lesson = state.get<LessonState>();
     if (lesson.progress.station + 1 < lesson.course->stations.size()) return;
     const CourseScore score = score_of(*lesson.course, lesson.progress);
     std::string text = fmt::format("The end of this lesson. {} of {} questions predicted, {} of them right",
                                    score.locked, score.questions, score.right);
-    if (score.tasks > 0) text += fmt::format("; {} of {} things done by hand", score.done, score.tasks);
+    if (score.tasks > 0) text += fmt::format("; {} of {} tasks done by hand", score.done, score.tasks);
     ImGui::Dummy({0, px(4)});
     small_dim(text + ".");
     if (ImGui::SmallButton("Begin again")) begin_again(state);
     tooltip("Begin again", "From the first station, with nothing answered");
 }
 
-/// The row below: back, where one is, on.
+/// The bottom row: back, present station, next.
 void ways_on(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
     const std::size_t at = lesson.progress.station, count = lesson.course->stations.size();
@@ -163,7 +165,7 @@ void ways_on(UiState& state) {
     ImGui::BeginDisabled(at == 0);
     const bool back = ImGui::Button("‹ Back", {width, 0});
     ImGui::EndDisabled();
-    tooltip("Back", "The station before, with its scene", "", "PgUp");
+    tooltip("Back", "The previous station, with its scene", "", "PgUp");
     const std::string place = fmt::format("{} of {}", at + 1, count);
     ImGui::SameLine((right - ImGui::CalcTextSize(place.c_str()).x) / 2);
     dim_text(place.c_str());
@@ -177,17 +179,18 @@ void ways_on(UiState& state) {
     if (next && !last) go_on(state, 1);
 }
 
-/// Whoever has explored finds the way back.
+/// Offers to restore the lesson's scene after edits.
 void way_back(UiState& state) {
     if (open_question(state.get<LessonState>())) return;
     ImGui::BeginDisabled(!has_strayed(state));
     if (ImGui::Button("Back to the lesson's scene", {ImGui::GetContentRegionAvail().x, 0}))
         back_to_scene(state);
     ImGui::EndDisabled();
-    tooltip("Back to the lesson's scene", "As it was here before you changed it; undo brings yours back");
+    tooltip("Back to the lesson's scene",
+            "The scene as it was here before you changed it; undo restores yours");
 }
 
-/// The way back has its row before anything is dragged: the text must not jump under the hand.
+/// This row is reserved before anything is dragged: the text must not jump under the cursor.
 float height_below(const UiState& state) {
     const float row = ImGui::GetFrameHeightWithSpacing();
     return row + px(8) + (open_question(state.get<LessonState>()) ? 0 : row);
@@ -197,7 +200,7 @@ float height_below(const UiState& state) {
 
 void lesson_column(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
-    if (!lesson.course) return;  // it was left in this frame
+    if (!lesson.course) return;  // it was closed in this frame
     heading(state);
     ImGui::BeginChild("##lesson", {0, -height_below(state)});
     if (std::exchange(lesson.scrolls_up, false)) ImGui::SetScrollY(0);

@@ -1,4 +1,4 @@
-// From an answer to the place of its number in the equation.
+// Finds an answer's number in the equation.
 #include <array>
 #include <cstdio>
 #include <string_view>
@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// A field of an explanation (docs/explain.md) and the letter under which its number stands.
+/// A field of an explanation (docs/explain.md) and the letter under which its number is shown.
 struct TermPlace {
     std::string_view field;
     Quantity quantity;
@@ -35,7 +35,8 @@ constexpr std::array places{
     TermPlace{"h", Quantity::H, InspectorTab::Vectors},
 };
 
-/// The place of "lights[0].r.world[0]", and the light's number; the sum's where the field is none of these.
+/// The position of "lights[0].r.world[0]", and the light's index; that of the sum if the field is none of
+/// these.
 std::pair<TermPlace, int> place_of(std::string_view term) {
     int light = -1;
     if (std::sscanf(std::string(term).c_str(), "lights[%d]", &light) == 1)

@@ -28,7 +28,7 @@ std::array<float, 3> channels_of(const Json& colour) {
     return channels;
 }
 
-/// The drawn values of a sketch; not a number where nothing was drawn, which draw_curve() leaves out.
+/// The drawn values of a sketch; NaN where nothing was drawn, which draw_curve() leaves out.
 Points points_of(const Json& values) {
     Points points;
     const Json::array_t& list = elements_of(values);
@@ -39,7 +39,7 @@ Points points_of(const Json& values) {
     return points;
 }
 
-/// High enough for what an unclipped picture can show, and for what it does show once that may be seen.
+/// High enough for the values of any unclipped picture, and for the right ones once they may be seen.
 double top_of(const Json* right) {
     double top = 1;
     if (right != nullptr)
@@ -51,8 +51,8 @@ void draw_with_hand(LessonState& lesson, const Prediction& question, const PlotA
     if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return lesson.sketched.reset();
     const ImVec2 hand = ImGui::GetIO().MousePos;
     glm::dvec2 at = area.value(hand);
-    at.y = std::clamp(at.y, area.y.low, area.y.high);  // what is drawn can be seen
-    // A hand that comes so near to an end means it.
+    at.y = std::clamp(at.y, area.y.low, area.y.high);  // keep the drawn curve visible
+    // A stroke this near to an end includes the end.
     const float near_an_end = px(10);
     if (hand.x < area.rect.low.x + near_an_end) at.x = area.x.low;
     if (hand.x > area.rect.high.x - near_an_end) at.x = area.x.high;
@@ -82,7 +82,7 @@ OptionColours colours_of(OptionLook look, bool hovered) {
     return {};
 }
 
-/// A ring around the key that takes the option, filled when it is taken; the right one has a tick.
+/// A ring around the key of the option, filled when chosen; the right one has a tick.
 void option_mark(ImDrawList& list, ImVec2 middle, OptionLook look, const OptionColours& colours,
                  const std::string& letter) {
     const float radius = px(8);
@@ -168,7 +168,7 @@ bool pick_colour(const char* id, Json& colour) {
                             ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
                                 ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_NoLabel);
     list_control("Colour to predict", "", last_item());
-    for (float& channel : c) channel = std::clamp(channel, 0.0f, 1.0f);  // more may be typed
+    for (float& channel : c) channel = std::clamp(channel, 0.0f, 1.0f);  // larger values can be typed
     if (touched) colour = Json(c);
     return touched;
 }

@@ -24,7 +24,7 @@ Json json_of(const GivenAnswer& given) {
     return given.locked ? Json(Json::array_t{given.value}) : Json();
 }
 
-/// Numbers alone, as many as the right answer has.
+/// Only numbers, as many as in the right answer.
 bool fits(const Json& value, const StationQuestion& question) {
     const Json& right = question.right.value;
     const auto is_finite = [](const Json& v) { return v.is_number() && std::isfinite(v.get<double>()); };
@@ -43,7 +43,7 @@ std::optional<GivenAnswer> read_given(const Json& json, const StationQuestion& q
     return GivenAnswer{elements_of(json)[0], true, false};
 }
 
-/// A whole number from 0 on; `otherwise` where there is none.
+/// An integer from 0 on; `otherwise` if there is none.
 int count_in(const Json& json, const char* name, int otherwise) {
     const Json* found = find_member(json, name);
     if (found == nullptr || !found->is_number_integer()) return otherwise;
@@ -56,7 +56,7 @@ const Json::array_t& list_in(const Json& json, const char* name) {
     return elements_of((found == nullptr ? nothing : *found));
 }
 
-/// The records as the file has them; empty where there is no file.
+/// The records in the file; empty if there is no file.
 Result<Json> read_records(const UiState& state) {
     const std::string file = file_of(state);
     std::error_code failed;
@@ -64,18 +64,18 @@ Result<Json> read_records(const UiState& state) {
     const Result<std::string> text = read_file(file, longest_file);
     if (const Problem* problem = problem_of(text)) return *problem;
     Json read = json_or_null(std::get<std::string>(text));
-    if (!read.is_object()) return Problem{file, "", "does not hold what Glint wrote", "JSON, or no file"};
+    if (!read.is_object()) return Problem{file, "", "was not written by Glint", "JSON, or no file"};
     return read;
 }
 
-/// Writes the records, unless they could not be read again.
+/// Writes the records, unless they could not be read back.
 Result<std::monostate> write_records(const UiState& state, const Json& records) {
     const std::string text = json_text(records);
     if (text.size() > longest_file) return Problem{file_of(state), "", "is full", "at most 1 MiB"};
     return write_file_at_once(file_of(state), text);
 }
 
-/// The record of the lesson goes into the file, beside all others. What cannot be read is not written over.
+/// Writes the record of the lesson into the file, next to all others. An unreadable file is not overwritten.
 Result<std::monostate> keep_record(const UiState& state) {
     const LessonState& lesson = state.get<LessonState>();
     Result<Json> read = read_records(state);
@@ -162,7 +162,7 @@ CourseProgress recall_progress(const UiState& state, const Course& course) {
 void keep_progress(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
     if (!lesson.course || lesson.lecturer || lesson.progress == lesson.written) return;
-    const char* const answers = "What is answered and done here";
+    const char* const answers = "Your answers and progress";
     if (!can_keep(state, answers)) return;
     const Result<std::monostate> written = keep_record(state);
     if (const Problem* problem = problem_of(written)) tell_not_kept(state, answers, *problem);

@@ -1,6 +1,5 @@
 #pragma once
-// Remembers how far one has come in each lesson: a small JSON file beside the window's other memory, read as
-// untrusted.
+// Remembers the progress in each lesson: a small JSON file next to the window's settings, read as untrusted.
 
 #include <optional>
 #include <string>
@@ -12,9 +11,9 @@ namespace glint {
 
 struct UiState;
 
-/// What the list of lessons says of one.
+/// A lesson's state in the list of lessons.
 struct LessonRecord {
-    std::size_t at = 0, stations = 1;  // the station that one was at last, from 0
+    std::size_t at = 0, stations = 1;  // the last station, from 0
     CourseScore score;
 };
 
@@ -22,18 +21,18 @@ struct LessonRecord {
 /// path.
 [[nodiscard]] std::string record_key(const std::string& folder, const std::string& path);
 
-/// Writes as JSON which station is open, the score, and every answer.
+/// Writes as JSON the open station, the score, and every answer.
 [[nodiscard]] Json progress_json(const Course& course, const CourseProgress& progress);
 /// Reads what progress_json() has written for that lesson; nothing if it no longer fits the questions.
 [[nodiscard]] std::optional<CourseProgress> read_progress(const Json& json, const Course& course);
 [[nodiscard]] std::optional<LessonRecord> read_record(const Json& json);
 
-/// The records of all lessons, by their keys; none where they cannot be read.
+/// The records of all lessons, by their keys; none if they cannot be read.
 [[nodiscard]] Json lesson_records(const UiState& state);
 
-/// What is remembered of the lesson, else a fresh beginning.
+/// The stored progress of the lesson, else a fresh one.
 [[nodiscard]] CourseProgress recall_progress(const UiState& state, const Course& course);
-/// Writes the progress of the open lesson if it has changed, unless a lecturer shows it.
+/// Writes the progress of the open lesson if it has changed, unless a lecturer presents it.
 void keep_progress(UiState& state);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
-// What is to be done by hand: its fields, and its condition, which is asked of the scene in hand beside the
-// window.
+// A task to be done by hand: its fields, and its condition, which is evaluated on the present scene in the
+// background.
 #include <algorithm>
 #include <utility>
 
@@ -26,7 +26,7 @@ std::vector<const Task*> tasks_of(const Station& station) {
     return tasks;
 }
 
-/// `runner` is the caller's until the job has ended.
+/// `runner` belongs to the job until it has ended.
 Result<std::vector<bool>> done_tasks(const WatchedTasks& asked, LessonRunner& runner) {
     std::vector<bool> all_done;
     SceneDocument document = asked.course->document;
@@ -35,8 +35,8 @@ Result<std::vector<bool>> done_tasks(const WatchedTasks& asked, LessonRunner& ru
         const Result<NamedValues> values = runner.answers(document, asked.course->lesson, task->runs);
         if (const Problem* problem = problem_of(values)) return *problem;
         const Result<bool> done = task->done.holds(std::get<NamedValues>(values));
-        // A condition that cannot be evaluated in this scene, say because its light was deleted, counts as
-        // not met.
+        // A condition that cannot be evaluated in this scene, for example because its light was deleted,
+        // counts as not met.
         const bool* holds = std::get_if<bool>(&done);
         all_done.push_back(holds != nullptr && *holds);
     }
@@ -58,7 +58,7 @@ void take_watched(UiState& state) {
     Result<std::vector<bool>> result = lesson.watching->take();
     lesson.watching.reset();
     WatchedTasks asked = std::exchange(lesson.asked_of, {});
-    if (asked.course != lesson.course) return;  // one lesson's tasks are not those of the next
+    if (asked.course != lesson.course) return;  // tasks of different lessons are unrelated
     // On a problem `done` stays empty: the conditions cannot be evaluated in this scene.
     if (problem_of(result) == nullptr) asked.done = std::get<std::vector<bool>>(std::move(result));
     lesson.watched = std::move(asked);
@@ -68,8 +68,7 @@ void take_watched(UiState& state) {
         done[i] = done[i] || lesson.watched->done[i];
 }
 
-/// What a hand or a field moves is to be seen: what the lesson plays ends. The panel Animate has its own
-/// button.
+/// Edits must be visible, so the lesson's animation ends. The panel Animate has its own button.
 void end_motion(UiState& state) {
     if (!state.get<AnimateState>().open) state.get<AnimateState>().playing = false;
 }
@@ -95,7 +94,7 @@ void poll_lesson(UiState& state) {
 
 namespace {
 
-/// A field of the number, under the words of its panel. True when it was edited; then `value` is another.
+/// A field of the number, under the label of its panel. True when it was edited; then `value` has changed.
 bool field_of(const SceneNumber& number, const char* label, double& value) {
     const Help help{number.help, number.pointer};
     if (number.count) {
@@ -111,7 +110,7 @@ bool field_of(const SceneNumber& number, const char* label, double& value) {
     return edited;
 }
 
-/// The numbers that the task's hand may move, where they are few.
+/// The numbers that the task lets the user edit, if they are few.
 void task_fields(UiState& state, const Task& task) {
     constexpr int most_numbers = 6;
     Scene& scene = state.editor.scene();
@@ -137,7 +136,7 @@ void task_fields(UiState& state, const Task& task) {
 }  // namespace
 
 void task_box(UiState& state, const Task& task, bool done, bool holds_now) {
-    const char* const words = holds_now ? "✓ Done: it holds now" : done ? "✓ Done" : "Not yet";
+    const char* const words = holds_now ? "✓ Done: the condition holds now" : done ? "✓ Done" : "Not yet";
     coloured(done ? theme().accent : theme().dim_text, words);
     list_control(done ? "Task done" : "Task open", "", last_item());
     task_fields(state, task);

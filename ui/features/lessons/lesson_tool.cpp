@@ -1,5 +1,5 @@
-// The lesson's hand on the picture: a place is clicked, and nothing else while a question waits. Where the
-// lesson's pixels lie in the window's picture; what a hand draws.
+// The lesson's tool on the picture: a click answers a question about a position; all else is blocked during a
+// question. Maps the lesson's pixels to the window's picture; draws sketches.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-/// The question of that kind whose place or line is in the picture: the open one, else one that is answered.
+/// The question of that kind whose position or line is in the picture: the open one, else an answered one.
 struct Shown {
     const StationQuestion* question = nullptr;
     const GivenAnswer* given = nullptr;
@@ -53,7 +53,7 @@ int lesson_press(ToolFrame& frame) {
 
 std::string lesson_hint(const UiState& state) {
     if (!open_question(state.get<LessonState>())) return {};
-    return "The picture stands still until you have said what will happen";
+    return "The picture is frozen until you have made your prediction";
 }
 
 ImVec2 place_of(const UiState& state, const PictureView& view, const Json& pixel) {
@@ -77,7 +77,7 @@ void draw_click(ImDrawList& list, const UiState& state, const PictureView& view)
     if (has_mine) cased_circle(list, place_of(state, view, mine), 9, own, 2.5f);
 }
 
-/// The line along which a curve is sketched, with its ends named as in the plot.
+/// The line along which a curve is sketched, with its ends labelled as in the plot.
 void draw_sketch_line(ImDrawList& list, const UiState& state, const PictureView& view) {
     const Shown shown = shown_question(state.get<LessonState>(), PredictionKind::Sketch);
     if (shown.question == nullptr) return;

@@ -40,7 +40,7 @@ std::vector<LessonEntry> lessons_in(const UiState& state, const std::string& fol
     return entries;
 }
 
-/// How far one has come, at the right end of the row.
+/// The progress, at the right end of the row.
 void draw_record(ImDrawList& list, const LessonRecord& record, ImVec2 low, float width) {
     const CourseScore& score = record.score;
     const std::size_t came = record.at + (score.locked > 0 || record.at > 0 ? 1 : 0);
@@ -113,7 +113,7 @@ void lessons_dialog(UiState& state, const UiInput& input) {
     const ImVec2 size{std::min(px(680), window.x - px(40)), std::min(px(720), window.y - px(40))};
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(size);
-    if (!begin_modal("Lessons: you say first what will happen##lessons", &lessons.open,
+    if (!begin_modal("Lessons: predict first, then look##lessons", &lessons.open,
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
         return;
     std::string chosen;
@@ -124,7 +124,7 @@ void lessons_dialog(UiState& state, const UiInput& input) {
     for (const auto* entries : {&lessons.beside, &lessons.own}) {
         if (entries->empty()) continue;
         if (!lessons.beside.empty())
-            section_heading(entries == &lessons.beside ? "Beside the open lesson" : "Of Glint");
+            section_heading(entries == &lessons.beside ? "Next to the open lesson" : "Of Glint");
         for (const LessonEntry& entry : *entries) {
             const bool is_open =
                 state.get<LessonState>().course && state.get<LessonState>().course->lesson.path == entry.path;

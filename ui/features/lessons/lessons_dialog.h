@@ -1,6 +1,5 @@
 #pragma once
-// The list of lessons: those that come with the program, and those beside the open one, with how far one has
-// come.
+// The list of lessons: those that come with the program, and those next to the open one, with their progress.
 
 #include <optional>
 #include <string>
@@ -14,7 +13,7 @@ struct UiState;
 struct UiInput;
 
 struct LessonEntry {
-    std::string path, title, topic;  // without a title where the file cannot be read: opening it says why
+    std::string path, title, topic;  // without a title if the file cannot be read: opening it reports why
     std::optional<LessonRecord> record;
 };
 
@@ -22,13 +21,13 @@ struct LessonListState {
     bool open = false;
     int chosen = -1;  // by the arrow keys, counted through both lists
     std::vector<LessonEntry> own,
-        beside;  // of the program; of the open lesson's folder, where that is another
+        beside;  // of the program; of the open lesson's folder, if different
 };
 
-/// The number that the file's name begins with, "05"; empty where there is none.
+/// The number at the beginning of the file's name, "05"; empty if there is none.
 [[nodiscard]] std::string number_of(const LessonEntry& entry);
 
-/// Reads the lessons of the program into the list: some milliseconds.
+/// Reads the lessons of the program into the list: takes some milliseconds.
 void list_own_lessons(UiState& state);
 /// Opens the dialog; a click in it, or the arrow keys and Enter, opens a lesson.
 void open_lessons(UiState& state);

@@ -26,10 +26,10 @@ void lecturer_button(UiState& state, float right) {
     const float width = ImGui::CalcTextSize("Lecturer").x + px(16);
     ImGui::SameLine(right - width);
     if (chosen_button("Lecturer", state.get<LessonState>().lecturer, width)) switch_lecturer(state);
-    tooltip("Lecturer", "Shows questions without a way to answer them, for a room; nothing is noted");
+    tooltip("Lecturer", "Shows questions without answer fields, for an audience; nothing is recorded");
 }
 
-/// The lesson says what is to be said of its scene: in its column, or here where that is hidden.
+/// The lesson describes its scene: in its column, or here if that is hidden.
 std::optional<std::string> caption(const UiState& state) {
     if (!state.get<LessonState>().course) return {};
     return state.layout.hides_columns ? lesson_caption(state) : std::string();
@@ -87,7 +87,7 @@ void add_lessons(std::vector<PaletteEntry>& entries, UiState& state) {
 
 std::vector<WindowCommand> predict_commands() {
     return {
-        {.name = "Predict a colour: the picture stands still",
+        {.name = "Predict a colour in a frozen picture",
          .keys = {{Key::Q}},
          .section = Section::LecturePredict,
          .run = switch_prediction,

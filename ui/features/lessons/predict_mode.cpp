@@ -26,8 +26,8 @@ Json json_of(const std::array<int, 3>& colour) {
     return {colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0};
 }
 
-/// What is predicted is a colour of the edited scene: no part of a comparison, and not what is frozen, plays
-/// or is B.
+/// Predictions are about a colour of the edited scene, without a comparison, a frozen picture, an animation
+/// or B.
 void show_edited_alone(UiState& state) {
     state.get<CompareState>().choice.on = state.get<CompareState>().choice.shows_stored = false;
     state.get<AnimateState>().playing = false;
@@ -35,12 +35,12 @@ void show_edited_alone(UiState& state) {
     state.get<LectureState>().frozen.reset();
 }
 
-/// From the picked pixel on, if it has a colour now; else one is asked for.
+/// Starts from the picked pixel, if it has a colour now; else one must be picked.
 void begin_prediction(UiState& state) {
     show_edited_alone(state);
     state.get<PredictState>() = {};
     state.get<PredictState>().stage = PredictStage::Pick;
-    redraw_within(0);  // poll_prediction() goes on
+    redraw_within(0);  // poll_prediction() continues
 }
 
 /// Precondition: the picked pixel is explained, of the edited scene.
@@ -52,10 +52,10 @@ void stop_picture(UiState& state) {
     predict.before = state.on_screen.explanation->byte;
     freeze(state);
     state.get<LectureState>().frozen =
-        as_made(state, state.editor.scene());  // not what the mouse over a term may show
+        as_made(state, state.editor.scene());  // not the preview of a hovered term
 }
 
-/// Shows the predicted pixel as it is now, whatever was looked at or asked meanwhile.
+/// Shows the predicted pixel as it is now, whatever was viewed or picked in between.
 void reveal(UiState& state) {
     state.get<PredictState>().stage = PredictStage::Revealed;
     show_edited_alone(state);
@@ -72,17 +72,17 @@ void lock_in_colour(UiState& state) {
 
 void pick_panel() {
     prose_line("Click the pixel whose colour you want to predict.");
-    small_dim("Then the picture stands still. You change the scene, say what the colour will be, and look.");
+    small_dim("Then the picture is frozen. You change the scene, predict the colour, and look.");
 }
 
 void change_panel(UiState& state) {
     PredictState& predict = state.get<PredictState>();
-    prose_line("Change what you like: the picture stands still. What colour will the pixel have?");
+    prose_line("Change what you like: the picture is frozen. What colour will the pixel have?");
     colour_row("It was", json_of(predict.before));
     ImGui::Dummy({0, px(4)});
     if (std::exchange(predict.takes_keys, false)) {
         ImGui::SetWindowFocus();
-        ImGui::SetKeyboardFocusHere(2);  // the picker's square and its bar are in front of its numbers
+        ImGui::SetKeyboardFocusHere(2);  // the picker's square and its bar come before its numbers
     }
     if (predict.mine == Json()) {
         Json shown = json_of(predict.before);
@@ -92,7 +92,7 @@ void change_panel(UiState& state) {
     }
     ImGui::Dummy({0, px(4)});
     if (main_button(predict.mine == Json() ? "It stays as it was" : "Lock it in")) lock_in_colour(state);
-    tooltip("Lock the colour in", "The picture goes on and shows what the colour is");
+    tooltip("Lock the colour in", "Unfreezes the picture and shows the colour");
     ImGui::SameLine(0, px(12));
     if (ImGui::Button("Give up")) end_prediction(state);
     small_dim(predict.mine == Json() ? "Enter: type the colour  ·  Esc: give up"
@@ -114,7 +114,7 @@ void revealed_panel(UiState& state) {
     else
         warning_text(words + ".");
     if (main_button("Again")) begin_prediction(state);
-    tooltip("Predict again", "The picture stands still for another change");
+    tooltip("Predict again", "Freezes the picture for another change");
     ImGui::SameLine(0, px(12));
     if (ImGui::Button("Close")) end_prediction(state);
     small_dim("Enter: again  ·  Esc: close");
@@ -158,7 +158,7 @@ void poll_prediction(UiState& state) {
         if (is_explained(state))
             stop_picture(state);
         else if (state.on_screen
-                     .is_out_of_hand())  // B, or a frozen picture, was clicked: the scene is shown first
+                     .is_out_of_hand())  // B, or a frozen picture, was clicked: show the scene first
             show_edited_alone(state);
     }
     if (predict.stage == PredictStage::Change && !state.get<LectureState>().frozen)

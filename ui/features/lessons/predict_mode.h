@@ -1,6 +1,6 @@
 #pragma once
-// *Predict*: the user picks a pixel, changes the scene while the picture stands still, says what the pixel's
-// colour will be, and is shown what it is.
+// *Predict*: the user picks a pixel, changes the scene while the picture is frozen, predicts the pixel's
+// colour, and then sees it.
 
 #include <array>
 #include <glm/vec2.hpp>
@@ -17,24 +17,24 @@ enum class PredictStage { Off, Pick, Change, Revealed };
 
 struct PredictState {
     PredictStage stage = PredictStage::Off;
-    std::optional<glm::dvec2> probe;  // the pixel, as a share of the picture's size
-    std::array<int, 3> before{};      // its colour when the picture was stopped, 0 to 255
-    Json mine;                        // what it will be, channels from 0 to 1; null: nothing is said yet
-    bool takes_keys = false;          // the colour's first field shall get the keyboard
-    std::optional<std::array<int, 3>> answer;  // what it is, once the picture goes on
+    std::optional<glm::dvec2> probe;           // the pixel, as a share of the picture's size
+    std::array<int, 3> before{};               // its colour when the picture was frozen, 0 to 255
+    Json mine;                                 // the prediction, channels from 0 to 1; null: none yet
+    bool takes_keys = false;                   // the colour's first field gets focus
+    std::optional<std::array<int, 3>> answer;  // the real colour, once the picture is unfrozen
 };
 
-/// Begins with the picked pixel, or asks for one; while it goes on, gives it up.
+/// Begins with the picked pixel, or requests one; during a prediction, cancels it.
 void switch_prediction(UiState& state);
-/// The picture goes on, whatever was said.
+/// Unfreezes the picture, whatever was predicted.
 void end_prediction(UiState& state);
 
-/// Enter leads to the colour's fields, locks it in, and begins again; true: the key is taken.
+/// Enter focuses the colour's fields, locks it in, and begins again; true: the key is consumed.
 bool predict_by_key(UiState& state, KeyPress press);
 
-/// Once a frame, before the columns: follows the pixel that is picked, and takes the answer when it is drawn.
+/// Once a frame, before the columns: follows the picked pixel, and stores the answer when it is drawn.
 void poll_prediction(UiState& state);
-/// Draws it into the WHY column. True when what usually stands there may stand below it.
+/// Draws it into the WHY column. True if the usual contents may follow below it.
 [[nodiscard]] bool predict_panel(UiState& state);
 
 }  // namespace glint

@@ -20,7 +20,7 @@ constexpr std::string_view times_sign = "·";
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// The quantity whose letter this run of letters is, with its index if it has one.
+/// The quantity of this run of letters, with its index if it has one.
 std::optional<Quantity> quantity_of(std::string_view run, bool beside_dot) {
     for (const QuantityRow& row : quantity_rows) {
         const bool is_vector = row.quantity >= Quantity::N && row.quantity <= Quantity::H;
@@ -30,7 +30,7 @@ std::optional<Quantity> quantity_of(std::string_view run, bool beside_dot) {
     return {};
 }
 
-/// Lays words out in lines.
+/// Lays out words in lines.
 class Flow {
   public:
     Flow(ImDrawList* list, ImVec2 at, float width) : list_(list), at_(at), x_(at.x), right_(at.x + width) {}
@@ -48,7 +48,7 @@ class Flow {
             text.remove_prefix(end + 1);
         }
     }
-    /// The y below all that was drawn.
+    /// The y below everything drawn.
     [[nodiscard]] float end() const { return at_.y + line_height(); }
 
     [[nodiscard]] static float line_height() {
@@ -74,7 +74,7 @@ class Flow {
         at_.y += line_height();
         gap_ = false;
     }
-    /// What is longer than a line is cut.
+    /// Truncates a word that is longer than a line.
     void word(std::string_view text, const ProseSpan& span, const ImVec4& colour) {
         if (text.empty()) return;
         const float blank = gap_ && x_ > at_.x ? width_of(" ", span) : 0;
@@ -108,7 +108,7 @@ class Flow {
     bool gap_ = false;
 };
 
-/// Goes on below what was drawn.
+/// Continues below the drawn text.
 void take_room(ImVec2 from, float end, float below) {
     ImGui::SetCursorScreenPos(from);
     ImGui::Dummy({0, std::max(end - from.y, 0.0f) + px(below)});

@@ -31,7 +31,7 @@ Beam beam_at(const Rect& room, double deg) {
             {std::cos(angle), -std::sin(angle)}};
 }
 
-/// Both rims of the beam run on until they meet the surface, which is level.
+/// Both rims of the beam extend to the surface, which is level.
 void draw_beam(ImDrawList& list, const Rect& room, double deg) {
     const Beam beam = beam_at(room, deg);
     const float half = px(beam_units) / 2, far = room.size().x + room.size().y;
@@ -42,7 +42,7 @@ void draw_beam(ImDrawList& list, const Rect& room, double deg) {
                        to_u32(theme()[Symbol::L], 0.22f));
     list.AddLine(left, left + far * beam.to_light, light, px(1.2f));
     list.AddLine(right, right + far * beam.to_light, light, px(1.2f));
-    // The beam's width, at right angles to it, a little above the surface.
+    // The beam's width, perpendicular to it, slightly above the surface.
     const ImVec2 middle = beam.foot + px(54) * beam.to_light;
     list.AddLine(middle - half * beam.across, middle + half * beam.across, light, px(2));
     plot_text(list, middle + px(9) * beam.to_light, theme().text, "d", true);
@@ -91,10 +91,10 @@ void cosine_curve(double deg) {
 
 constexpr int factor_steps = 240;
 
-/// Says how far a falloff's plot reaches: past the point, to where little is left.
+/// How far a falloff's plot reaches: past the point, to where little is left.
 double farthest_of(const PlotSubject& subject) {
     const double there = subject.point.light != nullptr ? double(subject.point.light->distance) : 0;
-    return std::max(2.2 * there, 5.0);  // twice as far is on it
+    return std::max(2.2 * there, 5.0);  // twice as far is included
 }
 
 }  // namespace
@@ -115,13 +115,13 @@ void cosine_section(PlotsState& plots, const PlotSubject& subject) {
     (void)number_field(
         "Light", plots.beam_deg,
         {.range = half_turn_deg, .unit = "degrees", .step = 0.25f, .format = "%.1f", .usual_max = 180}, 50,
-        {"Between n and l: that of the picked point where one is picked", ""});
+        {"Between n and l: that of the picked point if one is picked", ""});
     ImGui::EndDisabled();
     const auto deg = double(plots.beam_deg);
     beam_drawing(deg);
     if (deg >= 90) warning_text("From 90° on the light is behind the surface: nothing arrives.");
     cosine_curve(deg);
-    small_dim("max(n·l, 0): what arrives, as a share of what arrives head on. The same seen from anywhere.");
+    small_dim("max(n·l, 0): the light that arrives, as a share of head-on light. Independent of the viewer.");
 }
 
 void falloff_section(const PlotSubject& subject) {
@@ -130,7 +130,7 @@ void falloff_section(const PlotSubject& subject) {
     if (curve.empty()) {
         const bool area =
             subject.scene.lights[static_cast<std::size_t>(subject.light)].kind == LightKind::Area;
-        return small_dim(area ? "An area light has none of its own: it comes from its samples."
+        return small_dim(area ? "An area light has none of its own: its samples have."
                               : "A directional light has none: it is infinitely far.");
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -154,7 +154,7 @@ void falloff_section(const PlotSubject& subject) {
 void spot_section(const PlotSubject& subject) {
     const auto curve = spot_curve(subject.scene, subject.light, factor_steps);
     if (curve.empty()) return;
-    if (!fold("Cone: how much goes into which direction", false)) return;
+    if (!fold("Cone: the light by direction", false)) return;
     const Light& light = subject.scene.lights[static_cast<std::size_t>(subject.light)];
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const PlotArea area = draw_axes(list, plot_room(curve_height), {-90, 90}, {0, 1.1},

@@ -1,5 +1,4 @@
-// Highlights: a cosine to the power n, other shapes beside it, and the n that comes nearest to a curve drawn
-// by hand.
+// Highlights: a cosine to the power n, other shapes next to it, and the n that fits a hand-drawn curve best.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -22,12 +21,12 @@ namespace {
 
 constexpr int shape_steps = 90, curve_steps = 240;
 
-/// The model whose power is fitted: the scene's, or Phong's where its model has none.
+/// The model whose power is fitted: the scene's, or Phong's if its model has none.
 Reflection fitted_model(const Scene& scene) {
     return scene.shading.reflection == Reflection::BlinnPhong ? Reflection::BlinnPhong : Reflection::Phong;
 }
 
-/// The half of a model's highlight from its middle outwards.
+/// Half of a model's highlight from its centre outwards.
 std::vector<glm::dvec2> half_highlight(Reflection reflection, float shininess) {
     std::vector<glm::dvec2> curve;
     for (int deg = 0; deg <= shape_steps; ++deg)
@@ -35,11 +34,11 @@ std::vector<glm::dvec2> half_highlight(Reflection reflection, float shininess) {
     return curve;
 }
 
-/// Takes what the hand draws while the button is down over the plot, a value for each degree.
+/// Records the mouse while the button is down over the plot, a value for each degree.
 void draw_by_hand(HighlightSketch& sketch, const PlotArea& area) {
     ImGui::SetCursorScreenPos(area.rect.low);
     hit_area("##sketch", area.rect.size());
-    tooltip("Sketch", "Draw here how the highlight should fade, from its middle outwards");
+    tooltip("Sketch", "Draw here how the highlight should fade, from its centre outwards");
     if (!ImGui::IsItemActive()) return sketch.last.reset();
     const glm::dvec2 hand = area.value(ImGui::GetIO().MousePos);
     const glm::dvec2 now{std::clamp(hand.x, 0.0, 90.0), std::clamp(hand.y, 0.0, 1.0)};
@@ -48,8 +47,8 @@ void draw_by_hand(HighlightSketch& sketch, const PlotArea& area) {
 }
 
 void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<HighlightFit>& fit) {
-    if (!fit) return small_dim("Draw a curve over the plot: the power that comes nearest is found.");
-    mono_text(fmt::format("nearest: n = {:.4g}, {:.3f} off on average", fit->shininess, fit->error));
+    if (!fit) return small_dim("Draw a curve over the plot to find the power that fits it best.");
+    mono_text(fmt::format("best: n = {:.4g}, {:.3f} off on average", fit->shininess, fit->error));
     if (ImGui::SmallButton("Use this n")) {
         const auto object = state.on_screen.explanation && state.on_screen.explanation->hit
                                 ? static_cast<std::size_t>(state.on_screen.explanation->object_index)
@@ -91,7 +90,7 @@ void highlight_section(PlotsState& plots, const PlotSubject& subject) {
                  {{phong, theme()[Symbol::R]}, {blinn, theme()[Symbol::H]}, {close, theme().text}});
     legend({{Symbol::R, fmt::format("(r·v)^{:.4g} Phong", n)},
             {Symbol::H, fmt::format("(n·h)^{:.4g} Blinn", n)}});
-    small_dim(fmt::format("thin: Blinn's with shininess {:.1f}, which comes nearest to Phong's", like));
+    small_dim(fmt::format("thin: Blinn's with shininess {:.1f}, which is closest to Phong's", like));
 }
 
 void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to) {
@@ -123,14 +122,14 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
     const PlotArea area = draw_axes(list, plot_room(120), {0, 90}, {0, 1.1},
-                                    {"from the highlight's middle", "degrees", true, 30}, {"S", ""});
+                                    {"from the highlight's centre", "degrees", true, 30}, {"S", ""});
     const ImVec2 below = ImGui::GetCursorScreenPos();
     draw_by_hand(plots.sketch, area);
     ImGui::SetCursorScreenPos({cursor.x, below.y});
     draw_curve(list, area, highlight_shape(HighlightShape::Linear, like, shape_steps), theme().dim_text,
                1.2f);
     draw_curve(list, area, power, theme()[symbol], 3);
-    // Over it: for a large n the two are hard to tell apart.
+    // On top of it: for a large n the two are hard to distinguish.
     draw_curve(list, area, highlight_shape(HighlightShape::Gaussian, like, shape_steps), theme()[Symbol::L],
                1.2f);
     const auto drawn = points_of(plots.sketch);

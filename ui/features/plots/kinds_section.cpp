@@ -1,4 +1,4 @@
-// A table, worked live at the picked point, of what matters to which kind of light.
+// A live table, at the picked point, of what each kind of light depends on.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -23,11 +23,11 @@ struct Column {
     const char* what;
 };
 constexpr std::array columns{
-    Column{"light", &Moved::light, "the light's place: surface and viewer go away from it by a tenth"},
-    Column{"viewer", &Moved::viewer, "the viewer's place: aside by a tenth of its distance"},
+    Column{"light", &Moved::light, "the light's position: surface and viewer move away from it by a tenth"},
+    Column{"viewer", &Moved::viewer, "the viewer's position: sideways by a tenth of its distance"},
     Column{"surface", &Moved::surface, "the surface's angle: turned by 1°"}};
 
-/// Names the terms that move.
+/// Names the terms that change.
 void moved_words(float diffuse, float specular) {
     if (diffuse > 0 && specular > 0) return ImGui::TextUnformatted("both");
     if (diffuse > 0) return coloured(Symbol::Diffuse, "diffuse");
@@ -39,13 +39,13 @@ std::string moved_text(const char* term, float moved) {
     return moved > 0 ? fmt::format("{} {:.2g}", term, moved) : fmt::format("{} stays, to the last bit", term);
 }
 
-/// The lecture's table has it that the viewer does not matter to a sun; its highlight knows better.
+/// According to the lecture's table the viewer does not matter to a sun; its highlight disagrees.
 bool table_fails(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
     return kind == LightKind::Directional && column.moved == &Moved::viewer &&
            sensitivity.specular.viewer > 0;
 }
 
-/// True where the cell has a star.
+/// True if the cell has a star.
 bool cell(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
     ImGui::TableNextColumn();
     ImGui::BeginGroup();
@@ -92,10 +92,10 @@ Light of_kind_at(const Light& light, LightKind kind, const ExplainedPoint& at, c
 }
 
 void kinds_section(const PlotSubject& subject, const PictureView& view) {
-    if (!fold("What matters to which kind of light", false)) return;
+    if (!fold("What each kind of light depends on", false)) return;
     if (subject.point.at == nullptr || subject.point.material == nullptr)
         return small_dim(
-            "Pick a pixel: what happens to its terms when the light, the viewer, the surface move.");
+            "Pick a pixel to see how its terms change when the light, the viewer or the surface moves.");
     const Light& light = subject.scene.lights[static_cast<std::size_t>(subject.light)];
     if (!ImGui::BeginTable("##kinds", 6, ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingStretchProp))
         return;
@@ -114,8 +114,8 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
     }
     ImGui::EndTable();
     small_dim(
-        "Which term changes when the light, the viewer, the surface moves? The light is tried as every kind, "
-        "white, where it stands, a spot aimed at the point.");
+        "Which term changes when the light, the viewer, the surface moves? Each kind of light is tried, "
+        "white, at this light's position, a spot aimed at the point.");
     if (starred)
         small_dim(
             "* The lecture's table says that a sun's light does not depend on the viewer: that is true of "

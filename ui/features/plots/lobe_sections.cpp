@@ -1,4 +1,4 @@
-// A surface sends light into each direction: polar plots of it, and a slice of the BRDF, read forwards and
+// Light that a surface reflects into each direction: polar plots of it, and a slice of the BRDF, forwards and
 // backwards.
 #include <fmt/core.h>
 #include <imgui.h>
@@ -81,7 +81,7 @@ void energy_line(const LobeEnergy& energy, double light_deg) {
     if (albedo > 1.0005) warning_text("More light leaves than arrives.");
 }
 
-constexpr double usual_deg = 45;  // of the BRDF's light, where none is picked
+constexpr double usual_deg = 45;  // for the BRDF's light if none is picked
 constexpr double steepest = 89;
 
 void verdict(const PlotsState& plots) {
@@ -116,17 +116,17 @@ void intensities_section(const PlotSubject& subject) {
         draw_direction(list, area, -angles[i], theme()[Symbol::L], "l", true);
     }
     lobe_legend(true);
-    small_dim("For a white light with an ambient part of 1, luminance; the length is what the eye gets.");
+    small_dim("For a white light with an ambient part of 1, luminance; the length is what the eye receives.");
 }
 
 void lobe_section(PlotsState& plots, const PlotSubject& subject) {
     if (!fold("The lobe at the picked point", false)) return;
     if (subject.point.light == nullptr)
-        return small_dim("Pick a pixel, with this light on, to see what its surface sends where.");
+        return small_dim("Pick a pixel, with this light on, to see the light reflected there by direction.");
     const LocalDirections local = local_directions(subject.point);
     if (!(local.light_deg < 90))
         return warning_text(
-            fmt::format("The light stands behind the surface ({:.1f}°): no lobe.", local.light_deg));
+            fmt::format("The light is behind the surface ({:.1f}°): no lobe.", local.light_deg));
     const Reflector reflector = reflector_of(subject);
     const Lobe lobe = lobe_of(reflector, local.light_deg, false);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -139,10 +139,10 @@ void lobe_section(PlotsState& plots, const PlotSubject& subject) {
     const double amount = intensity_of(seen.diffuse + seen.specular);
     draw_point(list, area.at(local.view_deg, amount), theme()[Symbol::V]);
     lobe_legend(false);
-    small_dim(fmt::format(
-        "l at {:.1f}°, v at {:.1f}° from n: {:.3f} of the light's intensity (the disc; v need not lie in the "
-        "plane of l and n, which is drawn)",
-        local.light_deg, std::abs(local.view_deg), amount));
+    small_dim(
+        fmt::format("l at {:.1f}°, v at {:.1f}° from n: {:.3f} of the light's intensity (the disc; v may be "
+                    "outside the drawn plane of l and n)",
+                    local.light_deg, std::abs(local.view_deg), amount));
     const double whole_deg = std::round(std::min(local.light_deg, 89.0));
     update_at_rest(plots.energy, {reflector, whole_deg}, [&] {
         return LobeEnergy{specular_energy(reflector, whole_deg), directional_albedo(reflector, whole_deg)};
@@ -165,7 +165,7 @@ void brdf_section(PlotsState& plots, const PlotSubject& subject) {
     const Reflector reflector = reflector_of(subject);
     const bool picked = subject.point.light != nullptr;
     const double light_deg = picked ? local_directions(subject.point).light_deg : usual_deg;
-    if (!(light_deg <= steepest)) return small_dim("The light stands behind the surface: f_r is 0.");
+    if (!(light_deg <= steepest)) return small_dim("The light is behind the surface: f_r is 0.");
     const BrdfCurves curves = brdf_curves(reflector, light_deg);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const AxisText up{"f_r", "1/sr"};

@@ -17,7 +17,7 @@ namespace {
 constexpr double shown = 56;
 constexpr int max_rays = 48;
 
-/// Takes the section's coordinates to the window: the same scale along both axes.
+/// Maps the section's coordinates to the window: the same scale along both axes.
 struct Section {
     ImVec2 origin;
     double unit = 1, middle_x = 0, level = 0;
@@ -82,7 +82,7 @@ void draw_section(const MicrofacetPicture& picture) {
     end_drawing(list, room);
 }
 
-/// Draws where the rays went, counted, as a lobe.
+/// Draws a histogram of the rays' directions, as a lobe.
 void draw_histogram(const MicrofacetPicture& picture, const MicrofacetOptions& options) {
     std::vector<glm::dvec2> bars;
     double most = 1e-3;

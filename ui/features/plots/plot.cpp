@@ -13,14 +13,14 @@
 namespace glint {
 namespace {
 
-/// More points than this on one curve are thinned: ImGui counts the corners of a list in 16 bits.
+/// A curve with more points is thinned: ImGui counts the vertices of a list in 16 bits.
 constexpr std::size_t max_points = 1500;
 
 double multiples_in(Interval range, double step) {
     return std::floor(range.high / step + 1e-9) - std::ceil(range.low / step - 1e-9) + 1;
 }
 
-/// The smallest step of at most `most` ticks: 1, 2 or 5 times a power of ten.
+/// The smallest step with at most `most` ticks: 1, 2 or 5 times a power of ten.
 double tick_step(Interval range, int most) {
     const double power = std::pow(10, std::floor(std::log10(range.length() / (most + 1))));
     for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0})
@@ -28,7 +28,7 @@ double tick_step(Interval range, int most) {
     return 100 * power;
 }
 
-/// Whole multiples of `step` in the range, so that 0 is 0 and no error adds up; at most 40.
+/// Integer multiples of `step` in the range, so that 0 is exact and no error accumulates; at most 40.
 std::vector<double> multiples(Interval range, double step) {
     std::vector<double> values;
     const double first = std::ceil(range.low / step - 1e-9);
@@ -41,7 +41,7 @@ ImVec2 text_size(const std::string& text) {
     return fonts().small->CalcTextSizeA(small_text_height(), 1e9f, 0, text.c_str());
 }
 
-/// The margin between the curves' room and the right edge of all.
+/// The margin between the curves' area and the right edge.
 float right_margin() { return px(6); }
 
 std::string axis_title(const AxisText& axis) {
@@ -68,7 +68,7 @@ void draw_x_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
 }
 
 void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
-    if (*text.name != 0)  // above the curves' room, so that it lies over none
+    if (*text.name != 0)  // above the curves' area, so that it covers none
         plot_text(list, {area.rect.low.x, area.rect.low.y - small_text_height() - px(1)}, theme().text,
                   axis_title(text));
     const int most = std::max(2, static_cast<int>(area.rect.size().y / px(24)));
@@ -85,7 +85,7 @@ void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
     }
 }
 
-/// The lowest and the highest point of each of `buckets` pieces, in their order.
+/// The lowest and the highest point of each of `buckets` pieces, in order.
 std::vector<glm::dvec2> thinned(std::span<const glm::dvec2> points, std::size_t buckets) {
     std::vector<glm::dvec2> kept;
     for (std::size_t b = 0; b < buckets; ++b) {

@@ -1,5 +1,5 @@
 #pragma once
-// A small plot: axes with numbers and units, curves, marks. Draws into an ImGui list; keeps nothing.
+// A small plot: axes with numbers and units, curves, marks. Draws into an ImGui list; stateless.
 
 #include <imgui.h>
 
@@ -20,15 +20,15 @@ struct Interval {
     [[nodiscard]] double length() const { return high - low; }
 };
 
-/// The least interval that holds the values, widened to at least `least` about its middle and by a margin of
-/// `margin` of its length on each side. Values that are not finite are left out; without any: 0 to 1.
+/// The smallest interval that contains the values, widened to at least `least` about its middle and by a
+/// margin of `margin` of its length on each side. Ignores values that are not finite; without any: 0 to 1.
 [[nodiscard]] Interval range_of(std::span<const double> values, double least = 1e-9, double margin = 0.06);
 
 /// Round numbers inside the range, at most `most` (>= 2) of them, whose step is 1, 2 or 5 times a power of
 /// ten.
 [[nodiscard]] std::vector<double> ticks(Interval range, int most);
 
-/// A tick's number with as many places as its step asks for; "0" without a sign.
+/// A tick's number with as many decimals as its step requires; "0" without a sign.
 [[nodiscard]] std::string tick_text(double value, double step);
 
 /// The title of an axis: "r" and "scene units" become "r, scene units".
@@ -36,7 +36,7 @@ struct AxisText {
     const char* name = "";
     const char* unit = "";
     bool numbers = true;
-    double step = 0;  // of its ticks; 0: chosen by the room
+    double step = 0;  // of its ticks; 0: chosen by the available size
 };
 
 /// A rectangle of the window with a quantity along each side; y upwards.
@@ -48,37 +48,37 @@ struct PlotArea {
     [[nodiscard]] glm::dvec2 value(ImVec2 at) const;
 };
 
-/// The part of `all` that draw_axes() leaves for curves, under the same names of axes.
+/// The part of `all` that draw_axes() leaves for curves, with the same axis names.
 [[nodiscard]] PlotArea area_within(const Rect& all, Interval x, Interval y, const AxisText& x_text,
                                    const AxisText& y_text);
 
-/// Draws frame, grid, ticks, numbers and names inside `all`; returns what is left for curves.
+/// Draws frame, grid, ticks, numbers and names inside `all`; returns the area left for curves.
 [[nodiscard]] PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y,
                                  const AxisText& x_text, const AxisText& y_text);
 
-/// A line through points sorted by x, cut to the area. Where there are more than the screen can show, each
+/// A line through points sorted by x, clipped to the area. If there are more than the screen can show, each
 /// piece keeps its lowest and highest.
 void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dvec2> points,
                 const ImVec4& colour, float width = 1.6f);
 
-/// Marks the current point, with its y beside it in figures or without.
+/// Marks the current point, optionally with its y as a number.
 void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVec4& colour,
                bool figures = true);
 
-/// A curve that can be read off under the mouse.
+/// A curve that can be read under the mouse.
 struct ReadCurve {
     std::span<const glm::dvec2> points;  // sorted by x
     ImVec4 colour;
 };
-/// While the mouse is over the area: a line at its x, the curves' points there, and the numbers beside them.
+/// While the mouse is over the area: a line at its x, the curves' points there, and their numbers.
 void draw_reading(ImDrawList& list, const PlotArea& area, std::initializer_list<ReadCurve> curves);
 /// The curve's y at an x, between its points; nothing outside them.
 [[nodiscard]] std::optional<double> value_at(std::span<const glm::dvec2> points, double x);
 
-/// A point of a plot: a disc on a ring of the ground's colour.
+/// A point of a plot: a disc on a ring of the background's colour.
 void draw_point(ImDrawList& list, ImVec2 at, const ImVec4& colour);
 
-/// The frame of a drawing without axes; what is drawn between the two is cut off at it.
+/// The frame of a drawing without axes; drawings between the two calls are clipped to it.
 void begin_drawing(ImDrawList& list, const Rect& room);
 void end_drawing(ImDrawList& list, const Rect& room);
 
@@ -88,7 +88,7 @@ void draw_upright(ImDrawList& list, const PlotArea& area, double x, const ImVec4
 /// Red, green or blue (0 to 2), as light or dark as the theme needs.
 [[nodiscard]] ImVec4 channel_colour(int channel);
 
-/// Text in the small font, its corner or (centre) its middle at a place.
+/// Text in the small font, with its corner or (centre) its middle at a position.
 void plot_text(ImDrawList& list, ImVec2 at, const ImVec4& colour, const std::string& text,
                bool centre = false);
 
@@ -100,7 +100,7 @@ struct PolarArea {
     float radius = 1;
     double most = 1;
 
-    /// Where `amount` in the direction `deg` from n (positive to the right) lies.
+    /// The position of `amount` in the direction `deg` from n (positive to the right).
     [[nodiscard]] ImVec2 at(double deg, double amount) const;
 };
 

@@ -1,4 +1,4 @@
-// Reading numbers off a plot under the mouse.
+// Reads numbers off a plot under the mouse.
 #include <fmt/core.h>
 
 #include <algorithm>

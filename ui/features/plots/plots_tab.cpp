@@ -103,7 +103,7 @@ void plots_tab(UiState& state, const PictureView& view) {
         subject.material = *subject.point.material;
     else if (!scene.objects.empty())
         subject.material = scene.objects.front().material;
-    if (subject.point.at == nullptr) small_dim("Pick a pixel to see where it lies on each curve.");
+    if (subject.point.at == nullptr) small_dim("Pick a pixel to see its position on each curve.");
     if (subject.point.at != nullptr && subject.point.light == nullptr) small_dim("This light is off.");
     falloff_section(subject);
     highlight_section(plots, subject);

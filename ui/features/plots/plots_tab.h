@@ -18,19 +18,18 @@ namespace glint {
 struct UiState;
 struct PictureView;
 
-/// A highlight's fall-off as a hand drew it, a value 0 to 1 for each degree from its middle; negative: not
-/// drawn.
+/// A hand-drawn highlight, a value 0 to 1 for each degree from its centre; negative: not drawn.
 struct HighlightSketch {
     HighlightSketch() { value.fill(-1); }
     std::array<float, 91> value{};
-    std::optional<glm::dvec2> last;  // where the hand was in the frame before, while it draws
+    std::optional<glm::dvec2> last;  // the mouse position in the frame before, during a stroke
 };
-/// Draws a straight stroke between two places (degrees 0 to 90, value).
+/// Draws a straight stroke between two points (degrees 0 to 90, value).
 void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to);
 /// The points drawn so far: (degrees, value), by degrees.
 [[nodiscard]] std::vector<glm::dvec2> points_of(const HighlightSketch& sketch);
 
-/// A reflector and a direction of light, of which all that leaves is added up.
+/// A reflector and a light direction for which the reflected energy is summed.
 struct EnergyKey {
     Reflector reflector;
     double light_deg = 0;
@@ -41,27 +40,27 @@ struct LobeEnergy {
 };
 
 struct PlotsState {
-    float beam_deg = 50;  // of the slanting beam, where no point is picked
+    float beam_deg = 50;  // of the slanting beam, if no point is picked
     HighlightSketch sketch;
     MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // of the profile
     bool follow_pick = true;                                      // its angles are those at the picked point
-    Kept<float, double> blinn_like;  // of Phong's shininess: Blinn's that comes nearest
+    Kept<float, double> blinn_like;                               // of Phong's shininess: Blinn's closest
     Kept<MicrofacetOptions, MicrofacetPicture> profile;
     Kept<EnergyKey, LobeEnergy> energy;
     Kept<Reflector, double> reciprocity;
 };
 
-/// One light at the picked point, where a pixel is picked and the light is on.
+/// One light at the picked point, if a pixel is picked and the light is on.
 struct PlotPoint {
     const ExplainedLight* light = nullptr;  // null: no mark
     const ExplainedPoint* at = nullptr;
     const Material* material = nullptr;
 };
-/// Takes, of several lit points (corners), the one that counts most in the pixel; of an area light, its
-/// middle sample.
+/// Chooses, of several lit points (corners), the one with the largest weight in the pixel; of an area light,
+/// its middle sample.
 [[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& explanation, int light);
 
-/// The mark's place on each plot, read off the explanation.
+/// The mark's position on each plot, from the explanation.
 [[nodiscard]] glm::dvec2 falloff_mark(const PlotPoint& point);  // distance, falloff
 [[nodiscard]] glm::dvec2 spot_mark(const PlotPoint& point);     // degrees from the axis, factor
 /// Degrees between r and v (Phong), or twice those between n and h (Blinn-Phong), and S.
@@ -82,7 +81,7 @@ struct BrdfCurves {
 };
 [[nodiscard]] BrdfCurves brdf_curves(const Reflector& reflector, double light_deg);
 
-/// `light` as another kind in the same place, a lamp aimed at the point; as it is where it is of this kind.
+/// `light` as another kind at the same position, a spot aimed at the point; unchanged if it is of this kind.
 [[nodiscard]] Light of_kind_at(const Light& light, LightKind kind, const ExplainedPoint& at,
                                const PictureView& view);
 
@@ -90,16 +89,16 @@ void plots_tab(UiState& state, const PictureView& view);
 
 // Each section draws into the current window at its width.
 
-/// The scene, light, point and surface that every plot draws from.
+/// The scene, light, point and surface of all plots.
 struct PlotSubject {
     const Scene& scene;
-    int light = 0;  // in scene.lights, which are not empty
+    int light = 0;  // in scene.lights, which is not empty
     PlotPoint point;
     Material material;  // of the picked object, else of the first; defaults without objects
 };
 
-/// 1 / dist² at the distances of a falloff's curve, times what brings it through the point; 1 at a distance
-/// of 1 where there is none.
+/// 1 / dist² at the distances of a falloff's curve, scaled so that it passes through the point; 1 at a
+/// distance of 1 if there is none.
 [[nodiscard]] std::vector<glm::dvec2> inverse_square(const std::vector<glm::dvec2>& falloff,
                                                      const PlotPoint& point);
 
@@ -107,7 +106,7 @@ struct PlotSubject {
 /// whose vectors are shown (ui/inspector), else the first.
 [[nodiscard]] int plotted_light(const UiState& state);
 
-/// Room for a plot: as wide as the window, `height` logical pixels high; moves the cursor below it.
+/// The area of a plot: as wide as the window, `height` logical pixels high; moves the cursor below it.
 [[nodiscard]] Rect plot_room(float height);
 /// Height of a curve's plot.
 inline constexpr float curve_height = 132;

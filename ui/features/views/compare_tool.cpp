@@ -1,4 +1,4 @@
-// The comparison in the window: its lines and labels under the hand, and its part of the row above the
+// The comparison in the window: its lines and labels under the mouse, and its part of the row above the
 // picture.
 #include <fmt/core.h>
 
@@ -16,9 +16,9 @@
 namespace glint {
 namespace {
 
-constexpr double apart = 0.02;  // of the width: lines never come nearer to one another
+constexpr double apart = 0.02;  // of the width: the smallest distance between lines
 
-/// Where a line lies in the window: its x, or stacked its y.
+/// The position of a line in the window: its x, or if stacked its y.
 float line_at(const CompareChoice& choice, int wipe, const PictureView& view) {
     const int at = first_of(choice, wipe + 1, length_of(choice, view.map.size));
     const ImVec2 place = view.to_window({at, at});
@@ -31,7 +31,7 @@ Rect part_rect(const CompareChoice& choice, int part, const PictureView& view) {
     return {view.to_window(rect.low), view.to_window(rect.high)};
 }
 
-/// Where a part's label lies: at the top of its part, in its middle.
+/// The position of a part's label: centred at the top of its part.
 Rect label_rect(const CompareState& state, int part, const PictureView& view) {
     const Rect room = part_rect(state.choice, part, view);
     const float left = room.low.x, right = room.high.x;
@@ -73,7 +73,7 @@ void draw_wipe(ImDrawList& list, const CompareState& state, int wipe, const Pict
     const ImU32 white = to_u32({1, 1, 1, 1});
     cased_line(list, start, end, white, lit ? 1.8f : 1);
     rimmed_disc(list, middle, lit ? 8.5f : 6.5f, white);
-    for (const float side : {-1.0f, 1.0f})  // the ways that the line can go
+    for (const float side : {-1.0f, 1.0f})  // the directions in which the line can move
         arrow_head(list, middle + px(5) * side * way, side * way, 3.5f, 3.5f, to_u32({0.2f, 0.2f, 0.2f, 1}));
 }
 
@@ -87,7 +87,7 @@ void draw_label(ImDrawList& list, const CompareState& state, int part, const Pic
     list.PopClipRect();
 }
 
-/// A row of a list, which needs what `variant` shows. True when it was clicked.
+/// A row of a list, disabled if `variant` has nothing to show. True when clicked.
 bool variant_row(const CompareChoice& choice, const std::string& label, Variant variant, bool chosen) {
     const bool lacks_b = lacks_stored(choice, variant), lacks_mine = lacks_picture(choice, variant);
     const bool can = !lacks_b && !lacks_mine;
@@ -155,7 +155,7 @@ std::string compare_hint(const UiState& ui) {
     return state.label_under >= 0 ? "Click: what this part shows" : "";
 }
 
-/// What the picture shows, which without a word is black.
+/// Describes the picture, which may be entirely black.
 void difference_caption(ImDrawList& list, const CompareState& state) {
     const CompareChoice& choice = state.choice;
     std::string what =
@@ -166,7 +166,7 @@ void difference_caption(ImDrawList& list, const CompareState& state) {
                                  : fmt::format("at most {} of 255", state.numbers.max_error);
     const char* const black = state.numbers.differing_pixels == 0 ? "" : ", black where they agree";
     ImGui::PushFont(fonts().small);
-    // Over a narrow picture with fewer words.
+    // Shorter text over a narrow picture.
     const Rect area = clip_area(list);
     const float room = area.size().x - px(20);
     std::string text = most;
@@ -200,7 +200,7 @@ const std::vector<Preset>& presets() {
 
 void presets_popup(CompareChoice& choice) {
     if (ImGui::SmallButton("Parts##presets")) ImGui::OpenPopup("##presets");
-    tooltip("What is compared", "Or click a label on the picture to choose one part");
+    tooltip("The compared variants", "Or click a label on the picture to choose one part");
     ImGui::SameLine(0, px(4));
     if (!ImGui::BeginPopup("##presets")) return;
     for (const Preset& preset : presets()) {
@@ -210,14 +210,14 @@ void presets_popup(CompareChoice& choice) {
     ImGui::EndPopup();
 }
 
-/// Whether the parts lie side by side: the buttons show how the lines between them run. Of no use to a
-/// difference.
+/// Whether the parts are side by side: the buttons show the direction of the lines between them. Not used by
+/// a difference.
 void direction_buttons(CompareChoice& choice) {
     if (small_chosen_button("| |##side by side", !choice.stacked)) choice.stacked = false;
-    tooltip("Side by side", "The parts follow from left to right");
+    tooltip("Side by side", "The parts are side by side");
     ImGui::SameLine(0, px(1));
     if (small_chosen_button("=##stacked", choice.stacked)) choice.stacked = true;
-    tooltip("Stacked", "The parts follow from top to bottom");
+    tooltip("Stacked", "The parts are one above the other");
     ImGui::SameLine(0, px(4));
 }
 
@@ -225,7 +225,7 @@ void difference_controls(CompareState& state) {
     CompareChoice& choice = state.choice;
     if (ImGui::SmallButton(fmt::format("×{}###gain", choice.gain).c_str())) double_gain(choice);
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) choice.gain = std::max(choice.gain / 2, 1);
-    tooltip("Scale of the difference", "Click: twice as much, after ×64 again ×1 · Right click: half");
+    tooltip("Scale of the difference", "Click: double, after ×64 back to ×1 · Right click: halve");
     ImGui::SameLine(0, px(8));
     const Comparison& n = state.numbers;
     mono_text(fmt::format("max {}  mean {:.2f}", n.max_error, (n.mean[0] + n.mean[1] + n.mean[2]) / 3));
@@ -263,7 +263,7 @@ void compare_controls(CompareState& state) {
     if (small_chosen_button("Difference", choice.difference)) choice.difference = !choice.difference;
     tooltip("Difference",
             (part_label(state, 0) + " against " + part_label(state, choice.parts.size() - 1)).c_str(),
-            "Red, green and blue apart, of what is displayed");
+            "Red, green and blue separately, of the displayed picture");
     ImGui::SameLine(0, px(4));
     if (choice.difference) difference_controls(state);
 }

@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-/// Copies the pixels from `low` to before `high` of one picture into the same place of another.
+/// Copies the pixels from `low` to `high`, exclusive, of one picture to the same position in another.
 void copy_pixels(const Picture& from, Picture& to, glm::ivec2 low, glm::ivec2 high) {
     if (high.x <= low.x) return;
     const auto count = static_cast<std::ptrdiff_t>(high.x - low.x);
@@ -21,7 +21,7 @@ void copy_pixels(const Picture& from, Picture& to, glm::ivec2 low, glm::ivec2 hi
     }
 }
 
-/// Draws the parts whose scene is not the one drawn already.
+/// Draws the parts whose scene is not already drawn.
 void draw_parts(CompareState& state, const DrawnScene& drawn) {
     const CompareChoice& choice = state.choice;
     state.renderers.resize(choice.parts.size());

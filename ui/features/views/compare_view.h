@@ -1,6 +1,6 @@
 #pragma once
-// A comparison shows several settings of one scene in one picture, side by side under lines that are dragged,
-// or their difference. Lecture: "Shading Models" (flat, Gouraud and Phong side by side).
+// A comparison shows several settings of one scene in one picture, side by side under draggable lines, or
+// their difference. Lecture: "Shading Models" (flat, Gouraud and Phong side by side).
 
 #include <imgui.h>
 
@@ -22,8 +22,8 @@ namespace glint {
 
 struct UiState;
 
-// A variant draws the edited scene as it is, with one choice changed, or as it was when it was stored; or it
-// is a picture that somebody brought. It is what the parts of a comparison differ in.
+// What the parts of a comparison differ in. A variant is the edited scene, unchanged or with one choice
+// changed; the stored scene; or a picture that the user opened.
 
 struct Variant {
     enum class Kind { Edited, Mode, Reflection, Interpolation, Stored, Mine };
@@ -35,8 +35,8 @@ struct Variant {
 [[nodiscard]] Variant variant_of(ShadingMode mode);
 [[nodiscard]] Variant variant_of(Reflection reflection);
 
-/// All there are, in the order of lists. Stored and Mine are among them whether or not there is such a scene
-/// or picture.
+/// All variants, in the order of lists. Includes Stored and Mine whether or not there is such a scene or
+/// picture.
 [[nodiscard]] std::vector<Variant> all_variants();
 
 /// "mode gouraud", "edited", "stored": for a file.
@@ -47,40 +47,40 @@ struct Variant {
 /// "Gouraud", "As edited", "B".
 [[nodiscard]] std::string label_of(Variant variant);
 
-/// Returns the scene that a variant shows, seen by the edited scene's camera. Mine, and Stored without a
-/// stored scene (null), show the edited scene.
+/// Returns the scene of a variant, seen by the edited scene's camera. Mine, and Stored without a stored scene
+/// (null), show the edited scene.
 [[nodiscard]] Scene scene_under(Variant variant, const Scene& edited, const Scene* stored);
 
-/// A comparison as it is chosen; changes to it change the picture.
+/// The chosen comparison; changes to it change the picture.
 struct CompareChoice {
     bool on = false;
     std::vector<Variant> parts{variant_of(ShadingMode::Flat), variant_of(ShadingMode::Gouraud),
                                variant_of(ShadingMode::Phong)};  // 2 or 3, from left to right
-    std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, rising: shares of the picture's length
-    bool stacked = false;     // parts from top to bottom under level lines, the length being the height
+    std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, ascending: shares of the picture's length
+    bool stacked = false;     // parts from top to bottom under horizontal lines; the length is the height
     bool difference = false;  // of the first and the last part, in place of all parts
     int gain = 1;             // of the difference: 1, 2, 4 ... 64
     std::shared_ptr<const Scene> stored;  // "B": shared, as choices are copied and compared in every frame
     bool shows_stored = false;            // B alone in place of the picture
-    std::shared_ptr<const Picture> mine;  // that somebody brought, bytes; null: none
+    std::shared_ptr<const Picture> mine;  // opened by the user, bytes; null: none
     bool operator==(const CompareChoice&) const = default;
 };
 inline constexpr int max_gain = 64;
-/// Shows the difference twice as strong; after the largest gain again as it is.
+/// Doubles the difference's gain; wraps from the largest to 1.
 inline void double_gain(CompareChoice& choice) {
     choice.gain = choice.gain >= max_gain ? 1 : 2 * choice.gain;
 }
 
-/// Whether a part is to show the stored B, or a picture that somebody brought, and there is none: it then
-/// shows the edited scene.
+/// Whether a part is to show the stored B, or the user's picture, and there is none: it then shows the edited
+/// scene.
 [[nodiscard]] bool lacks_stored(const CompareChoice& choice, Variant variant);
 [[nodiscard]] bool lacks_picture(const CompareChoice& choice, Variant variant);
 
-/// A part of the picture that shows a scene, and who drew it.
+/// A part of the picture that shows a scene, and its renderer.
 struct DrawnPart {
     const Renderer* renderer = nullptr;
     PartRect rect;
-    Variant variant;  // Edited where it is the whole picture
+    Variant variant;  // Edited if it is the entire picture
 };
 
 struct CompareState {
@@ -88,33 +88,33 @@ struct CompareState {
     std::optional<CompareChoice> own;  // the user's, while a game or a picture compares something else
     int borrowers = 0;                 // of the comparison: that game, that picture
     int dragged = -1, under = -1;      // a wipe line
-    int label_under = -1, asked = -1;  // a part's label; whose variants are to be listed
+    int label_under = -1, asked = -1;  // a part's label; the part whose variants are listed
     std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
-    std::vector<const Picture*> pictures;              // one a part, of the last composing
+    std::vector<const Picture*> pictures;              // one per part, of the last composition
     std::vector<const Renderer*> drawn_by;
     Picture fitted;       // CompareChoice::mine, at the size of the others
     Picture picture;      // the composed one
     Comparison numbers;   // of the difference
-    double ms = 0;        // that the parts took in the last composing
-    Variant asked_part;   // that the picked pixel is in; Edited where none is asked
+    double ms = 0;        // of the parts in the last composition
+    Variant asked_part;   // of the picked pixel; Edited if none is picked
     std::string resting;  // what is shown in place of the edited scene, as OtherScene::label; or empty
-    // The key that shows B or takes it away, while it may still be down:
+    // The key that shows or hides B, while it may still be down:
     bool b_turned = false;
-    double b_since = 0;  // ImGui's time
+    double b_since = 0;  // ImGui time
     int b_frames = 0;    // in which it was down
 };
 
-/// Keeps the user's comparison until it is given back; B goes on.
+/// Saves the user's comparison until it is restored; B stays.
 void borrow_comparison(CompareState& state);
 void give_comparison_back(CompareState& state);
 
-/// Where numbers of B are told.
+/// The name of B where its numbers are shown.
 inline constexpr const char* name_of_stored = "B, the stored scene";
 
-/// What stands over a part in the picture: its variant's label, or that this lacks what it shows.
+/// The label over a part in the picture: its variant's, or that it has nothing to show.
 [[nodiscard]] std::string part_label(const CompareState& state, std::size_t part);
 
-/// The picture on the screen and what drew it, from which the parts are drawn.
+/// The picture on the screen and its renderer, from which the parts are drawn.
 struct DrawnScene {
     const Scene& scene;
     const Picture& picture;
@@ -122,44 +122,43 @@ struct DrawnScene {
     int threads = 0;
 };
 
-/// The picture's side along which the parts follow one another.
+/// The picture's side along which the parts are arranged.
 [[nodiscard]] int length_of(const CompareChoice& choice, PictureSize size);
-/// First column (stacked: row) of part `part`; of the one past the last: the length.
+/// First column (stacked: row) of part `part`; for one past the last: the length.
 [[nodiscard]] int first_of(const CompareChoice& choice, int part, int length);
-/// The part that this column (stacked: row) shows.
+/// The part at this column (stacked: row).
 [[nodiscard]] int part_at(const CompareChoice& choice, int along, int length);
 
 /// The pixels of a part.
 [[nodiscard]] PartRect part_rect(const CompareChoice& choice, int part, PictureSize size);
 
-/// Draws every part and composes them: each pixel is that of its part's full picture. A difference shows the
-/// first against the last part and fills `numbers`. Linear colours are composed if `drawn` has them.
+/// Draws every part and composes them: each pixel is that of its part's full picture. A difference is between
+/// the first and the last part and fills `numbers`. Linear colours are composed if `drawn` has them.
 const Picture& compose(CompareState& state, const DrawnScene& drawn);
 
-/// Gives up the composed picture and whatever drew it: no pixel is of a part until it is composed again.
+/// Drops the composed picture and its renderers: no pixel belongs to a part until it is composed again.
 void forget_parts(CompareState& state);
 
-/// The part in which pixel (x, y) of the composed picture lies; -1 when no parts are shown.
+/// The part that contains pixel (x, y) of the composed picture; -1 if no parts are shown.
 [[nodiscard]] int part_of(const CompareState& state, glm::ivec2 pixel, PictureSize size);
 
-/// The renderer that drew pixel (x, y) of the composed picture; null when that is the drawn scene's renderer,
-/// or nothing.
+/// The renderer that drew pixel (x, y) of the composed picture; null if that is the drawn scene's renderer,
+/// or none.
 [[nodiscard]] const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, PictureSize size);
 
-/// The parts of the composed picture that show scenes, or the whole picture, which `drawn` drew, where there
-/// are none.
+/// The parts of the composed picture that show scenes, or the entire picture, drawn by `drawn`, if there are
+/// none.
 [[nodiscard]] std::vector<DrawnPart> drawn_parts(const CompareState& state, const Renderer& drawn,
                                                  PictureSize size);
 
-/// Draws into the current line what the row above the picture says and sets of a comparison; nothing while
-/// none is on.
+/// Draws the comparison's controls into the row above the picture; nothing while it is off.
 void compare_controls(CompareState& state);
 
 extern const Tool compare_tool;
-/// Draws lines and labels; the list of a part's settings once its label was clicked.
+/// Draws lines and labels; after a click on a label, the list of the part's settings.
 void draw_compare(ImDrawList& list, UiState& ui, const PictureView& view);
 
-/// Sets how many parts there are, their lines spread evenly.
+/// Sets the parts and spaces their lines evenly.
 void set_parts(CompareChoice& choice, std::vector<Variant> parts);
 
 }  // namespace glint

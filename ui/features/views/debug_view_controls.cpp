@@ -21,15 +21,16 @@ constexpr std::array<DebugViewInfo, debug_view_count> infos{{
      "Red, green, blue are x, y, z in camera coordinates, from −1 to 1; striped where n·v < 0, away from the "
      "viewer"},
     {DebugView::Orientation, "Front and back",
-     "Which side of a face shows, by the order of its corners on the screen: blue the front, red the back"},
+     "Which side of a face is visible, by the order of its corners on the screen: blue the front, red the "
+     "back"},
     {DebugView::NDotL, "n·l",
-     "The cosine between the normal and one light, before it is clamped: blue is turned away"},
+     "The cosine between the normal and one light, before it is clamped: blue faces away"},
     {DebugView::Depth, "Depth", "Distance in front of the camera, in scene units: near is light"},
-    {DebugView::Face, "Faces", "Every polygon in a colour of its own"},
+    {DebugView::Face, "Faces", "Every polygon in its own colour"},
     {DebugView::FacetAngle, "Facet – normal",
-     "Angle between the polygon's own normal and the interpolated one: where smooth shading pretends"},
+     "Angle between the polygon's own normal and the interpolated one: where smooth shading deviates"},
     {DebugView::Silhouette, "Silhouette",
-     "The outline drawn over the picture: a coarse mesh keeps its corners there, whatever the shading"},
+     "The outline drawn over the picture: a coarse mesh keeps its corners there, with any shading"},
     {DebugView::Emission, "Emission alone", "One term of the sum"},
     {DebugView::Ambient, "Ambient alone", "One term of the sum"},
     {DebugView::Diffuse, "Diffuse alone", "One term of the sum"},
@@ -38,8 +39,8 @@ constexpr std::array<DebugViewInfo, debug_view_count> infos{{
 
 ImU32 packed_bytes(std::array<std::uint8_t, 3> c) { return IM_COL32(c[0], c[1], c[2], 255); }
 
-/// A ball of normals seen from the camera, its near half or its far half: which colour stands for which
-/// direction, in the very colours of the picture.
+/// A ball of normals seen from the camera, its near or its far half: shows the colour of each direction, in
+/// the exact colours of the picture.
 void draw_normal_ball(ImDrawList& list, ImVec2 centre, float radius, bool away) {
     constexpr int cells = 24;
     const float cell = 2 * radius / cells;
@@ -56,7 +57,7 @@ void draw_normal_ball(ImDrawList& list, ImVec2 centre, float radius, bool away) 
         }
 }
 
-/// What the colours stand for where no bar says it, with words beside each sample.
+/// A legend of the colours without a bar, with a label next to each sample.
 struct Sample {
     const char* words;
     void (*draw)(ImDrawList& list, ImVec2 centre, float radius);
@@ -150,7 +151,7 @@ std::string title_of(const DebugViewState& state, const Scene& scene) {
     return "n·l of " + scene.lights[light].name;
 }
 
-/// The light whose n·l is shown, where one is.
+/// The light whose n·l is shown, if any.
 void light_choice(DebugViewState& state, const Scene& scene) {
     if (state.set.choice.view != DebugView::NDotL || scene.lights.empty()) return;
     ImGui::SetNextItemWidth(px(86));

@@ -1,6 +1,6 @@
 #pragma once
-// A debug view shows one quantity behind the picture in place of its colours, with a colour bar that says
-// what they mean; stripes may lie over what is too bright to be shown.
+// A debug view shows one quantity in place of the picture's colours, with a colour bar as legend; stripes may
+// mark colours that are too bright to be shown.
 
 #include <imgui.h>
 
@@ -13,7 +13,7 @@
 
 namespace glint {
 
-/// The quantity that is looked at; changes to it change the picture.
+/// The shown quantity; changes to it change the picture.
 struct DebugViewSet {
     DebugViewChoice choice;
     bool over_range = false;  // stripes where a channel exceeds 1
@@ -22,7 +22,7 @@ struct DebugViewSet {
 
 struct DebugViewState {
     DebugViewSet set;
-    std::unique_ptr<DebugViewPainter> painter;  // once it was needed
+    std::unique_ptr<DebugViewPainter> painter;  // once needed
     Picture striped;
     std::uint64_t clipped = 0;  // striped pixels
 };
@@ -32,16 +32,16 @@ struct DebugViewInfo {
     const char* label;
     const char* what;
 };
-/// The window's words for a debug view.
+/// The window's texts for a debug view.
 [[nodiscard]] const DebugViewInfo& info_of(DebugView view);
 
-/// The next debug view after `view`, or the one before it, round and round.
+/// The next debug view after `view`, or the one before it, cyclic.
 [[nodiscard]] DebugView debug_view_after(DebugView view, int steps);
 
 /// Draws drop-downs for the debug view and its light into the current line. True when a view was chosen.
 bool debug_view_controls(DebugViewState& state, const Scene& scene);
 
-/// How wide the legend is that draw_debug_view_legend() draws at the picture's left edge; 0: none.
+/// The width of the legend that draw_debug_view_legend() draws at the picture's left edge; 0: none.
 [[nodiscard]] float legend_width(const DebugViewState& state);
 
 /// Draws the colour bar into the picture's lower left corner, with the values at the picked pixel and at the

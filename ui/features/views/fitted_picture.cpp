@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint8_t beyond = 118;  // the grey that surrounds every picture (Theme::surround)
 
-/// Linear colours before exposure of the bytes that a display shows.
+/// Fills in linear colours before exposure for the displayed bytes.
 void fill_linear(Picture& picture, const Display& display) {
     picture.linear.resize(3 * picture.size.pixels());
     const Code code = display.transfer == Transfer::Srgb ? Code::Decoded : Code::Same;

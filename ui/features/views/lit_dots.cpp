@@ -29,7 +29,7 @@ const char* places_of(ShadingMode mode) {
     return "";  // not reached
 }
 
-/// Adds a place unless it is there already: a corner is found from every face around it.
+/// Adds a point unless it is known: a corner is found from every face around it.
 void add_once(std::vector<LitDot>& dots, std::set<std::array<float, 6>>& known, const ExplainedPoint& at) {
     const glm::vec3 p = at.point.world, n = at.normal.world;
     if (known.insert({p.x, p.y, p.z, n.x, n.y, n.z}).second) dots.push_back({p, n, at.sum});
@@ -72,20 +72,19 @@ std::string evaluations_text(const Renderer& renderer, const Scene& scene) {
     const bool area = std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
         return light.enabled && light.kind == LightKind::Area;
     });
-    if (scene.shading.reflection == Reflection::None || lights == 0)
-        return "the equation is evaluated nowhere";
+    if (scene.shading.reflection == Reflection::None || lights == 0) return "the equation is not evaluated";
     if (area)
-        return fmt::format("{} × lights and their samples = {} evaluations a frame",
+        return fmt::format("{} × lights and their samples = {} evaluations per frame",
                            places_of(scene.shading.mode), stats.evaluations);
-    return fmt::format("{} {} × {} lights = {} evaluations a frame", stats.evaluations / lights,
+    return fmt::format("{} {} × {} lights = {} evaluations per frame", stats.evaluations / lights,
                        places_of(scene.shading.mode), lights, stats.evaluations);
 }
 
 namespace {
 
-/// An arrow; where it points along the line of sight, a disc towards the viewer and a ring away.
+/// An arrow; along the line of sight, a disc towards the viewer and a ring away.
 void draw_needle(ImDrawList& list, const PictureView& view, const LitDot& dot, const ProjectedPoint& foot) {
-    // Across the line of sight it is this many pixels long, near or far.
+    // Perpendicular to the line of sight it is this many pixels long, near or far.
     const glm::dvec2 beside = foot.pixel + glm::dvec2(24, 0);
     const double length =
         glm::length(unproject(view.map, beside, foot.depth) - unproject(view.map, foot.pixel, foot.depth));

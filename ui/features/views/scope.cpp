@@ -1,4 +1,4 @@
-// The scan-line scope under the hand, and what it reads off the picture.
+// The scan-line scope under the mouse, and its samples of the picture.
 #include "ui/features/views/scope.h"
 
 #include <fmt/core.h>
@@ -19,12 +19,12 @@ namespace {
 
 using Hand = ScopeState::Hand;
 
-/// Logical pixels within which an end or the line is taken.
+/// Logical pixels within which an end or the line can be grabbed.
 constexpr float end_reach = 10;
 
 glm::dvec2 size_of(const PictureView& view) { return {view.map.size.width, view.map.size.height}; }
 
-/// The window's place of the middle of an end's pixel.
+/// The window position of the centre of an end's pixel.
 ImVec2 place_of(glm::dvec2 share, const PictureView& view) {
     return view.to_window(glm::dvec2(pixel_of(share, view.map.size)) + 0.5);
 }
@@ -51,7 +51,7 @@ Hand under_cursor(const ScopeState& scope, const PictureView& view, glm::dvec2 s
     return distance_to_segment(mouse, from, to) <= px(tool_line_reach) ? Hand::Line : Hand::None;
 }
 
-/// `moved` level or upright as seen from `fixed`, whichever is nearer.
+/// `moved` snapped to horizontal or vertical as seen from `fixed`, whichever is nearer.
 glm::dvec2 squared(glm::dvec2 fixed, glm::dvec2 moved, glm::dvec2 size) {
     const glm::dvec2 away = glm::abs(moved - fixed) * size;
     return away.x >= away.y ? glm::dvec2(moved.x, fixed.y) : glm::dvec2(fixed.x, moved.y);
@@ -112,7 +112,7 @@ bool scope_hover(ToolFrame& frame) {
     return scope.under != Hand::None;
 }
 
-/// Where the hand is, as a share: of the middle of its pixel, which pixel_of() gives back however it rounds.
+/// The cursor, as a share: of the centre of its pixel, which pixel_of() returns regardless of rounding.
 glm::dvec2 share_under(const ToolFrame& frame) {
     return (glm::floor(frame.pixel) + 0.5) / size_of(frame.view);
 }
@@ -122,12 +122,14 @@ int scope_press(ToolFrame& frame) {
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return not_taken;
     scope.hand = scope.under;
     scope.last = share_under(frame);
-    for (glm::dvec2* end : {&scope.from, &scope.to}) *end = glm::clamp(*end, 0.0, 1.0);  // where it is seen
+    for (glm::dvec2* end : {&scope.from, &scope.to})
+        *end = glm::clamp(*end, 0.0, 1.0);  // where it is
+                                            // visible
     if (scope.hand == Hand::New) scope.from = scope.to = glm::clamp(scope.last, 0.0, 1.0);
     return ImGuiMouseButton_Left;
 }
 
-/// Shift keeps the line level or upright.
+/// Shift keeps the line horizontal or vertical.
 bool scope_drag(ToolFrame& frame) {
     ScopeState& scope = frame.state.get<ScopeState>();
     if (!scope.open || scope.hand == Hand::None) return false;
@@ -137,7 +139,7 @@ bool scope_drag(ToolFrame& frame) {
     return true;
 }
 
-/// A press that never moved is the scan line through that pixel.
+/// A press without a drag gives the scan line through that pixel.
 void scope_release(ToolFrame& frame) {
     ScopeState& scope = frame.state.get<ScopeState>();
     const glm::dvec2 drawn =
@@ -159,15 +161,15 @@ std::string scope_hint(const UiState& state) {
     case Hand::None:
         return {};
     case Hand::New:
-        return "Drag a line over the picture · Click: the whole scan line · Shift: level or upright · Esc: "
-               "not now";
+        return "Drag a line over the picture · Click: the full scan line · Shift: horizontal or vertical · "
+               "Esc: cancel";
     case Hand::From:
     case Hand::To:
-        return "Drag the end of the line · Shift: level or upright";
+        return "Drag the end of the line · Shift: horizontal or vertical";
     case Hand::Line:
         return "Drag the line";
     case Hand::Card:
-        return "Drag the card over one side of an edge: the Mach band beside it disappears";
+        return "Drag the card over one side of an edge: the Mach band next to it disappears";
     }
     return {};  // not reached
 }

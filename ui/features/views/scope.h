@@ -1,6 +1,6 @@
 #pragma once
-// The scan-line scope lays a line over the picture and shows below it the intensity with first and second
-// differences, so that Mach bands are seen in numbers. Lecture: "Gouraud Shading Artifacts".
+// The scan-line scope samples a line over the picture and plots below it the intensity with first and second
+// differences, so that Mach bands are visible in numbers. Lecture: "Gouraud Shading Artifacts".
 
 #include <imgui.h>
 
@@ -20,52 +20,52 @@ struct ScopeState {
 
     bool open = false;   // line and panel are shown
     bool armed = false;  // the next drag over the picture draws the line
-    // Ends of the line, and the grey card's middle and size, as shares of the picture's size.
+    // Ends of the line, and the grey card's centre and size, as shares of the picture's size.
     glm::dvec2 from{0.02, 0.5}, to{0.98, 0.5};
     bool card = false;
     glm::dvec2 card_at{0.5}, card_size{0.1, 0.3};
-    bool channels = false;    // red, green and blue apart, in place of luminance
+    bool channels = false;    // red, green and blue separately, in place of luminance
     bool eye = false;         // the perceived curve too
     double surround_px = 12;  // of the eye
-    int hovered = -1;         // number of the sample under the cursor in the panel
-    // In hand:
+    int hovered = -1;         // index of the hovered sample in the panel
+    // Being dragged:
     Hand hand = Hand::None;
-    Hand under = Hand::None;  // what a press would take
-    glm::dvec2 last{0};       // where the cursor was, as a share
+    Hand under = Hand::None;  // what a press would grab
+    glm::dvec2 last{0};       // the last cursor position, as a share
 
     std::vector<ProfileSample> samples;  // of the picture on the screen
-    std::vector<double> seen;            // perceived intensity; empty unless asked for
+    std::vector<double> seen;            // perceived intensity; empty unless requested
 };
 
 /// Draws the panel below the picture, with intensity along the scope's line, over `area`. `size`: of the
-/// picture that the samples are of. True when the command line is to be copied.
+/// sampled picture. True when the command line is to be copied.
 [[nodiscard]] bool scope_panel(ScopeState& scope, const Rect& area, PictureSize size);
 
 /// The pixel at a share of the picture's size.
 [[nodiscard]] glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size);
 
-/// Lays the line across the middle of the picture: where it lay says nothing of another scene.
+/// Resets the line to the horizontal middle of the picture: its old position is unrelated to another scene.
 void lay_level(ScopeState& scope);
 
 extern const Tool scope_tool;
-/// Draws line, ends, card, and the sample pointed at in the panel.
+/// Draws line, ends, card, and the sample hovered in the panel.
 void draw_scope_line(ImDrawList& list, UiState& state, const PictureView& view);
 
-/// Opens the scope with its tool in hand, or closes it.
+/// Opens the scope with its tool active, or closes it.
 void toggle_scope(ScopeState& scope);
 
-/// Reads the line off a picture that was drawn with `linear`.
+/// Samples the line in a picture that was drawn with `linear`.
 void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& picture);
 
-/// Lays the card on the right of the sharpest bend of the line, its edge on the pixel of the bend.
+/// Places the card to the right of the sharpest bend of the line, its edge on the pixel of the bend.
 void place_card(ScopeState& scope, PictureSize size);
-/// Takes the card up, placed so, or puts it away.
+/// Shows the card, placed so, or hides it.
 void switch_card(ScopeState& scope, PictureSize size);
 
-/// Where along the line, between two samples, another triangle is seen.
+/// Where along the line, between two samples, the visible triangle changes.
 struct ScopeEdge {
     double position = 0;       // as ProfileSample::position
-    bool is_diagonal = false;  // within a polygon: the edge of triangles that it is drawn as
+    bool is_diagonal = false;  // within a polygon: an edge of its triangulation
     bool operator==(const ScopeEdge&) const = default;
 };
 [[nodiscard]] std::vector<ScopeEdge> edges_along(const std::vector<ProfileSample>& samples);
@@ -73,8 +73,8 @@ struct ScopeEdge {
 /// "384 pixels, 1 edge, 2 diagonals".
 [[nodiscard]] std::string edge_words(const std::vector<ProfileSample>& samples);
 
-/// The panel's words for a sample: its pixel, intensity, differences (where the slope jumps, the slopes
-/// before and after) and face.
+/// The panel's text for a sample: its pixel, intensity, differences (where the slope jumps, the slopes before
+/// and after) and face.
 [[nodiscard]] std::string sample_text(const std::vector<ProfileSample>& samples, std::size_t at);
 
 }  // namespace glint

@@ -19,7 +19,7 @@ namespace {
 
 using Points = std::vector<glm::dvec2>;
 
-/// A curve of one value a sample; a gap where `value` has none.
+/// A curve with one value per sample; a gap where `value` returns none.
 template <class Value> Points curve(const std::vector<ProfileSample>& samples, const Value& value) {
     Points points;
     points.reserve(samples.size());
@@ -39,8 +39,8 @@ Interval range_of_curves(std::initializer_list<const Points*> curves, bool aroun
     return range_of(values, around_zero ? 1e-4 : 1e-3, 0.08);
 }
 
-/// The range of a curve of differences, one for each sample, without the jumps where objects end: they are a
-/// hundred times as high as the bands that one looks for, and may leave the strip.
+/// The range of a curve of differences, one per sample, without the jumps at object boundaries: they are a
+/// hundred times as high as the bands of interest, and may leave the strip.
 Interval range_within_objects(const Points& points, const std::vector<ProfileSample>& samples) {
     const auto object = [&](std::size_t i) { return samples[i].seen ? samples[i].seen->object : -1; };
     Points inside;
@@ -59,14 +59,14 @@ struct Strip {
 PlotArea begin_strip(ImDrawList& list, const Strip& strip, Interval y, const ScopeState& scope) {
     const PlotArea area = draw_axes(list, strip.rect, strip.x, y, {"", "", strip.last}, {});
     const std::vector<ScopeEdge> edges = edges_along(scope.samples);
-    // Closer together they would be grey hatching, and the curve would drown in them.
+    // Closer together they would be grey hatching that hides the curve.
     const bool roomy = static_cast<float>(edges.size()) * px(7) <= area.rect.size().x;
     for (const ScopeEdge& edge : edges)
         if (roomy) draw_upright(list, area, edge.position, theme().dim_text, edge.is_diagonal ? 0.22f : 0.5f);
     return area;
 }
 
-/// Room for the strips' names, to the right of all curves: none lies over one.
+/// Space for the strips' names, to the right of all curves: none covers one.
 float name_room() { return px(96); }
 
 void strip_name(ImDrawList& list, const PlotArea& area, const AxisText& y) {
@@ -75,7 +75,7 @@ void strip_name(ImDrawList& list, const PlotArea& area, const AxisText& y) {
     plot_text(list, at + ImVec2(0, small_text_height()), theme().dim_text, y.unit);
 }
 
-/// The curve, with its point at the sample pointed at.
+/// The curve, with its point at the hovered sample.
 void strip_curve(ImDrawList& list, const PlotArea& area, const Points& points, const ScopeState& scope,
                  const ImVec4& colour) {
     if (points.empty()) return;
@@ -102,7 +102,7 @@ void intensity_strip(ImDrawList& list, const Strip& strip, const ScopeState& sco
     strip_name(list, area, strip.y);
 }
 
-/// A curve about zero, in a strip of its own: a difference, or (asked for) what the eye adds.
+/// A curve about zero, in its own strip: a difference, or (if requested) the eye's contribution.
 struct ZeroCurve {
     AxisText y;
     Points points;
@@ -164,7 +164,7 @@ void strips(ScopeState& scope, const Rect& area) {
     plot_text(list, {area.low.x, area.high.y - axis + px(3)}, theme().dim_text, "pixel");
 }
 
-/// True when it was clicked.
+/// True when clicked.
 bool toggle(const char* label, bool on, const char* title, const char* what, const char* more = "") {
     const bool clicked = small_chosen_button(label, on);
     tooltip(title, what, more);
@@ -175,17 +175,17 @@ bool toggle(const char* label, bool on, const char* title, const char* what, con
 /// True when the command is to be copied.
 bool buttons(ScopeState& scope, PictureSize size) {
     scope.armed ^= toggle("Draw", scope.armed, "Draw a line",
-                          "Drag over the picture; a click takes the whole scan line through a pixel",
-                          "Shift: level or upright");
+                          "Drag over the picture; a click gives the full scan line through a pixel",
+                          "Shift: horizontal or vertical");
     scope.channels ^= toggle("RGB", scope.channels, "Red, green and blue",
                              "In place of luminance, 0.2126 R + 0.7152 G + 0.0722 B");
-    scope.eye ^= toggle("Eye", scope.eye, "What the eye makes of it",
-                        "Intensity sharpened by what lies around it, as cells of the retina do: the bands "
-                        "that Ernst Mach saw appear where the slope jumps",
+    scope.eye ^= toggle("Eye", scope.eye, "What the eye perceives",
+                        "Intensity sharpened by its neighbourhood, as cells of the retina do: the bands that "
+                        "Ernst Mach saw appear where the slope jumps",
                         "I + narrow mean − wide mean (difference of Gaussians)");
     if (toggle("Card", scope.card, "Grey card",
-               "Lay it over one side of an edge: the Mach band beside it disappears, though its pixels stay "
-               "as they are",
+               "Place it over one side of an edge: the Mach band next to it disappears, although its pixels "
+               "do not change",
                "Drag it over the picture"))
         switch_card(scope, size);
     const bool copy = ImGui::SmallButton("Copy");

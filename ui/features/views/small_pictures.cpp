@@ -7,7 +7,7 @@
 
 namespace glint {
 
-/// Shared with the job that draws: it adds at the end, the window takes from the front.
+/// Shared with the drawing job: it appends, the window takes from the front.
 struct DrawnSmall {
     std::mutex mutex;
     std::vector<SmallPicture> done;
@@ -16,7 +16,7 @@ struct DrawnSmall {
 namespace {
 
 constexpr int sheet_columns = 8;
-constexpr double look_again = 0.05;  // seconds between looks at what is drawn
+constexpr double look_again = 0.05;  // seconds between checks for new pictures
 
 Result<int> draw_all(const DrawSmall& draw, int count, DrawnSmall& drawn, const LoadProgress& progress) {
     Renderer renderer(1);  // one thread: the window needs the others
@@ -54,7 +54,8 @@ void stop_small_pictures(SmallPictures& small) {
 
 void take_small_pictures(SmallPictures& small) {
     if (!small.job) return;
-    const bool done = small.job->done();  // asked first: what it finishes from now on is for the next frame
+    const bool done = small.job->done();  // checked first: pictures finished from now on are for the next
+                                          // frame
     if (small.drawn) {
         const std::lock_guard lock(small.drawn->mutex);
         std::vector<SmallPicture>& all = small.drawn->done;

@@ -22,11 +22,11 @@ namespace glint {
 extern const Feature inspector_feature;
 namespace {
 
-constexpr int max_rows = 64;     // of the sheet: lights beyond have no picture
+constexpr int max_rows = 64;     // of the sheet: further lights have no picture
 constexpr int cell_width = 84;   // pixels
-constexpr double budget_ms = 8;  // of a frame, for small pictures
+constexpr double budget_ms = 8;  // per frame, for thumbnails
 
-/// Returns the cell's place among grid_cells().
+/// Returns the cell's index in grid_cells().
 std::size_t index_of(GridCell cell) {
     return static_cast<std::size_t>(cell.light < 0 ? cell.term : 2 + 3 * cell.light + cell.term);
 }
@@ -83,7 +83,7 @@ int gain_shown(const TermGridState& grid, GridCell cell) {
     return at < grid.gains.size() ? grid.gains[at] : 1;
 }
 
-/// A word in a corner of a small picture, its lower left corner at `at`.
+/// A text in a corner of a thumbnail, its lower left corner at `at`.
 void small_note(ImDrawList& list, ImVec2 at, const std::string& text) {
     ImGui::PushFont(fonts().small);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -91,7 +91,7 @@ void small_note(ImDrawList& list, ImVec2 at, const std::string& text) {
     ImGui::PopFont();
 }
 
-/// A small picture: click shows it alone, right click leaves it out. True while it is pointed at.
+/// A thumbnail: click shows it alone, right click leaves it out. True while hovered.
 bool cell_button(TermGridState& grid, GridCell cell, float width) {
     const PictureSize size = grid.sheet.cell;
     const float height = width * float(size.height) / float(size.width);
@@ -115,11 +115,11 @@ bool cell_button(TermGridState& grid, GridCell cell, float width) {
                         : pointed ? theme().text
                                   : theme().line),
                  0, 0, px(solo ? 2.5f : 1));
-    tooltip(name_of(cell), "Click: alone · Right click: left out · both end when this tab is left",
+    tooltip(name_of(cell), "Click: alone · Right click: left out · both end when this tab is closed",
             solo        ? "shown alone"
             : muted     ? "left out"
             : gain > 1  ? fmt::format("here {} times as bright as in the picture", gain)
-            : gain == 0 ? "adds nothing anywhere"
+            : gain == 0 ? "contributes nothing"
                         : "");
     if (clicked) grid.solo = solo ? std::nullopt : std::optional(cell), grid.muted.clear();
     if (right) toggle_muted(grid, cell);
@@ -135,7 +135,7 @@ void row_heading(const Scene& scene, int light) {
     small_dim(l.name + (l.enabled ? "" : " (off)"));
 }
 
-/// The words above the columns of all lights.
+/// The labels above the columns of all lights.
 void column_headings(float width, float gap) {
     static constexpr std::array symbols{Symbol::Ambient, Symbol::Diffuse, Symbol::Specular};
     const float left = ImGui::GetCursorPosX();
@@ -148,8 +148,7 @@ void column_headings(float width, float gap) {
     ImGui::PopFont();
 }
 
-/// Draws the cells of a light, or those without one (-1), below their heading. Returns the one under the
-/// mouse.
+/// Draws the cells of a light, or those without one (-1), below their heading. Returns the hovered one.
 std::optional<GridCell> cell_row(TermGridState& grid, const Scene& scene, int light) {
     const float gap = px(4), width = (ImGui::GetContentRegionAvail().x - px(10)) / 3;
     if (light == 0) column_headings(width, gap);
@@ -163,12 +162,12 @@ std::optional<GridCell> cell_row(TermGridState& grid, const Scene& scene, int li
 }
 
 void sum_note(const Scene& scene) {
-    if (scene.npr.cool_to_warm) return warning_text("Cool to warm: the tones take the place of the sum.");
+    if (scene.npr.cool_to_warm) return warning_text("Cool to warm: the tones replace the sum.");
     if (scene.shading.mistakes.clamp_each_light)
         return warning_text("Each light is clamped (a mistake): the cells do not add up.");
     small_dim(
-        "Rest on a cell to see it alone; click: keep it so; right click: leave it out. Linear, and before "
-        "anything is cut off, the cells add up to the picture.");
+        "Hover over a cell to preview it alone; click: keep it; right click: leave it out. Linear, and "
+        "before clipping, the cells add up to the picture.");
 }
 
 }  // namespace
@@ -222,7 +221,7 @@ Scene brightened(Scene scene, int gain) {
 
 void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size) {
     if (!grid.drawn_of || !(*grid.drawn_of == scene)) {
-        if (ImGui::IsAnyMouseDown()) return;  // when the hand rests
+        if (ImGui::IsAnyMouseDown()) return;  // when no button is down
         begin_sheet(grid, scene, size);
     }
     const std::vector<GridCell> cells = grid_cells(scene);
@@ -236,7 +235,7 @@ void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size)
         do draw_cell(grid, scene, cells[grid.next++]);
         while (grid.next < cells.size() && spent() < budget_ms);
     } catch (...) {
-        grid.next = cells.size();  // the others would go the same way
+        grid.next = cells.size();  // the others would fail the same way
         throw;
     }
     if (grid.next < cells.size()) redraw_within(0);
@@ -246,7 +245,7 @@ void term_grid_tab(UiState& state, const PictureView& view) {
     TermGridState& grid = state.get<TermGridState>();
     if (!has_turn(state, inspector_feature))
         return wrapped_dim(
-            "While the picture is frozen, or an animation plays, no cell changes what it shows.");
+            "While the picture is frozen, or an animation plays, the cells cannot be changed.");
     const std::optional<OtherScene> other = resting_below(state, inspector_feature);
     const Scene& scene = other ? other->scene : state.editor.scene();
     if (other) small_dim(fmt::format("Of {}.", other->name));

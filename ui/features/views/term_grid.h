@@ -1,6 +1,6 @@
 #pragma once
-// The grid of light by term shows every term of every light as a small picture of its own. Their sum is the
-// picture. Lecture: "Phong Lighting Model" (the sum over lights).
+// The grid of light by term shows every term of every light as a thumbnail. Their sum is the picture.
+// Lecture: "Phong Lighting Model" (the sum over lights).
 
 #include <imgui.h>
 
@@ -28,12 +28,12 @@ struct GridCell {
 /// The cells of a scene, row by row: first those without a light.
 [[nodiscard]] std::vector<GridCell> grid_cells(const Scene& scene);
 
-/// The scene with these addends alone. The linear pictures of all cells add up to the scene's, on surfaces
-/// and without cool-to-warm shading or a clamp of each light.
+/// The scene with only these addends. The linear pictures of all cells add up to the scene's, on surfaces and
+/// without cool-to-warm shading or a clamp of each light.
 [[nodiscard]] Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown);
 
-/// Returns by how much a term is brightened so that it can be seen: a power of 2, at most 16, with which only
-/// the brightest twentieth of its lit pixels may exceed 1. 0 if the term adds nothing anywhere. `drawn`: its
+/// Returns the factor by which a term is brightened to be visible: a power of 2, at most 16, with which only
+/// the brightest twentieth of its lit pixels may exceed 1. 0 if the term contributes nothing. `drawn`: its
 /// picture, with Picture::linear; background does not count.
 [[nodiscard]] int gain_of(const Renderer& drawn_by, const Picture& drawn, float exposure);
 /// Returns the scene with its surfaces `gain` times as bright, and the background as it is.
@@ -42,15 +42,15 @@ struct GridCell {
 struct TermGridState {
     std::optional<GridCell> solo;
     std::vector<GridCell> muted;
-    PictureSheet sheet;      // three pictures a row, drawn while the hand rests
-    std::vector<int> gains;  // of the cells that are drawn: how often brighter than it is each is shown
+    PictureSheet sheet;      // three pictures per row, drawn while the mouse is idle
+    std::vector<int> gains;  // of the drawn cells: the factor by which each is brightened
     std::optional<Scene> drawn_of;
     std::size_t next = 0;  // cell to draw; #cells: all are drawn
     std::unique_ptr<Renderer> renderer;
     BlocksInSight rows{5};
 };
 
-/// Draws the next few small pictures when the scene's are not drawn yet. `size`: of the large picture.
+/// Draws the next few thumbnails if the scene's are not drawn yet. `size`: of the large picture.
 void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size);
 
 void term_grid_tab(UiState& state, const PictureView& view);

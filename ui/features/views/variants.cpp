@@ -70,7 +70,7 @@ std::string label_of(Variant variant) {
     if (variant.kind == Variant::Kind::Mine) return "My picture";
     const NamedChoice named = choice_in(variant);
     const std::string label = named.choice->label;
-    // "Unlit" says by itself what it is.
+    // "Unlit" is clear without the noun.
     return variant == variant_of(Reflection::None) ? label : label + " " + named.noun;
 }
 

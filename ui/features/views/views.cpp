@@ -23,13 +23,13 @@
 namespace glint {
 namespace {
 
-/// What the scope reads: what is shown, where that has linear colours: a comparison's parts, a single term.
+/// The scope's source: the shown picture, if that has linear colours: a comparison's parts, a single term.
 const Picture& scope_reads(const UiState& state) {
     const bool readable = !state.displayed->linear.empty() && state.displayed->size == state.rendered->size;
     return readable ? *state.displayed : *state.rendered;
 }
 
-/// The picture that shows: the drawn one, or what is composed of it. Sets UiState::unpainted.
+/// The shown picture: the drawn one, or one composed of it. Sets UiState::unpainted.
 const Picture& shown_picture(UiState& state) {
     state.unpainted = state.rendered;
     CompareState& compare = state.get<CompareState>();
@@ -50,7 +50,7 @@ const Picture& shown_picture(UiState& state) {
     return debug.striped;
 }
 
-/// Composes again when what it is made from has changed.
+/// Composes again when its inputs have changed.
 void update_shown(UiState& state) {
     ViewsState& views = state.get<ViewsState>();
     const ShownFrom from{state.get<CompareState>().choice, state.get<DebugViewState>().set,
@@ -65,7 +65,7 @@ void update_shown(UiState& state) {
     views.shown_from = from;
 }
 
-/// The parts of what is displayed.
+/// The parts of the displayed picture.
 void update_parts(UiState& state) {
     const CompareState& compare = state.get<CompareState>();
     const CompareChoice& choice = compare.choice;
@@ -88,7 +88,7 @@ void update_parts(UiState& state) {
     }
 }
 
-/// Lets the renderer of the picked pixel's part explain it.
+/// Explains the picked pixel by the renderer of its part.
 void ask_part(UiState& state) {
     OnScreen& shown = state.on_screen;
     CompareState& compare = state.get<CompareState>();
@@ -100,7 +100,7 @@ void ask_part(UiState& state) {
     shown.explanation = renderer->explain(pixel.x, pixel.y);
     const int part = part_of(compare, pixel, state.displayed->size);
     compare.asked_part = compare.choice.parts[static_cast<std::size_t>(part)];
-    // Another setting of the edited scene has its numbers.
+    // Another setting of the edited scene has the same numbers.
     const bool is_b = compare.asked_part.kind == Variant::Kind::Stored;
     if (is_b || shown.resting)
         shown.explained_other =
@@ -128,8 +128,8 @@ void command_button(UiState& state, const char* label, CommandId id, const char*
     ImGui::SameLine(0, px(4));
 }
 
-/// While pictures are compared their controls come first: where they would not fit, the buttons go that the
-/// menu View has, too.
+/// During a comparison its controls come first: if they do not fit, buttons that are also in the menu View
+/// are left out.
 void views_bar(UiState& state) {
     float& whole_width = state.get<ViewsState>().bar_width;
     const float begin = ImGui::GetCursorScreenPos().x;
@@ -137,7 +137,7 @@ void views_bar(UiState& state) {
         !state.get<CompareState>().choice.on || whole_width <= ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(fonts().small);
     if (debug_view_controls(state.get<DebugViewState>(), shown_scene(state)))
-        state.get<CompareState>().choice.on = false;  // they take each other's place
+        state.get<CompareState>().choice.on = false;  // the two exclude each other
     if (is_whole) {
         command_button(state, "Over-range", CommandId::OverRange,
                        "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
@@ -147,12 +147,11 @@ void views_bar(UiState& state) {
             "numbers");
     }
     command_button(state, "Compare", CommandId::Compare,
-                   "Flat, Gouraud and Phong, or any settings, side by side under lines to drag");
+                   "Flat, Gouraud and Phong, or any settings, side by side under draggable lines");
     if (is_whole) {
-        command_button(
-            state, "Pixels", CommandId::Magnify,
-            "Each pixel as a square with its number in it: 0 to 255, red, green and blue where there is "
-            "room. Ctrl+wheel zooms, the right button moves");
+        command_button(state, "Pixels", CommandId::Magnify,
+                       "Each pixel as a square with its number in it: 0 to 255, red, green and blue if there "
+                       "is room. Ctrl+wheel zooms, the right button pans");
         command_button(
             state, "Dots", CommandId::LitDots,
             "A dot where the equation is evaluated (some dots are left out), and the evaluations per frame");
@@ -201,8 +200,6 @@ void draw_views_bar(UiState& state, const Layout& layout) {
     ImGui::End();
 }
 
-// The scope.
-
 void begin_scope(UiState& state, const UiInput&) { state.layout.scope = state.get<ScopeState>().open; }
 
 void draw_scope(UiState& state, const Layout& layout) {
@@ -214,7 +211,7 @@ void draw_scope(UiState& state, const Layout& layout) {
 
 void reshape_scope(UiState& state, const Reshape& reshape) {
     ScopeState& scope = state.get<ScopeState>();
-    if (!scope.open || scope.armed) return;  // nothing was laid on anything yet
+    if (!scope.open || scope.armed) return;  // nothing is placed yet
     for (glm::dvec2* share : {&scope.from, &scope.to, &scope.card_at}) reshape.follow(*share);
     scope.card_size *= reshape.scale;
 }
@@ -241,8 +238,6 @@ void leave_with_scope(UiState& state, const SceneDocument& next) {
     if (is_another(state, next)) lay_level(state.get<ScopeState>());
 }
 
-// The comparison.
-
 Json compare_json(const CompareChoice& choice) {
     Json parts = Json::array();
     for (const Variant& part : choice.parts) parts.push_back(word_of(part));
@@ -253,7 +248,7 @@ Json compare_json(const CompareChoice& choice) {
             {"gain", choice.gain}};
 }
 
-/// Lines that rise, one fewer than parts; else they stay evenly spread.
+/// Ascending lines, one fewer than parts; else they stay evenly spaced.
 void read_lines(const Json& json, CompareChoice& choice) {
     if (!json.is_array() || elements_of(json).size() != choice.wipes.size()) return;
     std::vector<double> lines;
@@ -290,7 +285,7 @@ void write_compare(const UiState& state, Json& settings) {
     settings["compare"] = compare_json(compare.own ? *compare.own : compare.choice);
 }
 
-/// A comparison in which a scene or a picture is stored keeps it.
+/// A comparison with a stored scene or picture keeps it.
 void read_compare(UiState& state, const Json& settings) {
     CompareChoice& choice = state.get<CompareState>().choice;
     CompareChoice read = read_choice(find_member(settings, "compare"));
@@ -324,10 +319,10 @@ std::optional<OtherScene> show_b(const UiState& state) {
                       }};
 }
 
-/// B pressed stays, B held goes back when it is let go of.
+/// A short press of B toggles it; a long press reverts on release.
 void follow_b_key(UiState& state, const UiInput& input) {
     constexpr double long_press = 0.4;  // seconds
-    constexpr int enough_frames = 2;    // one slow frame makes no long press
+    constexpr int enough_frames = 2;    // one slow frame is not a long press
     CompareState& compare = state.get<CompareState>();
     if (!compare.b_turned) return;
     if (input.b_held) {
@@ -356,7 +351,8 @@ std::optional<PictureNote> note_of_debug_view(const UiState& state, const Scene&
         [](UiState& s) { s.get<DebugViewState>().set = {}; }};
 }
 
-/// How often the equation is evaluated: of a comparison in the part under the mouse, else in the first one.
+/// The number of evaluations of the equation: in a comparison for the part under the mouse, else for the
+/// first one.
 std::string evaluations_under(const UiState& state, const PictureView& view) {
     const CompareState& compare = state.get<CompareState>();
     const std::vector<DrawnPart> parts = drawn_parts(compare, *state.renderer, view.map.size);

@@ -1,5 +1,5 @@
 #pragma once
-// The picture can be looked at in many ways: by the row above it, tools upon it, panels below it.
+// Ways to view the picture: the row above it, tools on it, panels below it.
 
 #include <imgui.h>
 
@@ -20,12 +20,12 @@ struct UiState;
 struct WindowCommand;
 
 // Lit dots show where the equation is evaluated: a dot at each face's point, corner or pixel, thinned; its
-// normal as a needle; and how often it is evaluated a frame. Lecture: "Flat Shading", "Gouraud Shading",
+// normal as a needle; and the number of evaluations per frame. Lecture: "Flat Shading", "Gouraud Shading",
 // "Phong Shading".
 
 struct LitDot {
     glm::vec3 place{0}, normal{0};  // world
-    glm::vec3 color{0};             // what the equation gives there, linear
+    glm::vec3 color{0};             // the result of the equation there, linear
 };
 
 /// The dots of a part of the picture.
@@ -37,53 +37,54 @@ struct PartDots {
 struct LitDotsState {
     bool dots = false, needles = false;
     Kept<std::uint64_t, std::vector<PartDots>> found;  // in the picture of this serial
-    PictureSize size;  // of that picture, which during a motion is smaller than what it is shown as
+    PictureSize size;  // of that picture, which during a motion is smaller than its displayed size
 };
 
-/// The places at which the equation was evaluated for pixels within `rect`, of a grid of about `across`
+/// The points at which the equation was evaluated for pixels within `rect`, of a grid of about `across`
 /// columns over the renderer's last picture: each corner or face's point once.
 [[nodiscard]] std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across,
                                            const PartRect& rect);
 
-/// Looks for the dots again when the picture is another.
+/// Finds the dots again when the picture has changed.
 void update_lit_dots(LitDotsState& state, const std::vector<DrawnPart>& parts, PictureSize size,
                      std::uint64_t serial);
 
-/// "corners: 5 321 × 4 lights = 21 284 evaluations a frame".
+/// "corners: 5 321 × 4 lights = 21 284 evaluations per frame".
 [[nodiscard]] std::string evaluations_text(const Renderer& renderer, const Scene& scene);
 
 void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureView& view);
-/// Draws how often the equation is evaluated (evaluations_text()) in the picture's corner, below the labels
-/// of a comparison.
+/// Draws the number of evaluations (evaluations_text()) in the picture's corner, below the labels of a
+/// comparison.
 void draw_evaluations(ImDrawList& list, const std::string& text, bool compares);
 
-/// Puts the command line that prints the scope's numbers on the clipboard; a picture was drawn.
+/// Copies the command line that prints the scope's numbers to the clipboard. Precondition: a picture was
+/// drawn.
 void copy_profile_command(UiState& state);
 
-/// What the shown picture is made from, beside the drawn one; it is composed again when this changes.
+/// The inputs of the shown picture, besides the drawn one; it is composed again when they change.
 struct ShownFrom {
     CompareChoice compare;
     DebugViewSet debug_view;
     bool linear = false;
     bool operator==(const ShownFrom&) const = default;
-    /// Whether it shows no pictures, but what is measured in them.
+    /// Whether it shows measurements instead of pictures.
     [[nodiscard]] bool is_measured() const {
         return debug_view != DebugViewSet{} || (compare.on && compare.difference);
     }
 };
 
-/// The ways in which the picture is looked at; none of it is the scene's.
+/// The ways in which the picture is viewed; none of it is part of the scene.
 struct ViewsState {
-    // What the shown picture was made from:
+    // The inputs of the shown picture:
     ShownFrom shown_from;
-    std::uint64_t shown_serial = 0;  // UiState::picture_serial then
-    float bar_width = 0;             // of the row of buttons when it was whole last
+    std::uint64_t shown_serial = 0;  // UiState::picture_serial at that time
+    float bar_width = 0;             // of the row of buttons when it was last complete
 };
 
-/// Shows one quantity in place of the picture. It and a comparison take each other's place.
+/// Shows one quantity in place of the picture. It and a comparison exclude each other.
 void show_quantity(UiState& state, DebugView view, bool keep_comparing = false);
 
-/// Whether parts of a comparison or a quantity show in the place of the scene's own picture.
+/// Whether parts of a comparison or a quantity are shown in place of the scene's own picture.
 [[nodiscard]] bool is_composed(const UiState& state);
 
 // The features' commands.

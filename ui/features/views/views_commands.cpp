@@ -1,4 +1,4 @@
-// The commands of what is looked at: the scope, quantities, dots, comparisons.
+// The commands of views: the scope, quantities, dots, comparisons.
 #include <imgui.h>
 
 #include "ui/commands/command.h"
@@ -27,7 +27,7 @@ void store_b(UiState& state) {
     CompareChoice& choice = state.get<CompareState>().choice;
     choice.stored = std::make_shared<const Scene>(as_made(state, state.editor.scene()));
     choice.shows_stored = false;
-    state.notifications.add(Tone::Done, "Stored as B: press " + keys_of(CommandId::ShowB) + " to look at it");
+    state.notifications.add(Tone::Done, "Stored as B: press " + keys_of(CommandId::ShowB) + " to view it");
 }
 
 std::string unless_compared(const UiState& state) {
@@ -39,7 +39,7 @@ void step_debug_view(UiState& state, int steps) {
     const DebugView shown = debug_view_after(state.get<DebugViewState>().set.choice.view, steps);
     show_quantity(state, shown);
     const std::string what = shown == DebugView::Picture
-                                 ? "The picture again"
+                                 ? "Show the picture again"
                                  : std::string(info_of(shown).label) + " in place of the picture";
     state.notifications.tell(what + " (" + keys_of(CommandId::NextDebugView) + ")");
 }
@@ -74,7 +74,7 @@ std::vector<WindowCommand> scope_commands() {
          .run = [](UiState& s) { s.get<ScopeState>().channels ^= true; },
          .is_on = [](const UiState& s) { return s.get<ScopeState>().channels; },
          .why_disabled = unless_scope},
-        {.name = "Scope: what the eye makes of it",
+        {.name = "Scope: what the eye perceives",
          .run = [](UiState& s) { s.get<ScopeState>().eye ^= true; },
          .is_on = [](const UiState& s) { return s.get<ScopeState>().eye; },
          .why_disabled = unless_scope,
@@ -114,7 +114,7 @@ std::vector<WindowCommand> debug_view_commands() {
              },
          .is_on = shows_orientation,
          .changes_picture = true},
-        {.name = "Stripes over what is too bright",
+        {.name = "Stripes over colours that are too bright",
          .keys = {{Key::O}},
          .section = Section::ViewQuantity,
          .run = switch_over_range,
@@ -158,7 +158,7 @@ std::vector<WindowCommand> compare_commands() {
          .is_on = [](const UiState& s) { return s.get<CompareState>().choice.difference; },
          .why_disabled = unless_compared,
          .changes_picture = true},
-        {.name = "Compare: the difference twice as strong",
+        {.name = "Compare: double the difference",
          .run = [](UiState& s) { double_gain(s.get<CompareState>().choice); },
          .why_disabled =
              [](const UiState& s) {
@@ -178,7 +178,7 @@ std::vector<WindowCommand> compare_commands() {
 
 std::vector<WindowCommand> stored_scene_commands() {
     return {
-        {.name = "Look at B, the stored scene",
+        {.name = "View B, the stored scene",
          .keys = {{Key::B}},
          .section = Section::ViewStored,
          .run = switch_b,

@@ -1,4 +1,4 @@
-// What stands between the picked point and a light.
+// What blocks the line from the picked point to a light.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-/// Triangles times lights that are asked within a millisecond or two.
+/// Triangles times lights that can be tested within a millisecond or two.
 constexpr std::size_t at_once = 250'000;
 
 std::size_t triangle_count(const Scene& scene) {
@@ -24,7 +24,7 @@ std::size_t triangle_count(const Scene& scene) {
     return count;
 }
 
-/// Whether the object only shows where a light is: the light stands in its middle.
+/// Whether the object only marks a light's position: the light is in its centre.
 bool marks(const Object& object, glm::vec3 light) {
     const Bounds& box = object.mesh->bounds;
     const glm::vec3 middle =
@@ -36,7 +36,7 @@ bool marks(const Object& object, glm::vec3 light) {
 /// The object between the point and the light, or -1.
 int blocker_index(const Scene& scene, const ExplainedPoint& point, const ExplainedLight& light) {
     const bool area = scene.lights[static_cast<std::size_t>(light.index)].kind == LightKind::Area;
-    // The middle sample of an area light speaks for all: a point light in the middle of the panel.
+    // The middle sample of an area light represents all: a point light in the centre of the panel.
     const ExplainedLight& asked =
         area && !light.samples.empty() ? light.samples[light.samples.size() / 2] : light;
     if (!(asked.n_dot_l > 0)) return -1;
@@ -70,7 +70,7 @@ std::string blocked_words(UiState& state, const Explanation& explanation, const 
                                  ? "Its own surface"
                                  : fmt::format("“{}”", scene.objects[object].name);
     return fmt::format(
-        "{} stands in the way of this light, but Glint casts no shadows: each point is lit for itself.",
+        "{} is between this light and the point, but Glint casts no shadows: each point is lit on its own.",
         name);
 }
 

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// Writes a number as a program reads it: without spaces around, and with the keyboard's minus.
+/// Writes a number for use in a program: without spaces around, and with an ASCII minus.
 std::string plain(std::string_view number) {
     constexpr std::string_view minus = "−";
     std::string text;
@@ -36,7 +36,7 @@ void copy_item(const char* label, const std::string& text) {
 
 void copy_menu(int id, const std::string& number, const std::string& line) {
     ImGui::PushID(id);
-    tooltip("Right click: copy it", line.empty() ? "" : "alone, or the line that it stands in");
+    tooltip("Right click: copy it", line.empty() ? "" : "alone, or its entire line");
     if (ImGui::BeginPopupContextItem("##copy")) {
         copy_item("Copy", plain(number));
         if (!line.empty()) copy_item("Copy line", line);

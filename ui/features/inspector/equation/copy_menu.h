@@ -1,12 +1,12 @@
 #pragma once
-// The menu of a number that can only be read: a right click copies it, or the line that it stands in.
+// The menu of a read-only number: a right click copies it, or its line.
 
 #include <string>
 
 namespace glint {
 
-/// Offers to copy from the item drawn last, on a right click. `number` is as it is written; an empty `line`
-/// is not offered. `id` tells the numbers of one position apart.
+/// Offers to copy from the item drawn last, on a right click. `number` is as written; an empty `line` is not
+/// offered. `id` distinguishes numbers at the same position.
 void copy_menu(int id, const std::string& number, const std::string& line);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// A line of the equation, piece by piece.
+// Draws a line of the equation, piece by piece.
 #include <fmt/core.h>
 
 #include "renderer/explain/equation_text.h"

@@ -41,7 +41,7 @@ void corner_buttons(InspectorState& state, const Explanation& explanation) {
     }
 }
 
-/// Says at which corner the numbers below were lit.
+/// Names the corner to which the numbers below belong.
 void lit_at(InspectorState& state, const Explanation& explanation, const Shading& shading) {
     if (!explanation.lit_per_corner || explanation.corners.empty()) return;
     if (explanation.corners.size() == 1)
@@ -54,8 +54,7 @@ void lit_at(InspectorState& state, const Explanation& explanation, const Shading
     corner_buttons(state, explanation);
 }
 
-/// What the pixel would be under each way of weighing the corners: resting shows the picture so, a click
-/// takes it.
+/// The pixel under each way of weighting the corners: hovering previews the picture, a click applies it.
 void interpolations(UiState& state, const Explanation& explanation) {
     for (const ExplainedInterpolation& each : explanation.interpolations) {
         const Choice choice = choice_of(each.interpolation);
@@ -64,7 +63,7 @@ void interpolations(UiState& state, const Explanation& explanation) {
         if (ImGui::Selectable(choice.label, is_chosen, 0, {px(92), 0}))
             if (Scene* scene = editable_scene(state)) scene->shading.interpolation = each.interpolation;
         const bool pointed = is_pointed_at();
-        tooltip(choice.label, choice.meaning, "Rest here: the picture under it. Click: take it",
+        tooltip(choice.label, choice.meaning, "Hover to preview the picture. Click to apply it",
                 "/shading/interpolation");
         ImGui::SameLine(0, px(6));
         mono_text(shown_vector(each.sum));
@@ -76,12 +75,12 @@ void interpolations(UiState& state, const Explanation& explanation) {
     }
 }
 
-/// Whether a highlight between the corners is lost here, or enough of them bring it back.
+/// Whether a highlight between the corners is lost here, or enough of them preserve it.
 void against_phong(const UiState& state, const Explanation& explanation) {
     if (!explanation.lit_per_corner) return;
     const std::optional<Explanation> phong = under_phong(state, explanation);
     if (!phong) return;
-    // Not by the bytes: where both are clipped they are equal, whatever is lost.
+    // Not by the bytes: clipped values are equal, whatever is lost.
     if (shown_vector(phong->sum) == shown_vector(explanation.sum))
         return wrapped_dim("Phong shading gives the same colour here: nothing is lost between the corners.");
     const glm::vec3 lost = phong->sum - explanation.sum;
@@ -94,14 +93,14 @@ void against_phong(const UiState& state, const Explanation& explanation) {
     };
     row("Phong", "The pixel lit at its own point, not at the corners", phong->sum);
     if (glm::all(glm::greaterThanEqual(lost, glm::vec3(0))))
-        row("lost", "What lies between the corners, and so in none of their colours", lost);
+        row("lost", "What is between the corners, and so in none of their colours", lost);
     else if (glm::all(glm::lessThanEqual(lost, glm::vec3(0))))
-        row("too much", "What the corners bring here, though it does not reach this point", -lost);
+        row("too much", "What the corners contribute here, although it does not reach this point", -lost);
     else
         row("differs", "This colour minus Phong's: negative is what is lost between the corners", -lost);
 }
 
-/// The tone, which under cool to warm takes the place of emission, ambient and diffuse.
+/// The tone, which under cool to warm replaces emission, ambient and diffuse.
 void tone_line(const ExplainedTone& tone, int channel) {
     TextLine line;
     line.symbol(Quantity::WarmShare).plain(" = (1 + ").symbol(Quantity::NL).plain(")/2 = ");
@@ -150,7 +149,7 @@ std::string section_title(const InspectorState& state, const Explanation& explan
                        choice_of(explanation.mode).label);
 }
 
-/// A mark is seen for a few seconds.
+/// A mark is visible for a few seconds.
 void forget_old_mark(InspectorState& inspector) {
     if (!inspector.marked) return;
     const double rest = inspector.marked->until - ImGui::GetTime();
@@ -163,7 +162,7 @@ void forget_old_mark(InspectorState& inspector) {
 constexpr std::array formats{
     CopyFormat{CopyAs::Text, "text", "As `glint explain FILE --pixel X,Y` prints it"},
     CopyFormat{CopyAs::Json, "JSON",
-               "As `glint explain … --format json` prints it; docs/explain.md tells its keys"},
+               "As `glint explain … --format json` prints it; docs/explain.md describes its keys"},
     CopyFormat{CopyAs::Latex, "LaTeX", "As `glint explain … --format latex` prints it, for amsmath"}};
 
 void copy_buttons(const UiState& state) {
@@ -203,12 +202,12 @@ void copy_explanation(const UiState& state, const CopyFormat& format) {
 void equation_tab(UiState& state, const PictureView&) {
     if (!state.on_screen.explanation)
         return inspector_empty_state(
-            "Here the lighting equation of that pixel appears with its numbers: what each light adds, and "
-            "why a "
-            "light that you expect adds nothing.");
+            "Click a pixel to see its lighting equation with its numbers: what each light adds, and why a "
+            "light adds nothing.");
     const Explanation& explanation = *state.on_screen.explanation;
     forget_old_mark(state.get<InspectorState>());
-    if (!explanation.hit) return wrapped_dim("No object shows here: the pixel has the background's colour.");
+    if (!explanation.hit)
+        return wrapped_dim("No object is visible here: the pixel has the background's colour.");
     if (static_cast<std::size_t>(explanation.object_index) >= explained_scene(state).objects.size()) return;
     formula(explanation.reflection);
     if (!is_plain_front(explanation)) warning_text("The surface is seen from its " + side_words(explanation));

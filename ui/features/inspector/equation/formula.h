@@ -5,7 +5,7 @@
 
 namespace glint {
 
-/// Draws it on one line, each letter in its symbol's colour; resting on a letter tells what it stands for.
+/// Draws it on one line, each letter in its symbol's colour; hovering over a letter explains it.
 void formula(Reflection reflection);
 
 }  // namespace glint

@@ -46,9 +46,9 @@ glm::vec3 vector_of(Quantity letter, const ExplainedPoint& point, const Explaine
     }
 }
 
-/// "n·l 0.713 44.5°": a cosine with its angle. Pointing at it lights up the arrow `to` in the picture. A
-/// mistake may leave a vector its length, which multiplies the product: then it is drawn as a warning, and
-/// the length ("|n| 1.250") is added to `causes` unless it is there.
+/// "n·l 0.713 44.5°": a cosine with its angle. Hovering over it highlights the arrow `to` in the picture. A
+/// mistake may leave a vector unnormalised; its length then multiplies the product: it is drawn as a warning,
+/// and the length ("|n| 1.250") is added to `causes` unless it is already there.
 void angle(TextLine& line, UiState& state, Quantity cosine, Symbol to, float value,
            const ExplainedPoint& point, const ExplainedLight& light, std::string& causes) {
     const auto [first, second] = vectors_of(cosine);
@@ -95,14 +95,14 @@ void angles(UiState& state, const Explanation& explanation, const ExplainedPoint
     list_control(causes.c_str(), "", last_item());
 }
 
-/// A number of the light, with so many decimals.
+/// A number of the light, with `decimals` decimals.
 NumberHandle light_number(const HandledScene& scene, int light, const char* key, int decimals) {
     NumberHandle handle = number_handle(scene, fmt::format("/lights/{}/{}", light, key));
     handle.number.kind.format = decimal_format(handle.number.value, decimals);
     return handle;
 }
 
-/// From the point that is lit to a light, in the light's own coordinates.
+/// From the lit point to a light, in the light's own coordinates.
 struct Ray {
     int light = -1;
     glm::dvec3 lit{0}, way{0};  // way: of length 1
@@ -115,7 +115,7 @@ Ray ray_to(const Light& light, const ExplainedLight& explained) {
     return {explained.index, place - double(explained.distance) * way, way, light.position};
 }
 
-/// "dist" and the number that moves the light towards the point and away from it, where l stays.
+/// "dist" and the number that moves the light towards the point and away from it, which keeps l.
 bool distance_handle(TextLine& line, const HandledScene& scene, const ExplainedLight& explained,
                      int decimals) {
     const auto index = static_cast<std::size_t>(explained.index);
@@ -125,15 +125,15 @@ bool distance_handle(TextLine& line, const HandledScene& scene, const ExplainedL
     handle.name = "Distance of " + light.name;
     handle.number.help = "To the light: it moves along l, towards the point or away from it";
     handle.number.pointer = fmt::format("/lights/{}/position", explained.index);
-    handle.number.initial = std::numeric_limits<double>::quiet_NaN();  // any place is as good
+    handle.number.initial = std::numeric_limits<double>::quiet_NaN();  // no position is a natural default
     handle.number.kind = {.range = above_zero,
                           .unit = "scene units",
                           .format = decimal_format(distance, decimals),
                           .logarithmic = true};
     handle.number.value = distance;
     handle.number.place = scene.edited != nullptr ? &distance : nullptr;
-    // Kept from frame to frame, as ui/ui.h says, while the number is in hand: at a distance of "0", on the
-    // way to "0.5", nothing tells any more from where the light shines.
+    // Kept from frame to frame, see ui/ui.h, while the number is being edited: typing "0.5" passes through a
+    // distance of "0", which would lose the direction of the light.
     static Ray kept;
     const bool goes_on = number_in_hand() && kept.light == explained.index && light.position == kept.written;
     const Ray ray = goes_on ? kept : ray_to(light, explained);
@@ -204,7 +204,7 @@ bool cone_line(const HandledScene& scene, const ExplainedLight& explained) {
     return edited;
 }
 
-/// f, and what falloff and spot are made of.
+/// f, and the parts of falloff and spot.
 bool share_lines(const HandledScene& scene, const LightOfEquation& in) {
     const Light& light = scene.shown.lights[static_cast<std::size_t>(in.light.index)];
     const bool has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
@@ -215,7 +215,7 @@ bool share_lines(const HandledScene& scene, const LightOfEquation& in) {
     return edited;
 }
 
-/// The samples of an area light below a row that folds them away.
+/// The samples of an area light below a foldable row.
 void sample_rows(const ExplainedLight& area, int channel) {
     if (!fold(sample_words(area).c_str(), false)) return;
     const std::vector<double> weights = sample_weights(area);
@@ -231,7 +231,7 @@ void sample_rows(const ExplainedLight& area, int channel) {
     small_dim("The mean counts each sample by its share of form, in per cent.");
 }
 
-/// The light's icon and name; true while pointed at.
+/// The light's icon and name; true while hovered.
 bool name_row(UiState& state, const ExplainedLight& explained, const Light& light) {
     ImGui::Dummy({0, px(3)});
     light_icon(light);
@@ -240,8 +240,7 @@ bool name_row(UiState& state, const ExplainedLight& explained, const Light& ligh
     const bool pointed = is_pointed_at();
     const float indent = ImGui::CalcTextSize("      ").x, right = low.x + ImGui::GetContentRegionAvail().x;
     cut_text(*ImGui::GetWindowDrawList(), {low.x + indent, low.y}, right, whole_label(light.name));
-    tooltip("Light",
-            is_read_only() ? "Of the scene that is shown" : "Rest here: this light alone. Click: its panel");
+    tooltip("Light", is_read_only() ? "Of the shown scene" : "Hover: this light alone. Click: its panel");
     return pointed;
 }
 
@@ -249,7 +248,7 @@ const char* name_of_term(Symbol term) {
     return term == Symbol::Ambient ? "ambient" : term == Symbol::Diffuse ? "diffuse" : "specular";
 }
 
-/// A term's line; pointed at, the picture shows this term of this light alone.
+/// A term's line; while hovered, the picture shows this term of this light alone.
 bool light_term(UiState& state, const EquationLine& term, int light) {
     const Scene& scene = explained_scene(state);
     ImGui::PushID(static_cast<int>(term.term));
@@ -258,7 +257,7 @@ bool light_term(UiState& state, const EquationLine& term, int light) {
     ImGui::EndGroup();
     ImGui::PopID();
     const auto [low, high] = last_item();
-    // Only its letter and its result: the numbers in between can be dragged themselves.
+    // Only its letter and its result: the numbers in between can be dragged.
     const bool ends =
         is_pointed_at({low, {low.x + px(14), high.y}}) || is_pointed_at({{high.x - px(52), low.y}, high});
     if (ends && term.left_out != switched_off) {

@@ -1,5 +1,5 @@
 #pragma once
-// A number of the scene that can be dragged where it stands in the equation.
+// A number of the scene that can be dragged in the equation.
 
 #include <string>
 
@@ -14,13 +14,13 @@ struct NumberHandle {
     std::string name;  // "shininess of Teapot"
 };
 
-/// A scene whose numbers are shown, and the same scene to be edited: null where it is only shown.
+/// A scene whose numbers are shown, and the same scene for editing: null if it is read-only.
 struct HandledScene {
     const Scene& shown;
     Scene* edited = nullptr;
 };
-/// The number at `pointer` of the scene, named by its keys and its light's or object's name, without a place
-/// where the scene is only shown. Precondition: it exists.
+/// The number at `pointer` of the scene, named by its keys and its light's or object's name, without a target
+/// if the scene is read-only. Precondition: it exists.
 [[nodiscard]] NumberHandle number_handle(const HandledScene& scene, const std::string& pointer);
 
 }  // namespace glint

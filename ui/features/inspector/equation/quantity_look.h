@@ -1,5 +1,5 @@
 #pragma once
-// How the letters of the equation look in the window.
+// The style of the equation's letters in the window.
 
 #include <utility>
 
@@ -11,7 +11,7 @@ namespace glint {
 /// The colour of a letter.
 [[nodiscard]] Symbol colour_of(Quantity quantity);
 
-/// The vectors between which it is the cosine. Precondition: is_cosine().
+/// The vectors of a cosine. Precondition: is_cosine().
 [[nodiscard]] std::pair<Quantity, Quantity> vectors_of(Quantity cosine);
 
 }  // namespace glint

@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-/// The width of a column, less where the names would not fit.
+/// The width of a column, smaller if the names would not fit.
 float channel_width() { return std::min(px(58), (ImGui::GetContentRegionAvail().x - px(100)) / 3); }
 constexpr std::array channel_names{"red", "green", "blue"};
 

@@ -15,14 +15,13 @@
 namespace glint {
 namespace {
 
-// The mark of the light whose card is being drawn (QuantityMark in
-// ui/features/inspector/equation/text_line.h).
+// The mark of the current light's card (QuantityMark in ui/features/inspector/equation/text_line.h).
 std::optional<Quantity> marked;
 bool marked_scrolls = false;
 
 constexpr float padding_x = 2, padding_y = 1;  // of a handle, logical pixels
 
-/// The width of the number as it is now, at least that of two figures: enough to take hold of.
+/// The width of the present number, at least that of two digits, so that it can be grabbed.
 float handle_width(const NumberHandle& handle) {
     const std::string text = shown_text(static_cast<float>(handle.number.value), handle.number.kind);
     ImGui::PushFont(fonts().figures);
@@ -64,7 +63,7 @@ float TextLine::height() {
     return line + 2 * px(padding_y);
 }
 
-/// Puts the cursor where the next `width` go, in a new line when they do not fit into this one.
+/// Moves the cursor to where the next `width` fits, on a new line if needed.
 void TextLine::place(float width) {
     keep_together(width);
     ImGui::SetCursorScreenPos({x_, y_});
@@ -154,7 +153,7 @@ TextLine::~TextLine() {
     if (mark_) draw_mark_around(*mark_);
 }
 
-/// Around the letter and its value, together where they stand side by side.
+/// Around the letter and its value, together if they are next to each other.
 void TextLine::end_mark(const Rect& value) {
     const Rect letter = *mark_;
     mark_.reset();

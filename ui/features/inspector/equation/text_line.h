@@ -1,6 +1,6 @@
 #pragma once
 // A line of the equation: letters in their colours, numbers to read and numbers to drag, on one baseline. It
-// goes on in the next line where the column ends.
+// wraps at the end of the column.
 
 #include <imgui.h>
 
@@ -14,8 +14,8 @@
 
 namespace glint {
 
-/// While a mark lives, the first letter of that quantity is framed, with the number behind it; with `scrolls`
-/// it is brought into view, too.
+/// During the lifetime of a mark, the first letter of that quantity is framed, with the number after it; with
+/// `scrolls` it is also scrolled into view.
 class QuantityMark {
   public:
     QuantityMark(std::optional<Quantity> quantity, bool scrolls);
@@ -34,25 +34,25 @@ class TextLine {
 
     TextLine& plain(const std::string& text);
     TextLine& plain(const std::string& text, const ImVec4& colour);
-    /// Text of a program, in letters of equal width.
+    /// Text of a program, monospaced.
     TextLine& code(const std::string& text, const ImVec4& colour);
-    /// Figures of equal width; a right click copies them.
+    /// Monospaced figures; a right click copies them.
     TextLine& number(const std::string& text, const ImVec4& colour);
-    /// Its letter; of a cosine each in its vector's colour. Resting on it tells what it stands for.
+    /// Its letter; of a cosine each in its vector's colour. Hovering over it explains it.
     TextLine& symbol(Quantity quantity);
     TextLine& times();
-    /// A number to drag, dotted below. True when it was edited.
+    /// A number to drag, with a dotted underline. True when it was edited.
     bool handle(const NumberHandle& number, const ImVec4& colour);
-    /// A handle raised like an exponent; a plain number so.
+    /// A handle raised like an exponent; a plain number likewise.
     bool exponent(const NumberHandle& number, const ImVec4& colour);
     TextLine& raised(const std::string& text, const ImVec4& colour);
-    /// Sets what "Copy line" copies in the menus of the numbers that follow.
+    /// Sets the text of "Copy line" in the menus of the following numbers.
     TextLine& copied_as(std::string line);
     /// Writes the result at the right edge of the column.
     void result(const std::string& text, const ImVec4& colour);
     TextLine& gap(float width);
-    /// Keeps what draw() draws on one line if it fits into one: a value with its name. draw() is called
-    /// twice, the first time only to measure; handles return false then.
+    /// Keeps the output of draw() on one line if it fits: a value with its name. draw() is called twice, the
+    /// first time only to measure; handles return false then.
     template <class Draw> TextLine& together(const Draw& draw) {
         const float x = x_;
         measures_ = true;
@@ -69,7 +69,7 @@ class TextLine {
 
   private:
     void place(float width);
-    /// Goes on in a new line where the next `width` do not fit into this one.
+    /// Continues on a new line if the next `width` does not fit into this one.
     void keep_together(float width);
     TextLine& piece(const std::string& text, const ImVec4& colour, ImFont* font, float down);
     bool edit(const NumberHandle& number, const ImVec4& colour, float down);
@@ -81,7 +81,7 @@ class TextLine {
     float x_, y_, left_, right_, indent_;
     std::string line_;
     int numbers_ = 0;
-    bool measures_ = false;      // nothing is drawn: only x_ goes on
+    bool measures_ = false;      // nothing is drawn: only x_ advances
     std::optional<Rect> mark_;   // the letter of the marked quantity, until its value is drawn
     bool marks_result_ = false;  // and that is the line's result
 };

@@ -68,7 +68,7 @@ double angle_deg(float cosine) {
 }
 
 std::string shown_number(float value) {
-    constexpr float rounding = 1e-6f;  // what is left where floats of about 1 cancel
+    constexpr float rounding = 1e-6f;  // remainder when floats of about 1 cancel
     const float size = std::abs(value) < rounding ? 0 : std::abs(value);
     const char* sign = value < 0 && size > 0 ? "−" : " ";
     if (size >= 1e5f) return fmt::format("{}{:.1e}", sign, size);
@@ -94,7 +94,7 @@ std::vector<std::string> parts_of(const std::string& pointer) {
     return parts;
 }
 
-/// The number that a part is, or -1.
+/// The index that a part contains, or -1.
 int index_of_part(const std::string& part) {
     int index = -1;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
@@ -106,7 +106,7 @@ struct Owner {
     Selection selection;
 };
 
-/// Whose number a pointer of these parts, one or more, leads to.
+/// The owner of the number to which a pointer with these parts, one or more, leads.
 Owner owner_at(const std::vector<std::string>& parts, const Scene& scene) {
     const std::string& section = parts[0];
     const int index = parts.size() > 1 ? index_of_part(parts[1]) : -1;

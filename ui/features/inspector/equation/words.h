@@ -1,5 +1,5 @@
 #pragma once
-// The numbers of an explanation in words: why a light does nothing here, what was cut off. Pure.
+// Texts about the numbers of an explanation: why a light has no effect here, what was clipped. Pure.
 
 #include <string>
 
@@ -14,32 +14,32 @@ namespace glint {
 /// Names the channels that exceed 1 after exposure: "clips: R 1.31 → 1"; empty if none does.
 [[nodiscard]] std::string clipping_reason(glm::vec3 sum, float exposure);
 
-/// The terms that the sum of one point consists of; for corners and flat points, what enters after weighting.
+/// The terms in the sum of one point; for corners and flat points, what enters after weighting.
 struct TermSums {
     glm::vec3 emission{0}, ambient{0}, diffuse{0}, specular{0};
-    glm::vec3 tone{0};  // cool to warm: in place of emission, ambient and diffuse
+    glm::vec3 tone{0};  // cool to warm: replaces emission, ambient and diffuse
 };
 [[nodiscard]] TermSums term_sums(const Explanation& explanation);
 
-/// The angle (degrees, 0 to 180) of a cosine; cosines past 1 by rounding are 1.
+/// The angle (degrees, 0 to 180) of a cosine; clamps cosines that exceed 1 by rounding.
 [[nodiscard]] double angle_deg(float cosine);
 
 /// Formats a number in a column: three decimals, fewer for large numbers, more for small ones until two
-/// significant digits show. Less than a millionth is 0, which has no sign.
+/// significant digits show. Less than a millionth is 0, without a sign.
 [[nodiscard]] std::string shown_number(float value);
 [[nodiscard]] std::string shown_vector(glm::vec3 v);
 
-// A JSON pointer of the scene file in words, and the panel in which its number stands.
+// The text of a JSON pointer of the scene file, and the panel that contains its number.
 
 struct NamedNumber {
     std::string owner;  // "Bulb", "Teapot", "Camera"
-    std::string what;   // "position x", "diffuse red", "falloff quadratic"; empty for the whole owner
+    std::string what;   // "position x", "diffuse red", "falloff quadratic"; empty for the entire owner
     Selection selection;
 };
 
-/// Names what a pointer leads into: NamedNumber::owner.
+/// The item that a pointer leads into: NamedNumber::owner.
 [[nodiscard]] std::string owner_of(const std::string& pointer, const Scene& scene);
-/// Names a number of this scene, or a whole object. Pointers into nothing keep their text.
+/// Names a number of this scene, or an entire object. Pointers into nothing keep their text.
 [[nodiscard]] NamedNumber named_number(const std::string& pointer, const Scene& scene);
 
 }  // namespace glint

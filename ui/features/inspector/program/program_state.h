@@ -1,5 +1,5 @@
 #pragma once
-// What the window remembers of the tab "Program" from frame to frame.
+// State of the tab "Program" from frame to frame.
 
 #include <string>
 #include <vector>
@@ -12,20 +12,20 @@
 
 namespace glint {
 
-/// A scene's calls as they are written in the tab.
+/// A scene's calls as written in the tab.
 struct WrittenCalls {
-    Scene scene;  // with the transforms' numbers as they are written
+    Scene scene;  // with the transforms' numbers as written
     std::vector<WrittenTransform> transforms;
     std::vector<GlCallGroup> groups;
 };
 
 struct ProgramState {
-    Kept<Scene, WrittenCalls> calls;     // of thousands of objects they take as long as a second
+    Kept<Scene, WrittenCalls> calls;     // for thousands of objects they take up to a second
     Kept<Scene, std::string> program;    // whole_program_words()
-    BlocksInSight groups{1}, places{1};  // the groups; the calls of the one with the lights' places
+    BlocksInSight groups{1}, places{1};  // the groups; the calls of the group with the lights' positions
 };
 
-/// The command that writes a program of this scene, in a language that can.
+/// The command that writes a program of this scene, in a supported language.
 [[nodiscard]] std::string whole_program_words(const Scene& scene);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// The tab "Program": the scene as calls of fixed-function OpenGL, alive.
+// The tab "Program": the scene as calls of fixed-function OpenGL, live.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -28,7 +28,7 @@
 namespace glint {
 namespace {
 
-/// What a call sets is lit up in the picture: a light shines alone, an object glows.
+/// Highlights what a call sets in the picture: a light shines alone, an object glows.
 void light_up(UiState& state, const std::string& about) {
     constexpr glm::vec3 glow{0.3f, 0.22f, 0};
     Scene scene = state.editor.scene();
@@ -45,7 +45,7 @@ void light_up(UiState& state, const std::string& about) {
     show_instead(state, scene, object.name);
 }
 
-/// So many decimals as the number is written with.
+/// The number of decimals that the number is written with.
 int decimals_of(const std::string& text) {
     const std::size_t point = text.find('.');
     return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
@@ -53,7 +53,7 @@ int decimals_of(const std::string& text) {
 
 float grip_width() { return 0.8f * TextLine::height(); }
 
-/// What is taken hold of to move a line past others. True while it is held.
+/// The grip that drags a line past others. True while dragged.
 bool grip(const std::string& name, const char* drag, const std::string& what, const char* effect,
           const std::string& pointer) {
     const float edge = TextLine::height();
@@ -71,14 +71,15 @@ bool grip(const std::string& name, const char* drag, const std::string& what, co
     return held;
 }
 
-/// The grip of a light's place, which can be moved past gluLookAt().
+/// The grip of a light's position, which can be moved past gluLookAt().
 void light_grip(UiState& state, int light_index) {
     Light& light = state.editor.scene().lights[static_cast<std::size_t>(light_index)];
     const char* what = light.space == LightSpace::Camera
                            ? "Before gluLookAt: its numbers are camera coordinates"
                            : "After gluLookAt: its numbers are world coordinates";
     if (!grip(fmt::format("grip of light {}", light_index), "Drag past gluLookAt", what,
-              "Its numbers stay, and mean another place", fmt::format("/lights/{}/space", light_index)))
+              "Its numbers stay, and mean a different position",
+              fmt::format("/lights/{}/space", light_index)))
         return;
     const float y = ImGui::GetIO().MousePos.y, line = state.get<InspectorState>().look_at_y;
     if (light.space == LightSpace::Camera && y > line + TextLine::height()) light.space = LightSpace::World;
@@ -91,7 +92,7 @@ std::string_view first_word(std::string_view text) {
     return space == text.npos ? text : text.substr(0, space + 1);
 }
 
-/// Word by word: a line goes on in the next one between any two.
+/// Word by word: a line can wrap between any two.
 void words(TextLine& line, std::string_view text, const ImVec4& colour) {
     while (!text.empty()) {
         const std::string_view word = first_word(text);
@@ -100,7 +101,7 @@ void words(TextLine& line, std::string_view text, const ImVec4& colour) {
     }
 }
 
-/// Draws a call whose numbers edit `scene`. Returns its area, over the column's whole width.
+/// Draws a call whose numbers edit `scene`. Returns its area, over the column's full width.
 Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float right = low.x + ImGui::GetContentRegionAvail().x;
@@ -108,12 +109,13 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
         light_grip(state, call.place_of_light);
     TextLine line(22);
     line.copied_as(call_text(call));
-    std::string_view punctuation;  // behind the number before, on its line: ", " or "));"
+    std::string_view punctuation;  // after the previous number, on its line: ", " or "));"
     for (std::size_t i = 0; i < call.pieces.size(); ++i) {
         const CallPiece& piece = call.pieces[i];
         NumberHandle number;
         if (!piece.pointer.empty()) number = number_handle({scene, &scene}, piece.pointer);
-        // The w of a position is plain text: it is divided by at once, so a typed w would be 1 again.
+        // The w of a position is plain text: the position is divided by it at once, so a typed w would be 1
+        // again.
         if (piece.pointer.empty() || number.number.is_w) {
             words(line, std::string_view(piece.text).substr(punctuation.size()),
                   call.is_remark ? theme().warning : theme().dim_text);
@@ -134,8 +136,8 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
     return area;
 }
 
-/// Draws the calls of an object as they are written, and applies what is dragged. `written_scene`: the scene
-/// of these calls, with the transforms' numbers as written. True when `written` has changed.
+/// Draws the calls of an object as written, and applies drags. `written_scene`: the scene of these calls,
+/// with the transforms' numbers as written. True when `written` has changed.
 bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransform& written,
                  const std::vector<GlCall>& calls) {
     Object& object = state.editor.scene().objects[static_cast<std::size_t>(index)];
@@ -151,7 +153,7 @@ bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransfo
             const char* name = call.pieces.front().text.c_str();
             const std::string word(name, std::string_view(name).find('('));
             if (grip(fmt::format("grip of {} {}", word, index), "Drag past another transform",
-                     "What is written last happens first", "Its numbers stay, and the object goes elsewhere",
+                     "The last one written is applied first", "Its numbers stay, and the object moves",
                      fmt::format("/objects/{}/transform", index)))
                 held = step;
             areas[block++].low = low;
@@ -168,8 +170,8 @@ bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransfo
     std::optional<Transform> transform = in_file_order(written.numbers, written.order);
     if (!transform) {
         wrapped_dim(
-            "glScalef is not the same in all directions: written before glRotatef it would shear the "
-            "object, which a scene file cannot say.");
+            "glScalef is not uniform: written before glRotatef it would shear the object, which a scene file "
+            "cannot express.");
         written.order = before.order;
         transform = in_file_order(written.numbers, written.order);
     }
@@ -181,7 +183,7 @@ bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransfo
 }
 
 /// Names each light whose numbers stayed while its coordinates changed since the scene was opened or saved:
-/// the mistake "light in wrong space" does the same.
+/// the same as the mistake "light in wrong space".
 void wrong_space_notes(UiState& state) {
     const Scene& now = state.editor.scene();
     const Scene& saved = state.editor.saved;
@@ -208,13 +210,13 @@ bool is_open_at_first(const UiState& state, const GlCallGroup& group) {
 void copy_button(UiState& state, const std::vector<GlCallGroup>& groups) {
     if (ImGui::SmallButton("Copy")) {
         ImGui::SetClipboardText(calls_text(groups).c_str());
-        state.notifications.tell("The calls are in the clipboard");
+        state.notifications.tell("The calls are on the clipboard");
     }
     const Scene& scene = state.editor.scene();
     std::string program;
     if (ImGui::IsItemHovered())
         program = state.get<ProgramState>().program.of(scene, [&] { return whole_program_words(scene); });
-    tooltip("Copy all calls", "As a function of C or C++", program);
+    tooltip("Copy all calls", "As a function in C or C++", program);
 }
 
 WrittenCalls written_calls(const Scene& scene) {
@@ -231,13 +233,13 @@ WrittenCalls written_calls(const Scene& scene) {
     return calls;
 }
 
-/// Returns the index of the first element for which `is` holds, or the number of elements if none does.
+/// Returns the index of the first element that satisfies `is`, or the number of elements if none does.
 template <class T, class Is> int index_of(const std::vector<T>& all, Is is) {
     return static_cast<int>(std::find_if(all.begin(), all.end(), is) - all.begin());
 }
 
-/// The camera's calls, and the lights' places before and after gluLookAt(), which is drawn even out of sight:
-/// a light's place is dragged past it.
+/// The camera's calls, and the lights' positions before and after gluLookAt(), which is drawn even if
+/// scrolled away: a light's position can be dragged past it.
 void draw_places(UiState& state, const std::vector<GlCall>& calls, const PictureView& view) {
     state.get<ProgramState>().places.draw(
         static_cast<int>(calls.size()),
@@ -247,7 +249,7 @@ void draw_places(UiState& state, const std::vector<GlCall>& calls, const Picture
     wrong_space_notes(state);
 }
 
-/// Draws a group. Returns the transform of its object as it is written now, when that has changed.
+/// Draws a group. Returns the transform of its object as now written, if that has changed.
 std::optional<WrittenTransform> draw_group(UiState& state, Scene& written_scene, const WrittenCalls& calls,
                                            const GlCallGroup& group, const PictureView& view) {
     if (!fold(whole_label(group.title).c_str(), is_open_at_first(state, group))) return {};

@@ -18,7 +18,8 @@ ImGuiID key_of(int object, int number) {
     return ImGui::GetID(fmt::format("transform of {}, {}", object, number).c_str());
 }
 
-/// The numbers that say how an object is written, in a fixed order: where it stands, what it came to.
+/// The numbers that determine how an object is written, in a fixed order: its translation, and its resulting
+/// transform.
 std::array<float, 12> numbers_of(const glm::vec3& translate, const Transform& t) {
     return {translate.x,    translate.y,    translate.z,    t.translate.x, t.translate.y, t.translate.z,
             t.rotate_deg.x, t.rotate_deg.y, t.rotate_deg.z, t.scale.x,     t.scale.y,     t.scale.z};
@@ -44,7 +45,7 @@ WrittenTransform written_transform(int object, const Transform& transform) {
     std::array<float, 12> numbers{};
     for (int i = 0; i < 12; ++i) numbers[static_cast<std::size_t>(i)] = kept.GetFloat(key_of(object, i));
     const glm::vec3 translate(numbers[0], numbers[1], numbers[2]);
-    if (numbers != numbers_of(translate, transform)) return written;  // changed by another hand
+    if (numbers != numbers_of(translate, transform)) return written;  // changed elsewhere
     written.order = order_of(kept.GetInt(key_of(object, -1), code_of(file_order)));
     written.numbers.translate = translate;
     return written;
@@ -88,9 +89,9 @@ TransformOrder dragged_order(const TransformOrder& order, TransformStep held, fl
 
 void order_note(const WrittenTransform& written, const Transform& transform) {
     if (written.order == file_order) return;
-    std::string note = "The order is exchanged.";
+    std::string note = "The order is swapped.";
     if (is_before(written.order, TransformStep::Rotate, TransformStep::Translate))
-        note += " Moved before it is turned, the object goes round the world's origin, not round its own.";
+        note += " Moved before it is turned, the object turns about the world's origin, not about its own.";
     if (is_before(written.order, TransformStep::Scale, TransformStep::Translate))
         note += " Moved before it is scaled, the object has its translation scaled as well.";
     const glm::vec3& t = transform.translate;

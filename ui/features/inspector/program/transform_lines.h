@@ -1,7 +1,6 @@
 #pragma once
-// The calls of an object's transforms in the tab Program: one can be dragged past another. A scene file knows
-// one order only, so the numbers stay as they are written and the object goes to where the other order puts
-// it.
+// The calls of an object's transforms in the tab Program: one can be dragged past another. A scene file has a
+// fixed order, so the numbers stay as written and the object moves to where the other order puts it.
 
 #include <optional>
 #include <span>
@@ -13,31 +12,31 @@
 
 namespace glint {
 
-/// An object's transform as it is written in the tab.
+/// An object's transform as written in the tab.
 struct WrittenTransform {
     TransformOrder order = file_order;
     Transform numbers;
     bool operator==(const WrittenTransform&) const = default;
 };
 
-/// Returns how the object of that number is written in the current window: as it was left, or in the file's
-/// order if something else has changed `transform` since.
+/// Returns how the object of that index is written in the current window: as left, or in the file's order if
+/// something else has changed `transform` since.
 [[nodiscard]] WrittenTransform written_transform(int object, const Transform& transform);
-/// Keeps how it is written for the next frame; `transform` is the result.
+/// Keeps the written form for the next frame; `transform` is the result.
 void keep_written(int object, const WrittenTransform& written, const Transform& transform);
 
-/// The transform that a call belongs to; nothing for other calls.
+/// The transform of a call; nothing for other calls.
 [[nodiscard]] std::optional<TransformStep> step_of(const GlCall& call);
 
-/// Puts the calls of the three transforms, which follow each other, into that order.
+/// Puts the calls of the three transforms, which are consecutive, into that order.
 void put_in_order(std::vector<GlCall>& calls, const TransformOrder& order);
 
-/// Returns the order while the step's lines are held at height `mouse_y`: they pass a neighbour once they
-/// would then lie under the mouse. `areas`: of each step's lines, in the order in which they are written.
+/// Returns the order while the step's lines are dragged to height `mouse_y`: they pass a neighbour once they
+/// would then be under the mouse. `areas`: of each step's lines, in written order.
 [[nodiscard]] TransformOrder dragged_order(const TransformOrder& order, TransformStep held, float mouse_y,
                                            std::span<const Rect, 3> areas);
 
-/// Says below the calls what an order other than the file's leads to; nothing in the file's order.
+/// Explains below the calls the effect of an order other than the file's; nothing in the file's order.
 void order_note(const WrittenTransform& written, const Transform& transform);
 
 }  // namespace glint

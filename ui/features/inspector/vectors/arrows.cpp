@@ -14,9 +14,9 @@
 namespace glint {
 namespace {
 
-constexpr float label_reach = 30;  // logical pixels that a word may be pushed away
+constexpr float label_reach = 30;  // logical pixels that a label may be displaced
 
-/// The letter with its middle at `centre`, or near it where something is written there.
+/// The letter centred at `centre`, or near it if something is written there.
 void letter_at(ImDrawList& list, ImVec2 centre, const ArrowLook& look) {
     if (*look.letter == 0) return;
     if (look.words != nullptr)
@@ -101,7 +101,7 @@ void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, co
     std::vector<ImVec2> points;
     for (int i = 0; i <= steps; ++i) points.push_back(pen.at(radius * direction(angle * i / steps)));
     cased_outline(pen.list, points, to_u32(colour), 1.4f, false);
-    if (length_of(points.back() - points.front()) < px(16)) return;  // nearly end-on: no room for words
+    if (length_of(points.back() - points.front()) < px(16)) return;  // nearly end-on: no room for labels
     const ImVec2 middle = points[steps / 2], out = middle - pen.at(glm::dvec3(0));
     const ImVec2 spot = middle + px(13) / std::max(length_of(out), 1.0f) * out;
     words.degrees(spot, colour, fmt::format("{:.0f}°", angle * 180 / std::numbers::pi));

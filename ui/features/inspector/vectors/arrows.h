@@ -1,5 +1,5 @@
 #pragma once
-// Arrows, arcs and letters, drawn so that they can be read on any picture: a dark rim below a bright line.
+// Arrows, arcs and letters that are legible on any picture: a dark rim below a bright line.
 
 #include <imgui.h>
 
@@ -18,24 +18,24 @@ struct PointPen {
     ImDrawList& list;
     const PictureView& view;
     glm::dvec3 origin{0};  // world
-    double reach = 1;      // scene units: how long a unit vector is drawn
+    double reach = 1;      // scene units: the length of a drawn unit vector
 
-    /// Returns where the point at `offset` times the reach from the origin lies in the window.
+    /// Returns the window position of the point at `offset` times the reach from the origin.
     [[nodiscard]] ImVec2 at(glm::dvec3 offset) const;
 };
 
 /// A pen at `origin` whose unit vectors are `length` logical pixels long when seen from the side.
 [[nodiscard]] PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length);
 
-/// Words that are written once all arrows are known, none over another or over an arrow. Letters choose their
-/// places before angles; of several letters, the first comes first.
+/// Labels that are written after all arrows are known, without covering each other or an arrow. Letters
+/// choose their positions before angles; earlier letters before later ones.
 class Words {
   public:
-    /// Nothing is written over a line from `from` to `to`.
+    /// Keeps labels off a line from `from` to `to`.
     void keep_off(ImVec2 from, ImVec2 to);
-    /// Writes the letter of an arrow with its middle near `centre`; pushed away, it is tied to there.
+    /// Writes the letter of an arrow, centred near `centre`; if displaced, it is tied to it by a line.
     void letter(ImVec2 centre, const ImVec4& colour, const std::string& text);
-    /// Writes an angle with its middle near `centre`; left out where there is no room.
+    /// Writes an angle, centred near `centre`; left out if there is no room.
     void degrees(ImVec2 centre, const ImVec4& colour, const std::string& text);
     void draw(ImDrawList& list) const;
 
@@ -53,14 +53,14 @@ struct ArrowLook {
     ImVec4 colour;
     float width = 2;  // logical pixels
     const char* letter = "";
-    Words* words = nullptr;  // that the letter goes to; null: it is written at once
+    Words* words = nullptr;  // that receives the letter; null: it is written at once
 };
-/// Draws an arrow from `from` to `to` with its letter at the tip; where the arrow points at us or away, a
-/// circle with a dot.
+/// Draws an arrow from `from` to `to` with its letter at the tip; an arrow towards or away from the viewer
+/// becomes a circle with a dot.
 void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look);
 
-/// The arc from direction a to b (unit) with its degrees, at `radius` of the pen's reach. The degrees are
-/// pushed away from what else is written, and left out where there is no room.
+/// The arc from direction a to b (unit) with its degrees, at `radius` of the pen's reach. The degrees avoid
+/// other labels, and are left out if there is no room.
 void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
               Words& words);
 

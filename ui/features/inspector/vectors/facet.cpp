@@ -54,7 +54,7 @@ void facet_section(const UiState& state, const Explanation& explanation) {
         "seen from outside; seen from here {}.",
         length, facet->corners.size(), explanation.front_facing != is_mirrored ? "too" : "clockwise"));
     if (glm::dot(facet->of_edges, facet->newell) < 0.9999f && length > 0)
-        warning_text("The corners are not in one plane, or not convex: Newell's takes all of them.");
+        warning_text("The corners are not in one plane, or not convex: Newell's method uses all of them.");
 }
 
 void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view) {
@@ -76,13 +76,13 @@ void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view)
     for (const std::size_t to : {1, 2})
         if (const auto ends = view.shown(corners[0], corners[to]))
             draw_arrow(list, ends->first, ends->second, {dark_theme()[Symbol::Construction], 2.5f, ""});
-    constexpr std::size_t max_numbered = 24;  // corners; more numbers than this hide one another
+    constexpr std::size_t max_numbered = 24;  // corners; more numbers than this would overlap
     for (std::size_t i = 0; i < std::min(corners.size(), max_numbered); ++i)
         if (const ProjectedPoint at = project(view.map, corners[i]); at.in_front)
             rimmed_text(list, view.to_window(at.pixel) + ImVec2(0, px(12)), {1, 1, 1, 1},
                         std::to_string(i + 1));
     if (!project(view.map, middle).in_front) return;
-    // Normals go by the inverse transpose; a mirrored scale turns the winding round.
+    // Normals transform by the inverse transpose; a mirrored scale reverses the winding.
     const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(world)));
     const glm::dvec3 n = normal_matrix * glm::dvec3(facet->newell);
     if (glm::length(n) == 0) return;

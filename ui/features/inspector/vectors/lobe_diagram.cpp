@@ -64,7 +64,7 @@ class Diagram {
         const float size = std::max(std::hypot(to.x, to.y), 0.05f);
         centred(tip + out / size * ImVec2(to.x, -to.y), ink, letter_of(symbol));
     }
-    /// Runs from n, clockwise, with its degrees outside.
+    /// Runs clockwise from n, with its degrees outside.
     void arc(double degrees, double radius, Symbol symbol) const {
         const auto angle = static_cast<float>(degrees * std::numbers::pi / 180);
         const auto r = static_cast<float>(radius);
@@ -92,7 +92,7 @@ class Diagram {
     float reach_ = 1, left_ = 0, right_ = 0;
 };
 
-/// The lobe in polar form, its longest ray as long as a unit vector.
+/// The lobe in polar form, scaled so that its longest ray is a unit vector.
 std::vector<glm::vec2> lobe_outline(const UiState& state, double light_deg) {
     const Shading& shading = explained_scene(state).shading;
     const Reflector reflector{shading.reflection, state.on_screen.explanation->material, shading.terms};
@@ -138,7 +138,7 @@ void lobe_diagram(const UiState& state, const ExplainedPoint& point, const Expla
     ImGui::PopFont();
     const float out_of_plane = glm::length(plane.of(point.view.camera));
     small_dim(
-        fmt::format("The plane of n and l; v leans {:.0f}° out of it. The lobe is what leaves in each "
+        fmt::format("The plane of n and l; v is {:.0f}° out of it. The lobe is the reflected light by "
                     "direction, longest = 1.",
                     angle_deg(out_of_plane)));
 }

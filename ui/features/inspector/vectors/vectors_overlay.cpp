@@ -32,7 +32,7 @@ class PointDrawing {
         const ExplainedLight* light = asked_light(state_, point_);
         const bool alone =
             light != nullptr && light->samples.empty() && state_.get<InspectorState>().mirror_step == 0;
-        // The letters first: degrees give way to them.
+        // The letters first: degrees avoid them.
         if (light != nullptr && !light->samples.empty()) fan(*light);
         if (light != nullptr && light->samples.empty() && !alone) mirror(*light);
         if (alone) arrows_of(*light);
@@ -48,7 +48,7 @@ class PointDrawing {
         draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(v.world)),
                    {theme_colour(symbol), thick ? 4.5f : 2, letter_of(symbol), &words_});
     }
-    /// Bright on any picture, whatever the theme.
+    /// Bright on any picture, regardless of the theme.
     static ImVec4 theme_colour(Symbol symbol) { return dark_theme()[symbol]; }
 
     void arc(const InBothFrames& a, const InBothFrames& b, double radius, Symbol symbol) {
@@ -69,13 +69,13 @@ class PointDrawing {
             arc(light.r, point_.view, 0.7, Symbol::V);
         if (has_h()) arc(n, light.h, 0.7, Symbol::H);
     }
-    /// Each sample of an area light has an l of its own.
+    /// Each sample of an area light has its own l.
     void fan(const ExplainedLight& light) {
         for (const ExplainedLight& sample : light.samples)
             draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(sample.l.world)),
                        {theme_colour(Symbol::L), 1, ""});
     }
-    /// Draws q, 2 q and r as they come about from a normal of the chosen length.
+    /// Draws the construction of q, 2 q and r from a normal of the chosen length.
     void mirror(const ExplainedLight& light) {
         const InspectorState& inspector = state_.get<InspectorState>();
         const glm::vec3 n = inspector.normal_length * point_.normal.world, l = light.l.world;
@@ -100,10 +100,10 @@ class PointDrawing {
     Words words_;
 };
 
-/// Where a corner is marked: its place, or where the picture ends on the way there from the picked point.
+/// Where a corner is marked: its position, or the picture's edge in its direction from the picked point.
 struct CornerMark {
     ImVec2 at;
-    ImVec2 way;  // unit, from the picked point; (0, 0) where the corner is in the picture
+    ImVec2 way;  // unit, from the picked point; (0, 0) if the corner is in the picture
 };
 
 CornerMark mark_of(const PictureView& view, const Rect& shown, const ExplainedCorner& corner, ImVec2 picked) {
@@ -123,14 +123,14 @@ CornerMark mark_of(const PictureView& view, const Rect& shown, const ExplainedCo
     return {picked + reach * way, way};
 }
 
-/// An arrow's head that points to what lies beyond the picture's edge.
+/// An arrowhead that points to something outside the picture.
 void draw_pointer(ImDrawList& list, const CornerMark& mark) {
     const ImVec2 across{-mark.way.y, mark.way.x};
     const ImVec2 tip = mark.at + px(14) * mark.way, foot = mark.at + px(8) * mark.way;
     list.AddTriangleFilled(tip, foot + px(5) * across, foot - px(5) * across, IM_COL32_WHITE);
 }
 
-/// The corners that the pixel is mixed from, each in its colour, with its weight.
+/// The corners that the pixel is interpolated from, each in its colour, with its weight.
 void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& explanation,
                   glm::ivec2 picked) {
     if (!explanation.lit_per_corner || explanation.corners.size() < 2) return;
@@ -143,7 +143,7 @@ void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& 
         low = {std::min(low.x, mark.at.x), std::min(low.y, mark.at.y)};
         high = {std::max(high.x, mark.at.x), std::max(high.y, mark.at.y)};
     }
-    const bool roomy = std::max(high.x - low.x, high.y - low.y) > px(48);  // else words hide one another
+    const bool roomy = std::max(high.x - low.x, high.y - low.y) > px(48);  // else the labels overlap
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const ExplainedCorner& corner = explanation.corners[i];
         const glm::vec3 c = glm::clamp(corner.at.sum, 0.0f, 1.0f);

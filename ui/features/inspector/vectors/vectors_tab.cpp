@@ -28,7 +28,7 @@ void frame_switch(InspectorState& inspector) {
     const std::array options{Choice{"camera", "Camera",
                                     "Where illumination is computed: the eye at the origin, "
                                     "looking down −z"},
-                             Choice{"world", "World", "As the scene file says where things are"}};
+                             Choice{"world", "World", "As in the scene file"}};
     label_cell("Frame");
     inspector.world_frame = segments("##frame", inspector.world_frame ? 1 : 0, options, {"", ""}) == 1;
 }
@@ -41,10 +41,10 @@ void switches(InspectorState& inspector) {
     const float facet = ImGui::GetFrameHeight() + px(8) + ImGui::CalcTextSize("Facet").x;
     same_line_if_fits(facet, px(16), right);
     (void)ImGui::Checkbox("Facet", &inspector.shows_facet);
-    tooltip("Facet in the picture", "Its corners in their order, two edges, and its normal");
+    tooltip("Facet in the picture", "Its corners in order, two edges, and its normal");
 }
 
-/// One row; pointed at, its arrow is drawn thick.
+/// One row; while hovered, its arrow is drawn thick.
 void vector_row(InspectorState& inspector, Symbol symbol, const char* letter, const InBothFrames& vector,
                 const char* meaning) {
     ImGui::TableNextRow();
@@ -69,7 +69,7 @@ void vector_row(InspectorState& inspector, Symbol symbol, const char* letter, co
 }
 
 void vector_table(InspectorState& inspector, const ExplainedPoint& point, const ExplainedLight* light) {
-    const bool roomy = ImGui::GetContentRegionAvail().x > px(290);  // for what each of them is
+    const bool roomy = ImGui::GetContentRegionAvail().x > px(290);  // for the explanations
     if (!ImGui::BeginTable("##vectors", roomy ? 5 : 4,
                            ImGuiTableFlags_NoPadOuterX | ImGuiTableFlags_SizingFixedFit))
         return;
@@ -88,7 +88,7 @@ void vector_table(InspectorState& inspector, const ExplainedPoint& point, const 
     ImGui::EndTable();
 }
 
-/// Shows that both frames give one angle: rigid motions keep it.
+/// Shows that both frames give the same angle: rigid motions preserve it.
 void same_product(const ExplainedPoint& point, const ExplainedLight& light) {
     const float camera = glm::dot(point.normal.camera, light.l.camera);
     const float world = glm::dot(point.normal.world, light.l.world);
@@ -96,7 +96,7 @@ void same_product(const ExplainedPoint& point, const ExplainedLight& light) {
                           shown_number(world)));
 }
 
-/// Says which light's vectors are shown; a click takes another.
+/// Names the light whose vectors are shown; a click chooses another.
 void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedLight& chosen) {
     ImGui::PushFont(fonts().small);
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -113,19 +113,19 @@ void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedL
     ImGui::PopFont();
 }
 
-/// Builds r = 2 n (n·l) − l in four steps, with a slider for the length of n: numbers in the frame that the
-/// column shows; the picture draws the chosen step.
+/// Builds r = 2 n (n·l) − l in four steps, with a slider for the length of n: numbers in the frame of the
+/// column; the picture draws the chosen step.
 void mirror_section(InspectorState& state, const ExplainedPoint& point, const ExplainedLight& light) {
     section_heading("r = 2 n (n·l) − l, step by step");
     static const std::array options{Choice{"", "Off", "r itself is drawn"},
-                                    Choice{"", "n, l", "What is given"},
-                                    Choice{"", "q", "q = n (n·l): the shadow of l on n"},
+                                    Choice{"", "n, l", "The given vectors"},
+                                    Choice{"", "q", "q = n (n·l): the projection of l onto n"},
                                     Choice{"", "2q", "Twice as far"}, Choice{"", "r", "r = 2q − l"}};
     state.mirror_step = segments("##step", state.mirror_step, options, {"", ""});
     if (state.mirror_step == 0) return;
     (void)number_field("|n|", state.normal_length,
                        {.range = {0.25, 2, "0.25 to 2"}, .step = 0.005f, .format = "%.2f", .usual_max = 2}, 1,
-                       {"Length of the normal here; a normal is to be unit. Not part of the scene", ""});
+                       {"Length of the normal here; a normal should be unit. Not part of the scene", ""});
     const bool world = state.world_frame;
     const glm::vec3 n = state.normal_length * (world ? point.normal.world : point.normal.camera);
     const glm::vec3 l = world ? light.l.world : light.l.camera;
@@ -151,9 +151,10 @@ void cell(float moved, const ImVec4& colour) {
     ImGui::PopFont();
 }
 
-/// Shows live at the picked point how far each term moves when normal, light or viewer is turned by a degree.
+/// Shows live at the picked point how much each term changes when normal, light or viewer is turned by a
+/// degree.
 void sensitivity_of_terms(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
-    section_heading("Which term needs what: moved by a turn of 1°");
+    section_heading("What each term depends on: change by a turn of 1°");
     const Shading& shading = explained_scene(state).shading;
     const Reflector reflector{shading.reflection, state.on_screen.explanation->material, Terms{}};
     const auto sensitivity =
@@ -176,16 +177,16 @@ void sensitivity_of_terms(const UiState& state, const ExplainedPoint& point, con
         cell(sensitivity[i].viewer, theme()[symbols[i]]);
     }
     ImGui::EndTable();
-    small_dim("For a white light of full strength from where this one stands; the point stays.");
+    small_dim("For a white light of full strength at this light's position; the point stays.");
 }
 
 }  // namespace
 
 void vectors_tab(UiState& state, const PictureView&) {
     if (!state.on_screen.explanation)
-        return inspector_empty_state("Here the vectors of that point appear, drawn in the picture too.");
+        return inspector_empty_state("Click a pixel to see its vectors here and in the picture.");
     const Explanation& explanation = *state.on_screen.explanation;
-    if (!explanation.hit) return wrapped_dim("No object shows here: there is no normal and no light.");
+    if (!explanation.hit) return wrapped_dim("No object is visible here: there is no normal and no light.");
     const ExplainedPoint& point = asked_point(state.get<InspectorState>(), explanation);
     const ExplainedLight* light = asked_light(state, point);
     switches(state.get<InspectorState>());
