@@ -1,4 +1,4 @@
-// Scenes that move, and their frames as files.
+// Animated scenes, and their frames as files.
 #include <filesystem>
 #include <glm/geometric.hpp>
 
@@ -32,7 +32,7 @@ Scene at(const SceneDocument& document, const Animation& animation, int frame) {
 
 }  // namespace
 
-TEST_CASE("a count that goes to and fro takes the allowed number that is nearest", "[animate]") {
+TEST_CASE("an animated count takes the nearest allowed number", "[animate]") {
     SceneDocument document = busy_document();
     Animation animation{Motion::PingPong, "/lights/3/area/samples", 1, 64, 40};
     for (int frame = 0; frame < 40; ++frame) {
@@ -43,13 +43,13 @@ TEST_CASE("a count that goes to and fro takes the allowed number that is nearest
         INFO(frame << ": " << value);
         CHECK(at(document, animation, frame).lights[3].area.samples == nearest);
     }
-    animation = {Motion::PingPong, "/objects/0/mesh/detail", 4, 8, 8};  // every whole number
+    animation = {Motion::PingPong, "/objects/0/mesh/detail", 4, 8, 8};  // every integer
     for (int frame = 0; frame < 8; ++frame)
         CHECK(std::get<PrimitiveMesh>(at(document, animation, frame).objects[0].source).detail ==
               (frame <= 4 ? 4 + frame : 12 - frame));
 }
 
-TEST_CASE("the interval of a number that is chosen begins within what it may be", "[ui][window][animate]") {
+TEST_CASE("the initial interval of a chosen number is within its range", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.scene().lights = {test::assorted_lights()[3]};
     bench.scene().lights[0].area.samples = 64;
@@ -65,7 +65,7 @@ TEST_CASE("the interval of a number that is chosen begins within what it may be"
     CHECK(choose("view angle", "Camera: view angle") == 60);
 }
 
-TEST_CASE("what is typed after a click on Back and forth is searched for", "[ui][window][animate]") {
+TEST_CASE("typing after a click on Back and forth searches for a number", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     begin_animation(bench.state, Motion::Turntable);
@@ -81,8 +81,7 @@ TEST_CASE("what is typed after a click on Back and forth is searched for", "[ui]
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("a turntable goes once round, at one distance and height, and begins with the scene itself",
-          "[ui][animate]") {
+TEST_CASE("a turntable starts at the scene itself and keeps distance and height", "[ui][animate]") {
     const SceneDocument document = busy_document();
     const Animation animation{Motion::Turntable, "", 0, 1, 36};
     CHECK(at(document, animation, 0) == document.scene);
@@ -99,7 +98,7 @@ TEST_CASE("a turntable goes once round, at one distance and height, and begins w
     CHECK(quarter.z == Approx(-start.eye.x));
 }
 
-TEST_CASE("a number goes evenly to the other end and back", "[ui][animate]") {
+TEST_CASE("a number goes linearly to the other end and back", "[ui][animate]") {
     const SceneDocument document = busy_document();
     const Animation animation{Motion::PingPong, "/objects/0/material/shininess", 10, 50, 8};
     const float expected[] = {10, 20, 30, 40, 50, 40, 30, 20, 10};
@@ -114,7 +113,7 @@ TEST_CASE("a number goes evenly to the other end and back", "[ui][animate]") {
     CHECK(problem_of(refused)->text().find("roughness") != std::string::npos);
 }
 
-TEST_CASE("every number of a scene can be chosen, by its key", "[ui][animate]") {
+TEST_CASE("every number of a scene can be chosen by its key", "[ui][animate]") {
     const SceneDocument document = busy_document();
     const auto numbers = numbers_of(document.scene);
     CHECK(numbers.size() > 100);
@@ -125,7 +124,7 @@ TEST_CASE("every number of a scene can be chosen, by its key", "[ui][animate]") 
     }
 }
 
-TEST_CASE("frames are written into one file by the extension .gif or .webp", "[ui][animate]") {
+TEST_CASE("frames are written into one file with the extension .gif or .webp", "[ui][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
@@ -142,7 +141,7 @@ TEST_CASE("frames are written into one file by the extension .gif or .webp", "[u
     CHECK(bytes_of(folder.path("TURN.GIF")).find(two_hundredths) != std::string::npos);
 }
 
-TEST_CASE("frames are written as numbered pictures that carry their scenes", "[ui][animate]") {
+TEST_CASE("frames are written as numbered pictures with their scenes embedded", "[ui][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
@@ -166,8 +165,7 @@ TEST_CASE("frames are written as numbered pictures that carry their scenes", "[u
           "Wrote turn.gif with 4 frames: Off: specular. Not in the file: View: Normals");
 }
 
-TEST_CASE("the progress of frames counts frames, also where the meshes of each are made anew",
-          "[ui][animate]") {
+TEST_CASE("the progress counts frames even if each frame's meshes are rebuilt", "[ui][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
@@ -180,10 +178,10 @@ TEST_CASE("the progress of frames counts frames, also where the meshes of each a
         (void)bench.frame();
     }
     CHECK(folder.names().size() == 6);
-    CHECK(bench.state.get<AnimateState>().open);  // where it was said, whoever asked for them
+    CHECK(bench.state.get<AnimateState>().open);  // however it was requested
 }
 
-TEST_CASE("a number without effect is not offered to be animated", "[ui][window][animate]") {
+TEST_CASE("a number without effect is not offered for animation", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.scene().lights.assign(1, Light{});
     bench.scene().lights[0].name = "Bulb";
@@ -199,7 +197,7 @@ TEST_CASE("a number without effect is not offered to be animated", "[ui][window]
     CHECK(offers_cutoff());
 }
 
-TEST_CASE("the animation is chosen and played without a mouse", "[ui][window][animate]") {
+TEST_CASE("the animation can be chosen and played without a mouse", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     (void)bench.key(Key::T, true);
@@ -216,7 +214,7 @@ TEST_CASE("the animation is chosen and played without a mouse", "[ui][window][an
     CHECK(bench.state.get<AnimateState>().playing);
     (void)bench.key(Key::Enter);
     CHECK_FALSE(bench.state.get<AnimateState>().playing);
-    // Elsewhere Tab leads to the panel of what is selected, and Enter plays nothing.
+    // Elsewhere Tab moves focus to the selected item's panel, and Enter plays nothing.
     bench.click(bench.at_pixel({5, 5}));
     bench.frames(2);
     (void)bench.key(Key::Enter);
@@ -226,7 +224,7 @@ TEST_CASE("the animation is chosen and played without a mouse", "[ui][window][an
     CHECK_FALSE(bench.state.get<AnimateState>().has_keyboard);
 }
 
-TEST_CASE("an end of the interval stays within the range of the number", "[ui][window][animate]") {
+TEST_CASE("an end of the interval stays within the number's range", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     begin_animation(bench.state, Motion::PingPong);
@@ -239,7 +237,7 @@ TEST_CASE("an end of the interval stays within the range of the number", "[ui][w
     CHECK(bench.state.get<AnimateState>().animation.from == 10000);
 }
 
-TEST_CASE("numbered frames are asked about before they are replaced", "[ui][window][animate]") {
+TEST_CASE("numbered frames are replaced only after a question", "[ui][window][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     for (const char* other : {"turn-12.png", "turn-00001.png", "turn-0000.png", "turn-000a.png",
@@ -261,7 +259,7 @@ TEST_CASE("numbered frames are asked about before they are replaced", "[ui][wind
     CHECK(bytes_of(folder.path("turn-0007.png")) == "precious");
 }
 
-TEST_CASE("a line more in a panel is drawn at once with the room that it takes", "[ui][window][animate]") {
+TEST_CASE("an added line in a panel gets its room in the same frame", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.state.get<AnimateState>().open = true;
     bench.frames(10);
@@ -273,7 +271,7 @@ TEST_CASE("a line more in a panel is drawn at once with the room that it takes",
     CHECK(bench.area_of("Play").low.y > before.y);
 }
 
-TEST_CASE("what plays is shown and leaves the scene and its history alone", "[ui][animate]") {
+TEST_CASE("an animation leaves the scene and its history unchanged", "[ui][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -288,9 +286,7 @@ TEST_CASE("what plays is shown and leaves the scene and its history alone", "[ui
     CHECK(bench.state.rendered_scene == before);
 }
 
-TEST_CASE(
-    "an animation whose meshes would hold the window up is not played, and it is said how it is written",
-    "[ui][animate]") {
+TEST_CASE("an animation with slow meshes is not played; a message suggests writing it", "[ui][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     AnimateState& animate = bench.state.get<AnimateState>();
@@ -318,7 +314,7 @@ TEST_CASE(
     CHECK(plays("/objects/0/transform/scale/0", 1, 1500));
 }
 
-TEST_CASE("while a mesh is built beside the window, what plays has the mesh that is seen", "[ui][animate]") {
+TEST_CASE("while a mesh is built in the background, the animation shows the old one", "[ui][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.get<AnimateState>().open = bench.state.get<AnimateState>().playing = true;
@@ -331,7 +327,7 @@ TEST_CASE("while a mesh is built beside the window, what plays has the mesh that
     CHECK(bench.state.get<AnimateState>().frame->objects[0].mesh == seen);
 }
 
-TEST_CASE("a number whose light is gone moves no other light in its place", "[ui][animate]") {
+TEST_CASE("an animated number whose light was deleted does not animate another light", "[ui][animate]") {
     HeadlessWindow bench;
     bench.scene().lights.push_back(bench.scene().lights[1]);
     bench.scene().lights[2].name = "Lamp";
@@ -357,7 +353,7 @@ TEST_CASE("Escape closes Animate", "[ui][animate]") {
     CHECK_FALSE(bench.state.get<AnimateState>().open);
 }
 
-TEST_CASE("Escape ends the writing of frames first, and the panel says so", "[ui][animate]") {
+TEST_CASE("Escape first cancels writing the frames, and the panel reports it", "[ui][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
@@ -365,7 +361,7 @@ TEST_CASE("Escape ends the writing of frames first, and the panel says so", "[ui
     begin_frames(bench.state, folder.path("turn.png"), {640, 480}, 8);
     bench.frames(2);
     REQUIRE(bench.state.get<AnimateState>().job);
-    bench.key(Key::T, true);  // nor is it put away while they are written
+    bench.key(Key::T, true);  // nor is it closed while they are written
     CHECK(bench.state.get<AnimateState>().open);
     bench.key(Key::Escape);
     CHECK(bench.state.get<AnimateState>().open);
@@ -376,7 +372,7 @@ TEST_CASE("Escape ends the writing of frames first, and the panel says so", "[ui
     CHECK_FALSE(bench.state.get<AnimateState>().open);
 }
 
-TEST_CASE("what cannot be written is said before it is drawn", "[ui][animate][export]") {
+TEST_CASE("problems with the frames' files are reported before drawing", "[ui][animate][export]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
@@ -384,7 +380,7 @@ TEST_CASE("what cannot be written is said before it is drawn", "[ui][animate][ex
         begin_frames(bench.state, folder.path(name), {40, 30}, 1);
         CHECK_FALSE(bench.state.get<AnimateState>().job);
     }
-    std::filesystem::create_directory(frame_path(folder.path("turn.png"), 2));  // in the third frame's place
+    std::filesystem::create_directory(frame_path(folder.path("turn.png"), 2));  // in place of the third frame
     begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
     CHECK_FALSE(bench.state.get<AnimateState>().job);
     CHECK(bench.notes_with("is a directory") == 1);
@@ -393,8 +389,7 @@ TEST_CASE("what cannot be written is said before it is drawn", "[ui][animate][ex
     CHECK(bench.notes_with("no such file or directory") >= 1);
 }
 
-TEST_CASE("frames are not asked a name for while no number is chosen that would move",
-          "[ui][window][animate]") {
+TEST_CASE("writing frames needs a chosen number before it asks for a name", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     begin_animation(bench.state, Motion::PingPong);

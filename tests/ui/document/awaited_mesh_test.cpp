@@ -1,4 +1,4 @@
-// A mesh that takes time to make, and what is done with the scene meanwhile.
+// A mesh that takes long to make, and edits of the scene in the meantime.
 #include <future>
 #include <thread>
 
@@ -36,7 +36,7 @@ Scene with_meshes_of(const std::vector<MeshSource>& sources) {
     return scene;
 }
 
-/// In place of the load of all that is awaited: ends when it is let go, with whatever a test wants.
+/// In place of the load of all awaited meshes: ends on request, with a result chosen by the test.
 class HeldLoad {
   public:
     HeldLoad(HeadlessWindow& bench, const Result<SceneDocument>& result) : bench_(bench) {
@@ -86,8 +86,7 @@ void escape_orbit(HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("an object that waits for a mesh keeps its own, whatever goes or comes before it in the list",
-          "[ui][loading]") {
+TEST_CASE("an object waiting for a mesh keeps its own while the list changes before it", "[ui][loading]") {
     const TemporaryDirectory folder;
     const bool deletes = GENERATE(true, false);
     CAPTURE(deletes);
@@ -110,7 +109,7 @@ TEST_CASE("an object that waits for a mesh keeps its own, whatever goes or comes
         CHECK(saved[b].source == before[1].source);
         CHECK(saved[b + 1].source == before[2].source);
     };
-    for (const int subdivide : {7, 6}) {  // changed again before it came
+    for (const int subdivide : {7, 6}) {  // changed again before it was ready
         begin_mesh(bench.state, PrimitiveMesh{Primitive::Cube, 4, 0, subdivide}, static_cast<int>(b));
         saved_as_made();
         bench.frames(2);
@@ -123,7 +122,7 @@ TEST_CASE("an object that waits for a mesh keeps its own, whatever goes or comes
     CHECK(scene.objects[b + 1] == before[2]);
 }
 
-TEST_CASE("Esc during a drag takes the drag back, and not the mesh that came meanwhile", "[ui][loading]") {
+TEST_CASE("Esc during a drag reverts the drag, but not a mesh that arrived during it", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -140,7 +139,7 @@ TEST_CASE("Esc during a drag takes the drag back, and not the mesh that came mea
     CHECK(bench.state.editor.history.undo_name() == "Mesh of Ball");
 }
 
-TEST_CASE("Esc during a drag does not take away the object whose mesh came meanwhile", "[ui][loading]") {
+TEST_CASE("Esc during a drag keeps an object whose mesh arrived during it", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     begin_mesh(bench.state, slow_ball, -1);
@@ -151,7 +150,7 @@ TEST_CASE("Esc during a drag does not take away the object whose mesh came meanw
     CHECK(bench.scene().objects[1].source == MeshSource(slow_ball));
 }
 
-TEST_CASE("Esc during a drag does not ask again for a mesh that failed meanwhile", "[ui][loading]") {
+TEST_CASE("Esc during a drag does not retry a mesh that failed during it", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -163,7 +162,7 @@ TEST_CASE("Esc during a drag does not ask again for a mesh that failed meanwhile
     CHECK(bench.state.notifications.list.size() == 1);
 }
 
-TEST_CASE("a scene that comes back, as the next one cannot be drawn, waits for no mesh", "[ui][loading]") {
+TEST_CASE("a scene restored because the next cannot be drawn waits for no mesh", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -184,8 +183,7 @@ TEST_CASE("a scene that comes back, as the next one cannot be drawn, waits for n
     CHECK_FALSE(awaits_mesh(bench.state));
 }
 
-TEST_CASE("redo waits for a mesh that is being built, and loses nothing that was edited meanwhile",
-          "[ui][loading]") {
+TEST_CASE("redo waits for a mesh being built and loses no later edits", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().shading.mode = ShadingMode::Flat;
@@ -212,8 +210,7 @@ TEST_CASE("redo waits for a mesh that is being built, and loses nothing that was
     CHECK(bench.scene().shading.mode == ShadingMode::Flat);
 }
 
-TEST_CASE("a mesh that is chosen in the dialog is a step when it is there, and none where it cannot be read",
-          "[ui][loading]") {
+TEST_CASE("a mesh chosen in the dialog becomes a step when loaded, none if unreadable", "[ui][loading]") {
     const TemporaryDirectory folder;
     (void)folder.file("good.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
     (void)folder.file("bad.obj", "f 1 2 3\n");
@@ -225,7 +222,7 @@ TEST_CASE("a mesh that is chosen in the dialog is a step when it is there, and n
         bench.state.mesh_for_object = 0;
         bench.state.files.ask(mesh_purpose, "");
         bench.state.files.folder = folder.path();
-        bench.state.files.name = name;  // before its field has the keyboard
+        bench.state.files.name = name;  // before its field has focus
         bench.frames(2);
         bench.key(Key::Enter);
         REQUIRE_FALSE(bench.state.files.open);
@@ -245,8 +242,7 @@ TEST_CASE("a mesh that is chosen in the dialog is a step when it is there, and n
     }
 }
 
-TEST_CASE("undo while a mesh is built keeps the view, and what was edited meanwhile can be redone",
-          "[ui][loading]") {
+TEST_CASE("undo while a mesh is built keeps the view, and later edits can be redone", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -258,7 +254,7 @@ TEST_CASE("undo while a mesh is built keeps the view, and what was edited meanwh
     REQUIRE(awaits_mesh(bench.state));
     Scene seen = before, edited = bench.scene();
     seen.camera = edited.camera;
-    edited.objects = before.objects;  // but for the mesh, which has not come
+    edited.objects = before.objects;  // except the mesh, which is not ready
     bench.key(Key::Z, true);
     bench.frames(2);
     CHECK_FALSE(awaits_mesh(bench.state));

@@ -1,4 +1,4 @@
-// The command that draws what was exported.
+// The command that draws the exported picture.
 #include <fmt/core.h>
 
 #include <cstdio>
@@ -44,7 +44,7 @@ void open_scene(HeadlessWindow& bench, const std::string& name) {
     bench.frames(2);
 }
 
-/// What a shell's command prints.
+/// The output of a shell command.
 std::string printed_by(const std::string& command) {
     std::FILE* pipe = popen(command.c_str(), "r");
     REQUIRE(pipe != nullptr);
@@ -56,8 +56,7 @@ std::string printed_by(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("where something is composed in its place it is said that the scene's own picture is copied",
-          "[ui][window]") {
+TEST_CASE("copying a composed picture reports that the scene's own picture is copied", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto told = [&bench] {
@@ -82,12 +81,12 @@ TEST_CASE("Copy as command gives the size and samples of the last export", "[ui]
     CHECK(bench.copied("--size 80x60 --samples 4 -o beside.png"));
     CHECK(bench.state.notifications.list.back().text.find("80 × 60") != std::string::npos);
 
-    open_scene(bench, "sun.json");  // of another document nothing was exported
+    open_scene(bench, "sun.json");  // nothing was exported from another document
     bench.copy();
     CHECK_FALSE(bench.copied("80x60"));
 }
 
-TEST_CASE("the command that draws a picture of several samples with one says so", "[export]") {
+TEST_CASE("a command that draws one sample for a picture of several reports it", "[export]") {
     const TemporaryDirectory folder;
     Renderer renderer(1);
     const Picture& drawn = renderer.render({}, {8, 6}, false, 4);
@@ -99,18 +98,17 @@ TEST_CASE("the command that draws a picture of several samples with one says so"
         render_command_text(document, document.scene, {8, 6}, 4, "o.png").ends_with(" --samples 4 -o o.png"));
 }
 
-TEST_CASE("the export dialog copies the command of what it would write", "[ui][window][export]") {
+TEST_CASE("the export dialog copies the command for its present options", "[ui][window][export]") {
     Bench bench;
     bench.state.get<ExportState>().options = {{333, 222}, 8};
     bench.state.get<ExportState>().open = true;
     bench.frames(3);
     bench.click(bench.control("Copy as command"));
     CHECK(bench.copied("--size 333x222 --samples 8"));
-    CHECK(bench.state.get<ExportState>().open);  // the picture can still be written
+    CHECK(bench.state.get<ExportState>().open);  // the picture can still be saved
 }
 
-TEST_CASE("one key saves the picture under a free name and copies the command that draws it",
-          "[ui][window][export]") {
+TEST_CASE("one key saves the picture under an unused name and copies its command", "[ui][window][export]") {
     const TemporaryDirectory folder;
     struct Here {
         std::filesystem::path before = std::filesystem::current_path();
@@ -135,7 +133,7 @@ TEST_CASE("one key saves the picture under a free name and copies the command th
     }
 }
 
-TEST_CASE("the sizes that an export offers are equally wide", "[ui][window][export]") {
+TEST_CASE("the offered export sizes have equal widths", "[ui][window][export]") {
     Bench bench;
     bench.state.get<ExportState>().open = true;
     bench.frames(3);
@@ -146,12 +144,12 @@ TEST_CASE("the sizes that an export offers are equally wide", "[ui][window][expo
     }
 }
 
-TEST_CASE("the command of a shipped scene is short, and relative to where one stands",
+TEST_CASE("the command of a shipped scene is short and relative to the working directory",
           "[ui][window][export]") {
     Bench bench;
     const fs::path before = fs::current_path();
     open_scene(bench, "sun.json");
-    ImGui::GetIO().DisplaySize = {2400, 800};  // its picture is wider than 16:9: nothing is to be widened
+    ImGui::GetIO().DisplaySize = {2400, 800};  // its picture is wider than 16:9: no widening is needed
     bench.frames(2);
     fs::current_path(project_folder);
     bench.copy();
@@ -160,9 +158,8 @@ TEST_CASE("the command of a shipped scene is short, and relative to where one st
     CHECK(bench.clipboard.size() < 90);
 }
 
-TEST_CASE(
-    "the scope's command prints the numbers that the scope shows, of a scene that was edited and turned",
-    "[ui][window][export][scope]") {
+TEST_CASE("the scope's command prints the scope's numbers for an edited, turned scene",
+          "[ui][window][export][scope]") {
     Bench bench;
     open_scene(bench, "still-life.json");
     bench.scene().lights[0].intensity = 0.3f;
@@ -183,14 +180,14 @@ TEST_CASE(
         CHECK(intensity[i].get<double>() == Approx(samples[i].intensity).margin(2e-5));
 }
 
-TEST_CASE("a file whose name begins as an option does is named by a path", "[export]") {
+TEST_CASE("a file name that begins like an option is written as a path", "[export]") {
     CHECK(file_word("-a.json") == "./-a.json");
     CHECK(file_word("-") == "-");  // standard input or output
     CHECK(file_word("a-b.json") == "a-b.json");
     CHECK(file_word("- b.json") == "'./- b.json'");
 }
 
-TEST_CASE("the scope's command is said to print the numbers that show only where it does",
+TEST_CASE("the scope's command is described as printing the shown numbers only if it does",
           "[ui][window][export]") {
     Bench bench;
     bench.frames(2);
@@ -206,12 +203,11 @@ TEST_CASE("the scope's command is said to print the numbers that show only where
     CHECK(said().find("prints the numbers of the scene's own picture") != std::string::npos);
     run_command(bench.state, CommandId::Compare);
     CHECK(said() == "The command that prints these numbers is on the clipboard");
-    run_command(bench.state, CommandId::OverRange);  // stripes change no number
+    run_command(bench.state, CommandId::OverRange);  // stripes do not change the numbers
     CHECK(said() == "The command that prints these numbers is on the clipboard");
 }
 
-TEST_CASE("in a narrow picture the command sets the field that the window shows, and nothing else",
-          "[ui][window][export]") {
+TEST_CASE("in a narrow picture the command sets only the window's field of view", "[ui][window][export]") {
     Bench bench;
     open_scene(bench, "sun.json");
     bench.copy();
@@ -219,8 +215,7 @@ TEST_CASE("in a narrow picture the command sets the field that the window shows,
     CHECK(bench.clipboard.find("--set") == bench.clipboard.rfind("--set"));
 }
 
-TEST_CASE("the first scene, which has no file of its own, is named by the one it comes from",
-          "[ui][window][export]") {
+TEST_CASE("the first scene, which has no file, is named by the scene it comes from", "[ui][window][export]") {
     Bench bench;
     bench.state.shipped_scenes = scenes_folder();
     auto document = open_document((fs::path(scenes_folder()) / "default.json").string());
@@ -236,9 +231,9 @@ TEST_CASE("the first scene, which has no file of its own, is named by the one it
     CHECK(bench.clipboard.size() < 200);
 }
 
-TEST_CASE("copying an explanation says so", "[ui][window]") {
+TEST_CASE("copying an explanation is reported", "[ui][window]") {
     Bench bench;
-    ImGui::GetIO().DisplaySize = {1280, 3000};  // all of the column
+    ImGui::GetIO().DisplaySize = {1280, 3000};  // the entire column
     test::ask(bench, InspectorTab::Equation);
     for (const char* format : {"text", "JSON", "LaTeX"}) {
         bench.state.notifications.list.clear();
@@ -253,7 +248,7 @@ TEST_CASE("copying an explanation says so", "[ui][window]") {
 
 namespace {
 
-/// A scene of a mesh file of its own in that folder: a triangle of that size.
+/// A scene with its own mesh file in that folder: a triangle of that size.
 std::string scene_with_mesh(const TemporaryDirectory& folder, const std::string& name, double size) {
     fs::create_directory(folder.path(name));
     (void)folder.file(name + "/m.obj", fmt::format("v {0} 0 0\nv 0 {0} 0\nv -{0} 0 0\nf 1 2 3\n", size));
@@ -269,7 +264,7 @@ void open_file(HeadlessWindow& bench, const std::string& path,
     bench.frames(2);
 }
 
-/// What the copied command draws, as the window shows it.
+/// The result of the copied command, compared with the window.
 void check_command_draws_what_is_shown(Bench& bench, const TemporaryDirectory& folder) {
     const Picture shown = *bench.state.displayed;
     bench.copy();
@@ -308,15 +303,14 @@ TEST_CASE("B keeps its own meshes when another document is opened", "[ui][window
     CHECK(mesh.positions[0].x == 0.5f);
 }
 
-TEST_CASE("the command names what was assigned to the file when the window was started",
-          "[ui][window][export]") {
+TEST_CASE("the command includes the assignments with which the window was started", "[ui][window][export]") {
     const TemporaryDirectory folder;
     const std::string file = folder.file("s.json", R"({"glint": 1, "lights": [{"position": [0, 2, 3]}],
         "objects": [{}]})");
     Bench bench;
     open_file(bench, file, {{"/shading/mode", "flat"}, {"/global_ambient", "[0.9, 0.1, 0.1]"}});
     check_command_draws_what_is_shown(bench, folder);
-    bench.scene().shading.mode = ShadingMode::Phong;  // as the file has it
+    bench.scene().shading.mode = ShadingMode::Phong;  // as in the file
     bench.frames(3);
     check_command_draws_what_is_shown(bench, folder);
     REQUIRE_FALSE(save_file(bench.state.editor, file, bench.scene()));
@@ -325,8 +319,7 @@ TEST_CASE("the command names what was assigned to the file when the window was s
     check_command_draws_what_is_shown(bench, folder);
 }
 
-TEST_CASE("a picture that was opened and saved as a scene is drawn by its command as it is shown",
-          "[ui][window][export]") {
+TEST_CASE("a picture opened and saved as a scene is drawn by its command as shown", "[ui][window][export]") {
     const TemporaryDirectory folder;
     Bench bench;
     open_file(bench, folder.file("s.json", R"({"glint": 1, "lights": [{}], "objects": [{}]})"));

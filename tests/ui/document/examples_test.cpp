@@ -1,4 +1,4 @@
-// The examples: their order, their captions, and how they are opened.
+// The examples: their order, captions, and opening.
 #include "ui/features/lecture/examples.h"
 
 #include <filesystem>
@@ -21,7 +21,7 @@ const std::string shipped_folder = project_file("assets/scenes");
 
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
-/// The scenes of the lecture map's rows, each where it comes first.
+/// The scenes of the lecture map's rows, each at its first occurrence.
 std::vector<std::string> lecture_map_order() {
     std::ifstream file(project_file("docs/lecture_map.md"));
     std::stringstream text;
@@ -36,7 +36,7 @@ std::vector<std::string> lecture_map_order() {
 
 }  // namespace
 
-TEST_CASE("the examples are all scenes that come with Glint, in the lecture's order", "[ui][lecture]") {
+TEST_CASE("the examples are all shipped scenes, in the lecture's order", "[ui][lecture]") {
     const std::vector<Example> examples = examples_in(shipped_folder);
     std::set<std::string> listed, there;
     for (const Example& example : examples) listed.insert(stem(example.path));
@@ -45,7 +45,7 @@ TEST_CASE("the examples are all scenes that come with Glint, in the lecture's or
     CHECK(examples.size() == there.size());
     const std::vector<std::string> map = lecture_map_order();
     REQUIRE(map.size() > 30);
-    std::vector<std::string> of_map;  // the examples that the map names
+    std::vector<std::string> of_map;  // the examples named in the map
     for (const Example& example : examples)
         if (std::find(map.begin(), map.end(), stem(example.path)) != map.end())
             of_map.push_back(stem(example.path));
@@ -53,7 +53,7 @@ TEST_CASE("the examples are all scenes that come with Glint, in the lecture's or
     CHECK(examples.front().title == "Default");
 }
 
-TEST_CASE("every scene that comes with Glint says in one line what to look at", "[scenes]") {
+TEST_CASE("every shipped scene has a one-line caption", "[scenes]") {
     std::set<std::string> all;
     for (const std::string& path : asset_scenes()) {
         CAPTURE(path);
@@ -68,7 +68,7 @@ TEST_CASE("every scene that comes with Glint says in one line what to look at", 
     CHECK(all.size() == asset_scenes().size());
 }
 
-TEST_CASE("an example is opened by a click on its picture", "[ui]") {
+TEST_CASE("a click on its picture opens an example", "[ui]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = shipped_folder;
     run_command(bench.state, command_named("Examples…"));
@@ -92,8 +92,7 @@ TEST_CASE("an example is opened by a click on its picture", "[ui]") {
     CHECK(bench.state.editor.document.path == path);
 }
 
-TEST_CASE("an example is opened by the arrow keys and Enter, and the chosen one is scrolled into sight",
-          "[ui]") {
+TEST_CASE("the arrow keys and Enter open an example and scroll to it", "[ui]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = shipped_folder;
     run_command(bench.state, command_named("Examples…"));
@@ -115,14 +114,14 @@ TEST_CASE("an example is opened by the arrow keys and Enter, and the chosen one 
     CHECK(bench.state.get<ExamplesState>().chosen == last);
     bench.frames(2);
     const Example chosen = bench.state.get<ExamplesState>().list.back();
-    (void)bench.control(chosen.title);  // is in sight
+    (void)bench.control(chosen.title);  // is visible
     bench.key(Key::Enter);
     bench.wait_for_loads();
     CHECK_FALSE(bench.state.get<ExamplesState>().open);
     CHECK(bench.state.editor.document.path == chosen.path);
 }
 
-TEST_CASE("the caption of a scene stands below its picture, and can be put away", "[ui]") {
+TEST_CASE("a scene's caption is below its picture and can be hidden", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     const float before = window_layout(bench.state).centre.high.y;
@@ -138,7 +137,7 @@ TEST_CASE("the caption of a scene stands below its picture, and can be put away"
     CHECK_FALSE(window_layout(bench.state).has_caption);
 }
 
-TEST_CASE("no caption ends in a line of one short word", "[ui]") {
+TEST_CASE("no caption ends with a line of one short word", "[ui]") {
     HeadlessWindow bench;
     bench.frames(1);
     ImGui::NewFrame();
@@ -165,7 +164,7 @@ TEST_CASE("no caption ends in a line of one short word", "[ui]") {
     ImGui::EndFrame();
 }
 
-TEST_CASE("opening starts where there is something to open", "[ui]") {
+TEST_CASE("the open dialog starts in a folder with scenes", "[ui]") {
     const std::filesystem::path here = std::filesystem::current_path();
     const std::filesystem::path empty = std::filesystem::temp_directory_path() / "glint-empty-test";
     std::filesystem::create_directories(empty);

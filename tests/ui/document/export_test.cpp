@@ -1,4 +1,4 @@
-// Pictures and commands that leave the window.
+// Exports of pictures and commands.
 #include <cstdlib>
 #include <filesystem>
 #include <random>
@@ -32,7 +32,7 @@ SceneDocument opened(const std::string& path) {
     return std::get<SceneDocument>(std::move(document));
 }
 
-/// What the command writes to OUT when a shell runs it, as RGBA.
+/// The output file of the command when a shell runs it, as RGBA.
 std::vector<std::uint8_t> drawn_by(const std::string& command, const TemporaryDirectory& folder) {
     const std::string bin = folder.path("bin");
     fs::create_directories(bin);
@@ -101,15 +101,15 @@ TEST_CASE("the copied command draws exactly the picture on the screen", "[ui][ex
         SceneDocument document = whole;
         edit(document.scene, random);
         const int samples = i % 2 == 0 ? 1 : 4;
-        const PictureSize size{90 + i, 61, true};  // as the window shows it
+        const PictureSize size{90 + i, 61, true};  // as shown in the window
         const auto here = drawn_here(document.scene, size, samples);
         CHECK(drawn_by(render_command_text(document, whole.scene, size, samples, "out.png"), folder) == here);
-        document.path.clear();  // never saved: set whole on an empty scene
+        document.path.clear();  // never saved: set completely on an empty scene
         CHECK(drawn_by(render_command_text(document, whole.scene, size, samples, "out.png"), folder) == here);
     }
 }
 
-TEST_CASE("an unchanged scene's command is short, one change is one --set", "[ui][export]") {
+TEST_CASE("an unchanged scene's command is short; one change is one --set", "[ui][export]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("s.json", scene_text(test::busy_scene()));
     SceneDocument document = opened(path);
@@ -124,7 +124,7 @@ TEST_CASE("an unchanged scene's command is short, one change is one --set", "[ui
               "out.png");
 }
 
-TEST_CASE("a command finds mesh files from where it is run", "[ui][export]") {
+TEST_CASE("a command names mesh files relative to the working directory", "[ui][export]") {
     const TemporaryDirectory folder;
     fs::create_directories(folder.path("deep"));
     (void)folder.file("deep/t.obj", triangle_obj);
@@ -174,10 +174,10 @@ TEST_CASE("a picture saved or exported elsewhere reopens with its meshes", "[ui]
 
 namespace {
 
-/// A window in which F12 saves into a folder of its own.
+/// A window in which F12 saves into its own folder.
 struct PictureWindow : HeadlessWindow {
     PictureWindow() { frames(3); }
-    /// Saves the picture; returns what was reported.
+    /// Saves the picture; returns the notification.
     Notification save(const std::string& name) {
         state.notifications.list.clear();
         (void)key(Key::F12);
@@ -243,7 +243,7 @@ TEST_CASE("a comparison or a debug view is reported as missing in the saved pict
     }
 }
 
-TEST_CASE("a kept cell of Light × term is named when it is saved, and in the file", "[ui][window][export]") {
+TEST_CASE("a kept cell of Light × term is reported on saving and in the file", "[ui][window][export]") {
     PictureWindow bench;
     bench.scene().about = "Two lights";
     bench.state.get<InspectorState>().tab = InspectorTab::Grid;
@@ -257,7 +257,7 @@ TEST_CASE("a kept cell of Light × term is named when it is saved, and in the fi
     CHECK(opened(bench.folder.path("cell.png")).scene.about == "Only Bulb: diffuse. Two lights");
 }
 
-TEST_CASE("terms that are off and mistakes are named when their scene is saved", "[ui][window][save]") {
+TEST_CASE("disabled terms and mistakes are reported when their scene is saved", "[ui][window][save]") {
     PictureWindow bench;
     bench.scene().shading.terms.specular = false;
     bench.scene().shading.mistakes.reflect_sign = true;
@@ -269,8 +269,7 @@ TEST_CASE("terms that are off and mistakes are named when their scene is saved",
           "Saved a.json (Off: specular, Mistake: Reflect sign)");
 }
 
-TEST_CASE("the dialog of Export is answered by keys, and a size that is typed is not",
-          "[ui][window][export]") {
+TEST_CASE("keys answer the export dialog, but not while a size is typed", "[ui][window][export]") {
     HeadlessWindow bench;
     bench.frames(2);
     (void)bench.key(Key::E, true);
@@ -288,7 +287,7 @@ TEST_CASE("the dialog of Export is answered by keys, and a size that is typed is
     (void)bench.key(Key::C);
     CHECK(clipboard.find("glint render ") != std::string::npos);
     CHECK(clipboard.find("--samples 8") != std::string::npos);
-    // While a number is typed a letter, an arrow and Enter are the field's.
+    // While a number is typed, a letter, an arrow and Enter belong to the field.
     bench.click(bench.control("Width"));
     bench.frames(2);
     REQUIRE(ImGui::GetIO().WantTextInput);
@@ -307,7 +306,7 @@ TEST_CASE("the dialog of Export is answered by keys, and a size that is typed is
     CHECK(bench.state.files.purpose == &export_purpose);
 }
 
-TEST_CASE("what is exported is what the command line writes, byte for byte", "[ui][export]") {
+TEST_CASE("an export equals the command line's output, byte for byte", "[ui][export]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("s.json", scene_text(test::busy_scene()));
     for (const char* name : {"a.png", "a.pfm", "a.exr"}) {
@@ -320,8 +319,7 @@ TEST_CASE("what is exported is what the command line writes, byte for byte", "[u
     CHECK(problem_of(picture_file(opened(path), {{8, 8}, 1}, "a.gif", 1)) != nullptr);
 }
 
-TEST_CASE("a narrow picture of the window shows more, and opens again as the scene that it is of",
-          "[ui][export]") {
+TEST_CASE("a narrow picture shows more and reopens as its scene", "[ui][export]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("s.json", scene_text(test::busy_scene()));
     const auto bytes = picture_file(opened(path), {{60, 72}, 2}, folder.path("a.png"), 2);
@@ -338,8 +336,7 @@ TEST_CASE("a narrow picture of the window shows more, and opens again as the sce
     CHECK(std::get<Picture>(first).rgba != std::get<Picture>(read_png(folder.path("cut.png"))).rgba);
 }
 
-TEST_CASE("a picture goes to the clipboard through the desktop's tool, or its lack is the reason",
-          "[ui][export]") {
+TEST_CASE("a picture is copied by the desktop's tool, or a message names the missing one", "[ui][export]") {
     const TemporaryDirectory folder;
     const char* path = std::getenv("PATH");
     REQUIRE(path != nullptr);
@@ -394,6 +391,6 @@ TEST_CASE("a size typed into one field of the export sets both", "[ui][export][w
         bench.state.notifications.list.clear();
         type(wrong);
         CHECK(size.height == 768);
-        CHECK(bench.state.notifications.list.size() == 1);  // which says that it is not a number
+        CHECK(bench.state.notifications.list.size() == 1);  // which reports that it is not a number
     }
 }

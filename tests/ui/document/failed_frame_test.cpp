@@ -1,4 +1,4 @@
-// A frame that fails, most often by a limit: the scene that was drawn last is there again, with one message.
+// A frame that fails, usually by a limit: the last drawn scene is restored, with one message.
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/memory_helpers.h"
@@ -19,8 +19,7 @@ SceneDocument large_document() {
 
 }  // namespace
 
-TEST_CASE("a document that exceeds the memory limit leaves the one before, with one message",
-          "[ui][memory]") {
+TEST_CASE("a document that exceeds the memory limit is replaced by the previous one", "[ui][memory]") {
     HeadlessWindow bench({640, 400});
     bench.frames(2);
     const Scene before = bench.scene();
@@ -70,7 +69,7 @@ TEST_CASE("a first scene that exceeds the memory limit ends the window", "[ui][m
     CHECK_THROWS_AS(bench.frame(), LimitExceeded);
 }
 
-TEST_CASE("lack of memory in a frame is one message", "[ui][memory]") {
+TEST_CASE("out of memory in a frame is one message", "[ui][memory]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();

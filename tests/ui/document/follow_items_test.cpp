@@ -1,4 +1,4 @@
-// What names a light or an object by its place, after others came or went before it.
+// References to lights or objects by index after others were added or deleted before them.
 #include "ui/document/follow_items.h"
 
 #include <random>
@@ -24,7 +24,7 @@ void take_three(HeadlessWindow& bench) {
     bench.state.editor.selection = {Selection::Kind::Light, 0};
 }
 
-/// Deletes what is selected while that number goes to and fro.
+/// Deletes the selection while that number is animated.
 void delete_while_it_goes(HeadlessWindow& bench, const char* number, const Selection& selection) {
     bench.state.get<AnimateState>().animation.motion = Motion::PingPong;
     bench.state.get<AnimateState>().animation.pointer = number;
@@ -36,14 +36,14 @@ void delete_while_it_goes(HeadlessWindow& bench, const char* number, const Selec
 
 }  // namespace
 
-TEST_CASE("an item is found in the list by what stayed around it, and where it has gone, is not", "[ui]") {
+TEST_CASE("an item is found in a changed list by its unchanged neighbours unless deleted", "[ui]") {
     std::mt19937 random(1);
     for (int round = 0; round < 2000; ++round) {
         std::vector<int> before(1 + random() % 8);
         for (std::size_t i = 0; i < before.size(); ++i) before[i] = static_cast<int>(i);
         std::vector<int> after = before;
         const auto place = static_cast<std::ptrdiff_t>(random() % before.size());
-        const int count = static_cast<int>(1 + random() % 3);  // of neighbours that come or go
+        const int count = static_cast<int>(1 + random() % 3);  // of added or deleted neighbours
         if (random() % 2 == 0)
             after.insert(after.begin() + place, static_cast<std::size_t>(count), 99);
         else
@@ -58,8 +58,7 @@ TEST_CASE("an item is found in the list by what stayed around it, and where it h
     CHECK(place_in(std::vector{1, 2, 3}, std::vector{7, 8, 9}, 1) == 1);  // edited, each in its place
 }
 
-TEST_CASE("what is shown of a light stays its own when the one before it goes, comes back, or another comes",
-          "[ui][window]") {
+TEST_CASE("a view of a light keeps its light when earlier lights are deleted or added", "[ui][window]") {
     HeadlessWindow bench;
     take_three(bench);
     bench.state.get<DebugViewState>().set.choice.light = 1;
@@ -91,7 +90,7 @@ TEST_CASE("what is shown of a light stays its own when the one before it goes, c
     check_second(2);
 }
 
-TEST_CASE("the number that goes to and fro goes with its light, though others are called the same",
+TEST_CASE("an animated number stays with its light, even among lights of the same name",
           "[ui][window][animate]") {
     HeadlessWindow bench;
     take_three(bench);
@@ -100,7 +99,7 @@ TEST_CASE("the number that goes to and fro goes with its light, though others ar
     CHECK(bench.state.notifications.list.back().text == "Animate: there is no “Light: intensity” any more");
 }
 
-TEST_CASE("a number of an object goes with it when one before it is deleted", "[ui][window][animate]") {
+TEST_CASE("a number of an object stays with it when an earlier object is deleted", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(1);
     Scene& scene = bench.scene();

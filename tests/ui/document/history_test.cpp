@@ -1,4 +1,4 @@
-// Undo, redo, and what the steps are called.
+// Undo, redo, and the names of steps.
 #include "models/memory_limit.h"
 #include "models/scene/scene_cost.h"
 #include "tests/support/catch.h"
@@ -29,7 +29,7 @@ template <class Change> std::string name_of(Change change) {
 
 }  // namespace
 
-TEST_CASE("undo and redo walk back and forth over equal scenes", "[ui]") {
+TEST_CASE("undo and redo go back and forth between equal scenes", "[ui]") {
     History history;
     std::vector<Scene> scenes{two_lights()};
     history.reset(scenes[0]);
@@ -47,8 +47,7 @@ TEST_CASE("undo and redo walk back and forth over equal scenes", "[ui]") {
     CHECK_FALSE(history.can_redo());
 }
 
-TEST_CASE("each field that is typed into is a step, and what is saved while one is typed into",
-          "[ui][window]") {
+TEST_CASE("each field that is typed into is a step, and so is saving during typing", "[ui][window]") {
     const TemporaryDirectory folder;
     test::HeadlessWindow bench;
     bench.frames(2);
@@ -68,7 +67,7 @@ TEST_CASE("each field that is typed into is a step, and what is saved while one 
     bench.frames(2);
     CHECK(bench.scene().lights[0].diffuse.x == 0.55f);
     bench.key(Key::Z, true);
-    CHECK(bench.scene() == two);  // as it was saved
+    CHECK(bench.scene() == two);  // as saved
     bench.key(Key::Z, true);
     CHECK(bench.scene().lights[0].diffuse == start.lights[0].diffuse);
     CHECK(bench.scene().lights[0].intensity == 2);
@@ -76,7 +75,7 @@ TEST_CASE("each field that is typed into is a step, and what is saved while one 
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("an edit after undo drops what was undone", "[ui]") {
+TEST_CASE("an edit after undo drops the undone steps", "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);
@@ -89,7 +88,7 @@ TEST_CASE("an edit after undo drops what was undone", "[ui]") {
     CHECK(history.undo() == two_lights());
 }
 
-TEST_CASE("an edit after several undos leaves nothing of what was undone", "[ui]") {
+TEST_CASE("an edit after several undos drops all undone steps", "[ui]") {
     for (int undone = 2; undone <= 4; ++undone) {
         History history;
         std::vector<Scene> scenes{two_lights()};
@@ -112,7 +111,7 @@ TEST_CASE("an edit after several undos leaves nothing of what was undone", "[ui]
     }
 }
 
-TEST_CASE("each edit of another thing is a step of its own, however soon it follows", "[ui]") {
+TEST_CASE("an edit of a different item is a separate step, however soon it follows", "[ui]") {
     Editor editor;
     editor.document.scene = two_lights();
     editor.history.reset(editor.scene());
@@ -134,8 +133,7 @@ TEST_CASE("each edit of another thing is a step of its own, however soon it foll
     CHECK_FALSE(undo(editor));
 }
 
-TEST_CASE("what was looked at between two edits is not a step, and undo leaves the view where it is",
-          "[ui]") {
+TEST_CASE("changes of view between two edits are not steps, and undo keeps the view", "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);
@@ -160,12 +158,12 @@ TEST_CASE("what was looked at between two edits is not a step, and undo leaves t
     CHECK(history.edited_camera() == two_lights().camera);
 }
 
-TEST_CASE("an edit of the camera is a step, which undo takes back wherever one looks from", "[ui]") {
+TEST_CASE("an edit of the camera is a step, which undo reverts from any view", "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);
     scene.camera.eye.z = 7;
-    history.commit(scene);  // typed, not looked
+    history.commit(scene);  // typed, not a change of view
     CHECK(history.undo_name() == "Camera");
     CHECK(history.edited_camera().eye.z == 7);
     Camera elsewhere = scene.camera;
@@ -193,7 +191,7 @@ TEST_CASE("the history of a large scene forgets its oldest steps, not its newest
     CHECK(steps < 100);
 }
 
-TEST_CASE("what undo takes away is not selected any more", "[ui]") {
+TEST_CASE("an item removed by undo is no longer selected", "[ui]") {
     Editor editor;
     SceneDocument document;
     document.scene = two_lights();
@@ -202,7 +200,7 @@ TEST_CASE("what undo takes away is not selected any more", "[ui]") {
     editor.selection = {Selection::Kind::Light, 2};
     remember_step(editor, false);
     REQUIRE(undo(editor));
-    CHECK(editor.selection == Selection{Selection::Kind::Light, 1});  // the nearest that there is
+    CHECK(editor.selection == Selection{Selection::Kind::Light, 1});  // the nearest existing one
     editor.scene().lights.clear();
     remember_step(editor, false);
     REQUIRE(undo(editor));
@@ -211,7 +209,7 @@ TEST_CASE("what undo takes away is not selected any more", "[ui]") {
     CHECK(editor.selection.kind != Selection::Kind::Light);
 }
 
-TEST_CASE("undoing a copy selects what was copied, and deleting again the next", "[ui]") {
+TEST_CASE("undoing a copy selects the original, and deleting again selects the next item", "[ui]") {
     Editor editor;
     SceneDocument document;
     document.scene = two_lights();
@@ -226,12 +224,12 @@ TEST_CASE("undoing a copy selects what was copied, and deleting again the next",
     remove(editor.scene(), editor.selection);
     remember_step(editor, false);
     REQUIRE(undo(editor));
-    CHECK(editor.selection == Selection{Selection::Kind::Light, 1});  // what was deleted
+    CHECK(editor.selection == Selection{Selection::Kind::Light, 1});  // the deleted one
     REQUIRE(redo(editor));
     CHECK(editor.selection == Selection{Selection::Kind::Light, 1});
 }
 
-TEST_CASE("what undo brings back is selected where its deletion left its neighbour selected", "[ui]") {
+TEST_CASE("undo selects a restored item if its deletion left its neighbour selected", "[ui]") {
     Editor editor;
     SceneDocument document;
     document.scene = two_lights();
@@ -247,16 +245,16 @@ TEST_CASE("what undo brings back is selected where its deletion left its neighbo
     editor.selection = {Selection::Kind::Light, 1};
     remove(editor.scene(), editor.selection);
     remember_step(editor, false);
-    editor.selection = {Selection::Kind::Light, 2};  // by hand: it stays, wherever it goes
+    editor.selection = {Selection::Kind::Light, 2};  // by the user: it stays, in either direction
     REQUIRE(undo(editor));
     CHECK(editor.selection == Selection{Selection::Kind::Light, 3});
 }
 
-TEST_CASE("a mesh that was loaded again is not an edit, and no name has it", "[ui]") {
+TEST_CASE("a reloaded mesh is not an edit and has no step name", "[ui]") {
     Scene scene = two_lights();
     scene.objects[0].mesh = std::make_shared<const Mesh>();
     Scene again = scene;
-    again.objects[0].mesh = std::make_shared<const Mesh>();  // as a file that was read anew gives it
+    again.objects[0].mesh = std::make_shared<const Mesh>();  // as after reading a file again
     CHECK(step_name(scene, again).empty());
     History history;
     history.reset(scene);
@@ -266,7 +264,7 @@ TEST_CASE("a mesh that was loaded again is not an edit, and no name has it", "[u
     CHECK(step_name(scene, again) == "Move Bulb");
 }
 
-TEST_CASE("the history goes back 500 steps and forgets what is older", "[ui]") {
+TEST_CASE("the history keeps 500 steps and drops older ones", "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);
@@ -280,7 +278,7 @@ TEST_CASE("the history goes back 500 steps and forgets what is older", "[ui]") {
     CHECK(history.present().lights[0].intensity == 100);
 }
 
-TEST_CASE("steps are named by what changed", "[ui]") {
+TEST_CASE("steps are named by the changes", "[ui]") {
     CHECK(step_name(two_lights(), two_lights()).empty());
     CHECK(name_of([](Scene& s) { s.lights[1].position.x = 7; }) == "Move Bulb");
     CHECK(name_of([](Scene& s) { s.lights[0].position.w = 0; }) == "Turn Sun");
@@ -316,14 +314,14 @@ int steps_back(History& history) {
 
 }  // namespace
 
-TEST_CASE("steps are forgotten when the meshes that they alone keep take too much memory", "[ui][memory]") {
+TEST_CASE("steps are dropped when meshes that only they keep take too much memory", "[ui][memory]") {
     const std::uint64_t bytes = mesh_bytes(*ball(100));
     set_memory_limit(8 * 4 * bytes + (1 << 20));  // an eighth of it has room for four such meshes
     History history;
     history.reset(with_mesh(ball(100)));
     std::vector<std::weak_ptr<const Mesh>> meshes;
     for (int i = 1; i <= 12; ++i) {
-        const MeshPtr mesh = ball(100 - i % 3);  // of about that size, each another
+        const MeshPtr mesh = ball(100 - i % 3);  // of about that size, all different
         meshes.push_back(mesh);
         Scene scene = with_mesh(mesh);
         scene.lights[0].intensity = static_cast<float>(i);
@@ -335,8 +333,7 @@ TEST_CASE("steps are forgotten when the meshes that they alone keep take too muc
     set_memory_limit(0);
 }
 
-TEST_CASE("a mesh that the open scene has, or that many steps have, costs its history once at most",
-          "[ui][memory]") {
+TEST_CASE("a mesh of the open scene or of many steps counts at most once", "[ui][memory]") {
     const MeshPtr open = ball(100), lost = ball(101);
     set_memory_limit(8 * mesh_bytes(*lost) + (1 << 20));  // room for one
     History history;

@@ -1,4 +1,4 @@
-// Loads that do not hold up the window.
+// Loads that do not block the window.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A load that ends when it is let go.
+/// A load that ends on request.
 struct Gate {
     std::promise<void> open;
     std::shared_future<void> opened = open.get_future().share();
@@ -36,7 +36,7 @@ struct Gate {
     }
 };
 
-/// Awaits a file whose opening began before, with its lights taken away.
+/// Awaits a file whose opening began before, with its lights removed.
 void await_unlit(HeadlessWindow& bench, const std::string& path) {
     Opening opening = opening_of(path, {std::get<Assignment>(parse_assignment("/lights=[]"))});
     REQUIRE(opening.job->wait_for(std::chrono::minutes(1)));
@@ -47,7 +47,7 @@ constexpr const char* square_obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 
 
 }  // namespace
 
-TEST_CASE("while a file is loaded the scene in hand stays, and can be worked on", "[ui][loading]") {
+TEST_CASE("while a file is loaded the present scene stays and can be edited", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     Gate gate;
@@ -63,7 +63,7 @@ TEST_CASE("while a file is loaded the scene in hand stays, and can be worked on"
     CHECK(bench.frame().sleep_s < 0.1);
     gate.open.set_value();
     bench.wait_for_loads();
-    // What was done meanwhile is not thrown away unasked.
+    // Edits made in the meantime are discarded only after a question.
     REQUIRE(bench.state.pending.asking);
     CHECK(bench.scene().shading.mode == ShadingMode::Flat);
     finish_pending(bench.state);
@@ -72,8 +72,7 @@ TEST_CASE("while a file is loaded the scene in hand stays, and can be worked on"
     CHECK(bench.state.editor.document.path == "slow.json");
 }
 
-TEST_CASE("a file that was begun before the window is awaited in it, with what is assigned to it",
-          "[ui][loading]") {
+TEST_CASE("a file whose loading began before the window is opened with its assignments", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("given.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
@@ -86,9 +85,7 @@ TEST_CASE("a file that was begun before the window is awaited in it, with what i
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE(
-    "what was assigned to a file that is awaited stays with it, over the question and the name to save by",
-    "[ui][loading]") {
+TEST_CASE("assignments to an awaited file survive the question and the save dialog", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("given.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
@@ -109,8 +106,7 @@ TEST_CASE(
     CHECK(bench.scene().lights.empty());
 }
 
-TEST_CASE("a file and a mesh that no thread can load are told of once, and the scene stays",
-          "[ui][loading]") {
+TEST_CASE("a file and a mesh for which no thread can start are reported once", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("given.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
@@ -131,7 +127,7 @@ TEST_CASE("a file and a mesh that no thread can load are told of once, and the s
     CHECK(bench.state.editor.document.path == path);
 }
 
-TEST_CASE("who waits for a job waits as long as was said, or until it is done", "[ui][loading]") {
+TEST_CASE("waiting for a job ends after the given time or when it is done", "[ui][loading]") {
     Gate gate;
     const JobPtr<SceneDocument> job = gate.job(first_scene());
     CHECK_FALSE(job->wait_for(std::chrono::milliseconds(20)));
@@ -140,8 +136,7 @@ TEST_CASE("who waits for a job waits as long as was said, or until it is done", 
     CHECK(job->done());
 }
 
-TEST_CASE("a file that has been loaded waits for the answer to a question about the scene in hand",
-          "[ui][loading]") {
+TEST_CASE("a loaded file waits for the answer to a question about the present scene", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string asked_for = folder.file("asked.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
@@ -164,7 +159,7 @@ TEST_CASE("a file that has been loaded waits for the answer to a question about 
     CHECK(bench.state.editor.document.path == asked_for);
 }
 
-TEST_CASE("what is being loaded is said over the picture, and covers no row of buttons", "[ui][loading]") {
+TEST_CASE("the loading panel is drawn over the picture and covers no row of buttons", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     Gate gate;
@@ -180,8 +175,7 @@ TEST_CASE("what is being loaded is said over the picture, and covers no row of b
     bench.wait_for_loads();
 }
 
-TEST_CASE("of a mesh without normals it is said that they are averaged, where its creases can be kept",
-          "[ui][loading]") {
+TEST_CASE("loading a mesh without normals reports the averaging and shows Crease", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
     HeadlessWindow bench;
@@ -193,9 +187,9 @@ TEST_CASE("of a mesh without normals it is said that they are averaged, where it
     const auto said = [&bench] { return bench.notes_with("has no normals") > 0; };
     CHECK(said());
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, 0});
-    const Rect crease = bench.area_of("/objects/0/normals/crease_deg");  // in sight, without scrolling
+    const Rect crease = bench.area_of("/objects/0/normals/crease_deg");  // visible without scrolling
     CHECK(crease.low.y < bench.area_of("/objects/0/material/ambient").low.y);
-    // With normals of its own there is nothing to say.
+    // A mesh with normals gives no message.
     bench.state.notifications.list.clear();
     drop.dropped = {folder.file("with.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")};
     (void)bench.frame(drop);
@@ -205,8 +199,7 @@ TEST_CASE("of a mesh without normals it is said that they are averaged, where it
     CHECK_FALSE(said());
 }
 
-TEST_CASE("of a file of another kind it is said what a window takes, lessons and pictures too",
-          "[ui][loading]") {
+TEST_CASE("a file of an unknown kind is answered with the kinds that a window opens", "[ui][loading]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(1);
@@ -220,7 +213,7 @@ TEST_CASE("of a file of another kind it is said what a window takes, lessons and
         CHECK(text.find(kind) != std::string::npos);
 }
 
-TEST_CASE("Escape ends a load, and what it would have brought is dropped", "[ui][loading]") {
+TEST_CASE("Escape cancels a load and drops its result", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -235,7 +228,7 @@ TEST_CASE("Escape ends a load, and what it would have brought is dropped", "[ui]
     CHECK(bench.state.notifications.list.empty());
 }
 
-TEST_CASE("a new mesh comes as one step, and until then the object shows its old one", "[ui][loading]") {
+TEST_CASE("a new mesh arrives as one step, and until then the object shows its old one", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
     HeadlessWindow bench;
@@ -254,8 +247,7 @@ TEST_CASE("a new mesh comes as one step, and until then the object shows its old
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE("of an object that is deleted before its new mesh is there it is said what undo brings back",
-          "[ui][loading]") {
+TEST_CASE("deleting an object before its new mesh is ready reports what undo restores", "[ui][loading]") {
     const PrimitiveMesh slow{Primitive::Sphere, 2800};
     HeadlessWindow bench;
     bench.frames(2);
@@ -287,8 +279,7 @@ TEST_CASE("of an object that is deleted before its new mesh is there it is said 
     CHECK(told() == 0);
 }
 
-TEST_CASE("undo while a mesh is built takes back the edit that asked for it, and no step before it",
-          "[ui][loading]") {
+TEST_CASE("undo while a mesh is built reverts its edit and no earlier step", "[ui][loading]") {
     const PrimitiveMesh slow{Primitive::Sphere, 2800};
     HeadlessWindow bench;
     bench.frames(2);
@@ -308,8 +299,7 @@ TEST_CASE("undo while a mesh is built takes back the edit that asked for it, and
     CHECK(bench.scene().global_ambient != before.global_ambient);
 }
 
-TEST_CASE("who saves at the question about a scene whose mesh is being built keeps the scene",
-          "[ui][loading]") {
+TEST_CASE("saving at the question about a scene whose mesh is being built keeps the scene", "[ui][loading]") {
     const TemporaryDirectory folder;
     const PrimitiveMesh slow{Primitive::Sphere, 2800};
     HeadlessWindow bench;
@@ -336,7 +326,7 @@ TEST_CASE("who saves at the question about a scene whose mesh is being built kee
     CHECK(std::get<Scene>(saved).objects[0].source == MeshSource(slow));
 }
 
-TEST_CASE("an object from a file is added when its mesh is there", "[ui][loading]") {
+TEST_CASE("an object from a file is added when its mesh is loaded", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
     HeadlessWindow bench;
@@ -350,8 +340,7 @@ TEST_CASE("an object from a file is added when its mesh is there", "[ui][loading
     CHECK(bench.state.editor.history.undo_name() == "Add Square");
 }
 
-TEST_CASE("what is kept while a mesh is built has the mesh that is seen, and opens again",
-          "[ui][loading][window]") {
+TEST_CASE("a scene stored while a mesh is built has the visible mesh and reopens", "[ui][loading][window]") {
     const TemporaryDirectory folder;
     const std::string path = folder.path("own.json");
     HeadlessWindow bench;
@@ -365,7 +354,7 @@ TEST_CASE("what is kept while a mesh is built has the mesh that is seen, and ope
     Gate gate;
     bench.state.loading.meshes = bench.state.jobs.add(gate.job(bench.state.editor.document));
     begin_mesh(bench.state, PrimitiveMesh{Primitive::Sphere, 1000}, 0);
-    for (const bool is_noted : {false, true}) {  // as yet it has no mesh; then that of before
+    for (const bool is_noted : {false, true}) {  // it has no mesh yet; then the old one
         CAPTURE(is_noted);
         if (is_noted) bench.frames(2);
         REQUIRE(awaits_mesh(bench.state));
@@ -397,7 +386,7 @@ TEST_CASE("what is kept while a mesh is built has the mesh that is seen, and ope
     CHECK(as_made(bench.state, bench.scene()) == bench.scene());
 }
 
-TEST_CASE("who saves a scene whose mesh is gone is told that it will not open", "[ui][loading]") {
+TEST_CASE("saving a scene whose mesh file is missing warns that it will not open", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string mesh = folder.file("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const std::string path =
@@ -426,7 +415,7 @@ TEST_CASE("who saves a scene whose mesh is gone is told that it will not open", 
     CHECK(found[1].text == "The scene opens again when \"one.obj\" exists: it is a directory");
 }
 
-TEST_CASE("a mesh that cannot be read leaves the object as it was, and says why", "[ui][loading]") {
+TEST_CASE("an unreadable mesh leaves the object unchanged and reports why", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("none.obj", "f 1 2 3\n");
     HeadlessWindow bench;
@@ -440,7 +429,8 @@ TEST_CASE("a mesh that cannot be read leaves the object as it was, and says why"
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("a detail of a million triangles is made aside, and the last one asked for wins", "[ui][loading]") {
+TEST_CASE("a detail of a million triangles is made in the background; the last request wins",
+          "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     REQUIRE_FALSE(is_quick(PrimitiveMesh{Primitive::Sphere, 1000}));
@@ -457,7 +447,7 @@ TEST_CASE("a detail of a million triangles is made aside, and the last one asked
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("a load tells the bytes it has read, and ends when it shall", "[loading]") {
+TEST_CASE("a load reports the bytes read and ends when cancelled", "[loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
     LoadProgress progress;

@@ -1,5 +1,4 @@
-// Looking is not changing: where one looks from and what one picks is never a change to be saved, and has its
-// own way back.
+// Changes of view and picking are never unsaved changes, and have their own history.
 #include <filesystem>
 
 #include "models/io/file.h"
@@ -32,7 +31,7 @@ void key_alt(HeadlessWindow& bench, Key key) {
 
 }  // namespace
 
-TEST_CASE("orbiting and picking leave nothing to save, and nothing to undo", "[ui]") {
+TEST_CASE("orbiting and picking are neither unsaved nor undo steps", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera before = bench.scene().camera;
@@ -46,7 +45,7 @@ TEST_CASE("orbiting and picking leave nothing to save, and nothing to undo", "[u
     CHECK_FALSE(bench.state.pending.asking);
 }
 
-TEST_CASE("undo between two edits of a light goes to the light, seen from where one looks", "[ui]") {
+TEST_CASE("undo between two edits of a light reverts the light and keeps the view", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     brighten(bench, 2);
@@ -65,7 +64,7 @@ TEST_CASE("undo between two edits of a light goes to the light, seen from where 
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE("views are gone back to and forward, apart from undo", "[ui]") {
+TEST_CASE("views have their own back and forward, independent of undo", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera first = bench.scene().camera;
@@ -101,12 +100,12 @@ TEST_CASE("ten clicks of the wheel are one view", "[ui]") {
     CHECK(bench.scene().camera == before);
 }
 
-TEST_CASE("a number of the camera that is typed is an edit, to be saved and undone", "[ui]") {
+TEST_CASE("a typed number of the camera is an edit: it is saved and undone", "[ui]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.frames(2);
     const Camera before = bench.scene().camera;
-    bench.state.editor.edits_camera = true;  // as columns.cpp says it
+    bench.state.editor.edits_camera = true;  // as in columns.cpp
     bench.scene().camera.eye.z += 1;
     bench.frames(2);
     CHECK(bench.state.editor.unsaved());
@@ -129,7 +128,7 @@ TEST_CASE("dragging a number of the camera's panel is an edit", "[ui]") {
     CHECK(bench.state.editor.history.undo_name() == "Camera");
 }
 
-TEST_CASE("an example is never saved over: saving asks for a name of one's own", "[ui]") {
+TEST_CASE("saving an example asks for a name and never overwrites it", "[ui]") {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "glint-shipped-test";
     std::filesystem::create_directories(folder);
     const std::string path = (folder / "example.json").string();

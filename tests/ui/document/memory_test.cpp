@@ -1,4 +1,4 @@
-// What outlives the window: preferences and recent files.
+// What persists after the window closes: preferences and recent files.
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -20,7 +20,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// What features remember, nothing of it as on the first day.
+/// Settings of features, all different from their defaults.
 Json odd_features() {
     return json_or_null(
         R"({"scope_from": [0.1, 0.2], "scope_to": [0.3, 0.9], "scope_channels": true, "scope_eye": true,
@@ -35,7 +35,7 @@ std::vector<Camera> two_views() {
     return views;
 }
 
-/// What a window remembers that has read these settings.
+/// The settings of a window that has read these.
 Json taken(const std::string& features) {
     HeadlessWindow bench;
     recall_features(bench.state, read_preferences("{\"view\": " + features + "}").features);
@@ -44,7 +44,7 @@ Json taken(const std::string& features) {
 
 }  // namespace
 
-TEST_CASE("the list of recent files takes only absolute paths, each once", "[ui][memory]") {
+TEST_CASE("the list of recent files accepts only absolute paths, each once", "[ui][memory]") {
     const auto recent = [](const std::string& list) {
         return read_preferences("{\"recent\": " + list + "}").recent;
     };
@@ -67,7 +67,7 @@ TEST_CASE("the list of recent files takes only absolute paths, each once", "[ui]
     }
 }
 
-TEST_CASE("settings are read back equal, and from nonsense what makes sense is taken", "[ui][memory]") {
+TEST_CASE("settings read back equal, and valid parts of an invalid file are used", "[ui][memory]") {
     Preferences settings;
     settings.dark = false;
     settings.layout.right = false;
@@ -103,10 +103,7 @@ TEST_CASE("settings are read back equal, and from nonsense what makes sense is t
     }
 }
 
-TEST_CASE(
-    "what is compared, the scope's line and kept views are there again in the next window; comparison, "
-    "scope and false colours begin off",
-    "[ui][memory]") {
+TEST_CASE("comparison, scope and saved views are restored but start switched off", "[ui][memory]") {
     const TemporaryDirectory folder;
     {
         HeadlessWindow bench;
@@ -142,8 +139,7 @@ TEST_CASE(
     CHECK(bench.state.get<CompareState>().choice.stored);
 }
 
-TEST_CASE("the folder that the window makes is for its owner alone; one that is there stays as it is",
-          "[ui][memory]") {
+TEST_CASE("the settings folder is created for its owner only; an existing one is unchanged", "[ui][memory]") {
     const TemporaryDirectory folder;
     const auto rights = [&](const char* name) {
         return std::filesystem::status(folder.path(name)).permissions() & std::filesystem::perms::all;
@@ -160,7 +156,7 @@ TEST_CASE("the folder that the window makes is for its owner alone; one that is 
     CHECK(rights("shared") == std::filesystem::perms(0755));
 }
 
-TEST_CASE("of remembered views only what makes sense is taken", "[ui][memory]") {
+TEST_CASE("of saved views only valid ones are read", "[ui][memory]") {
     const Json usual = taken("{}");
     CHECK(taken("[]") == usual);
     CHECK(taken(R"({"compare": 3, "look": "Nonsense", "dots": 1, "kept_views": {"a": 1}})") == usual);
@@ -173,7 +169,7 @@ TEST_CASE("of remembered views only what makes sense is taken", "[ui][memory]") 
     CHECK(read_preferences(R"({"view": {"kept_views": [{"eye": "here"}, 4]}})").kept_views.empty());
 }
 
-TEST_CASE("theme and columns are there again in the next window", "[ui][memory]") {
+TEST_CASE("theme and columns are restored in the next window", "[ui][memory]") {
     const TemporaryDirectory folder;
     {
         HeadlessWindow bench;
@@ -194,7 +190,7 @@ TEST_CASE("theme and columns are there again in the next window", "[ui][memory]"
     CHECK(bench.state.dark);
 }
 
-TEST_CASE("a file that is opened is the first of the recent ones", "[ui][memory]") {
+TEST_CASE("an opened file becomes the first recent file", "[ui][memory]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("one.json", scene_text(test::busy_scene()));
     HeadlessWindow bench;
@@ -211,8 +207,7 @@ TEST_CASE("a file that is opened is the first of the recent ones", "[ui][memory]
           std::vector<std::string>{path});
 }
 
-TEST_CASE("where there is no state folder the first edit is told that no copy of it is kept",
-          "[ui][memory]") {
+TEST_CASE("without a state folder the first edit reports that no copy is kept", "[ui][memory]") {
     const TemporaryDirectory folder;
     const std::string in_the_way = folder.file("state", "a file");
     for (const auto& [path, why] :
@@ -250,7 +245,7 @@ TEST_CASE("the last window to write its settings wins", "[ui][memory]") {
     CHECK_FALSE(read.layout.left);
 }
 
-TEST_CASE("settings that cannot be remembered are reported once", "[ui][memory]") {
+TEST_CASE("settings that cannot be written are reported once", "[ui][memory]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     begin_persistence(bench.state, folder.path("state"));
@@ -260,14 +255,14 @@ TEST_CASE("settings that cannot be remembered are reported once", "[ui][memory]"
     bench.frames(200);
     CHECK(bench.notes_with("cannot be remembered") == 0);
     for (int i = 0; i < 2; ++i) {
-        bench.key(Key::U, false, true);  // keeps a view
+        bench.key(Key::U, false, true);  // saves a view
         bench.frames(200);
         CHECK(bench.notes_with("The settings of the window cannot be remembered: ") == 1);
         bench.scene().camera.eye.x += 1;
     }
 }
 
-TEST_CASE("the state folder follows XDG, and a relative one is ignored", "[ui][memory]") {
+TEST_CASE("the state folder follows XDG, and a relative path is ignored", "[ui][memory]") {
     const char* old = std::getenv("XDG_STATE_HOME");
     const std::string before = old != nullptr ? old : "";
     setenv("XDG_STATE_HOME", "/somewhere", 1);

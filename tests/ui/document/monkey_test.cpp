@@ -1,5 +1,4 @@
-// A monkey at mouse and keyboard: whatever it does, the scene stays one that a file takes, and undo leads
-// back.
+// Random mouse and keyboard input: the scene stays valid for a file, and undo leads back.
 #include <malloc.h>
 
 #include <cstdlib>
@@ -20,14 +19,14 @@ using test::HeadlessWindow;
 
 namespace {
 
-// Under the sanitizers with seeds that Release does not have.
+// Under the sanitizers with different seeds from Release.
 const int events_a_run = test::sanitized ? 2'500 : 7'500;
 const unsigned first_seed = test::sanitized ? 5 : 1;
 const int scenes_exchanged = test::sanitized ? 40 : 400;
 constexpr int events_before_exchange = 40;
 constexpr int events_a_scene = 250;  // then everything is undone: fewer steps than the history keeps
 
-/// In a folder of its own, without a clipboard, so that nothing outside is touched.
+/// In its own folder, without a clipboard, so that nothing outside is touched.
 class Cage {
   public:
     Cage() : home_(std::filesystem::current_path()) {
@@ -48,7 +47,9 @@ class Cage {
 bool ends_history(const WindowCommand& command) {
     static const std::set<std::string_view> names{"Quit", "New scene", "Open…", "Next scene of the folder",
                                                   "Previous scene of the folder"};
-    for (const std::string_view name : names) (void)test::command_named(name);  // they are called so
+    for (const std::string_view name : names)
+        (void)test::command_named(name);  // check that these names
+                                          // exist
     return names.contains(command.name);
 }
 
@@ -86,13 +87,13 @@ class Monkey {
         }
     }
 
-    /// Lets the mouse and all keys go.
+    /// Releases the mouse and all keys.
     void let_go() {
         for (bool& down : ImGui::GetIO().MouseDown) down = false;
         ImGui::GetIO().KeyShift = ImGui::GetIO().KeyCtrl = ImGui::GetIO().KeyAlt = false;
         held_ = {};
     }
-    /// Lets everything go and leaves whatever is open.
+    /// Releases everything and closes all dialogs.
     void calm_down() {
         let_go();
         for (int i = 0; i < 6; ++i) (void)bench_.key(Key::Escape);
@@ -139,7 +140,7 @@ class Monkey {
     }
     void type() {
         constexpr std::string_view letters =
-            "0123456789-+e ab";  // no dot and no slash: names stay in the cage
+            "0123456789-+e ab";  // no dot and no slash: names stay in the folder
         for (unsigned i = 0; i <= random_() % 4; ++i)
             ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(letters[random_() % letters.size()]));
         frame({});
@@ -171,7 +172,7 @@ SceneDocument small_document() {
     return document;
 }
 
-/// Every number is one that a scene file takes: finite, and within its range.
+/// Every number is valid in a scene file: finite, and within its range.
 void check_scene(const Scene& scene, int event) {
     const auto read = parse_scene(scene_text(scene), "monkey.json");
     if (const Problem* problem = problem_of(read)) {
@@ -183,13 +184,13 @@ void check_scene(const Scene& scene, int event) {
 
 }  // namespace
 
-TEST_CASE("a dialog that was left does not hold up what opens next", "[ui]") {
+TEST_CASE("a closed dialog does not block the next one", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     for (const Key key : {Key::O, Key::E}) {
         bench.key(key, true);
         bench.frames(2);
-        bench.state.files.open = bench.state.get<ExportState>().open = false;  // by whatever came between
+        bench.state.files.open = bench.state.get<ExportState>().open = false;  // by anything in between
         bench.frames(2);
         bench.key(Key::K, true);  // a window that appears
         bench.frames(2);
@@ -223,7 +224,7 @@ TEMPLATE_TEST_CASE_SIG(
         while (undo(bench.state.editor)) ++undone;
         ViewHistory& views = bench.state.editor.views;
         for (Camera at = bench.scene().camera; views.can_go_back(); ++undone) at = views.back(at);
-        // By the mouse it may still find "New", or open what it saved: then undo leads back to there.
+        // The mouse may still find "New", or open a saved file: then undo leads back to that.
         if (!bench.state.editor.document.path.empty() || same_but_camera(bench.scene(), first_scene().scene))
             continue;
         INFO("event " << event << ": " << step_name(small_document().scene, bench.scene()));
@@ -232,13 +233,12 @@ TEMPLATE_TEST_CASE_SIG(
         ++compared;
         bench.frames(2);
     }
-    CHECK(undone > events_a_run * 300 / 20'000);  // it did things
+    CHECK(undone > events_a_run * 300 / 20'000);  // enough events had an effect
     CHECK(compared > events_a_run / events_a_scene / 2);
     CHECK(bench.state.notifications.list.size() <= 5);
 }
 
-TEST_CASE("whatever a hand holds, a scene that takes the place of another is as its file has it",
-          "[ui][monkey][long]") {
+TEST_CASE("during any drag, a scene that replaces another equals its file", "[ui][monkey][long]") {
     const Cage cage;
     HeadlessWindow bench({900, 420});
     Monkey monkey(bench, first_seed);
@@ -269,8 +269,7 @@ TEST_CASE("whatever a hand holds, a scene that takes the place of another is as 
     }
 }
 
-TEST_CASE("a window that goes on and on holds no more memory than when it was warm",
-          "[ui][monkey][long][release]") {
+TEST_CASE("a window's memory stays constant after warming up", "[ui][monkey][long][release]") {
     const Cage cage;
     HeadlessWindow bench({900, 420});
     const auto held_after_round = [&] {

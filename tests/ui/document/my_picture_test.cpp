@@ -1,5 +1,4 @@
-// A picture that another program drew: it is compared, diagnosed beside the window, and what is found is
-// tried.
+// A picture by another program: it is compared and diagnosed in the background, and its findings are tried.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -23,7 +22,7 @@ namespace {
 const char* const flipped_switch = "/shading/mistakes/normals_flipped";
 constexpr PictureSize brought_size{160, 90};
 
-/// The open scene's picture as a program with flipped normals draws it.
+/// The open scene's picture as a program with flipped normals would draw it.
 Picture flipped_picture(HeadlessWindow& bench, PictureSize size = brought_size) {
     Scene scene = bench.scene();
     scene.shading.mistakes.normals_flipped = true;
@@ -37,7 +36,7 @@ void drop(HeadlessWindow& bench, const std::string& path) {
     (void)bench.frame(input);
 }
 
-/// Frames until nothing is read or searched any more.
+/// Runs frames until nothing is being read or searched.
 void wait_for_answer(HeadlessWindow& bench) {
     const MyPictureState& mine = bench.state.get<MyPictureState>();
     do {
@@ -47,7 +46,7 @@ void wait_for_answer(HeadlessWindow& bench) {
     bench.frames(2);
 }
 
-/// Drops the picture and waits for what is found in it.
+/// Drops the picture and waits for its diagnosis.
 void bring(HeadlessWindow& bench, const TemporaryDirectory& folder, const Picture& picture) {
     drop(bench, folder.file("mine.png", png_bytes(picture, "")));
     wait_for_answer(bench);
@@ -60,8 +59,7 @@ const Diagnosis& found(const HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("a dropped picture stands beside the scene, and its mistake is named and switched by a click",
-          "[ui][window][mine]") {
+TEST_CASE("a dropped picture is compared, and a click switches its mistake", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();
@@ -73,7 +71,7 @@ TEST_CASE("a dropped picture stands beside the scene, and its mistake is named a
     REQUIRE_FALSE(found(bench).candidates.empty());
     CHECK(name_of(found(bench).candidates.front().mistakes) == "normals_flipped");
 
-    // The right half of the window shows the picture: there a lit ball is dark.
+    // The right half of the window shows the picture, in which a lit ball is dark.
     const CompareChoice& choice = bench.state.get<CompareState>().choice;
     REQUIRE(choice.on);
     CHECK(label_of(choice.parts.back()) == "My picture");
@@ -89,8 +87,7 @@ TEST_CASE("a dropped picture stands beside the scene, and its mistake is named a
     CHECK(bench.scene().shading.mistakes.normals_flipped);
     CHECK(mistakes_on(bench.scene().shading.mistakes) == 1);
     test::rest(bench);
-    CHECK(bench.state.get<MyPictureState>()
-              .current);  // it is a mistake that is looked for: nothing is searched anew
+    CHECK(bench.state.get<MyPictureState>().current);  // a searched mistake: no new search starts
     bench.key(Key::Z, true);
     CHECK(bench.scene() == start);
     bench.click(test::in_column(bench, flipped_switch));
@@ -98,8 +95,7 @@ TEST_CASE("a dropped picture stands beside the scene, and its mistake is named a
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("a picture that is brought ends the freeze: it stands beside the scene in hand",
-          "[ui][window][mine]") {
+TEST_CASE("opening a picture unfreezes: it is compared with the present scene", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::F8);
@@ -111,8 +107,7 @@ TEST_CASE("a picture that is brought ends the freeze: it stands beside the scene
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("under the mistake that it was drawn with the scene differs from the picture nowhere",
-          "[ui][window][mine]") {
+TEST_CASE("under the mistake of a picture the scene has no difference from it", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -122,11 +117,10 @@ TEST_CASE("under the mistake that it was drawn with the scene differs from the p
     CHECK(bench.state.get<CompareState>().numbers.max_error > 50);
     bench.scene().shading.mistakes.normals_flipped = true;
     bench.frames(2);
-    CHECK(bench.state.get<CompareState>().numbers.mean[0] < 0.5);  // pixels are not of one size
+    CHECK(bench.state.get<CompareState>().numbers.mean[0] < 0.5);  // pixels differ in size
 }
 
-TEST_CASE("what happened at the display is taken away from the picture that is compared",
-          "[ui][window][mine]") {
+TEST_CASE("display mistakes are removed from the compared picture", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -141,7 +135,8 @@ TEST_CASE("what happened at the display is taken away from the picture that is c
     CHECK(bench.state.get<CompareState>().choice.mine->rgba == upright.rgba);
 }
 
-TEST_CASE("the experiment is one step, picks its pixel, and shows there what it said", "[ui][window][mine]") {
+TEST_CASE("the experiment is one step, picks its pixel, and shows its prediction there",
+          "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();
@@ -160,13 +155,13 @@ TEST_CASE("the experiment is one step, picks its pixel, and shows there what it 
     CHECK(rgb_at(drawn, drawn.pixel(experiment.pixel.x, experiment.pixel.y)) == experiment.shows[0]);
     wait_for_answer(bench);
     bench.frames(30);
-    CHECK(bench.state.get<MyPictureState>().current);  // the picture is still of the scene before
+    CHECK(bench.state.get<MyPictureState>().current);  // the picture still belongs to the previous scene
     bench.key(Key::Z, true);
     CHECK(bench.scene() == start);
     CHECK(bench.state.get<MyPictureState>().current);
     CHECK_FALSE(bench.state.editor.history.can_undo());
 
-    // A change of the camera is an edit here, no look.
+    // A change of the camera is an edit here, not a change of view.
     try_experiment(bench.state, {{{"/camera/eye", "[0,0.8,5]"}}, {80, 45}, {}, {}});
     bench.frames(2);
     CHECK(bench.scene().camera.eye.z == 5);
@@ -174,7 +169,7 @@ TEST_CASE("the experiment is one step, picks its pixel, and shows there what it 
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("an experiment is offered for the scene that it was found for alone", "[ui][window][mine]") {
+TEST_CASE("an experiment is offered only for the scene that it was found for", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -200,8 +195,7 @@ TEST_CASE("an experiment is offered for the scene that it was found for alone", 
     CHECK_FALSE(can_run(bench.state, by_command));
 }
 
-TEST_CASE("the search ends when it is told to, and begins anew when the scene changes",
-          "[ui][window][mine]") {
+TEST_CASE("the search ends when cancelled and restarts when the scene changes", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -222,7 +216,7 @@ TEST_CASE("the search ends when it is told to, and begins anew when the scene ch
     CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 
-TEST_CASE("a picture that takes long to be read says so, and can be left", "[ui][window][mine]") {
+TEST_CASE("a picture that loads slowly shows its progress and can be cancelled", "[ui][window][mine]") {
     std::atomic<bool> goes_on = false;
     HeadlessWindow bench;
     bench.frames(2);
@@ -233,7 +227,7 @@ TEST_CASE("a picture that takes long to be read says so, and can be left", "[ui]
     bench.state.get<MyPictureState>().reading = bench.state.jobs.start<BroughtPicture>("slow.png", wait);
     bench.state.get<MyPictureState>().reading_since = ImGui::GetTime();
     bench.frames(2);
-    CHECK(test::window_named("##loading") == nullptr);  // what is quick does not flash
+    CHECK(test::window_named("##loading") == nullptr);  // a quick load shows no panel
     bench.frames(30);
     REQUIRE(test::window_named("##loading") != nullptr);
     bench.click(bench.control("Cancel"));
@@ -243,7 +237,7 @@ TEST_CASE("a picture that takes long to be read says so, and can be left", "[ui]
     goes_on = true;
 }
 
-TEST_CASE("what cannot be compared is said, and what cannot be read is one line", "[ui][window][mine]") {
+TEST_CASE("an incompatible picture is reported, and an unreadable one in one line", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();
@@ -254,7 +248,7 @@ TEST_CASE("what cannot be compared is said, and what cannot be read is one line"
     Scene other = bench.scene();
     Renderer renderer(1);
     const Picture wide = renderer.render(other, {320, 180});
-    Picture narrow{{240, 180}, {}, {}};  // the same squeezed: drawn for 16:9, brought as 4:3
+    Picture narrow{{240, 180}, {}, {}};  // the same squeezed: drawn for 16:9, opened as 4:3
     for (int y = 0; y < 180; ++y)
         for (int x = 0; x < 240; ++x)
             for (std::size_t c = 0; c < 4; ++c)
@@ -280,8 +274,7 @@ TEST_CASE("what cannot be compared is said, and what cannot be read is one line"
     CHECK(bench.state.get<CompareState>().choice == compared);
 }
 
-TEST_CASE("a picture that carries its scene opens it; the command compares it all the same",
-          "[ui][window][mine]") {
+TEST_CASE("a picture with a scene opens it; the command compares it anyway", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -304,7 +297,7 @@ TEST_CASE("a picture that carries its scene opens it; the command compares it al
     CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 
-TEST_CASE("a picture is read into the window in every format that has no scene", "[ui][window][mine]") {
+TEST_CASE("pictures without a scene are read in every format", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -322,8 +315,7 @@ TEST_CASE("a picture is read into the window in every format that has no scene",
     }
 }
 
-TEST_CASE("the picked pixel says what the picture has, what is right and what the mistake makes of it",
-          "[ui][window][mine]") {
+TEST_CASE("the picked pixel shows the picture's, the correct and the mistaken values", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -335,7 +327,7 @@ TEST_CASE("the picked pixel says what the picture has, what is right and what th
     const Explanation& e = *bench.state.on_screen.explanation;
     CHECK(pixel.right.byte == e.byte);
     REQUIRE(pixel.mistaken);
-    // The window shows the width of a picture of 16:9, so the same share of both widths is the same place.
+    // The window shows the width of a picture of 16:9, so the same share of both widths is the same position.
     CHECK(pixel.place.x == 960 * (2 * e.x + 1) / (2 * bench.state.rendered->size.width));
     const Rgb mine = rgb_at(picture, picture.pixel(pixel.place.x, pixel.place.y));
     CHECK(pixel.mine == mine);
@@ -345,7 +337,7 @@ TEST_CASE("the picked pixel says what the picture has, what is right and what th
         CHECK(bench.area_of(line, test::right_column(bench)).high.y > 0);
 }
 
-TEST_CASE("two mistakes at once are looked for when it is asked, and named together", "[ui][window][mine]") {
+TEST_CASE("two mistakes at once are searched on request and named together", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     Scene wrong = bench.scene();
@@ -366,7 +358,7 @@ TEST_CASE("two mistakes at once are looked for when it is asked, and named toget
     CHECK(under_mistakes(bench.scene(), found(bench).candidates[0].mistakes) == wrong);
 }
 
-TEST_CASE("a picture is put away when another scene comes, and compared again by a click",
+TEST_CASE("a picture is closed when another scene opens and compared again by a click",
           "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -389,8 +381,7 @@ TEST_CASE("a picture is put away when another scene comes, and compared again by
     CHECK(bench.state.get<MyPictureState>().shown);
 }
 
-TEST_CASE("where no thread can search it is said once, and again when the scene changes",
-          "[ui][window][mine]") {
+TEST_CASE("a search for which no thread can start is reported once per scene", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -403,7 +394,7 @@ TEST_CASE("where no thread can search it is said once, and again when the scene 
         CHECK(bench.state.get<MyPictureState>().settled);
         CHECK_FALSE(bench.state.get<MyPictureState>().current);
         CHECK(told() == 1);
-        CHECK(bench.state.editor.history.can_undo());  // the frame went on to its end
+        CHECK(bench.state.editor.history.can_undo());  // the frame was completed
     }
     bench.scene().global_ambient = {0.5f, 0.5f, 0.5f};
     bench.frames(2);
@@ -411,7 +402,7 @@ TEST_CASE("where no thread can search it is said once, and again when the scene 
     CHECK(bench.state.get<MyPictureState>().current);
 }
 
-TEST_CASE("Escape that ends the typing of a name leaves the picture and the pen", "[ui][window][mine]") {
+TEST_CASE("Escape that ends typing a name keeps the picture and the pen", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -425,7 +416,7 @@ TEST_CASE("Escape that ends the typing of a name leaves the picture and the pen"
     bench.key(Key::Escape);
     CHECK(bench.state.get<PenState>().on);
     CHECK(bench.state.get<MyPictureState>().shown);
-    let_go_of_fields();  // as the field does it by a key of ImGui
+    let_go_of_fields();  // as the field does on a key of ImGui
     bench.frames(2);
     bench.key(Key::Escape);
     CHECK_FALSE(bench.state.get<PenState>().on);
@@ -434,7 +425,7 @@ TEST_CASE("Escape that ends the typing of a name leaves the picture and the pen"
     CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 
-TEST_CASE("the bytes of a picture of linear numbers follow the display of the scene", "[ui][window][mine]") {
+TEST_CASE("the bytes of a linear picture follow the scene's display settings", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;

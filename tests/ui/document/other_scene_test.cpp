@@ -1,4 +1,4 @@
-// What is told by number of one scene is never looked up in another.
+// Indices of one scene are never used in another.
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/commands/menus.h"
@@ -10,7 +10,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A document in which the ball in the middle is the last of three objects; the others are out of sight.
+/// A document in which the ball in the middle is the last of three objects; the others are not visible.
 SceneDocument three_objects() {
     SceneDocument document = first_scene();
     Object aside = document.scene.objects[0];
@@ -25,7 +25,7 @@ ImVec2 middle(const HeadlessWindow& bench) {
     return bench.at_pixel({size.width / 2.0, size.height / 2.0});
 }
 
-/// Moves over the picture until the hand is over a highlight.
+/// Moves over the picture until the cursor is over a highlight.
 bool find_highlight(HeadlessWindow& bench) {
     const PictureSize size = bench.state.rendered->size;
     for (int y = size.height / 4; y < 3 * size.height / 4; y += 8)
@@ -38,8 +38,7 @@ bool find_highlight(HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("a key that exchanges the scene leaves nothing under the hand until the new one is drawn",
-          "[ui][other]") {
+TEST_CASE("a key that replaces the scene clears the hovered grip until the next picture", "[ui][other]") {
     HeadlessWindow bench({700, 500});
     take_scene(bench.state, three_objects());
     bench.state.editor.selection = {Selection::Kind::Light, 0};
@@ -54,7 +53,7 @@ TEST_CASE("a key that exchanges the scene leaves nothing under the hand until th
     CHECK(bench.state.viewport.hovered_grip.kind == GripKind::Highlight);
 }
 
-TEST_CASE("the last picture answers only for a scene with its surfaces", "[ui][other]") {
+TEST_CASE("the last picture is used only for a scene with its surfaces", "[ui][other]") {
     HeadlessWindow bench({420, 300});
     take_scene(bench.state, three_objects());
     bench.frames(2);
@@ -63,7 +62,7 @@ TEST_CASE("the last picture answers only for a scene with its surfaces", "[ui][o
     CHECK(answers());
     bench.scene().lights[0].intensity = 3;
     bench.scene().objects[2].material.diffuse = {1, 0, 0};
-    CHECK(answers());  // other light on the same surfaces
+    CHECK(answers());  // different lights on the same surfaces
     CHECK(renderer_of_open_scene(bench.state, {size.width + 1, size.height}) == nullptr);
     const Scene before = bench.scene();
     bench.scene().objects[0].transform.translate.x = 2;
@@ -81,7 +80,7 @@ TEST_CASE("the last picture answers only for a scene with its surfaces", "[ui][o
     CHECK_FALSE(answers());
 }
 
-TEST_CASE("a picked object that is deleted is not picked any more, in the same frame", "[ui][other]") {
+TEST_CASE("a picked object that is deleted is unpicked in the same frame", "[ui][other]") {
     HeadlessWindow bench({420, 300});
     take_scene(bench.state, three_objects());
     bench.frames(2);
@@ -98,8 +97,7 @@ TEST_CASE("a picked object that is deleted is not picked any more, in the same f
     CHECK_FALSE(bench.state.viewport.pivot.has_value());
 }
 
-TEST_CASE("while an animation plays, the column is of its scene, whatever the edited one has",
-          "[ui][other]") {
+TEST_CASE("while an animation plays, the column shows its scene, not the edited one", "[ui][other]") {
     HeadlessWindow bench({1280, 500});
     take_scene(bench.state, three_objects());
     bench.frames(2);
@@ -120,7 +118,7 @@ TEST_CASE("while an animation plays, the column is of its scene, whatever the ed
     CHECK_FALSE(is_explained(bench.state));
 }
 
-TEST_CASE("the palette names the lights, and closes when one of them is gone", "[ui][other]") {
+TEST_CASE("the palette lists the lights and closes when one is deleted", "[ui][other]") {
     HeadlessWindow bench({420, 300});
     bench.frames(2);
     bench.key(Key::K, true);

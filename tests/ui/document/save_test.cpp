@@ -1,4 +1,4 @@
-// Saving over what another program wrote into the file.
+// Saving over another program's changes to the file.
 #include <imgui_internal.h>
 
 #include <cstdlib>
@@ -36,15 +36,14 @@ float intensity_in(const std::string& path) {
     return std::get<SceneDocument>(opened).scene.lights[0].intensity;
 }
 
-/// Writes as another program does: beside the file, and renamed into its place.
+/// Writes as another program does: to a new file that is renamed.
 void write_as_another(const std::string& path, float intensity) {
     Scene scene = test::busy_scene();
     scene.lights[0].intensity = intensity;
     REQUIRE(problem_of(write_file(path, scene_text(scene))) == nullptr);
 }
 
-/// Clicks along the buttons of the question, from the left, until one has answered it.
-/// By the mouse, or by its letter.
+/// Answers the question by its letter, or clicks along its buttons from the left until one has answered it.
 void answer(HeadlessWindow& bench, const char* button, std::optional<Key> letter = {}) {
     REQUIRE(open_dialog(bench.state) == &changed_dialog);
     if (letter)
@@ -54,7 +53,7 @@ void answer(HeadlessWindow& bench, const char* button, std::optional<Key> letter
     bench.frames(2);
 }
 
-/// A window on a file that was changed here and by another, and Ctrl+S.
+/// A window on a file that was changed here and by another program, and Ctrl+S.
 struct Clash {
     TemporaryDirectory folder;
     std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
@@ -74,7 +73,7 @@ struct Clash {
 
 }  // namespace
 
-TEST_CASE("a file that nobody else has changed is saved without a question, again and again", "[ui][save]") {
+TEST_CASE("a file changed by nobody else is saved repeatedly without a question", "[ui][save]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
     HeadlessWindow bench;
@@ -92,13 +91,13 @@ TEST_CASE("a file that nobody else has changed is saved without a question, agai
     CHECK(intensity_in(path) == 2);
 }
 
-TEST_CASE("what another program wrote is overwritten only when that is said", "[ui][save]") {
+TEST_CASE("another program's changes are overwritten only on request", "[ui][save]") {
     Clash clash;
     answer(clash.bench, "Overwrite");
     CHECK(intensity_in(clash.path) == 0.25f);
     CHECK_FALSE(clash.bench.state.editor.unsaved());
     edit(clash.bench, 0.75f);
-    clash.bench.key(Key::S, true);  // it is ours now
+    clash.bench.key(Key::S, true);  // now it is our own
     CHECK(intensity_in(clash.path) == 0.75f);
 }
 
@@ -113,7 +112,7 @@ TEST_CASE("a scene whose file was changed can be saved elsewhere", "[ui][save]")
     CHECK(intensity_in(clash.path) == 0.5f);
 }
 
-TEST_CASE("a file that was changed can be read again", "[ui][save]") {
+TEST_CASE("a changed file can be reloaded", "[ui][save]") {
     Clash clash;
     answer(clash.bench, "Reload", Key::R);
     clash.bench.wait_for_loads();
@@ -122,7 +121,7 @@ TEST_CASE("a file that was changed can be read again", "[ui][save]") {
     CHECK(open_dialog(clash.bench.state) == nullptr);
 }
 
-TEST_CASE("neither Enter nor Escape overwrites what another program wrote", "[ui][save]") {
+TEST_CASE("neither Enter nor Escape overwrites another program's changes", "[ui][save]") {
     Clash clash;
     clash.bench.key(Key::Enter);
     clash.bench.frames(2);
@@ -134,7 +133,7 @@ TEST_CASE("neither Enter nor Escape overwrites what another program wrote", "[ui
     CHECK(clash.bench.scene().lights[0].intensity == 0.25f);
 }
 
-TEST_CASE("leaving goes on only after the question about the changed file", "[ui][save]") {
+TEST_CASE("quitting continues only after the question about the changed file", "[ui][save]") {
     Clash clash;
     clash.bench.key(Key::Escape);
     clash.bench.key(Key::Q, true);
@@ -149,7 +148,7 @@ TEST_CASE("leaving goes on only after the question about the changed file", "[ui
     CHECK(clash.bench.frame().quit);
 }
 
-TEST_CASE("work that is taken up after a crash does not overwrite what was written since", "[ui][save]") {
+TEST_CASE("saving recovered work does not overwrite newer changes of the file", "[ui][save]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
     std::filesystem::create_directories(folder.path("state"));
@@ -178,7 +177,7 @@ TEST_CASE("work that is taken up after a crash does not overwrite what was writt
     }
 }
 
-TEST_CASE("what is saved under a name without .json gets it, and in capitals it has it", "[ui][save]") {
+TEST_CASE("saving appends .json to a name without it, in any case", "[ui][save]") {
     const TemporaryDirectory folder;
     for (const auto& [name, saved] :
          {std::pair("plain", "plain.json"), {"a.scene", "a.scene.json"}, {"b.JSON", "b.JSON"}}) {
@@ -191,8 +190,7 @@ TEST_CASE("what is saved under a name without .json gets it, and in capitals it 
     CHECK(folder.names() == std::vector<std::string>{"a.scene.json", "b.JSON", "plain.json"});
 }
 
-TEST_CASE("a name is typed over the one that is offered, whenever the dialog opens, and in each folder",
-          "[ui][save]") {
+TEST_CASE("typing replaces the offered name, in each dialog and folder", "[ui][save]") {
     const TemporaryDirectory folder;
     std::filesystem::create_directory(folder.path("deep"));
     HeadlessWindow bench;
@@ -206,7 +204,7 @@ TEST_CASE("a name is typed over the one that is offered, whenever the dialog ope
         bench.frames(3);
         CHECK_FALSE(bench.state.files.open);
     }
-    ImGui::ClearActiveID();  // as Enter does in a window that has a keyboard
+    ImGui::ClearActiveID();  // as Enter does in a window with focus
     bench.key(Key::Enter);
     bench.frames(4);
     CHECK(bench.state.files.folder.ends_with("/deep"));
@@ -215,7 +213,7 @@ TEST_CASE("a name is typed over the one that is offered, whenever the dialog ope
     CHECK(bench.state.files.name == "x");
 }
 
-TEST_CASE("what was asked of one scene is not answered for another that comes in between", "[ui][save]") {
+TEST_CASE("a question about one scene is not answered for another that opens meanwhile", "[ui][save]") {
     const TemporaryDirectory folder;
     const std::string one = folder.file("one.json", scene_text(test::busy_scene()));
     Scene scene = test::busy_scene();
@@ -246,14 +244,14 @@ TEST_CASE("what was asked of one scene is not answered for another that comes in
     bench.state.asks_overwrite = true;
     open(bench, one);
     CHECK(open_dialog(bench.state) == nullptr);
-    for (const FilePurpose* purpose : {&open_purpose, &answers_purpose}) {  // about no scene
+    for (const FilePurpose* purpose : {&open_purpose, &answers_purpose}) {  // not about a scene
         bench.state.files.ask(*purpose, "");
         open(bench, two);
         CHECK(open_dialog(bench.state) == &files_dialog);
     }
 }
 
-TEST_CASE("an example is not saved over: not through a link to it, and not by its name", "[ui][save]") {
+TEST_CASE("an example is not overwritten through a link or by its name", "[ui][save]") {
     const TemporaryDirectory folder;
     std::filesystem::create_directory(folder.path("shipped"));
     const std::string text = scene_text(test::busy_scene());
@@ -263,7 +261,7 @@ TEST_CASE("an example is not saved over: not through a link to it, and not by it
     bench.state.shipped_scenes = folder.path("shipped");
     open(bench, link);
     edit(bench, 0.75f);
-    // The name is given before the field for it has the keyboard, which would put its own back.
+    // The name is set before its field has focus, which would restore its own.
     const auto answer_with = [&bench](const std::string& in, const char* name) {
         bench.state.files.folder = in;
         bench.state.files.name = name;
@@ -272,7 +270,7 @@ TEST_CASE("an example is not saved over: not through a link to it, and not by it
         bench.frames(2);
     };
     (void)save(bench.state);
-    REQUIRE(bench.state.files.open);  // a name of one's own is asked for
+    REQUIRE(bench.state.files.open);  // a new name is requested
     const Notification& asked = bench.state.notifications.list.back();
     CHECK(asked.text == "This is a built-in example. Choose where to save your copy.");
     CHECK(asked.tone == Tone::Warning);  // nothing is saved yet
@@ -291,7 +289,7 @@ TEST_CASE("an example is not saved over: not through a link to it, and not by it
     CHECK(bytes_of(example) == text);
 }
 
-TEST_CASE("a copy's file of a hostile name leaves room for the panel's buttons", "[ui][memory]") {
+TEST_CASE("a copy of a file with a hostile name leaves room for the panel's buttons", "[ui][memory]") {
     for (const std::string& name : {std::string(60, '\n'), std::string(200'000, 'x')}) {
         const TemporaryDirectory folder;
         (void)folder.file("1.autosave",
@@ -300,7 +298,7 @@ TEST_CASE("a copy's file of a hostile name leaves room for the panel's buttons",
         begin_persistence(bench.state, folder.path());
         bench.frames(3);
         REQUIRE(bench.state.persistence.orphans.size() == 1);
-        (void)bench.control("Recover");  // in sight
+        (void)bench.control("Recover");  // visible
         bench.state.editor.document.path = "/" + name + ".json";
         for (const std::string& title : {bench.state.editor.title(), bench.frame().title}) {
             CHECK(title.find('\n') == std::string::npos);
@@ -311,8 +309,7 @@ TEST_CASE("a copy's file of a hostile name leaves room for the panel's buttons",
     }
 }
 
-TEST_CASE("a folder that is named from the home directory is gone into, and no file made of its name",
-          "[ui][save]") {
+TEST_CASE("a folder named from the home directory is entered, and no file is created", "[ui][save]") {
     const TemporaryDirectory home;
     std::filesystem::create_directory(home.path("deep"));
     const char* const known = std::getenv("HOME");

@@ -8,7 +8,7 @@
 
 using namespace glint;
 
-TEST_CASE("as many lights are added as a scene may have, and not one more", "[ui][edit]") {
+TEST_CASE("lights are added up to the limit of a scene", "[ui][edit]") {
     Scene scene;
     scene.lights.resize(max_lights - 1);
     Selection selection;
@@ -20,7 +20,7 @@ TEST_CASE("as many lights are added as a scene may have, and not one more", "[ui
     CHECK(scene.lights.size() == max_lights);
 }
 
-TEST_CASE("a key that would add more than a scene may hold says so, and adds nothing", "[ui][edit]") {
+TEST_CASE("a key that would exceed the limit of a scene reports it and adds nothing", "[ui][edit]") {
     test::HeadlessWindow bench;
     bench.scene().lights.resize(max_lights, bench.scene().lights[0]);
     bench.state.editor.selection = {Selection::Kind::Light, 0};
@@ -31,13 +31,13 @@ TEST_CASE("a key that would add more than a scene may hold says so, and adds not
     }
     bench.key(Key::L);
     bench.key(Key::D, true);
-    CHECK(bench.notes_with(is_full) == 1);  // the second is the same words
+    CHECK(bench.notes_with(is_full) == 1);  // the second has the same text
     CHECK(bench.scene().lights.size() == max_lights);
     bench.state.editor.selection = {Selection::Kind::Object, 0};
     CHECK(why_disabled(bench.state, test::command_named("Duplicate")).empty());
 }
 
-TEST_CASE("a pointer into a light or an object names it, and no other pointer does", "[ui][edit]") {
+TEST_CASE("only a pointer into a light or an object selects it", "[ui][edit]") {
     using Kind = Selection::Kind;
     CHECK(selection_in("/lights/3") == Selection{Kind::Light, 3});
     CHECK(selection_in("/lights/12/position/1") == Selection{Kind::Light, 12});
@@ -47,7 +47,7 @@ TEST_CASE("a pointer into a light or an object names it, and no other pointer do
         CHECK(selection_in(none) == std::nullopt);
 }
 
-TEST_CASE("a copy stands behind what it copies and is selected", "[ui][edit]") {
+TEST_CASE("a copy comes after its original and is selected", "[ui][edit]") {
     Scene scene;
     for (const char* name : {"A", "B", "C"}) scene.lights.emplace_back().name = name;
     Selection selection{Selection::Kind::Light, 1};
@@ -59,8 +59,8 @@ TEST_CASE("a copy stands behind what it copies and is selected", "[ui][edit]") {
     CHECK(scene.lights[3].name == "C");
 }
 
-TEST_CASE("a new object stands to the right of all that is there", "[ui][edit]") {
-    // The cube reaches from 4 to 6.
+TEST_CASE("a new object is placed to the right of all others", "[ui][edit]") {
+    // The cube extends from 4 to 6.
     Result<Scene> parsed = parse_scene(R"({"glint": 1, "objects": [{"mesh": {"primitive": "cube"},
         "transform": {"translate": [5, 0, 0], "scale": [2, 2, 2]}}]})",
                                        "s.json");
@@ -73,7 +73,7 @@ TEST_CASE("a new object stands to the right of all that is there", "[ui][edit]")
     CHECK(scene.objects[1].transform.translate.x > 6);
 }
 
-TEST_CASE("the copy of what has as long a name as may be has one that a scene file may hold", "[ui][edit]") {
+TEST_CASE("a copy of an item with the longest allowed name gets a valid name", "[ui][edit]") {
     Scene scene;
     std::string name;
     for (std::size_t i = 0; i < max_name_characters; ++i) name += "é";

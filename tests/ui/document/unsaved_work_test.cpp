@@ -1,4 +1,4 @@
-// The copy of unsaved work: written, offered to the next window, taken up or removed.
+// The copy of unsaved work: written, offered to the next window, recovered or removed.
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -28,7 +28,7 @@ std::size_t copies_in(const TemporaryDirectory& folder) {
                                      [](const std::string& name) { return name.ends_with(".autosave"); }));
 }
 
-/// Edits until a copy is there.
+/// Edits until a copy exists.
 void edit_and_wait(HeadlessWindow& bench, float intensity) {
     bench.scene().lights[0].intensity = intensity;
     bench.frames(3);
@@ -36,7 +36,7 @@ void edit_and_wait(HeadlessWindow& bench, float intensity) {
     while (bench.state.persistence.autosave_writing) bench.frames(1);
 }
 
-/// The next copy is written, whatever the time.
+/// Writes the next copy regardless of the time.
 void copy_again(HeadlessWindow& bench, float intensity) {
     bench.state.persistence.autosaved_at = -1e9;
     bench.scene().lights[0].intensity = intensity;
@@ -60,13 +60,13 @@ struct CopiedWindow {
 
 }  // namespace
 
-TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][memory]") {
+TEST_CASE("a copy that cannot be written is reported once and tried again", "[ui][memory]") {
     CopiedWindow window;
     HeadlessWindow& bench = window.bench;
     const std::string& copy = window.copy;
     CHECK(bench.notes_with("No copy") == 0);
     std::filesystem::remove(copy);
-    std::filesystem::create_directory(copy);  // not even root writes a file over that
+    std::filesystem::create_directory(copy);  // not even root can write a file over that
     copy_again(bench, 0.5f);
     CHECK(bench.notes_with("No copy") == 1);
     CHECK(bench.state.persistence.autosaved_scene != bench.scene());
@@ -84,12 +84,12 @@ TEST_CASE("a copy that cannot be written is said once, and tried again", "[ui][m
     CHECK(bench.notes_with("No copy") == 1);
 }
 
-TEST_CASE("a copy that cannot be removed now goes when it can be, and none takes its place", "[ui][memory]") {
+TEST_CASE("a copy that cannot be removed is removed later, and no other replaces it", "[ui][memory]") {
     CopiedWindow window;
     HeadlessWindow& bench = window.bench;
     const std::string& copy = window.copy;
     std::filesystem::remove(copy);
-    std::filesystem::create_directories(copy + "/full");  // not even root removes that at once
+    std::filesystem::create_directories(copy + "/full");  // not even root can remove that at once
     bench.scene() = bench.state.editor.saved;
     bench.frames(2);
     std::filesystem::remove(copy + "/full");
@@ -108,7 +108,7 @@ TEST_CASE("a copy that cannot be removed now goes when it can be, and none takes
     CHECK_FALSE(std::filesystem::exists(copy));
 }
 
-TEST_CASE("a copy that no thread can write is said once, and tried again", "[ui][memory]") {
+TEST_CASE("a copy for which no thread can start is reported once and tried again", "[ui][memory]") {
     CopiedWindow window;
     HeadlessWindow& bench = window.bench;
     {
@@ -125,7 +125,7 @@ TEST_CASE("a copy that no thread can write is said once, and tried again", "[ui]
     CHECK(bytes_of(window.copy).find("0.6875") != std::string::npos);
 }
 
-TEST_CASE("that no folder for a copy can be made is said too", "[ui][memory]") {
+TEST_CASE("a missing folder for copies that cannot be created is reported", "[ui][memory]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     begin_persistence(bench.state, folder.path("state"));
@@ -136,7 +136,7 @@ TEST_CASE("that no folder for a copy can be made is said too", "[ui][memory]") {
     CHECK(bench.notes_with("No copy") == 1);
 }
 
-TEST_CASE("a window that cannot go on leaves its newest work behind", "[ui][memory]") {
+TEST_CASE("a window that has to close leaves a copy of its latest work", "[ui][memory]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     begin_persistence(bench.state, folder.path(""));
@@ -151,8 +151,7 @@ TEST_CASE("a window that cannot go on leaves its newest work behind", "[ui][memo
     CHECK(bytes_of(bench.state.persistence.autosave->path).find("0.625") != std::string::npos);
 }
 
-TEST_CASE("unsaved work is copied, found after a crash and taken up, and no window takes another's",
-          "[ui][memory]") {
+TEST_CASE("unsaved work is copied, found after a crash and recovered by one window only", "[ui][memory]") {
     const TemporaryDirectory folder;
     Scene left;
     {
@@ -163,7 +162,7 @@ TEST_CASE("unsaved work is copied, found after a crash and taken up, and no wind
         edit_and_wait(crashes, 0.25f);
         CHECK(copies_in(folder) == 1);
         left = crashes.scene();
-        CHECK(orphaned_autosaves(folder.path("")).empty());  // it lives
+        CHECK(orphaned_autosaves(folder.path("")).empty());  // its process is running
     }
     REQUIRE(copies_in(folder) == 1);
     HeadlessWindow next;
@@ -177,15 +176,14 @@ TEST_CASE("unsaved work is copied, found after a crash and taken up, and no wind
     next.frames(2);
     CHECK(same_description(next.scene(), left));
     CHECK(next.state.editor.unsaved());
-    CHECK(copies_in(folder) == 1);           // still kept, until it is saved
-    next.state.editor.saved = next.scene();  // as saving does it
+    CHECK(copies_in(folder) == 1);           // still kept until it is saved
+    next.state.editor.saved = next.scene();  // as saving does
     next.state.editor.saved_edited_camera = next.scene().camera;
     next.frames(2);
     CHECK(copies_in(folder) == 0);
 }
 
-TEST_CASE("a copy of which only the camera was edited is unsaved work, and stays until it is saved",
-          "[ui][memory]") {
+TEST_CASE("a copy with only an edited camera is unsaved work and stays until saved", "[ui][memory]") {
     const TemporaryDirectory folder;
     SceneDocument document = first_scene();
     document.path = folder.file("seen.json", scene_text(document.scene));
@@ -195,7 +193,7 @@ TEST_CASE("a copy of which only the camera was edited is unsaved work, and stays
         crashes.frames(2);
         take_document(crashes.state.editor, document);
         crashes.frames(2);
-        crashes.state.editor.edits_camera = true;  // as columns.cpp says it
+        crashes.state.editor.edits_camera = true;  // as in columns.cpp
         crashes.scene().camera.eye.z += 1;
         crashes.frames(3);
         REQUIRE(keep_unsaved_work(crashes.state));
@@ -212,7 +210,7 @@ TEST_CASE("a copy of which only the camera was edited is unsaved work, and stays
     CHECK(std::filesystem::exists(copy));
 }
 
-TEST_CASE("of several left copies the newest is the first", "[ui][memory]") {
+TEST_CASE("of several orphaned copies the newest comes first", "[ui][memory]") {
     const TemporaryDirectory folder;
     const auto leave = [&folder](const char* file, const std::string& name, int hours_ago) {
         const std::string copy =
@@ -228,8 +226,7 @@ TEST_CASE("of several left copies the newest is the first", "[ui][memory]") {
     CHECK(titles == std::vector<std::string>{"newest.json", "middle.json", "oldest.json"});
 }
 
-TEST_CASE("a copy is loaded aside like any other file, and one that is cancelled is offered again",
-          "[ui][memory]") {
+TEST_CASE("a copy loads in the background, and a cancelled one is offered again", "[ui][memory]") {
     const TemporaryDirectory folder;
     {
         HeadlessWindow crashes;
@@ -251,7 +248,7 @@ TEST_CASE("a copy is loaded aside like any other file, and one that is cancelled
     CHECK(next.scene() == before);
     REQUIRE(next.state.persistence.orphans.size() == 1);
     recover_autosave(next.state, copy);
-    next.scene().shading.mode = ShadingMode::Flat;  // work that is not thrown away unasked
+    next.scene().shading.mode = ShadingMode::Flat;  // unsaved work that needs a question
     next.wait_for_loads();
     REQUIRE(next.state.pending.asking);
     CHECK(next.scene().shading.mode == ShadingMode::Flat);
@@ -264,10 +261,10 @@ TEST_CASE("a copy is loaded aside like any other file, and one that is cancelled
     CHECK(copies_in(folder) == 1);
 }
 
-TEST_CASE("a copy is offered by name and time, and no second time after an answer", "[ui][memory]") {
+TEST_CASE("a copy is offered by name and time, and not again after an answer", "[ui][memory]") {
     const TemporaryDirectory folder;
     const std::string copy = folder.file("0.autosave", autosave_text(first_scene(), folder.path("")));
-    // Noon of 29 February 2024, in the time zone of wherever this runs.
+    // Noon of 29 February 2024, in the local time zone.
     std::tm noon{};
     noon.tm_year = 124, noon.tm_mon = 1, noon.tm_mday = 29, noon.tm_hour = 12, noon.tm_isdst = -1;
     const timespec then[2]{{std::mktime(&noon), 0}, {std::mktime(&noon), 0}};
@@ -291,13 +288,13 @@ TEST_CASE("a copy that cannot be removed is named", "[ui][memory]") {
     bench.frames(1);
     REQUIRE(bench.state.persistence.orphans.size() == 1);
     std::filesystem::remove(copy);
-    std::filesystem::create_directories(copy + "/full");  // not even root removes that at once
+    std::filesystem::create_directories(copy + "/full");  // not even root can remove that at once
     answer_copy(bench.state, CopyAnswer::Discard);
     CHECK(bench.notes_with(copy + ": cannot be removed: ") == 1);
     CHECK(bench.state.persistence.orphans.empty());
 }
 
-TEST_CASE("two windows keep two copies, and a window that is closed takes its own away", "[ui][memory]") {
+TEST_CASE("two windows keep two copies, and closing a window removes only its own", "[ui][memory]") {
     const TemporaryDirectory folder;
     auto first = std::make_unique<UiState>(1);
     HeadlessWindow bench;
@@ -315,7 +312,7 @@ TEST_CASE("two windows keep two copies, and a window that is closed takes its ow
     CHECK(orphaned_autosaves(folder.path("")).size() == 1);
 }
 
-TEST_CASE("a copy finds its meshes, wherever the scene stands", "[ui][memory]") {
+TEST_CASE("a copy finds its meshes wherever the scene is", "[ui][memory]") {
     const TemporaryDirectory folder;
     std::filesystem::create_directories(folder.path("work/meshes"));
     (void)folder.file("work/meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -333,7 +330,7 @@ TEST_CASE("a copy finds its meshes, wherever the scene stands", "[ui][memory]") 
     CHECK(std::get<SceneDocument>(again).scene.objects[0].mesh->face_count() == 1);
 }
 
-TEST_CASE("a copy knows its file's name byte for byte", "[ui][memory]") {
+TEST_CASE("a copy stores its file's name byte for byte", "[ui][memory]") {
     const TemporaryDirectory folder;
     SceneDocument document = first_scene();
     for (const char* const name : {"n\xff.json", "B\u00e4lle.json"}) {
@@ -351,7 +348,7 @@ TEST_CASE("a file that is not a copy is skipped", "[ui][memory]") {
     (void)folder.file("2.autosave", std::string(100'000, '['));
     std::filesystem::create_directories(folder.path("3.autosave"));
     CHECK(orphaned_autosaves(folder.path("")).empty());
-    // Nested so deep that whatever calls itself once a level would end the program.
+    // Nested so deep that recursion per level would end the program.
     const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
     (void)folder.file("4.autosave", R"({"path": "", "scene": {"lights": )" + deep + "}}");
     CHECK(orphaned_autosaves(folder.path("")).empty());

@@ -1,4 +1,4 @@
-// The inspector says where a shadow would fall, which the picture does not have.
+// The inspector shows where a shadow would fall, which the picture does not have.
 #include "tests/places.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/features/inspector/equation/equation_tab.h"
@@ -7,7 +7,7 @@
 using namespace glint;
 using test::HeadlessWindow;
 
-TEST_CASE("the inspector names the object that stands before a light, and only there", "[ui][why][lecture]") {
+TEST_CASE("the inspector names the object in front of a light, and only there", "[ui][why][lecture]") {
     HeadlessWindow bench;
     const Result<SceneDocument> opened = open_document(project_file("assets/scenes/no-shadows.json"));
     REQUIRE(problem_of(opened) == nullptr);
@@ -18,19 +18,19 @@ TEST_CASE("the inspector names the object that stands before a light, and only t
         const Explanation& why = *bench.state.on_screen.explanation;
         return blocked_words(bench.state, why, asked_point(bench.state.get<InspectorState>(), why), 0);
     };
-    // The pixel of docs/lecture_map.md, row 2: on the floor, behind what stands on it.
+    // The pixel of docs/lecture_map.md, row 2: on the floor, behind the objects on it.
     const std::string words = words_at({652, 558});
     INFO(words);
     CHECK(words.find(" is between this light and the point") != std::string::npos);
     CHECK(words_at({40, 680}).empty());
-    // A light moved to the other side of the obstacle, in the same frame's order of things, is asked anew.
+    // A light moved to the other side of the obstacle in the same frame is tested again.
     (void)words_at({652, 558});
     bench.scene().lights[0].position = {0, 30, 0, 1};
     bench.scene().objects.resize(1);
     CHECK(words_at({652, 558}).empty());
 }
 
-TEST_CASE("an object that only marks where a light is does not stand in its way", "[ui][why][lecture]") {
+TEST_CASE("an object that only marks a light's position does not block it", "[ui][why][lecture]") {
     HeadlessWindow bench;
     SceneDocument document = first_scene();
     Scene& scene = document.scene;
@@ -38,7 +38,7 @@ TEST_CASE("an object that only marks where a light is does not stand in its way"
     scene.lights[0].kind = LightKind::Point;
     scene.lights[0].space = LightSpace::World;
     scene.lights[0].enabled = true;
-    const glm::vec3 light = scene.camera.eye + glm::vec3(0, 2, 0);  // the middle of what is seen is lit
+    const glm::vec3 light = scene.camera.eye + glm::vec3(0, 2, 0);  // the middle of the visible part is lit
     scene.lights[0].position = glm::vec4(light, 1);
     Object marker = scene.objects[0];
     marker.source = PrimitiveMesh{Primitive::Icosphere, 2};
@@ -57,7 +57,7 @@ TEST_CASE("an object that only marks where a light is does not stand in its way"
         return blocked_words(bench.state, why, asked_point(bench.state.get<InspectorState>(), why), 0);
     };
     CHECK(words().empty());
-    // Halfway it is an obstacle like any other.
+    // Halfway it is an ordinary obstacle.
     bench.scene().objects.back().transform.translate = 0.5f * (light + why.spaces.world);
     bench.frames(2);
     INFO(words());

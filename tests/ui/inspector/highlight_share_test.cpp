@@ -1,4 +1,4 @@
-// How much of a highlight a coarse mesh keeps, said beside the mesh.
+// How much of a highlight a coarse mesh keeps, shown next to the mesh.
 #include "ui/fields/highlight_share.h"
 
 #include "models/scene_file/scene_file.h"
@@ -24,8 +24,7 @@ Scene with_detail(int detail) {
 
 }  // namespace
 
-TEST_CASE("a plate keeps no highlight where no corner lies in the cone, and all of it where corners are many",
-          "[ui][highlight]") {
+TEST_CASE("a plate keeps no highlight without corners in the cone, and all with many", "[ui][highlight]") {
     // A plate of one square has corners 1.84 from its middle; the cone's rim on it is 1.9 tan 28 = 1.01.
     CHECK(highlight_share(with_detail(1), 0, size).value() == 0);
     const double some = highlight_share(with_detail(6), 0, size).value();
@@ -40,7 +39,7 @@ TEST_CASE("a plate keeps no highlight where no corner lies in the cone, and all 
     CHECK_FALSE(highlight_share(matte, 0, size));
 }
 
-TEST_CASE("beside a mesh whose corners are lit stands how much of its highlight is there",
+TEST_CASE("the highlight's share is shown next to a mesh that is lit at its corners",
           "[ui][window][highlight]") {
     HeadlessWindow bench;
     bench.state.editor.document = lost_highlight();

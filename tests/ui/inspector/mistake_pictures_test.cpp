@@ -1,5 +1,5 @@
-// The small pictures of the mistakes: what they show, when they are drawn, and when they are not.
-// Comparisons of bytes stand in two brackets, so that a failure does not print them all.
+// The thumbnails of the mistakes: their contents, and when they are drawn. Comparisons of bytes are in double
+// parentheses, so that a failure does not print them all.
 #include "ui/features/inspector/mistake_pictures.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Runs frames until all are drawn. The clock of ImGui goes with the frames, the job's with the machine.
+/// Runs frames until all are drawn. ImGui's clock follows the frames, the job's clock real time.
 bool wait_for_pictures(HeadlessWindow& bench) {
     const MistakePictures& m = bench.state.get<MistakePictures>();
     for (int i = 0; i < 4000; ++i) {
@@ -25,7 +25,7 @@ bool wait_for_pictures(HeadlessWindow& bench) {
     return false;
 }
 
-/// The bytes at that place of the sheet.
+/// The bytes at that index of the sheet.
 std::vector<std::uint8_t> shown(const HeadlessWindow& bench, std::size_t index) {
     const PictureSheet& sheet = bench.state.get<MistakePictures>().pictures.sheet;
     const int left = static_cast<int>(index) % sheet.columns * sheet.cell.width,
@@ -44,7 +44,7 @@ std::vector<std::uint8_t> drawn(const Scene& scene, PictureSize size, int sample
     return renderer.render(scene, size, false, samples).rgba;
 }
 
-/// The words at the row of that mistake.
+/// The text at the row of that mistake.
 std::string words_at(const HeadlessWindow& bench, bool Mistakes::*flag) {
     const auto rows = mistakes_as_seen();
     const auto at = std::find_if(rows.begin(), rows.end(),
@@ -55,10 +55,8 @@ std::string words_at(const HeadlessWindow& bench, bool Mistakes::*flag) {
 
 }  // namespace
 
-TEST_CASE(
-    "each small picture is the scene under its mistake, as the renderer draws it; one that changes "
-    "nothing is said to",
-    "[ui][window][why]") {
+TEST_CASE("each thumbnail is the scene under its mistake, or marked if nothing changes",
+          "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     REQUIRE(wait_for_pictures(bench));
@@ -88,12 +86,12 @@ TEST_CASE(
     }
     CHECK(without > 5);
     CHECK(without < 40);
-    // It has no spot: nothing to do for what is wrong with cones.
+    // It has no spot: mistakes of cones change nothing.
     CHECK(words_at(bench, &Mistakes::cone_cosines_swapped) == no_difference);
     CHECK(words_at(bench, &Mistakes::normals_flipped).empty());
 }
 
-TEST_CASE("small pictures wait until no button is down and the scene has stood still", "[ui][window][why]") {
+TEST_CASE("thumbnails wait until no button is down and the scene has been still", "[ui][window][why]") {
     HeadlessWindow bench;
     ImGui::GetIO().MousePos = {5, 5};
     ImGui::GetIO().MouseDown[0] = true;
@@ -102,18 +100,17 @@ TEST_CASE("small pictures wait until no button is down and the scene has stood s
     bench.frames(60);
     CHECK_FALSE(m.pictures.job);
     ImGui::GetIO().MouseDown[0] = false;
-    for (int i = 0; i < 60; ++i) {  // somebody types, or the wheel turns
+    for (int i = 0; i < 60; ++i) {  // during typing, or while the wheel turns
         bench.scene().lights[0].intensity = 0.5f + 0.001f * float(i);
         bench.frames(1);
     }
     CHECK_FALSE(m.begun);
     CHECK(m.pictures.sheet.serial == 0);
     REQUIRE(wait_for_pictures(bench));
-    CHECK(bench.frame().sleep_s > 1);  // and no frame is asked for any more
+    CHECK(bench.frame().sleep_s > 1);  // and no further frame is requested
 }
 
-TEST_CASE("small pictures are of the scene that a drag ends with, which is copied once while it lasts",
-          "[ui][window][why]") {
+TEST_CASE("thumbnails show the scene at the end of a drag, which is copied once", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     REQUIRE(wait_for_pictures(bench));
@@ -133,8 +130,7 @@ TEST_CASE("small pictures are of the scene that a drag ends with, which is copie
     CHECK((shown(bench, 0) == drawn(bench.scene(), m.pictures.sheet.cell, 4)));
 }
 
-TEST_CASE("another scene, camera or size makes other small pictures; a mistake that is switched on does not",
-          "[ui][window][why]") {
+TEST_CASE("another scene, camera or size redraws the thumbnails; a mistake does not", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     REQUIRE(wait_for_pictures(bench));
@@ -142,8 +138,8 @@ TEST_CASE("another scene, camera or size makes other small pictures; a mistake t
     const auto before = shown(bench, 0);
     bench.scene().lights[0].intensity *= 0.5f;
     bench.frames(1);
-    CHECK(pictures.taken == 0);          // pale: of the scene before
-    CHECK((shown(bench, 0) == before));  // but not gone
+    CHECK(pictures.taken == 0);          // pale: of the previous scene
+    CHECK((shown(bench, 0) == before));  // but not removed
     REQUIRE(wait_for_pictures(bench));
     const auto darker = shown(bench, 0);
     CHECK((darker == drawn(bench.scene(), pictures.sheet.cell, 4)));
@@ -161,7 +157,7 @@ TEST_CASE("another scene, camera or size makes other small pictures; a mistake t
     CHECK(pictures.sheet.serial == serial);
 }
 
-TEST_CASE("nobody looks at the mistakes: none is drawn, and no mesh is kept for them", "[ui][window][why]") {
+TEST_CASE("while the mistakes are hidden no thumbnail is drawn and no mesh is kept", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     const MistakePictures& m = bench.state.get<MistakePictures>();

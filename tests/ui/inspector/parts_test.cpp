@@ -1,4 +1,4 @@
-// The window's smaller parts: colours, columns, words, folders, names.
+// The window's smaller parts: colours, columns, texts, folders, names.
 #include <filesystem>
 #include <fstream>
 
@@ -21,7 +21,7 @@ TEST_CASE("black on white has a contrast of 21", "[ui]") {
     CHECK(contrast({1, 0, 0, 1}, {1, 0, 0, 1}) == Approx(1));
 }
 
-TEST_CASE("text and every symbol can be read on every ground: contrast at least 4.5", "[ui]") {
+TEST_CASE("text and symbols have a contrast of at least 4.5 on every background", "[ui]") {
     for (const Theme* t : {&dark_theme(), &light_theme()})
         for (const ImVec4& ground : {t->window, t->panel}) {
             for (const ImVec4& ink : {t->text, t->dim_text, t->warning, t->error})
@@ -61,7 +61,7 @@ TEST_CASE("columns tile the window without overlap, at any size and scale", "[ui
             }
 }
 
-TEST_CASE("a dark pixel is explained in words", "[ui]") {
+TEST_CASE("a dark pixel is explained in text", "[ui]") {
     Light spot;
     spot.kind = LightKind::Spot;
     spot.spot.cutoff_deg = 30;
@@ -73,7 +73,7 @@ TEST_CASE("a dark pixel is explained in words", "[ui]") {
     e.spot_angle_deg = 10;
     e.spot = 0.9f;
     CHECK(dark_reason(e, spot).empty());
-    e.spot = 0;  // a mistake makes the cone narrower than the scene says
+    e.spot = 0;  // a mistake makes the cone narrower than in the scene
     CHECK(dark_reason(e, spot) == "its cone lets through 0");
     e.spot_angle_deg = 44;
     e.spot = 1;  // or wider
@@ -116,7 +116,7 @@ TEST_CASE("terms lit at corners enter with their weights", "[ui]") {
     CHECK(term_sums(why).ambient.y == Approx(0.3f));
 }
 
-TEST_CASE("figures have three decimals, more where these are zeros, and no negative zero", "[ui]") {
+TEST_CASE("figures have three decimals, more after zeros, and no negative zero", "[ui]") {
     CHECK(shown_number(0.71334f) == " 0.713");
     CHECK(shown_number(-0.125f) == "−0.125");
     CHECK(shown_number(0.4f) == " 0.400");
@@ -129,7 +129,7 @@ TEST_CASE("figures have three decimals, more where these are zeros, and no negat
     CHECK(shown_number(1234.5f) == " 1234");
 }
 
-TEST_CASE("names stay apart", "[ui]") {
+TEST_CASE("names are unique", "[ui]") {
     Scene scene;
     CHECK(free_name("Bulb", scene) == "Bulb");
     scene.lights.resize(2);
@@ -139,11 +139,11 @@ TEST_CASE("names stay apart", "[ui]") {
     CHECK(free_name("Bulb 2", scene) == "Bulb 3");
     CHECK(free_name("4", scene) == "4");
     scene.objects.resize(1);
-    scene.objects[0].name = "Bulb 3";  // what is listed together is told apart
+    scene.objects[0].name = "Bulb 3";  // listed items need different names
     CHECK(free_name("Bulb", scene) == "Bulb 4");
 }
 
-TEST_CASE("a folder lists folders first, then what serves the purpose, by name", "[ui]") {
+TEST_CASE("a folder lists folders first, then matching files, by name", "[ui]") {
     namespace fs = std::filesystem;
     const fs::path folder = fs::temp_directory_path() / "glint_list_folder_test";
     fs::remove_all(folder);
@@ -180,7 +180,7 @@ TEST_CASE("another kind of projection shows the target at the same size", "[ui]"
     }
 }
 
-TEST_CASE("what the scene file would refuse is not valid here either", "[ui]") {
+TEST_CASE("values that the scene file rejects are invalid here too", "[ui]") {
     Camera camera;
     camera.target = camera.eye;
     CHECK(violation_of(camera));

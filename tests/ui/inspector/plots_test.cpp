@@ -1,4 +1,4 @@
-// The plots: a mark is what the explanation says, and lies on its curve.
+// The plots: a mark agrees with the explanation and is on its curve.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -19,7 +19,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// The busy scene at a pixel that its sun, its bulb and its spot reach.
+/// The busy scene at a pixel lit by its sun, its bulb and its spot.
 Explanation lit_pixel(Renderer& renderer, const Scene& scene) {
     renderer.render(scene, {120, 90});
     for (int y = 20; y < 80; ++y)
@@ -46,7 +46,7 @@ Scene scene_for_plots() {
 
 }  // namespace
 
-TEST_CASE("plots: the falloff's mark lies on its curve to the last bit", "[ui][plots]") {
+TEST_CASE("plots: the falloff's mark is on its curve to the last bit", "[ui][plots]") {
     const Scene scene = scene_for_plots();
     Renderer renderer(1);
     const std::optional<Explanation> why = lit_pixel(renderer, scene);
@@ -59,7 +59,7 @@ TEST_CASE("plots: the falloff's mark lies on its curve to the last bit", "[ui][p
     CHECK(falloff_curve(scene, 3, 5, 4).empty());
 }
 
-TEST_CASE("plots: the cone's mark lies on its curve, which ends at the cutoff", "[ui][plots]") {
+TEST_CASE("plots: the cone's mark is on its curve, which ends at the cutoff", "[ui][plots]") {
     const Scene scene = scene_for_plots();
     Renderer renderer(1);
     const std::optional<Explanation> why = lit_pixel(renderer, scene);
@@ -77,7 +77,7 @@ TEST_CASE("plots: the cone's mark lies on its curve, which ends at the cutoff", 
     }
 }
 
-TEST_CASE("plots: the highlight's mark lies on the curve of its model", "[ui][plots]") {
+TEST_CASE("plots: the highlight's mark is on the curve of its model", "[ui][plots]") {
     Scene scene = scene_for_plots();
     for (const Reflection reflection : {Reflection::Phong, Reflection::BlinnPhong}) {
         scene.shading.reflection = reflection;
@@ -93,7 +93,7 @@ TEST_CASE("plots: the highlight's mark lies on the curve of its model", "[ui][pl
     }
 }
 
-TEST_CASE("plots: the lobe's disc is what the explanation gives for the light", "[ui][plots]") {
+TEST_CASE("plots: the lobe's disc is the explanation's value for the light", "[ui][plots]") {
     Scene scene = scene_for_plots();
     for (const Reflection reflection : {Reflection::Lambert, Reflection::Phong, Reflection::BlinnPhong,
                                         Reflection::Retro, Reflection::OrenNayar, Reflection::CookTorrance}) {
@@ -115,7 +115,7 @@ TEST_CASE("plots: the lobe's disc is what the explanation gives for the light", 
     }
 }
 
-TEST_CASE("plots: Blinn's shininess nearest to Phong's is about four times it", "[plots]") {
+TEST_CASE("plots: Blinn's shininess closest to Phong's is about four times it", "[plots]") {
     CHECK(blinn_shininess_like(32) == Approx(4 * 32).epsilon(0.03));
     CHECK(blinn_shininess_like(200) == Approx(4 * 200).epsilon(0.02));
     const double like = blinn_shininess_like(10);
@@ -131,10 +131,10 @@ TEST_CASE("plots: Blinn's shininess nearest to Phong's is about four times it", 
     CHECK(misfit(like) < misfit(like / 1.02));
 }
 
-TEST_CASE("plots: a curve drawn from a known power is fitted by that power", "[plots][lecture]") {
+TEST_CASE("plots: the fit of a curve drawn from a known power is that power", "[plots][lecture]") {
     for (const double n : {0.0, 0.7, 5.0, 32.0, 400.0}) {
         HighlightSketch sketch;
-        // As a hand would: from the right to the left, some degrees at a time.
+        // As by hand: from the right to the left, some degrees at a time.
         const auto value = [n](double deg) { return std::pow(std::cos(glm::radians(deg)), n); };
         for (int deg = 88; deg > 0; deg -= 2)
             add_to_sketch(sketch, {deg, value(deg)}, {deg - 2, value(deg - 2)});
@@ -149,7 +149,7 @@ TEST_CASE("plots: a curve drawn from a known power is fitted by that power", "[p
     CHECK(points_of({}).empty());
 }
 
-TEST_CASE("plots: the bell and the line are half as high where the power is", "[plots][lecture]") {
+TEST_CASE("plots: the bell and the line are at half height where the power is", "[plots][lecture]") {
     CHECK(half_angle_deg(1) == Approx(60));
     CHECK(half_angle_deg(0) == 90);
     for (const double n : {2.0, 20.0, 200.0}) {
@@ -167,7 +167,7 @@ TEST_CASE("plots: the bell and the line are half as high where the power is", "[
     }
 }
 
-TEST_CASE("plots: under Gouraud shading the corner that counts most is marked", "[ui][plots]") {
+TEST_CASE("plots: under Gouraud shading the corner with the largest weight is marked", "[ui][plots]") {
     Scene scene = scene_for_plots();
     scene.shading.mode = ShadingMode::Gouraud;
     Renderer renderer(1);
@@ -200,8 +200,7 @@ TEST_CASE("plots: the curves are those of the selected light", "[ui][window][plo
     CHECK(plotted_light(bench.state) == 0);
 }
 
-TEST_CASE("plots: the law beside a falloff goes through the point, a quarter at twice the distance",
-          "[ui][plots]") {
+TEST_CASE("plots: inverse square goes through the point, a quarter at twice the distance", "[ui][plots]") {
     const Scene scene = scene_for_plots();
     Renderer renderer(1);
     const std::optional<Explanation> why = lit_pixel(renderer, scene);
@@ -214,7 +213,7 @@ TEST_CASE("plots: the law beside a falloff goes through the point, a quarter at 
     CHECK(inverse_square({{2, 0}}, {})[0].y == Approx(0.25));
 }
 
-TEST_CASE("plots: a value is read between the points of a curve, and nowhere beside it", "[ui][plots]") {
+TEST_CASE("plots: a value is interpolated between the points of a curve, not outside", "[ui][plots]") {
     const std::vector<glm::dvec2> curve{{0, 1}, {2, 3}, {4, -1}};
     CHECK(value_at(curve, 0) == 1.0);
     CHECK(value_at(curve, 1) == 2.0);
@@ -241,7 +240,7 @@ TEST_CASE("plots: a fold's picture is drawn while it is open", "[ui][window][plo
     CHECK(has_beam());
 }
 
-TEST_CASE("plots: the tab draws for every scene that is shipped, and without lights", "[ui][window][plots]") {
+TEST_CASE("plots: the tab draws for every shipped scene, and without lights", "[ui][window][plots]") {
     namespace fs = std::filesystem;
     HeadlessWindow bench({1024, 640});
     for (const auto& entry : fs::directory_iterator(fs::path(project_folder) / "assets" / "scenes")) {
@@ -275,7 +274,7 @@ TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and
         const double v = curves.forwards[i].x;
         if (std::abs(v) > 89) continue;
         const double lobe = 0.3 * std::pow(std::max(std::cos(glm::radians(v - light_deg)), 0.0), 10);
-        // (k_d n.l + k_s (r.v)^n) / (pi n.l); backwards the light stands at v.
+        // (k_d n.l + k_s (r.v)^n) / (pi n.l); backwards the light is at v.
         CHECK(curves.forwards[i].y ==
               Approx((0.5 + lobe / std::cos(glm::radians(light_deg))) / pi).epsilon(1e-4));
         CHECK(curves.backwards[i].y == Approx((0.5 + lobe / std::cos(glm::radians(v))) / pi).epsilon(1e-4));
@@ -284,7 +283,7 @@ TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and
     CHECK(compared > 150);
 }
 
-TEST_CASE("plots: a light is tried as every kind where it stands, a lamp aimed at the point", "[ui][plots]") {
+TEST_CASE("plots: a light is tried as every kind at its position, a spot aimed at the point", "[ui][plots]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Plots, {0.5, 0.5});
     REQUIRE(bench.state.on_screen.explanation);

@@ -1,4 +1,4 @@
-// The tab "Program": numbers that are dragged where they stand, and a light's place dragged past gluLookAt.
+// The tab "Program": numbers that are dragged in place, and a light's position dragged past gluLookAt.
 #include <fmt/core.h>
 
 #include "models/fields/choices.h"
@@ -12,7 +12,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// The tab asked of the first object alone, with this transform.
+/// Shows the tab for the first object alone, with this transform.
 void ask_of_one_object(HeadlessWindow& bench, const Transform& transform) {
     bench.scene().objects[0].transform = transform;
     bench.scene().objects.resize(1);
@@ -23,7 +23,7 @@ void ask_of_one_object(HeadlessWindow& bench, const Transform& transform) {
 
 }  // namespace
 
-TEST_CASE("a number of a call is dragged where it stands, one step to undo", "[ui][window][program]") {
+TEST_CASE("a number of a call is dragged in place, as one undo step", "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Program);
     const Scene start = bench.scene();
@@ -68,7 +68,7 @@ TEST_CASE("the command in the tooltip of Copy works for the scene, and Copy give
     CHECK(whole_program_words(scene) == "glint code cannot write this scene as a program");
 }
 
-TEST_CASE("a light's place dragged past gluLookAt keeps its numbers and changes their space",
+TEST_CASE("a light's position dragged past gluLookAt keeps its numbers and changes space",
           "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Program);
@@ -80,14 +80,14 @@ TEST_CASE("a light's place dragged past gluLookAt keeps its numbers and changes 
     CHECK(bench.scene().lights[0].space == LightSpace::Camera);
     CHECK(bench.scene().lights[0].position == start.lights[0].position);
     CHECK(test::in_column(bench, "grip of light 0").y < bench.state.get<InspectorState>().look_at_y);
-    // What that is in a program is named.
+    // The corresponding mistake in a program is named.
     bench.click(test::in_column(bench, "Mistake: Light in wrong space"));
     CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Mistakes);
     bench.key(Key::Z, true);
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("resting on a light's call shows that light alone", "[ui][window][program]") {
+TEST_CASE("hovering over a light's call shows that light alone", "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Program);
     const ImVec2 number = test::in_column(bench, "/lights/1/position/0");
@@ -98,7 +98,7 @@ TEST_CASE("resting on a light's call shows that light alone", "[ui][window][prog
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("undo under a preview leaves no answer of the scene before, and the preview comes back",
+TEST_CASE("undo under a preview drops the old explanation, and the preview returns",
           "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Program);
@@ -136,7 +136,7 @@ TEST_CASE("a transform dragged past another keeps its numbers and moves the obje
     CHECK(moved.rotate_deg == start.objects[0].transform.rotate_deg);
     CHECK(test::in_column(bench, "grip of glTranslatef 0").y >
           test::in_column(bench, "grip of glRotatef 0").y);
-    // Its first number is still the 2 that was written, and goes along the turned axis.
+    // Its first number is still the 2 as written, and moves along the turned axis.
     const ImVec2 x = test::in_column(bench, "/objects/0/transform/translate/0");
     bench.drag(x, {x.x + 40, x.y});
     CHECK(bench.scene().objects[0].transform.translate.y > 2.01f);
@@ -144,7 +144,7 @@ TEST_CASE("a transform dragged past another keeps its numbers and moves the obje
     bench.key(Key::Z, true);
     bench.key(Key::Z, true);
     CHECK(bench.scene() == start);
-    // Another hand on the transform: the file's order again.
+    // An edit of the transform elsewhere restores the file's order.
     CHECK(test::in_column(bench, "grip of glTranslatef 0").y <
           test::in_column(bench, "grip of glRotatef 0").y);
 }
@@ -176,7 +176,7 @@ TEST_CASE("a scale that would shear cannot be dragged before a rotation", "[ui][
     CHECK(test::in_column(bench, "grip of glScalef 0").y > rotate.y);
 }
 
-TEST_CASE("a scale of a call is typed from 0 on, and dragged through 0, as in its panel",
+TEST_CASE("a scale of a call is typed from 0 and dragged through 0, as in its panel",
           "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     ask_of_one_object(bench, {});

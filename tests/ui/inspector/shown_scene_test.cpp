@@ -1,5 +1,5 @@
-// Where the picture shows another scene than the one that is edited (B, or a frozen one), what is asked of it
-// is answered of that scene, and no hand in the picture or the column edits the other.
+// While the picture shows a scene other than the edited one (B, or a frozen one), picking explains that
+// scene, and no drag in the picture or the column edits the other.
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -37,7 +37,7 @@ struct StoredWindow : HeadlessWindow {
         const glm::ivec2 pixel = nearest_pixel(size, {x * size.width, y * size.height});
         return at_pixel(glm::dvec2(pixel) + 0.5);
     }
-    /// What is explained is that pixel of B, as a renderer of its own explains it.
+    /// The explanation is that of the pixel of B, as its own renderer computes it.
     void check_explains_b() {
         REQUIRE(state.on_screen.explanation.has_value());
         const Explanation& e = *state.on_screen.explanation;
@@ -49,7 +49,7 @@ struct StoredWindow : HeadlessWindow {
         CHECK(e.at.lights.size() == 2);
         CHECK(explained_scene(state) == b);
     }
-    /// Every number of the column that can be taken hold of, dragged and clicked, changes nothing.
+    /// Dragging and clicking each number of the column changes nothing.
     void check_column_edits_nothing() {
         frames(2);
         const Rect column = test::right_column(*this);
@@ -71,8 +71,7 @@ struct StoredWindow : HeadlessWindow {
 
 }  // namespace
 
-TEST_CASE("while B is looked at, each click is explained of B, whose numbers cannot be edited",
-          "[ui][window][compare]") {
+TEST_CASE("while B is shown, clicks explain B, whose numbers are read-only", "[ui][window][compare]") {
     StoredWindow bench;
     bench.click(bench.at_share(0.5, 0.5));
     bench.frames(2);
@@ -105,8 +104,7 @@ TEST_CASE("the explained scene cannot be edited by accident", "[ui][compare]") {
     CHECK(number_handle({scene, &scene}, "/lights/0/intensity").number.place == &scene.lights[0].intensity);
 }
 
-TEST_CASE("a pixel of a part that shows B is explained of B, and its numbers edit nothing",
-          "[ui][window][compare]") {
+TEST_CASE("a pixel of a part that shows B is explained for B, and is read-only", "[ui][window][compare]") {
     StoredWindow bench;
     bench.compare({{}, {Variant::Kind::Stored, 0}});
     bench.click(bench.at_share(0.55, 0.5));
@@ -119,7 +117,7 @@ TEST_CASE("a pixel of a part that shows B is explained of B, and its numbers edi
     CHECK(is_explained(bench.state));
 }
 
-TEST_CASE("of B no light is taken hold of, and the edited scene's lights do not lie over it",
+TEST_CASE("no light of B can be grabbed, and the edited lights are not drawn over it",
           "[ui][window][compare]") {
     StoredWindow bench;
     const ImVec2 bulb = bench.at_pixel(bench.handle_pixel(0));
@@ -133,7 +131,7 @@ TEST_CASE("of B no light is taken hold of, and the edited scene's lights do not 
     CHECK(bench.state.viewport.gesture == Gesture::None);
 }
 
-TEST_CASE("in a frozen picture nothing is taken hold of, and its pixel keeps the numbers of its scene",
+TEST_CASE("nothing in a frozen picture can be grabbed, and its pixel keeps its numbers",
           "[ui][window][lecture]") {
     StoredWindow bench;
     bench.scene() = bench.b;
@@ -158,7 +156,7 @@ TEST_CASE("in a frozen picture nothing is taken hold of, and its pixel keeps the
     CHECK(bench.scene() == bench.edited);
 }
 
-TEST_CASE("a click on a frozen picture is answered", "[ui][window][lecture]") {
+TEST_CASE("a click on a frozen picture is explained", "[ui][window][lecture]") {
     StoredWindow bench;
     bench.key(Key::F8);
     bench.state.notifications.list.clear();
@@ -167,7 +165,7 @@ TEST_CASE("a click on a frozen picture is answered", "[ui][window][lecture]") {
     CHECK(bench.state.notifications.list[0].text == "The picture is frozen: F8 unfreezes it");
 }
 
-TEST_CASE("a copy and a command of a picture are of the scene that it shows", "[ui][window]") {
+TEST_CASE("a copied picture or command is of the shown scene", "[ui][window]") {
     const TemporaryDirectory folder;
     StoredWindow bench;
     std::string clipboard;
@@ -186,7 +184,7 @@ TEST_CASE("a copy and a command of a picture are of the scene that it shows", "[
     const auto check_shows = [&](const Scene& scene) {
         const std::vector<float> mine = exported(), right = drawn(scene);
         REQUIRE(mine.size() == right.size());
-        CHECK((mine == right));  // many thousands are not to be printed
+        CHECK((mine == right));  // thousands of bytes should not be printed
         copy_render_command(bench.state, {bench.state.rendered->size, 1}, "a.png");
     };
     REQUIRE_FALSE(save_file(bench.state.editor, folder.path("own.json"), bench.scene()));
@@ -195,15 +193,15 @@ TEST_CASE("a copy and a command of a picture are of the scene that it shows", "[
     bench.key(Key::B);
     bench.frames(2);
     check_shows(bench.b);
-    CHECK(clipboard.find("/lights") != std::string::npos);  // the file has another list of them
+    CHECK(clipboard.find("/lights") != std::string::npos);  // the file has a different list of them
     bench.key(Key::F8);
     bench.key(Key::B);
     bench.frames(2);
     check_shows(bench.b);
-    CHECK(clipboard.find("/lights") != std::string::npos);  // the file has another list of them
+    CHECK(clipboard.find("/lights") != std::string::npos);  // the file has a different list of them
 }
 
-TEST_CASE("the light that matters is told of the part under the cursor", "[ui][window][compare]") {
+TEST_CASE("the dominant light is that of the part under the cursor", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
@@ -229,7 +227,8 @@ TEST_CASE("the light that matters is told of the part under the cursor", "[ui][w
     CHECK(other > 10);
 }
 
-TEST_CASE("a colour is predicted of the edited scene alone, whatever is compared", "[ui][window][lesson]") {
+TEST_CASE("a predicted colour is that of the edited scene alone, without the comparison",
+          "[ui][window][lesson]") {
     StoredWindow bench;
     bench.compare({{}, {Variant::Kind::Stored, 0}});
     bench.click(bench.at_share(0.55, 0.5));
@@ -244,8 +243,7 @@ TEST_CASE("a colour is predicted of the edited scene alone, whatever is compared
           alone.explain(bench.state.on_screen.pixel.x, bench.state.on_screen.pixel.y).byte);
 }
 
-TEST_CASE("cells of the grid that stay are asked, and exported, as they are shown, and stay under a hand",
-          "[ui][window][grid]") {
+TEST_CASE("kept cells of the grid are explained and exported as shown, even in drags", "[ui][window][grid]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::ask(bench, InspectorTab::Grid);
@@ -272,7 +270,7 @@ TEST_CASE("cells of the grid that stay are asked, and exported, as they are show
         const glm::vec4 before = bench.scene().lights[1].position;
         bench.move({bulb.x + 6 * float(i), bulb.y});
         CHECK(bench.state.rendered_scene.lights[0].diffuse ==
-              glm::vec3(0));  // never the whole scene for a frame
+              glm::vec3(0));  // never the entire scene for a frame
         if (i > 2) CHECK(bench.scene().lights[1].position != before);
     }
     bench.button(false);
@@ -281,7 +279,7 @@ TEST_CASE("cells of the grid that stay are asked, and exported, as they are show
     CHECK_FALSE(bench.state.on_screen.explanation.has_value());
 }
 
-TEST_CASE("a part is explained as it shows B, a frozen or a played scene, under the part's own setting",
+TEST_CASE("a part is explained as shown: B, frozen or animated, under its own setting",
           "[ui][window][compare]") {
     StoredWindow bench;
     bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
@@ -331,8 +329,7 @@ TEST_CASE("a part is explained as it shows B, a frozen or a played scene, under 
     CHECK_FALSE(bench.state.on_screen.explanation.has_value());
 }
 
-TEST_CASE("of a scene that plays nothing is taken hold of, and a press ends what a lesson plays",
-          "[ui][window]") {
+TEST_CASE("nothing of an animated scene can be grabbed; a press ends a lesson's animation", "[ui][window]") {
     for (const bool in_panel : {false, true}) {
         HeadlessWindow bench({1280, 1000});
         bench.frames(2);
@@ -357,8 +354,7 @@ TEST_CASE("of a scene that plays nothing is taken hold of, and a press ends what
     }
 }
 
-TEST_CASE("a highlight is taken hold of where it is seen, and not where another picture hides it",
-          "[ui][window]") {
+TEST_CASE("a highlight can be grabbed where it is visible, not where a picture covers it", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;
@@ -391,8 +387,7 @@ TEST_CASE("a highlight is taken hold of where it is seen, and not where another 
     CHECK(found() == 0);
 }
 
-TEST_CASE("while B is looked at, n·l is that of a light of B, and the cells are B's",
-          "[ui][window][compare]") {
+TEST_CASE("while B is shown, n·l is that of a light of B, and the cells are B's", "[ui][window][compare]") {
     StoredWindow bench;
     bench.key(Key::B);
     DebugViewChoice& choice = bench.state.get<DebugViewState>().set.choice;

@@ -1,4 +1,4 @@
-// The equation with its numbers: what is written is what was lit, what is dragged is the scene.
+// The equation with its numbers: written numbers are those of the lighting, dragged ones edit the scene.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <random>
@@ -17,7 +17,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// What the picture's own renderer says of the probe, asked apart from the window.
+/// The explanation of the probe by the picture's own renderer, computed outside the window.
 Explanation asked_apart(HeadlessWindow& bench) {
     Renderer renderer(1);
     (void)renderer.render(bench.scene(), bench.state.rendered->size);
@@ -32,7 +32,7 @@ int lights_on(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("a right click on a number that is only read copies it, or its whole line", "[ui][window][why]") {
+TEST_CASE("a right click on a read-only number copies it or its line", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
     const Rect angle = bench.area_of("angle n·l", test::right_column(bench));
@@ -54,7 +54,7 @@ TEST_CASE("a right click on a number that is only read copies it, or its whole l
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("a cosine of a vector that is not unit names its length, beside the true angle",
+TEST_CASE("a cosine of a vector that is not unit shows its length next to the true angle",
           "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     const auto length_shown = [&bench] {
@@ -101,7 +101,7 @@ TEST_CASE("the sums of the terms can be copied", "[ui][window][why]") {
     CHECK(std::stof(ImGui::GetClipboardText()) == Approx(blue).margin(0.0005));
 }
 
-TEST_CASE("weights that are chosen are explained while the mouse still rests on them", "[ui][window][why]") {
+TEST_CASE("chosen weights are explained while the mouse still hovers over them", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     bench.scene().shading.mode = ShadingMode::Gouraud;
     bench.scene().shading.interpolation = Interpolation::Screen;
@@ -113,8 +113,7 @@ TEST_CASE("weights that are chosen are explained while the mouse still rests on 
     CHECK(bench.state.on_screen.explanation->interpolation == Interpolation::Perspective);
 }
 
-TEST_CASE("a value of the equation stays on one line with its name, however narrow the column",
-          "[ui][window][why]") {
+TEST_CASE("a value of the equation stays on one line with its name in a narrow column", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     int seen = 0;
     for (float width = 222; width < 420; width += 11) {
@@ -132,8 +131,7 @@ TEST_CASE("a value of the equation stays on one line with its name, however narr
     CHECK(seen > 30);
 }
 
-TEST_CASE("the distance in the equation moves its light towards the point, in its direction",
-          "[ui][window][why]") {
+TEST_CASE("the distance in the equation moves its light along its direction", "[ui][window][why]") {
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
         HeadlessWindow bench({1280, 1400});
         bench.scene().lights[1].space = space;
@@ -170,7 +168,7 @@ TEST_CASE("a distance that is typed digit by digit keeps the direction to its li
     CHECK(glm::dot(after.l.world, before.l.world) == Approx(1).margin(1e-5));
 }
 
-TEST_CASE("the distance has no default to go back to, and its menu offers none", "[ui][window][why]") {
+TEST_CASE("the distance has no default, and its menu offers none", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
     const auto offers_reset = [&](std::string_view number) {
@@ -188,9 +186,8 @@ TEST_CASE("the distance has no default to go back to, and its menu offers none",
     CHECK_FALSE(offers_reset("Distance of Bulb"));
 }
 
-TEST_CASE("what Gouraud shading loses between the corners is said where both colours are clipped, too",
-          "[ui][window][why]") {
-    // A plate of two triangles, and a light so near to its middle that its corners hardly see it.
+TEST_CASE("Gouraud's loss between corners is shown even if both colours are clipped", "[ui][window][why]") {
+    // A plate of two triangles, and a light so near to its middle that its corners are barely lit.
     Scene scene = first_scene().scene;
     scene.objects.resize(1);
     scene.objects[0].source = PrimitiveMesh{Primitive::Plane, 1};
@@ -212,7 +209,7 @@ TEST_CASE("what Gouraud shading loses between the corners is said where both col
     }
 }
 
-TEST_CASE("an object seen from behind says so, in amber above the equation", "[ui][window][why]") {
+TEST_CASE("an object seen from behind is noted in amber above the equation", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.scene().objects[0].source = PrimitiveMesh{Primitive::Plane, 1};
     bench.scene().objects[0].mesh = nullptr;
@@ -250,8 +247,7 @@ TEST_CASE("an area light's samples unfold below its terms", "[ui][window][why]")
     CHECK(rows() == before + 9);
 }
 
-TEST_CASE("every number in the equation is dragged where it stands: one number changes, one step undoes it",
-          "[ui][window][why]") {
+TEST_CASE("every number in the equation can be dragged: one change, one undo step", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});  // tall: nothing needs scrolling
     test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
     const Scene start = bench.scene();
@@ -278,8 +274,7 @@ TEST_CASE("every number in the equation is dragged where it stands: one number c
     CHECK(changed.count("Global ambient") == 1);
 }
 
-TEST_CASE("pointing at a term shows it alone, at a light's name that light alone, and edits nothing",
-          "[ui][window][why]") {
+TEST_CASE("hovering over a term or a light's name shows it alone and edits nothing", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);
     const Scene start = bench.scene();
@@ -297,7 +292,7 @@ TEST_CASE("pointing at a term shows it alone, at a light's name that light alone
     CHECK(bench.state.rendered_scene == start);
 }
 
-TEST_CASE("while the button is down nothing is shown alone", "[ui][window][why]") {
+TEST_CASE("no previews while a button is down", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);
     const ImVec2 at = test::rest_on(bench, "s  specular");
@@ -311,7 +306,7 @@ TEST_CASE("while the button is down nothing is shown alone", "[ui][window][why]"
     bench.frames(1);
 }
 
-TEST_CASE("pointing at n·h lights up the arrow h of that light", "[ui][window][why]") {
+TEST_CASE("hovering over n·h highlights the arrow h of that light", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.scene().shading.reflection = Reflection::BlinnPhong;
     test::ask(bench, InspectorTab::Equation);
@@ -320,7 +315,7 @@ TEST_CASE("pointing at n·h lights up the arrow h of that light", "[ui][window][
     CHECK(bench.state.get<InspectorState>().pointed_light == 0);
 }
 
-TEST_CASE("what is copied is what glint explain prints, in each format", "[ui][window][why]") {
+TEST_CASE("the copied text is that of glint explain in each format", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation, {0.42, 0.45});
     const Explanation why = asked_apart(bench);
@@ -339,8 +334,7 @@ TEST_CASE("the copy buttons fill the clipboard", "[ui][window][why]") {
     CHECK(ImGui::GetClipboardText() == explain_text(asked_apart(bench), bench.scene()));
 }
 
-TEST_CASE("the tabs of WHY stay where they are when a pixel is picked, and when it is forgotten",
-          "[ui][why]") {
+TEST_CASE("the tabs of WHY stay in place when a pixel is picked or forgotten", "[ui][why]") {
     HeadlessWindow bench;
     bench.frames(3);
     const auto tab_top = [] {

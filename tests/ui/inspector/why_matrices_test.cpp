@@ -1,4 +1,4 @@
-// The matrices' tab: what is carried through them arrives where the renderer has it.
+// The matrices tab: transformed positions agree with the renderer's.
 #include <glm/geometric.hpp>
 
 #include "renderer/shade/light_sources.h"
@@ -9,8 +9,7 @@
 using namespace glint;
 using test::HeadlessWindow;
 
-TEST_CASE("lights are carried to where the equation has them, and back to where they were given",
-          "[ui][why]") {
+TEST_CASE("lights are transformed to the equation's positions and back to their own", "[ui][why]") {
     HeadlessWindow bench;
     Scene& scene = bench.scene();
     scene.camera = {{2, 1, 5}, {0.3f, 0.1f, 0}, {0, 1, 0}, Perspective{}};
@@ -28,13 +27,13 @@ TEST_CASE("lights are carried to where the equation has them, and back to where 
         const glm::dvec4 home = world_from_view(scene.camera) * both.camera;
         CHECK(glm::distance(home, both.world) < 1e-9);
     }
-    // The eye stands at the origin of camera coordinates.
+    // The eye is at the origin of camera coordinates.
     Light at_eye;
     at_eye.position = glm::vec4(scene.camera.eye, 1);
     CHECK(glm::length(glm::dvec3(carried(at_eye, scene.camera).camera)) < 1e-6);
 }
 
-TEST_CASE("with lights in the wrong space the tab carries them to where the picture has them", "[ui][why]") {
+TEST_CASE("with lights in the wrong space the tab agrees with the picture", "[ui][why]") {
     HeadlessWindow bench;
     Scene& scene = bench.scene();
     scene.camera = {{2, 1, 5}, {0.3f, 0.1f, 0}, {0, 1, 0}, Perspective{}};
@@ -52,7 +51,7 @@ TEST_CASE("with lights in the wrong space the tab carries them to where the pict
     }
 }
 
-TEST_CASE("the matrices' tab edits nothing; a click on a light selects it", "[ui][window][why]") {
+TEST_CASE("the matrices tab edits nothing; a click on a light selects it", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Matrices);
     const Scene start = bench.scene();

@@ -1,4 +1,4 @@
-// The switches for mistakes: a click is one undo step, resting on one shows it without touching the scene.
+// The switches for mistakes: a click is one undo step, hovering previews without changing the scene.
 #include <algorithm>
 #include <string>
 
@@ -12,7 +12,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// The mistake that is shown on top.
+/// The topmost mistake.
 const MistakeName& first_mistake() {
     const auto names = mistake_names();
     return *std::find_if(names.begin(), names.end(),
@@ -22,8 +22,7 @@ std::string first_switch() { return "/shading/mistakes/" + std::string(first_mis
 
 }  // namespace
 
-TEST_CASE("resting on a mistake draws it and leaves the scene alone; a click keeps it, undo takes it back",
-          "[ui][window][why]") {
+TEST_CASE("hovering over a mistake previews it; a click switches it as one undo step", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     const Scene start = bench.scene();
@@ -41,7 +40,7 @@ TEST_CASE("resting on a mistake draws it and leaves the scene alone; a click kee
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("over a frozen picture no mistake is named, and what ends while the mouse rests is not spoken of",
+TEST_CASE("no mistake is named over a frozen picture or after a preview has ended",
           "[ui][window][why][lecture]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
@@ -62,7 +61,7 @@ TEST_CASE("over a frozen picture no mistake is named, and what ends while the mo
     CHECK(bench.state.on_screen.explanation->sum == sum);  // it was the edited scene's
 }
 
-TEST_CASE("a preview that ends asks for the frame that draws the edited scene again", "[ui][window][why]") {
+TEST_CASE("the end of a preview requests the frame that draws the edited scene again", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     const auto first = first_mistake().flag;
@@ -86,12 +85,12 @@ TEST_CASE("the status line opens the list of mistakes at the one that is on", "[
         bench.click(bench.control("/shading/mistakes"));
         CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Mistakes);
         bench.frames(3);
-        const Rect shown = bench.area_of(row, test::right_column(bench));  // in sight
+        const Rect shown = bench.area_of(row, test::right_column(bench));  // visible
         CHECK(shown.high.y <= test::right_column(bench).high.y);
     }
 }
 
-TEST_CASE("mistakes are named, the first two of many", "[ui][why]") {
+TEST_CASE("mistakes are named, at most the first two", "[ui][why]") {
     Mistakes mistakes;
     CHECK(mistakes_text(mistakes).empty());
     mistakes.reflect_sign = true;
@@ -103,8 +102,7 @@ TEST_CASE("mistakes are named, the first two of many", "[ui][why]") {
     CHECK(mistakes_text(mistakes).ends_with(", …"));
 }
 
-TEST_CASE("every tab draws with a pixel picked, with the background picked and with none",
-          "[ui][window][why]") {
+TEST_CASE("every tab draws with an object, the background or nothing picked", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();

@@ -28,7 +28,7 @@ TEST_CASE("the models' values are those of the pixel drawn under each mode", "[u
     CHECK(all[0].sum != all[3].sum);
 }
 
-TEST_CASE("what Gouraud loses of a pixel is held to Phong's own picture", "[ui][window][why]") {
+TEST_CASE("Gouraud's loss at a pixel is compared with Phong's own picture", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.scene().shading.mode = ShadingMode::Gouraud;
     test::ask(bench, InspectorTab::Equation, {0.42, 0.38});
@@ -45,8 +45,7 @@ TEST_CASE("what Gouraud loses of a pixel is held to Phong's own picture", "[ui][
     CHECK_FALSE(under_phong(bench.state, other_part));
 }
 
-TEST_CASE("pointing at a model shows the picture under it, a click takes it, undo goes back",
-          "[ui][window][why]") {
+TEST_CASE("hovering over a model previews it, a click applies it, undo reverts it", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Models);
     const Scene start = bench.scene();
@@ -62,7 +61,7 @@ TEST_CASE("pointing at a model shows the picture under it, a click takes it, und
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("while a scene with other objects is on the screen the models wait", "[ui][window][why]") {
+TEST_CASE("the models wait while a scene with other objects is on the screen", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Models);
     Scene other = bench.scene();
@@ -77,7 +76,7 @@ TEST_CASE("while a scene with other objects is on the screen the models wait", "
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("the models say which shininess makes Blinn's highlight like Phong's, and a click takes it",
+TEST_CASE("the models tab finds Blinn's shininess for this Phong highlight and applies it",
           "[ui][window][why]") {
     HeadlessWindow bench({1280, 1200});
     bench.scene().shading.reflection = Reflection::Phong;
@@ -89,7 +88,7 @@ TEST_CASE("the models say which shininess makes Blinn's highlight like Phong's, 
     CHECK(bench.scene().objects[0].material.shininess == Approx(41.3).margin(0.1));
 }
 
-TEST_CASE("the first tabs stand in the bar, the others open from behind More, which then has their name",
+TEST_CASE("the first tabs are in the bar, the others behind More, which shows their name",
           "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);

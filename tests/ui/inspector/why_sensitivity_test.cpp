@@ -1,4 +1,4 @@
-// What matters at a pixel: measured aside, not again while nothing changes, and named in words.
+// Sensitivities of a pixel: measured in the background, only after changes, and named in text.
 #include <chrono>
 #include <thread>
 
@@ -17,7 +17,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Runs frames until the job is done. The clock of ImGui goes with the frames, the job's with the machine.
+/// Runs frames until the job is done. ImGui's clock follows the frames, the job's clock real time.
 bool wait_for_numbers(HeadlessWindow& bench) {
     for (int i = 0; i < 4000 && !bench.state.get<SensitivityState>().current; ++i) {
         bench.frames(1);
@@ -26,7 +26,7 @@ bool wait_for_numbers(HeadlessWindow& bench) {
     return bench.state.get<SensitivityState>().current;
 }
 
-/// A number or switch of the scene, as its file has it; the pointer's tokens have no "~".
+/// A number or switch of the scene, as in its file; the pointer's tokens have no "~".
 Json value_at(const Scene& scene, std::string_view pointer) {
     const Json file = json_or_null(scene_text(scene));
     const Json* found = &file;
@@ -59,10 +59,10 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
         CHECK(shown.numbers[i].change == expected.numbers[i].change);
     }
     CHECK(shown.no_effect == expected.no_effect);
-    // Still: no frame is asked for and no job begins.
+    // Still: no frame is requested and no job begins.
     bench.frames(30);
     CHECK_FALSE(bench.state.get<SensitivityState>().job);
-    // Moved: the old numbers are marked as such.
+    // Moved: the old numbers are marked as old.
     bench.scene().lights.front().intensity = 0.5f;
     bench.frames(2);
     CHECK_FALSE(bench.state.get<SensitivityState>().current);
@@ -71,7 +71,7 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
           expected.numbers.front().change);
 }
 
-TEST_CASE("where no thread can measure the column says so, until the scene changes", "[ui][window][why]") {
+TEST_CASE("if no thread can start the column reports it until the scene changes", "[ui][window][why]") {
     HeadlessWindow bench({760, 400});
     bench.state.layout.left = true;
     bench.state.left_shows_inspector = true;
@@ -82,7 +82,7 @@ TEST_CASE("where no thread can measure the column says so, until the scene chang
         CHECK_FALSE(bench.state.get<SensitivityState>().shown);
         CHECK(bench.state.get<SensitivityState>().why_none.find("the system allows no further thread") !=
               std::string::npos);
-        CHECK(bench.state.notifications.list.empty());  // no frame was given up
+        CHECK(bench.state.notifications.list.empty());  // no frame was aborted
         bench.frames(30);
         CHECK_FALSE(bench.state.get<SensitivityState>().job);
     }
@@ -92,7 +92,7 @@ TEST_CASE("where no thread can measure the column says so, until the scene chang
     CHECK(bench.state.get<SensitivityState>().shown);
 }
 
-TEST_CASE("of more lights than are measured the column says so", "[ui][window][why]") {
+TEST_CASE("the column reports more lights than can be measured", "[ui][window][why]") {
     HeadlessWindow bench({760, 400});
     bench.scene().lights.resize(max_sensitivity_lights + 1, bench.scene().lights.front());
     bench.state.layout.left = true;
@@ -103,7 +103,7 @@ TEST_CASE("of more lights than are measured the column says so", "[ui][window][w
     CHECK(bench.state.get<SensitivityState>().why_none == "More than 64 lights take too long.");
 }
 
-TEST_CASE("until it is measured again the numbers keep the names of what they were of", "[ui][window][why]") {
+TEST_CASE("until the next measurement the numbers keep their old names", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     Object aside = bench.scene().objects[0];
     aside.transform.translate = {100, 0, 0};
@@ -120,14 +120,14 @@ TEST_CASE("until it is measured again the numbers keep the names of what they we
     bench.frames(1);
     REQUIRE_FALSE(bench.state.get<SensitivityState>().current);
     CHECK(is_listed("Ball: move y"));
-    // Of another document none is shown.
+    // Nothing is shown for another document.
     take_scene(bench.state, first_scene());
     bench.frames(2);
     CHECK_FALSE(bench.state.get<SensitivityState>().shown);
     CHECK_FALSE(is_listed("Ball: move y"));
 }
 
-TEST_CASE("numbers are ranked by what a usual move of each does, not by their units", "[ui][why]") {
+TEST_CASE("numbers are ranked by the effect of a usual change, not by their units", "[ui][why]") {
     Sensitivities measured;
     const auto number = [](const char* pointer, double change, double effect) {
         Sensitivity s;
@@ -143,7 +143,7 @@ TEST_CASE("numbers are ranked by what a usual move of each does, not by their un
     CHECK(rank[1].pointer == "/lights/0/intensity");
 }
 
-TEST_CASE("pointers of numbers are named in words, with the panel they stand in", "[ui][why]") {
+TEST_CASE("pointers of numbers are named with the panel that contains them", "[ui][why]") {
     const Scene scene = first_scene().scene;
     const NamedNumber bulb = named_number("/lights/1/position/1", scene);
     CHECK(bulb.owner == "Bulb");
@@ -194,7 +194,7 @@ TEST_CASE("in a part of a comparison the numbers are of that part's picture", "[
     Scene flat = bench.scene();
     flat.shading.mode = ShadingMode::Flat;
     CHECK(bench.state.get<SensitivityState>().shown_scene == flat);
-    // Exposure multiplies the pixel: it moves by as much as its sum.
+    // Exposure multiplies the pixel: the change equals its sum.
     const auto exposure = std::find_if(bench.state.get<SensitivityState>().rank.begin(),
                                        bench.state.get<SensitivityState>().rank.end(),
                                        [](const Sensitivity& s) { return s.pointer == "/display/exposure"; });

@@ -1,4 +1,5 @@
-// The vectors at the picked point: asked without a click, drawn where they belong, built up step by step.
+// The vectors at the picked point: explained without a click, drawn at the right place, built up step by
+// step.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -18,7 +19,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// All corners of what the last frame drew, over the picture.
+/// All vertices drawn in the last frame over the picture.
 std::vector<ImVec2> drawn_corners() {
     std::vector<ImVec2> corners;
     const ImDrawData* data = ImGui::GetDrawData();
@@ -35,7 +36,7 @@ bool draws_near(ImVec2 at, float within) {
 
 }  // namespace
 
-TEST_CASE("with Alt held the pixel under the cursor is explained; released, the picked one again",
+TEST_CASE("holding Alt explains the pixel under the cursor, releasing it the picked one",
           "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation, {0.5, 0.5});
@@ -52,7 +53,7 @@ TEST_CASE("with Alt held the pixel under the cursor is explained; released, the 
     CHECK(bench.state.on_screen.explanation->x == x);
 }
 
-TEST_CASE("with Alt held nothing needs to be picked, and nothing stays", "[ui][window][why]") {
+TEST_CASE("Alt explains a pixel without a picked one and leaves nothing", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.frames(2);
     ImGui::GetIO().KeyAlt = true;
@@ -64,7 +65,7 @@ TEST_CASE("with Alt held nothing needs to be picked, and nothing stays", "[ui][w
     CHECK_FALSE(bench.state.on_screen.explanation.has_value());
 }
 
-TEST_CASE("the arrow n ends where a unit normal of its length shows", "[ui][window][why]") {
+TEST_CASE("the arrow n ends where a unit normal of its length would", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Vectors, {0.42, 0.4});
     const Scene start = bench.scene();
@@ -72,7 +73,7 @@ TEST_CASE("the arrow n ends where a unit normal of its length shows", "[ui][wind
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
     // 92 logical pixels at the point's depth, by the field of view: independent of the pen.
     const double depth = -double(point.point.camera.z);
-    // In a picture narrower than 16:9 the width of the field is that of 16:9.
+    // In a picture narrower than 16:9 the width of the view is that of 16:9.
     const double per_pixel =
         2 * depth * std::tan(0.5 * 45 * 3.14159265358979 / 180) * 16 / 9 / map.size.width;
     const glm::dvec3 tip = glm::dvec3(point.point.world) + 92 * per_pixel * glm::dvec3(point.normal.world);
@@ -99,7 +100,7 @@ TEST_CASE("the facet's edges and normal are those of the mesh, and agree", "[ui]
     CHECK_FALSE(picked_facet(background, bench.scene()));
 }
 
-TEST_CASE("a facet's outline is cut where it passes behind the eye", "[ui][window][why]") {
+TEST_CASE("a facet's outline is clipped where it passes behind the eye", "[ui][window][why]") {
     HeadlessWindow bench;
     Scene& scene = bench.scene();
     scene.camera.eye = {0, 0.5f, 0};
@@ -131,7 +132,7 @@ TEST_CASE("a facet's outline is cut where it passes behind the eye", "[ui][windo
     CHECK(nearest(view.to_window({0, 0})) > 50);
     CHECK(nearest(view.shown(far_left)) < 3);
     CHECK(nearest(view.shown(far_right)) < 3);
-    // The left edge leaves the picture at the bottom before it is cut.
+    // The left edge leaves the picture at the bottom before it is clipped.
     const ImVec2 on_edge = view.shown({-2, 0, -0.01});
     CHECK(on_edge.y > view.end().y);
 }
@@ -150,7 +151,7 @@ TEST_CASE("the steps of r and the length of n belong to the window, not to the s
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("the light of the vectors is the selected one, else the one that adds most", "[ui][why]") {
+TEST_CASE("the light of the vectors is the selected one, else the main one", "[ui][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Vectors, {0.62, 0.35});
     bench.state.editor.selection = {Selection::Kind::Light, 1};
@@ -163,7 +164,7 @@ TEST_CASE("the light of the vectors is the selected one, else the one that adds 
     CHECK(asked_light(bench.state, ExplainedPoint{}) == nullptr);
 }
 
-TEST_CASE("a Gouraud pixel's corners are drawn where they are", "[ui][window][why]") {
+TEST_CASE("a Gouraud pixel's corners are drawn at their positions", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.scene().shading.mode = ShadingMode::Gouraud;
     test::ask(bench, InspectorTab::Equation, {0.45, 0.4});
@@ -175,8 +176,7 @@ TEST_CASE("a Gouraud pixel's corners are drawn where they are", "[ui][window][wh
     }
 }
 
-TEST_CASE("a Gouraud pixel's corner off the picture is marked at its edge, on the way there",
-          "[ui][window][why]") {
+TEST_CASE("a Gouraud pixel's corner off the picture is marked on the edge towards it", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.scene() =
         std::get<SceneDocument>(open_document(project_file("assets/scenes/receding-floor.json"))).scene;
@@ -203,10 +203,11 @@ TEST_CASE("a Gouraud pixel's corner off the picture is marked at its edge, on th
     CHECK(off == 1);
 }
 
-TEST_CASE("the letters of nearly collinear vectors stand apart, and off the arrows", "[ui][window][why]") {
+TEST_CASE("the letters of nearly collinear vectors do not overlap each other or arrows",
+          "[ui][window][why]") {
     HeadlessWindow bench;
     bench.scene().shading.reflection = Reflection::BlinnPhong;
-    // v is seen end on, and h lies between l and v: on the screen its letter would stand on the arrow of l.
+    // v is seen end on, and h is between l and v: its letter would cover the arrow of l.
     bench.scene().lights.resize(1);
     bench.scene().lights[0].kind = LightKind::Directional;
     bench.scene().lights[0].position = {-1, 0.3f, 0.1f, 0};
@@ -236,8 +237,7 @@ TEST_CASE("the letters of nearly collinear vectors stand apart, and off the arro
         }
 }
 
-TEST_CASE("the diagram of a light behind the surface keeps clear of what stands below it",
-          "[ui][window][why]") {
+TEST_CASE("the diagram of a light behind the surface leaves the next section free", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1200});
     test::ask(bench, InspectorTab::Vectors, {0.5, 0.5});
     const ExplainedPoint& point = bench.state.on_screen.explanation->at;
@@ -248,7 +248,7 @@ TEST_CASE("the diagram of a light behind the surface keeps clear of what stands 
     bench.frames(3);
     const Rect column = test::right_column(bench);
     const float below = bench.area_of("Off", column).low.y;  // the first step of r
-    // The tip of l hangs straight below the foot; the caption, the heading, then the steps follow it.
+    // The tip of l is straight below the foot; the caption, the heading, then the steps follow it.
     const float middle = (column.low.x + column.high.x) / 2;
     const ImU32 ink = to_u32(dark_theme()[Symbol::L]);
     float lowest = 0;
@@ -261,7 +261,7 @@ TEST_CASE("the diagram of a light behind the surface keeps clear of what stands 
     CHECK(lowest < below - 40);
 }
 
-TEST_CASE("what a pixel is called follows the hand only over the picture", "[ui][why]") {
+TEST_CASE("the pixel's heading follows the cursor only over the picture", "[ui][why]") {
     HeadlessWindow bench({1280, 800});
     bench.frames(2);
     ImGui::GetIO().KeyAlt = true;

@@ -1,4 +1,4 @@
-// How a lesson is opened: what its stations may hold, and how it is cancelled.
+// Opening a lesson: the limits of its stations, and cancelling.
 #include "ui/features/lessons/course.h"
 
 #include <chrono>
@@ -12,7 +12,7 @@ using namespace glint;
 
 namespace {
 
-/// A lesson of so many steps about a scene of lights.
+/// A lesson of `steps` steps about a scene of `lights` lights.
 std::string lesson_about_lights(const TemporaryDirectory& folder, int steps, int lights,
                                 const std::string& step = "Look.\n") {
     std::string scene = R"({"glint": 1, "lights": [{})";
@@ -25,10 +25,10 @@ std::string lesson_about_lights(const TemporaryDirectory& folder, int steps, int
 
 }  // namespace
 
-TEST_CASE("a lesson that is being opened can be cancelled between its stations", "[ui][lesson]") {
+TEST_CASE("opening a lesson can be cancelled between its stations", "[ui][lesson]") {
     const TemporaryDirectory folder;
     constexpr int lights = 100;
-    // Each step reads its scene anew, so that all of them take seconds.
+    // Each step reads its scene again, so that all of them take seconds.
     const std::string step = "```scene\nset: /display/exposure=2\n```\n";
     const std::string path = lesson_about_lights(folder, 450, lights, step);
     LoadProgress progress;

@@ -36,8 +36,7 @@ void open_game(HeadlessWindow& bench, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("a target differs from its beginning in the named numbers alone, the same for the same seed",
-          "[ui][match]") {
+TEST_CASE("a target differs from its start only in the named numbers, by seed", "[ui][match]") {
     Renderer renderer(1);
     for (std::uint64_t seed = 1; seed <= 21; ++seed) {
         CAPTURE(seed);
@@ -47,7 +46,7 @@ TEST_CASE("a target differs from its beginning in the named numbers alone, the s
         for (const std::string& number : differ)
             CHECK(std::find(task.numbers.begin(), task.numbers.end(), number) != task.numbers.end());
         CHECK(same_description(match_task(seed).target, task.target));
-        // Solvable by construction: the numbers, set one by one, are the target; and not solved at first.
+        // Solvable by construction: setting the numbers one by one gives the target; and not solved at first.
         Scene scene = task.start;
         for (const std::string& number : task.numbers)
             CHECK_FALSE(set_number(scene, number, number_at(task.target, number)->value));
@@ -59,10 +58,9 @@ TEST_CASE("a target differs from its beginning in the named numbers alone, the s
     CHECK_FALSE(match_task(1).target == match_task(8).target);
 }
 
-TEST_CASE("the difference falls while the hand comes closer, wherever one looks from, and ends at the target",
-          "[ui][window][match]") {
+TEST_CASE("the difference falls on the way to the target, from any view", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
-    open_game(bench, 2);  // the exponent alone
+    open_game(bench, 2);  // only the exponent
     const MatchState& match = bench.state.get<MatchState>();
     REQUIRE(match.on);
     CHECK(match.now == match.first);
@@ -83,7 +81,7 @@ TEST_CASE("the difference falls while the hand comes closer, wherever one looks 
     CHECK(match.solved);
 }
 
-TEST_CASE("a light within a few degrees is near enough, one ten degrees off is not", "[ui][match]") {
+TEST_CASE("a light within a few degrees is close enough, one ten degrees off is not", "[ui][match]") {
     const MatchTask task = match_task(1);
     Renderer renderer(1);
     const Picture target = renderer.render(task.target, match_size);
@@ -100,7 +98,7 @@ TEST_CASE("a light within a few degrees is near enough, one ten degrees off is n
     CHECK(apart_at(10) > match_tolerance);
 }
 
-TEST_CASE("a hint names the term that is off, and how", "[ui][match]") {
+TEST_CASE("a hint names the differing term and how it differs", "[ui][match]") {
     Renderer renderer(1);
     const MatchTask task = match_task(1);
     Scene scene = task.target;
@@ -118,16 +116,14 @@ TEST_CASE("a hint names the term that is off, and how", "[ui][match]") {
     scene.lights[0].position.x = -scene.lights[0].position.x;
     CHECK(match_hint(renderer, scene, task.target).find("elsewhere") != std::string::npos);
     scene.lights.clear();
-    CHECK(match_hint(renderer, scene, task.target) ==
-          "The diffuse term is off most: its light is missing.");
+    CHECK(match_hint(renderer, scene, task.target) == "The diffuse term is off most: its light is missing.");
     scene = task.target;
     scene.shading.terms.diffuse = false;
     CHECK(match_hint(renderer, scene, task.target) ==
           "The shading differs from the target's: Begin again restores it.");
 }
 
-TEST_CASE("a game that was saved under a name is work, and its changes are asked about",
-          "[ui][window][match]") {
+TEST_CASE("a game saved under a name is work: its changes need a question", "[ui][window][match]") {
     const TemporaryDirectory folder;
     const std::string path = folder.path("game.json");
     HeadlessWindow bench({1280, 1000});
@@ -152,7 +148,7 @@ TEST_CASE("a game that was saved under a name is work, and its changes are asked
     CHECK(bench.state.get<MatchState>().seed == 3);
 }
 
-TEST_CASE("what a game compares is not remembered for the next window", "[ui][window][match]") {
+TEST_CASE("the target of a game is not remembered for the next window", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     const Json before = features_to_remember(bench.state);
@@ -162,7 +158,7 @@ TEST_CASE("what a game compares is not remembered for the next window", "[ui][wi
     CHECK(features_to_remember(bench.state) == before);
 }
 
-TEST_CASE("a game puts away what was shown before it, and Escape ends what plays", "[ui][window][match]") {
+TEST_CASE("a game ends what was shown before it, and Escape ends an animation", "[ui][window][match]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto play = [&] {
@@ -187,7 +183,7 @@ TEST_CASE("a game puts away what was shown before it, and Escape ends what plays
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("another stored scene is not the target beside it", "[ui][window][match]") {
+TEST_CASE("another stored scene is not the target next to it", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
     open_game(bench, 2);
     bench.click(bench.control("Target next to it"));
@@ -201,7 +197,7 @@ TEST_CASE("another stored scene is not the target beside it", "[ui][window][matc
 
 namespace {
 
-/// Opens a game, puts its target beside it, and brings a picture, "mine.png".
+/// Opens a game with its target next to it, and loads a picture, "mine.png".
 void open_game_with_picture(HeadlessWindow& bench, const TemporaryDirectory& folder) {
     open_game(bench, 2);
     bench.click(bench.control("Target next to it"));
@@ -212,7 +208,7 @@ void open_game_with_picture(HeadlessWindow& bench, const TemporaryDirectory& fol
 
 }  // namespace
 
-TEST_CASE("an own picture is not the target beside it, and goes with its game", "[ui][window][match]") {
+TEST_CASE("the user's own picture is not the target and is closed with its game", "[ui][window][match]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench({1280, 1000});
     open_game_with_picture(bench, folder);
@@ -229,7 +225,7 @@ TEST_CASE("an own picture is not the target beside it, and goes with its game", 
     CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 
-TEST_CASE("B that was stored during a game stays, and the target goes", "[ui][window][match]") {
+TEST_CASE("B stored during a game stays, and the target is removed", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
     const CompareChoice& choice = bench.state.get<CompareState>().choice;
     bench.frames(2);
@@ -248,8 +244,7 @@ TEST_CASE("B that was stored during a game stays, and the target goes", "[ui][wi
     CHECK(same_description(*choice.stored, bench.scene()));
 }
 
-TEST_CASE("a picture that came during a game stays beside the scene when the game is left",
-          "[ui][window][match]") {
+TEST_CASE("a picture opened during a game stays when the game is left", "[ui][window][match]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench({1280, 1000});
     open_game_with_picture(bench, folder);
@@ -266,21 +261,20 @@ TEST_CASE("a picture that came during a game stays beside the scene when the gam
     CHECK_FALSE(choice.stored);
 }
 
-TEST_CASE("nobody asks about a camera that was edited in a game", "[ui][window][match]") {
+TEST_CASE("closing a game does not ask to save camera changes", "[ui][window][match]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench({1280, 1000});
     begin_persistence(bench.state, folder.path("state"));
     open_game(bench, 2);
-    bench.state.editor.edits_camera = true;  // as columns.cpp says it
+    bench.state.editor.edits_camera = true;  // as in columns.cpp
     bench.scene().camera.eye.z += 1;
     bench.frames(3);
     CHECK(bench.state.editor.history.undo_name() == "Camera");
     CHECK_FALSE(bench.state.editor.unsaved());
-    CHECK_FALSE(bench.state.persistence.autosave);  // nor was there a moment in which a copy was made
+    CHECK_FALSE(bench.state.persistence.autosave);  // nor was a copy ever written
 }
 
-TEST_CASE("the game is played by its buttons: hint, target beside, again, another, leave",
-          "[ui][window][match]") {
+TEST_CASE("the game's buttons: hint, target, again, another, leave", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
     open_game(bench, 2);
     bench.click(bench.control("A hint"));
@@ -300,7 +294,7 @@ TEST_CASE("the game is played by its buttons: hint, target beside, again, anothe
     bench.click(bench.control("Another"));
     bench.frames(2);
     CHECK(bench.state.get<MatchState>().seed == 3);
-    CHECK_FALSE(bench.state.pending.asking);  // it was play, and nobody's work
+    CHECK_FALSE(bench.state.pending.asking);  // it was only a game
     bench.click(bench.control("Leave"));
     bench.frames(2);
     CHECK_FALSE(bench.state.get<MatchState>().on);
@@ -309,7 +303,7 @@ TEST_CASE("the game is played by its buttons: hint, target beside, again, anothe
 
 namespace {
 
-/// Opens the quiz of a window that keeps its memory in `folder`.
+/// Opens the quiz of a window that stores its settings in `folder`.
 void open_quiz_in(HeadlessWindow& bench, const std::string& folder) {
     begin_persistence(bench.state, folder);
     bench.state.get<LessonState>().inventory = project_file("assets/inventory.md");
@@ -324,7 +318,7 @@ void open_quiz_in(HeadlessWindow& bench, const std::string& folder) {
 
 }  // namespace
 
-TEST_CASE("the quiz is answered by keys, and the next window goes on with it until its answers are saved",
+TEST_CASE("keys answer the quiz, and the next window continues it until it is saved",
           "[ui][window][quiz][long]") {
     using Taken = std::vector<std::optional<std::size_t>>;
     const TemporaryDirectory folder;
@@ -368,8 +362,7 @@ TEST_CASE("the quiz is answered by keys, and the next window goes on with it unt
     CHECK(bench.state.get<QuizState>().taken[0] == 2u);
 }
 
-TEST_CASE("the quiz is answered in the window, and what it saves is counted by glint quiz",
-          "[ui][window][quiz][long]") {
+TEST_CASE("clicks answer the quiz, and glint quiz counts its file", "[ui][window][quiz][long]") {
     const std::string inventory = project_file("assets/inventory.md");
     HeadlessWindow bench({1280, 1000});
     bench.state.get<LessonState>().inventory = inventory;

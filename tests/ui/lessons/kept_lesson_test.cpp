@@ -13,7 +13,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A lesson of one's own, about the scene of LessonFolder.
+/// A user's lesson, about the scene of LessonFolder.
 std::string small_lesson(const std::string& steps) {
     return "# Mine\n\n```lesson\ntopic: Own\nscene: ball.json\nsize: 32x32\n```\n\n" + steps;
 }
@@ -57,8 +57,7 @@ bool is_told(const HeadlessWindow& bench, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("a lesson asks before work that was saved under a name goes, whatever puts its scene back",
-          "[ui][window][lesson]") {
+TEST_CASE("a lesson asks before it replaces work that was saved under a name", "[ui][window][lesson]") {
     OwnWorkWindow bench;
     SECTION("the way back to its scene") {
         bench.save_and_change();
@@ -81,7 +80,7 @@ TEST_CASE("a lesson asks before work that was saved under a name goes, whatever 
     }
 }
 
-TEST_CASE("a lesson puts its scene back unasked where nobody has saved the one in hand",
+TEST_CASE("a lesson restores its scene without a question if nobody saved the present one",
           "[ui][window][lesson]") {
     OwnWorkWindow bench;
     bench.scene().global_ambient = glm::vec3(0.75f);
@@ -91,7 +90,7 @@ TEST_CASE("a lesson puts its scene back unasked where nobody has saved the one i
     CHECK(bench.scene() == bench.state.get<LessonState>().station().revealed);
 }
 
-TEST_CASE("progress is kept of lessons whose names are not UTF-8, of each its own", "[ui][window][lesson]") {
+TEST_CASE("lessons with names that are not UTF-8 each keep their own progress", "[ui][window][lesson]") {
     const LessonFolder folder;
     const std::string first = folder.file("caf\xE9.md", small_lesson(two_steps)),
                       second = folder.file("caf\xE8.md", small_lesson(two_steps));
@@ -110,8 +109,7 @@ TEST_CASE("progress is kept of lessons whose names are not UTF-8, of each its ow
     CHECK(station_of(first, 0) == 1);
 }
 
-TEST_CASE("a file of progress that cannot be read, or that is full, stays as it is, and that is told",
-          "[ui][window][lesson]") {
+TEST_CASE("an unreadable or full file of progress stays unchanged and is reported", "[ui][window][lesson]") {
     constexpr std::size_t longest = std::size_t{1} << 20;
     const std::string head = "{\"x\": \"", tail = "\"}";
     const auto of_size = [&](std::size_t size) {
@@ -133,7 +131,7 @@ TEST_CASE("a file of progress that cannot be read, or that is full, stays as it 
     }
 }
 
-TEST_CASE("what was asked of one lesson's scene does no task of the next lesson", "[ui][window][lesson]") {
+TEST_CASE("tasks evaluated on one lesson's scene do not count for the next lesson", "[ui][window][lesson]") {
     const LessonFolder folder;
     const auto with_task = [&](const char* name, const char* done) {
         return folder.file(name,
@@ -158,8 +156,7 @@ TEST_CASE("what was asked of one lesson's scene does no task of the next lesson"
     CHECK(lesson.watched->course == next);
 }
 
-TEST_CASE("a lesson that the window opens with at a question takes what is typed as the answer",
-          "[ui][window][lesson]") {
+TEST_CASE("a lesson that opens at a question accepts typing as the answer", "[ui][window][lesson]") {
     const LessonFolder folder;
     const std::string path = folder.file(
         "own.md", small_lesson("```predict number\nquestion: How much?\nanswer: 0.5\ntolerance: 0.1\n```\n"));

@@ -1,4 +1,4 @@
-// A lesson in the window: how it is opened and left, what is kept, what a lecturer sees.
+// A lesson in the window: opening and closing it, its progress, the lecturer's view.
 #include "ui/features/lessons/lesson.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A window with Lambert's lesson at its second station, which asks for a number.
+/// A window with Lambert's lesson at its second station, whose answer is a number.
 struct LambertWindow : HeadlessWindow {
     explicit LambertWindow(ImVec2 size = {1280, 1000}) : HeadlessWindow(size) {
         frames(2);
@@ -47,7 +47,7 @@ bool says(const HeadlessWindow& bench, const std::string& part) {
 bool asks_for(const HeadlessWindow& bench, PredictionKind kind) {
     return open_question(bench.state.get<LessonState>()) && test::asked(bench).asks->kind == kind;
 }
-/// Turns the lesson's pages until one asks for such an answer.
+/// Turns the lesson's pages to a question of that kind.
 void turn_to(HeadlessWindow& bench, PredictionKind kind) {
     while (!asks_for(bench, kind)) {
         (void)bench.key(Key::PageDown);
@@ -55,7 +55,7 @@ void turn_to(HeadlessWindow& bench, PredictionKind kind) {
     }
 }
 
-/// A lesson of one's own, with that block in its only step.
+/// A user's lesson, with that block in its only step.
 std::string own_lesson(const std::string& block) {
     return "# Mine\n\n```lesson\ntopic: Own\nscene: ball.json\nsize: 32x32\n```\n\n## One\n\n" + block;
 }
@@ -63,8 +63,7 @@ const char* const ball = R"({"glint": 1, "objects": [{"name": "Ball"}]})";
 
 }  // namespace
 
-TEST_CASE("an answer stands beside the right one, and its number is marked in the equation",
-          "[ui][window][lesson]") {
+TEST_CASE("an answer is shown next to the right one, and its number is marked", "[ui][window][lesson]") {
     LambertWindow bench;
     CHECK_FALSE(bench.state.on_screen.explanation);
     bench.answer("0.7");
@@ -81,7 +80,7 @@ TEST_CASE("an answer stands beside the right one, and its number is marked in th
     const Rect column = test::right_column(bench);
     const ImVec2 mark = bench.control("Marked number");
     CHECK(column.holds(mark));
-    // It goes after a while, and a click brings it back.
+    // It disappears after a while, and a click restores it.
     bench.state.get<InspectorState>().marked.reset();
     bench.state.get<InspectorState>().tab = InspectorTab::Mistakes;
     bench.frames(1);
@@ -91,8 +90,7 @@ TEST_CASE("an answer stands beside the right one, and its number is marked in th
     CHECK(column.holds(bench.control("Marked number")));
 }
 
-TEST_CASE("a long unit stands below its number, and the two answers below each other",
-          "[ui][window][lesson]") {
+TEST_CASE("a long unit is below its number, and the two answers below each other", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     (void)folder.file("ball.json", ball);
     HeadlessWindow bench({1280, 1000});
@@ -119,14 +117,14 @@ TEST_CASE("a long unit stands below its number, and the two answers below each o
     CHECK(bench.area_of("You said").low.y == bench.area_of("It is").low.y);
 }
 
-TEST_CASE("an answer is right within the question's tolerance, and typed as a calculation",
+TEST_CASE("an answer may be a calculation and is right within the question's tolerance",
           "[ui][window][lesson]") {
     LambertWindow bench;
     bench.answer("cos(60*deg)+0.02");
     CHECK(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
 }
 
-TEST_CASE("a number that is none keeps the keyboard, to be mended", "[ui][window][lesson]") {
+TEST_CASE("an invalid number keeps the focus, to be corrected", "[ui][window][lesson]") {
     LambertWindow bench;
     constexpr int return_key = 90;
     ImGui::GetIO().KeyMap[ImGuiKey_Enter] = return_key;
@@ -147,7 +145,7 @@ TEST_CASE("a number that is none keeps the keyboard, to be mended", "[ui][window
     CHECK(ImGui::GetIO().WantTextInput);
 }
 
-TEST_CASE("Ctrl+K animates nothing while a question waits", "[ui][window][lesson]") {
+TEST_CASE("Ctrl+K animates nothing during a question", "[ui][window][lesson]") {
     LambertWindow bench;
     const std::vector<PaletteEntry> all = palette_entries(bench.state);
     int of_animation = 0;
@@ -172,7 +170,7 @@ TEST_CASE("Ctrl+K finds an action while an answer is being typed", "[ui][window]
     CHECK(bench.lesson().typed == "0.5");
 }
 
-TEST_CASE("a choice is answered by its letter and Enter, and the palette opens while a question waits",
+TEST_CASE("letter and Enter answer a choice, and the palette opens during a question",
           "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
@@ -208,8 +206,7 @@ TEST_CASE("a choice is answered by its letter and Enter, and the palette opens w
     CHECK(lesson.given()[open].locked);
 }
 
-TEST_CASE("a curve that is drawn from edge to edge is whole, and what is drawn can be seen",
-          "[ui][window][lesson]") {
+TEST_CASE("a curve drawn from edge to edge is complete and visible", "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::drop(bench, test::shipped_lesson("15-mach-bands"));
@@ -233,7 +230,7 @@ TEST_CASE("a curve that is drawn from edge to edge is whole, and what is drawn c
     CHECK(from == Approx(pixels).margin(4));
     CHECK(to == Approx(2 * pixels).margin(4));
     bench.click(bench.control("Wipe"));
-    // Begun beside the plot, and far above it at the end.
+    // Begun next to the plot, and far above it at the end.
     bench.drag({plot.low.x - 6, middle}, {plot.high.x - 6, plot.low.y - 200});
     CHECK(can_lock(lesson));
     for (const Json& value : elements_of(lesson.chosen)) CHECK(value.get<double>() <= 1.08);
@@ -268,7 +265,7 @@ struct LightWindow : HeadlessWindow {
 
 }  // namespace
 
-TEST_CASE("what is typed into a lesson's field is seen: what the lesson plays ends", "[ui][window][lesson]") {
+TEST_CASE("typing into a lesson's field ends the lesson's animation", "[ui][window][lesson]") {
     LightWindow bench;
     const auto play = [&] {
         bench.state.get<AnimateState>().animation = {Motion::PingPong, "/lights/0/position/1", 0, 9, 75};
@@ -287,8 +284,7 @@ TEST_CASE("what is typed into a lesson's field is seen: what the lesson plays en
     CHECK(bench.state.get<AnimateState>().playing);
 }
 
-TEST_CASE("a lesson's fields of a light take what its panel takes, and have none for w",
-          "[ui][window][lesson]") {
+TEST_CASE("a lesson's fields of a light accept what its panel accepts and omit w", "[ui][window][lesson]") {
     LightWindow bench;
     for (const NamedControl& control : bench.controls()) CHECK(control.key != "/lights/0/position/3");
     bench.type_into_x("25");
@@ -302,7 +298,7 @@ TEST_CASE("a lesson's fields of a light take what its panel takes, and have none
     CHECK(says(bench, "1e+08 is out of range"));
 }
 
-TEST_CASE("the answer can be looked at without a prediction, which is noted", "[ui][window][lesson]") {
+TEST_CASE("the answer can be shown without a prediction, which is recorded", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.click(bench.control("Show it without"));
     bench.frames(2);
@@ -311,8 +307,7 @@ TEST_CASE("the answer can be looked at without a prediction, which is noted", "[
     CHECK(score_of(*bench.lesson().course, bench.lesson().progress).locked == 0);
 }
 
-TEST_CASE("what was explored is put back to the lesson's scene, and undo brings it again",
-          "[ui][window][lesson]") {
+TEST_CASE("restoring the lesson's scene is one step, which undo reverts", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.answer("0.5");
     const Scene lesson = bench.scene();
@@ -326,7 +321,7 @@ TEST_CASE("what was explored is put back to the lesson's scene, and undo brings 
     CHECK(bench.scene().lights[0].intensity == 0.25f);
 }
 
-TEST_CASE("undo leads from the next page to the meshes that were seen, and not to one that was awaited",
+TEST_CASE("undo from the next page leads to the visible meshes, not to an awaited one",
           "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     const std::string mesh = folder.file("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -348,8 +343,7 @@ TEST_CASE("undo leads from the next page to the meshes that were seen, and not t
     CHECK(bench.scene().objects == seen);
 }
 
-TEST_CASE("the next page's scene belongs to no file, and one's own is asked about before it goes",
-          "[ui][window][lesson]") {
+TEST_CASE("the next page's scene has no file, and the user's own needs a question", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     const std::string path = folder.path("mine.json");
     LambertWindow bench;
@@ -375,8 +369,7 @@ TEST_CASE("the next page's scene belongs to no file, and one's own is asked abou
     CHECK(bytes_of(path) == saved);
 }
 
-TEST_CASE("what was typed and not locked in does not answer the next page's question",
-          "[ui][window][lesson]") {
+TEST_CASE("a typed answer that was not locked in does not answer the next question", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     (void)folder.file("ball.json", ball);
     const std::string asks = "```predict number\nquestion: How much?\nanswer: 0.5\ntolerance: 0.1\n```\n\n";
@@ -393,7 +386,7 @@ TEST_CASE("what was typed and not locked in does not answer the next page's ques
     CHECK_FALSE(can_lock(bench.state.get<LessonState>()));
 }
 
-TEST_CASE("PgDn and PgUp turn the lesson's pages while a number is typed, and each begins with its scene",
+TEST_CASE("PgDn and PgUp turn pages while a number is typed, and restore their scenes",
           "[ui][window][lesson]") {
     LambertWindow bench;
     bench.click(bench.control("Your answer"));
@@ -416,8 +409,7 @@ TEST_CASE("PgDn and PgUp turn the lesson's pages while a number is typed, and ea
     CHECK(says(bench, "begins"));
 }
 
-TEST_CASE("a lesson asks before unsaved edits are lost, and the answer no leaves all as it was",
-          "[ui][window][lesson]") {
+TEST_CASE("a lesson asks before unsaved edits are lost, and No changes nothing", "[ui][window][lesson]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].intensity = 0.3f;
@@ -434,11 +426,11 @@ TEST_CASE("a lesson asks before unsaved edits are lost, and the answer no leaves
     finish_pending(bench.state);
     bench.wait_for_loads();
     CHECK(bench.state.get<LessonState>().course);
-    // And the lesson's scene is nobody's file: it is saved under a name of one's own.
+    // And the lesson's scene has no file: it is saved under a new name.
     CHECK(bench.state.editor.document.path.empty());
 }
 
-TEST_CASE("an error in a lesson is one line with its number, and the open scene stays",
+TEST_CASE("an error in a lesson is one line with its line number, and the open scene stays",
           "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     (void)folder.file("ball.json", ball);
@@ -450,18 +442,17 @@ TEST_CASE("an error in a lesson is one line with its number, and the open scene 
     CHECK(says(bench, "wrong.md:13:"));
     CHECK(bench.scene() == before);
     CHECK_FALSE(bench.state.get<LessonState>().course);
-    // What only shows when it is run, too.
+    // An error that is found only when it runs.
     test::drop(bench, folder.file("late.md", own_lesson("```scene\nset: /lights/9/intensity=1\n```\n")));
     CHECK(says(bench, "late.md:11:"));
     CHECK(bench.scene() == before);
-    // And one that is right opens from anybody's folder.
+    // And a correct lesson opens from any folder.
     test::drop(bench, folder.file("right.md", own_lesson("Look.\n")));
     REQUIRE(bench.state.get<LessonState>().course);
     CHECK(bench.scene().objects[0].name == "Ball");
 }
 
-TEST_CASE("progress is kept with every answer, and a lesson goes on where it was left",
-          "[ui][window][lesson]") {
+TEST_CASE("progress stores every answer, and a lesson continues where it was left", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     {
         HeadlessWindow bench({1280, 1000});
@@ -480,7 +471,7 @@ TEST_CASE("progress is kept with every answer, and a lesson goes on where it was
         std::filesystem::path(test::shipped_lesson("x")).parent_path().string();
     begin_persistence(bench.state, folder.path());
     bench.frames(2);
-    // It was the lesson of a folder that the window did not know as the program's: by its whole path.
+    // The lesson's folder is not the program's, so its key is the full path.
     const auto text = read_file(folder.path("lessons.json"), 100000);
     CHECK(std::get<std::string>(text).find("lessons/05-lambert.md") != std::string::npos);
     bench.state.get<LessonState>().folder.clear();
@@ -496,8 +487,7 @@ TEST_CASE("progress is kept with every answer, and a lesson goes on where it was
     CHECK(bench.state.get<LessonListState>().beside[6].record->at == 1);
 }
 
-TEST_CASE("a lesson is opened by the arrow keys and Enter, of a list that goes round",
-          "[ui][window][lesson]") {
+TEST_CASE("arrow keys and Enter open a lesson from a cyclic list", "[ui][window][lesson]") {
     HeadlessWindow bench;
     bench.state.get<LessonState>().folder =
         std::filesystem::path(test::shipped_lesson("x")).parent_path().string();
@@ -512,7 +502,7 @@ TEST_CASE("a lesson is opened by the arrow keys and Enter, of a list that goes r
     CHECK(bench.state.get<LessonListState>().chosen ==
           static_cast<int>(bench.state.get<LessonListState>().own.size()) - 1);
     bench.frames(2);
-    (void)bench.control(last.title);  // is in sight
+    (void)bench.control(last.title);  // is visible
     bench.key(Key::Enter);
     bench.wait_for_loads();
     CHECK_FALSE(bench.state.get<LessonListState>().open);
@@ -520,7 +510,7 @@ TEST_CASE("a lesson is opened by the arrow keys and Enter, of a list that goes r
     CHECK(bench.state.get<LessonState>().course->lesson.path == last.path);
 }
 
-TEST_CASE("answers that cannot be kept are told of, once", "[ui][window][lesson]") {
+TEST_CASE("answers that cannot be stored are reported once", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench({1280, 1000});
     begin_persistence(bench.state, folder.file("state", "a file in its place"));
@@ -536,8 +526,7 @@ TEST_CASE("answers that cannot be kept are told of, once", "[ui][window][lesson]
     CHECK_FALSE(says(bench, "cannot be remembered"));
 }
 
-TEST_CASE("a picture that is dropped while a lesson asks does not cover what is asked about",
-          "[ui][window][lesson]") {
+TEST_CASE("a picture dropped during a question does not cover the question", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     LambertWindow bench;
     const Picture picture = *bench.state.rendered;
@@ -548,7 +537,7 @@ TEST_CASE("a picture that is dropped while a lesson asks does not cover what is 
     CHECK(says(bench, "The lesson asks first"));
 }
 
-TEST_CASE("a lecturer's questions cannot be answered by mistake, and PgDn shows the answer first",
+TEST_CASE("a lecturer's questions cannot be answered by mistake; PgDn shows the answer",
           "[ui][window][lesson]") {
     LambertWindow bench;
     bench.click(bench.control("Lecturer"));
@@ -568,8 +557,7 @@ TEST_CASE("a lecturer's questions cannot be answered by mistake, and PgDn shows 
     CHECK(bench.lesson().progress.station == 2);
 }
 
-TEST_CASE("the lesson stays on a projector, in a narrow window, and over a picture alone",
-          "[ui][window][lesson]") {
+TEST_CASE("the lesson stays on a projector, in a narrow window and without columns", "[ui][window][lesson]") {
     LambertWindow bench({1024, 900});
     (void)bench.control("Your answer");
     bench.key(Key::F9);
@@ -589,7 +577,7 @@ TEST_CASE("the lesson stays on a projector, in a narrow window, and over a pictu
     CHECK(lesson_caption(bench.state) == "Tilted by 60 degrees");
 }
 
-TEST_CASE("a scene that would tell the answer is shown when the answer is given", "[ui][window][lesson]") {
+TEST_CASE("a scene that would reveal the answer is shown after the answer", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     (void)folder.file("ball.json",
                       R"({"glint": 1, "lights": [{"type": "point"}], "objects": [{"name": "Ball"}]})");
@@ -607,7 +595,7 @@ TEST_CASE("a scene that would tell the answer is shown when the answer is given"
     CHECK(bench.state.rendered_scene.lights[0].intensity == 0.5f);
 }
 
-TEST_CASE("a lesson of one's own is among the recent files, and goes on from there", "[ui][window][lesson]") {
+TEST_CASE("a user's lesson is among the recent files and continues from there", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     (void)folder.file("ball.json", ball);
     const std::string mine = folder.file("mine.md", own_lesson("Look.\n"));
@@ -630,7 +618,7 @@ TEST_CASE("a lesson of one's own is among the recent files, and goes on from the
     CHECK(bench.state.get<LessonState>().course->lesson.path == mine);
 }
 
-TEST_CASE("the lesson's text stays where it is when the first thing is dragged", "[ui][window][lesson]") {
+TEST_CASE("the lesson's text stays in place when the first drag starts", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.answer("0.5");
     const Rect before = bench.area_of("Back to the lesson's scene");
@@ -639,7 +627,7 @@ TEST_CASE("the lesson's text stays where it is when the first thing is dragged",
     CHECK(bench.area_of("Back to the lesson's scene").low.y == before.low.y);
 }
 
-TEST_CASE("what a lesson plays of a light that is gone is told, and nothing plays", "[ui][window][lesson]") {
+TEST_CASE("an animation of a deleted light is reported and does not play", "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::drop(bench, test::shipped_lesson("03-falloff"));
@@ -660,8 +648,7 @@ TEST_CASE("what a lesson plays of a light that is gone is told, and nothing play
     CHECK(says(bench, "there is no “/lights/0/position/0” any more"));
 }
 
-TEST_CASE("each page plays what it says, whatever the page before played and whoever added a light",
-          "[ui][window][lesson]") {
+TEST_CASE("each page plays its own animation, whatever was played or edited before", "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::drop(bench, test::shipped_lesson("03-falloff"));
@@ -688,7 +675,7 @@ TEST_CASE("each page plays what it says, whatever the page before played and who
     CHECK_FALSE(says(bench, "any more"));
 }
 
-TEST_CASE("another scene ends the lesson, and so does its cross", "[ui][window][lesson]") {
+TEST_CASE("another scene ends the lesson, as does its close button", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.click(bench.control("Leave"));
     bench.frames(2);
@@ -701,8 +688,7 @@ TEST_CASE("another scene ends the lesson, and so does its cross", "[ui][window][
     CHECK_FALSE(bench.state.get<LessonState>().course);
 }
 
-TEST_CASE("letters beside a dot and with an index have the equation's colours, words have not",
-          "[ui][lesson]") {
+TEST_CASE("letters next to a dot or with an index have the equation's colours", "[ui][lesson]") {
     const auto symbols = [](const char* word) {
         std::string text;
         for (const ColouredPiece& piece : coloured_pieces(word))

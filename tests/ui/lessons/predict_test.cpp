@@ -1,4 +1,4 @@
-// *Predict*: the picture stands still until somebody has said what a pixel's colour will be.
+// *Predict*: the picture is frozen until the user has predicted a pixel's colour.
 #include "tests/support/headless_inspector.h"
 #include "tests/support/lesson_window.h"
 #include "ui/features/lessons/predict_mode.h"
@@ -9,7 +9,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// The ball's middle is picked, and the picture stopped.
+/// The ball's middle is picked, and the picture frozen.
 struct PredictWindow : HeadlessWindow {
     PredictWindow() : HeadlessWindow({1280, 1000}) {
         frames(2);
@@ -23,7 +23,7 @@ struct PredictWindow : HeadlessWindow {
 
 }  // namespace
 
-TEST_CASE("a picked pixel stands still while the scene changes, and shows then what it is",
+TEST_CASE("a picked pixel is frozen while the scene changes, then shows its new colour",
           "[ui][window][lesson]") {
     PredictWindow bench;
     REQUIRE(bench.state.get<PredictState>().stage == PredictStage::Change);
@@ -33,7 +33,7 @@ TEST_CASE("a picked pixel stands still while the scene changes, and shows then w
     bench.scene().global_ambient = {};
     bench.frames(3);
     CHECK(bench.state.rendered_scene == before);
-    // No tab of the column tells what it will be.
+    // No tab of the column reveals the colour.
     CHECK(test::window_named("Equation") == nullptr);
     CHECK(test::window_named("Models") == nullptr);
     const Rect picker = bench.area_of("Colour to predict");
@@ -49,20 +49,20 @@ TEST_CASE("a picked pixel stands still while the scene changes, and shows then w
     (void)bench.control("You said");
     (void)bench.control("It is");
     CHECK(test::window_named("Equation") != nullptr);
-    // From the next edit on it is what it was.
+    // From the next edit on it is the old one.
     bench.scene().global_ambient = {1, 1, 1};
     bench.frames(3);
     CHECK(*bench.state.get<PredictState>().answer == std::array<int, 3>{0, 0, 0});
     (void)bench.control("It was");
 }
 
-TEST_CASE("a colour is predicted without a mouse, once a pixel is picked", "[ui][window][lesson]") {
+TEST_CASE("a colour is predicted without a mouse once a pixel is picked", "[ui][window][lesson]") {
     PredictWindow bench;
     REQUIRE(bench.state.get<PredictState>().stage == PredictStage::Change);
     bench.scene().lights.clear();
     bench.frames(2);
     (void)bench.key(Key::Enter);
-    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);  // nothing is said yet
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);  // nothing is predicted yet
     bench.frames(4);
     REQUIRE(ImGui::GetIO().WantTextInput);
     bench.type("7");  // in place of red
@@ -79,8 +79,7 @@ TEST_CASE("a colour is predicted without a mouse, once a pixel is picked", "[ui]
     CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);
 }
 
-TEST_CASE("a prediction that begins again asks for a pixel where the one before is gone",
-          "[ui][window][lesson]") {
+TEST_CASE("a new prediction needs a pixel if the previous one is gone", "[ui][window][lesson]") {
     PredictWindow bench;
     bench.click(bench.control("Lock the colour in"));
     bench.frames(4);
@@ -95,8 +94,7 @@ TEST_CASE("a prediction that begins again asks for a pixel where the one before 
     CHECK(bench.state.get<PredictState>().mine == Json());
 }
 
-TEST_CASE("what a pixel was before is the edited scene's colour, not that of a part that showed there",
-          "[ui][window][lesson]") {
+TEST_CASE("a pixel's old colour is that of the edited scene, not of a shown part", "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     bench.compare({variant_of(Reflection::None), {}});
@@ -111,7 +109,7 @@ TEST_CASE("what a pixel was before is the edited scene's colour, not that of a p
     CHECK(bench.state.get<PredictState>().before == edited);
 }
 
-TEST_CASE("Esc, the key itself and another scene give a prediction up", "[ui][window][lesson]") {
+TEST_CASE("Esc, the key itself and another scene cancel a prediction", "[ui][window][lesson]") {
     PredictWindow bench;
     bench.scene().lights.clear();
     bench.frames(2);
@@ -130,8 +128,7 @@ TEST_CASE("Esc, the key itself and another scene give a prediction up", "[ui][wi
     bench.frames(2);
 }
 
-TEST_CASE("the picture of a prediction is that of the scene, whatever the mouse shows in its place",
-          "[ui][window][lesson]") {
+TEST_CASE("a prediction's picture is that of the scene, not a preview", "[ui][window][lesson]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);
     const Scene edited = bench.scene();
@@ -144,7 +141,7 @@ TEST_CASE("the picture of a prediction is that of the scene, whatever the mouse 
     CHECK(bench.state.rendered_scene == edited);
 }
 
-TEST_CASE("a prediction begins whatever is frozen or plays", "[ui][window][lesson]") {
+TEST_CASE("a prediction starts during a freeze or an animation", "[ui][window][lesson]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.get<AnimateState>().animation.motion = Motion::Turntable;
@@ -160,9 +157,8 @@ TEST_CASE("a prediction begins whatever is frozen or plays", "[ui][window][lesso
     CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);
 }
 
-TEST_CASE(
-    "whatever is looked at or asked while a prediction waits, the picked pixel of the scene is revealed",
-    "[ui][window][lesson]") {
+TEST_CASE("the revealed pixel is the picked one, whatever is viewed or picked meanwhile",
+          "[ui][window][lesson]") {
     PredictWindow bench;
     REQUIRE(bench.state.get<PredictState>().stage == PredictStage::Change);
     const std::array<int, 3> was = bench.state.get<PredictState>().before;
@@ -184,7 +180,7 @@ TEST_CASE(
     CHECK(*bench.state.get<PredictState>().answer == (looked_at == 1 ? std::array<int, 3>{0, 0, 0} : was));
 }
 
-TEST_CASE("a prediction's pixel stays where it is on the surface when the window changes its shape",
+TEST_CASE("a prediction's pixel stays on its surface point when the window is resized",
           "[ui][window][lesson]") {
     PredictWindow bench;
     const std::array<int, 3> was = bench.state.get<PredictState>().before;
@@ -198,7 +194,7 @@ TEST_CASE("a prediction's pixel stays where it is on the surface when the window
     CHECK(*bench.state.viewport.probe == *bench.state.get<PredictState>().probe);
 }
 
-TEST_CASE("a pixel of B that is picked to be predicted is one of the scene", "[ui][window][lesson]") {
+TEST_CASE("a pixel of B picked for a prediction is one of the scene", "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     (void)bench.key(Key::B, true);

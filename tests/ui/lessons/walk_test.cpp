@@ -1,4 +1,4 @@
-// Every lesson that comes with the program is walked through by hand from beginning to end.
+// Every lesson that comes with the program is worked through by mouse and keys from beginning to end.
 #include <algorithm>
 #include <filesystem>
 
@@ -10,7 +10,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// While a question waits, nothing that a hand does changes the scene, and nothing is read off the picture.
+/// During a question no input changes the scene, and nothing is read from the picture.
 void check_held(HeadlessWindow& bench) {
     const Station& station = bench.state.get<LessonState>().station();
     REQUIRE(bench.scene() == station.asked);
@@ -31,8 +31,8 @@ void answer_all(HeadlessWindow& bench) {
     while (const auto open = open_question(lesson)) {
         CAPTURE(test::asked(bench).asks->question);
         check_held(bench);
-        // check_held() has already clicked in the picture, and pressed C and D, which take an option: all
-        // other answers are yet to be given.
+        // check_held() has already clicked in the picture, and pressed C and D, which choose an option: all
+        // other answers are still open.
         const PredictionKind kind = test::asked(bench).asks->kind;
         if (kind != PredictionKind::Click && kind != PredictionKind::Choice) CHECK_FALSE(can_lock(lesson));
         test::give_answer(bench);
@@ -58,7 +58,7 @@ void check_revealed(HeadlessWindow& bench) {
     CHECK(bench.state.get<InspectorState>().tab != InspectorTab::MyPicture);
 }
 
-/// By what the lesson says is a way to do it.
+/// By the way that the lesson describes.
 void do_tasks(HeadlessWindow& bench) {
     LessonState& lesson = bench.state.get<LessonState>();
     const Station& station = lesson.station();
@@ -84,7 +84,7 @@ void do_tasks(HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("every lesson is walked through by hand: held, predicted, revealed, done, and on",
+TEST_CASE("every lesson can be worked through: freeze, predict, reveal, task, next",
           "[ui][window][lesson][long]") {
     std::vector<std::string> files;
     for (const auto& entry :

@@ -1,4 +1,4 @@
-// Comparing: every part is the full picture of its setting, column by column and byte by byte.
+// Comparisons: every part is the full picture of its setting, column by column and byte by byte.
 #include <stdexcept>
 
 #include "tests/support/catch.h"
@@ -68,8 +68,7 @@ TEST_CASE("each part of a comparison equals the full picture of its mode", "[ui]
     CHECK(bench.state.displayed == bench.state.rendered);
 }
 
-TEST_CASE("after a frame that failed a comparison begins afresh, with the mouse over one of its parts",
-          "[ui][window][compare]") {
+TEST_CASE("after a failed frame a comparison restarts with the mouse over a part", "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
     const CompareState& compare = bench.state.get<CompareState>();
@@ -83,7 +82,7 @@ TEST_CASE("after a frame that failed a comparison begins afresh, with the mouse 
     ImGui::Render();
     REQUIRE_FALSE(compare.choice.on);
     bench.state.get<CompareState>().choice.on = true;
-    CHECK(part_renderer(compare, middle, size) == nullptr);  // what drew it is gone
+    CHECK(part_renderer(compare, middle, size) == nullptr);  // its renderer was deleted
     CHECK(drawn_parts(compare, *bench.state.renderer, size).size() == 1);
     bench.state.get<CompareState>().choice.on = false;
     bench.key(Key::C);
@@ -92,7 +91,7 @@ TEST_CASE("after a frame that failed a comparison begins afresh, with the mouse 
     CHECK(bench.state.viewport.main_light);
 }
 
-TEST_CASE("a dragged wipe line moves the parts' border to the hand and draws no scene again",
+TEST_CASE("a dragged wipe line moves the parts' border to the cursor and redraws no scene",
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
@@ -113,7 +112,7 @@ TEST_CASE("a dragged wipe line moves the parts' border to the hand and draws no 
     check_three(bench);
 }
 
-TEST_CASE("a pixel picked in a part is explained as that part drew it", "[ui][window][compare]") {
+TEST_CASE("a pixel picked in a part is explained by that part's renderer", "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
     const PictureSize size = bench.state.rendered->size;
@@ -136,7 +135,7 @@ TEST_CASE("a pixel picked in a part is explained as that part drew it", "[ui][wi
     }
 }
 
-TEST_CASE("the difference shows the first part against the last, with the numbers of glint compare",
+TEST_CASE("the difference is first minus last part, with the numbers of glint compare",
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
@@ -162,7 +161,7 @@ TEST_CASE("the difference shows the first part against the last, with the number
     CHECK(wrong == 0);
 }
 
-TEST_CASE("a part that lacks its scene or picture says so, and shows the scene as it is edited",
+TEST_CASE("a part without its scene or picture is labelled so and shows the edited scene",
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
@@ -180,7 +179,7 @@ TEST_CASE("a part that lacks its scene or picture says so, and shows the scene a
     CHECK(part_label(compare, 2) == "My picture");
 }
 
-TEST_CASE("a part that shows another scene than the edited one is called by it", "[ui][window][compare]") {
+TEST_CASE("a part is labelled with the other scene that it shows", "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
     const CompareState& compare = bench.state.get<CompareState>();
@@ -220,7 +219,7 @@ TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][
     bench.key(Key::B);
     bench.frames(2);
     CHECK(bench.state.rendered_scene == edited);
-    // And as a part beside the edited scene.
+    // And as a part next to the edited scene.
     set_parts(bench.state.get<CompareState>().choice, {{}, {Variant::Kind::Stored, 0}});
     bench.key(Key::C);
     bench.frames(1);
@@ -232,7 +231,7 @@ TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][
     CHECK(bench.state.displayed->rgba[right] != bench.state.rendered->rgba[right]);
 }
 
-TEST_CASE("the scope reads what a comparison shows", "[ui][window][compare][scope]") {
+TEST_CASE("the scope samples the shown comparison", "[ui][window][compare][scope]") {
     HeadlessWindow bench;
     comparing(bench);
     bench.state.get<ScopeState>().open = true;
@@ -252,8 +251,7 @@ TEST_CASE("the scope reads what a comparison shows", "[ui][window][compare][scop
     CHECK(hits > 0);
 }
 
-TEST_CASE("clicking a part's label lists settings, and the one chosen is drawn there",
-          "[ui][window][compare]") {
+TEST_CASE("clicking a part's label lists settings; the chosen one is drawn there", "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
     const int width = bench.state.rendered->size.width;
@@ -267,7 +265,7 @@ TEST_CASE("clicking a part's label lists settings, and the one chosen is drawn t
     check_columns(bench, ShadingMode::Facet, 0, first_of(bench.state.get<CompareState>().choice, 1, width));
 }
 
-TEST_CASE("stacked parts follow from top to bottom, each equal to the full picture of its mode",
+TEST_CASE("stacked parts are one above the other, each the full picture of its mode",
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
@@ -290,13 +288,13 @@ TEST_CASE("stacked parts follow from top to bottom, each equal to the full pictu
         }
     };
     check();
-    // Its line is taken anywhere along it, and goes up and down.
+    // Its line can be grabbed anywhere along it, and moves up and down.
     const PictureSize size = bench.state.rendered->size;
     const int row = first_of(choice, 1, size.height);
     bench.drag(bench.at_pixel({size.width * 0.2, row}), bench.at_pixel({size.width * 0.6, 61}));
     CHECK(first_of(choice, 1, size.height) == 61);
     check();
-    // A pixel of the lowest part is explained as that drew it.
+    // A pixel of the lowest part is explained by that part's renderer.
     bench.click(bench.at_pixel({size.width * 0.42, size.height * 0.74}));
     bench.frames(2);
     REQUIRE(bench.state.on_screen.explanation);
@@ -307,7 +305,7 @@ TEST_CASE("stacked parts follow from top to bottom, each equal to the full pictu
     CHECK(bench.state.on_screen.explanation->mode == ShadingMode::Gouraud);
 }
 
-TEST_CASE("while a hand moves something, a comparison that is too slow is drawn smaller, and whole at rest",
+TEST_CASE("a slow comparison is drawn smaller during a drag and at full size after it",
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
@@ -335,7 +333,7 @@ TEST_CASE("while a hand moves something, a comparison that is too slow is drawn 
     bench.frames(2);
     CHECK(bench.state.displayed->size == full);
     check_three(bench);
-    // What is measured is never a smaller picture.
+    // A measured picture is never a smaller one.
     bench.state.get<CompareState>().choice.difference = true;
     bench.frames(1);
     bench.button(true, 1);
@@ -346,7 +344,7 @@ TEST_CASE("while a hand moves something, a comparison that is too slow is drawn 
     bench.button(false, 1);
 }
 
-TEST_CASE("B pressed stays, B held shows the stored scene while it is held", "[ui][window][compare]") {
+TEST_CASE("pressing B toggles the stored scene, holding B shows it temporarily", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::B, true);
@@ -373,7 +371,7 @@ TEST_CASE("B pressed stays, B held shows the stored scene while it is held", "[u
     CHECK(shows);
 }
 
-TEST_CASE("B that is put away while it is held stays away when it is let go of", "[ui][window][compare]") {
+TEST_CASE("B that is hidden while held stays hidden after release", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::B, true);

@@ -7,7 +7,8 @@ using namespace glint;
 
 namespace {
 
-/// Divisors of 40 pictures of a machine on which one takes `fixed` and `per_pixels` over the share of pixels.
+/// Divisors of 40 pictures on a machine on which a picture takes `fixed` + `per_pixels` times its share of
+/// pixels.
 std::vector<int> divisors(FramePace& pace, double fixed, double per_pixels) {
     std::vector<int> used;
     for (int i = 0; i < 40; ++i) {
@@ -42,7 +43,7 @@ TEST_CASE("a picture is drawn smaller only when a full one takes more than 33 ms
     CHECK(divisors(pace, 0, 1000).back() == largest_divisor);
 }
 
-TEST_CASE("the grain stays while the hand moves: no flicker between sizes", "[ui][pace]") {
+TEST_CASE("the resolution stays constant during a motion: no flicker between sizes", "[ui][pace]") {
     for (const double fixed : {0.0, 3.0, 10.0, 20.0})
         for (double per_pixels = 5; per_pixels < 500; per_pixels *= 1.3) {
             FramePace pace;
@@ -54,30 +55,29 @@ TEST_CASE("the grain stays while the hand moves: no flicker between sizes", "[ui
         }
 }
 
-TEST_CASE("where fewer pixels do not help the picture stays whole", "[ui][pace]") {
+TEST_CASE("if fewer pixels do not help, the picture stays full-size", "[ui][pace]") {
     FramePace pace;
-    const auto used = divisors(pace, 300, 10);  // the time goes into a million triangles
+    const auto used = divisors(pace, 300, 10);  // the time is spent on a million triangles
     CHECK(used.back() == 1);
     CHECK(pace.in_vain);
     end_of_motion(pace);
     CHECK_FALSE(pace.in_vain);
 }
 
-TEST_CASE("a size is divided and never nothing", "[ui][pace]") {
+TEST_CASE("a divided size is never zero", "[ui][pace]") {
     CHECK(divided({641, 479}, 2) == PictureSize{320, 239});
     CHECK(divided({3, 1}, 4) == PictureSize{1, 1});
     CHECK(divided({640, 480}, 1) == PictureSize{640, 480});
 }
 
-TEST_CASE("a slow picture is small while a camera drag moves, and whole when the hand rests or lets go",
-          "[ui][pace]") {
+TEST_CASE("a slow picture is small during a camera drag and full-size after a pause", "[ui][pace]") {
     test::HeadlessWindow bench;
     bench.frames(2);
     const PictureSize full = bench.state.rendered->size;
     begin_slow_drag(bench, 2);
     bench.move(bench.at_pixel({80, 50}));
     CHECK(bench.state.rendered->size == divided(full, 2));
-    const UiRequests wants = bench.frame();  // the hand rests
+    const UiRequests wants = bench.frame();  // the motion has stopped
     CHECK(wants.sleep_s <= rest_before_full);
     bench.frames(12);  // 0.2 s
     CHECK(bench.state.rendered->size == full);
@@ -90,7 +90,7 @@ TEST_CASE("a slow picture is small while a camera drag moves, and whole when the
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("while the picture is small the picked pixel is explained by what shows there", "[ui][pace]") {
+TEST_CASE("in a smaller picture the picked pixel is explained by what it shows", "[ui][pace]") {
     test::HeadlessWindow bench;
     bench.frames(2);
     const PictureSize full = bench.state.rendered->size;

@@ -32,8 +32,7 @@ TEST_CASE("grid: the cells' linear pictures add up to the picture", "[ui][grid]"
     CHECK(with_cells(scene, grid_cells(scene)) == scene);
 }
 
-TEST_CASE("grid: a faint term is shown brighter by a power of 2, one that adds nothing says 0",
-          "[ui][grid]") {
+TEST_CASE("grid: a faint term is brightened by a power of 2, an empty one shows 0", "[ui][grid]") {
     Scene scene;
     scene.camera.eye = {0, 0, 4};
     scene.objects = {test::object_of(test::primitive(Primitive::Sphere, 24))};
@@ -65,7 +64,7 @@ TEST_CASE("grid: a faint term is shown brighter by a power of 2, one that adds n
     CHECK(int(brighter.rgba[2]) == int(std::lround(255 * background.z)));
 }
 
-TEST_CASE("grid: a click shows one term alone while the tab is open, and edits nothing",
+TEST_CASE("grid: a click shows one term alone while the tab is open and edits nothing",
           "[ui][window][grid]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Grid);
@@ -75,7 +74,7 @@ TEST_CASE("grid: a click shows one term alone while the tab is open, and edits n
     CHECK(grid.next == grid_cells(before).size());
     const PictureSize cell = grid.sheet.cell;
     CHECK(grid.sheet.picture.size.width == 3 * cell.width);
-    // The sheet holds what a small renderer draws.
+    // The sheet contains the output of a small renderer.
     Renderer renderer(1);
     REQUIRE(grid.gains.size() == grid_cells(before).size());
     const int gain = grid.gains[3];  // of the first light's diffuse term
@@ -98,8 +97,7 @@ TEST_CASE("grid: a click shows one term alone while the tab is open, and edits n
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing again",
-          "[ui][window][magnify]") {
+TEST_CASE("big pixels enlarge about the pixel under the cursor and redraw nothing", "[ui][window][magnify]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -125,7 +123,7 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing 
     CHECK(std::abs(bench.state.on_screen.explanation->y - 200) <= 1);
     bench.key(Key::M);
     CHECK(bench.state.get<MagnifierState>().zoom == 1);
-    // Several steps that come in one slow frame, and one of a wheel that turns smoothly.
+    // Several steps in one slow frame, and one of a wheel with smooth scrolling.
     ImGui::GetIO().KeyCtrl = true;
     for (const auto& [steps, zoom] : {std::pair{3.0f, 8}, {-2.0f, 2}, {0.2f, 4}, {9.0f, 64}, {-9.0f, 1}}) {
         ImGui::GetIO().MouseWheel = steps;
@@ -136,7 +134,7 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and draw nothing 
     ImGui::GetIO().KeyCtrl = false;
 }
 
-TEST_CASE("big pixels have room for their numbers on a display of any scale", "[ui][window][magnify]") {
+TEST_CASE("big pixels have room for their numbers at any display scale", "[ui][window][magnify]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::M);
@@ -146,12 +144,12 @@ TEST_CASE("big pixels have room for their numbers on a display of any scale", "[
         const Layout layout = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1);
         const PictureView view = picture_view(layout.centre, bench.state);
         INFO("scale " << scale << ": a pixel is " << view.units_per_pixel << " wide");
-        CHECK(view.units_per_pixel >= px(26));  // as draw_number() needs it
+        CHECK(view.units_per_pixel >= px(26));  // required by draw_number()
         CHECK(std::fmod(view.units_per_pixel, 1.0f) == 0);
     }
 }
 
-TEST_CASE("what lies in a corner of the picture lies in the corner that is seen of big pixels",
+TEST_CASE("labels in a corner of the picture are in the corner of the visible part",
           "[ui][window][magnify]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -168,8 +166,7 @@ TEST_CASE("what lies in a corner of the picture lies in the corner that is seen 
     CHECK(room.holds(now.high));
 }
 
-TEST_CASE("magnified, a place goes to the window and back, and the picture covers its room",
-          "[ui][magnify]") {
+TEST_CASE("magnified, a position maps to the window and back; the picture fills its area", "[ui][magnify]") {
     PictureView plain;
     plain.origin = {10, 20};
     plain.map.size = {640, 480};
@@ -185,18 +182,17 @@ TEST_CASE("magnified, a place goes to the window and back, and the picture cover
         }
 }
 
-TEST_CASE("dots: flat shading is evaluated at faces' points, Gouraud at corners, Phong at pixels",
-          "[ui][dots]") {
+TEST_CASE("dots: flat shading is evaluated per face, Gouraud per corner, Phong per pixel", "[ui][dots]") {
     Scene scene = test::busy_scene();
     constexpr PictureSize size{160, 120};
     Renderer renderer(1);
     scene.shading.mode = ShadingMode::Gouraud;
     renderer.render(scene, size);
     const std::vector<LitDot> corners = lit_dots(renderer, size, 160, {{0, 0}, {160, 120}});
-    // Every pixel asked: then each corner that was lit is found, once.
+    // Sampling every pixel finds each lit corner once.
     const std::uint64_t sources = 3 + 4;  // an area light counts as its samples
     const std::uint64_t lit = renderer.stats().evaluations / sources;
-    CHECK(corners.size() <= lit);  // poles have a corner for each face, all alike
+    CHECK(corners.size() <= lit);  // poles have a corner for each face, all equal
     CHECK(double(corners.size()) > 0.6 * double(lit));
     scene.shading.mode = ShadingMode::Flat;
     renderer.render(scene, size);
@@ -225,10 +221,8 @@ TEST_CASE("dots: the counter is the renderer's", "[ui][window][dots]") {
     CHECK(bench.state.get<LitDotsState>().found.value() == nullptr);
 }
 
-TEST_CASE(
-    "dots: each part of a comparison has those of its own picture, and the count is that of the part under "
-    "the mouse",
-    "[ui][window][dots][compare]") {
+TEST_CASE("dots: each part of a comparison has its own dots, and its own count",
+          "[ui][window][dots][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     set_parts(bench.state.get<CompareState>().choice,

@@ -1,4 +1,4 @@
-// The hand on the picture: mouse in, scene out, and undo leads back.
+// Drags in the picture: mouse in, scene out, and undo leads back.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -12,7 +12,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A ball with one light, its highlight alone far from the light's handle.
+/// A ball with one light, its highlight far from the light's handle.
 HeadlessWindow& with_light(HeadlessWindow& bench, LightKind kind) {
     Scene& scene = bench.scene();
     scene.lights.resize(1);
@@ -29,7 +29,7 @@ HeadlessWindow& with_light(HeadlessWindow& bench, LightKind kind) {
     return bench;
 }
 
-/// The pixel with the largest specular term of light 0, found by asking the engine about all of them.
+/// The pixel with the largest specular term of light 0, found by explaining all pixels.
 glm::dvec2 highlight_pixel(const HeadlessWindow& bench, int step = 3) {
     const PictureSize size = bench.state.rendered->size;
     glm::dvec2 best(0);
@@ -51,7 +51,7 @@ float specular_at(const HeadlessWindow& bench, glm::dvec2 pixel) {
 
 }  // namespace
 
-TEST_CASE("a highlight is dragged like a thing, and undo puts the light back", "[ui][hands][window]") {
+TEST_CASE("a highlight can be dragged, and undo restores the light", "[ui][hands][window]") {
     for (const LightKind kind : {LightKind::Directional, LightKind::Point, LightKind::Spot}) {
         HeadlessWindow bench;
         with_light(bench, kind);
@@ -83,8 +83,7 @@ TEST_CASE("a light dragged by its highlight keeps its distance from the surface"
     CHECK(bench.state.renderer->explain(int(to.x), int(to.y)).at.lights[0].distance == Approx(before));
 }
 
-TEST_CASE("with Shift a dragged highlight stays and its light moves in depth; without, nothing jumps",
-          "[ui][hands][window]") {
+TEST_CASE("with Shift a highlight stays and its light moves in depth, without jumps", "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const glm::dvec2 from = highlight_pixel(bench), to = from + glm::dvec2(-40, 30);
@@ -113,7 +112,7 @@ TEST_CASE("with Shift a dragged highlight stays and its light moves in depth; wi
     CHECK(bench.state.editor.history.undo_name() == "Move Lamp");
 }
 
-TEST_CASE("a highlight dragged off the surface waits, and Escape puts it back", "[ui][hands][window]") {
+TEST_CASE("a highlight dragged off the surface waits, and Escape reverts the drag", "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const Scene before = bench.scene();
@@ -131,7 +130,7 @@ TEST_CASE("a highlight dragged off the surface waits, and Escape puts it back", 
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("a click on a highlight asks why, Alt turns the camera there", "[ui][hands][window]") {
+TEST_CASE("a click on a highlight picks the pixel; Alt turns the camera there", "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const Scene before = bench.scene();
@@ -146,7 +145,7 @@ TEST_CASE("a click on a highlight asks why, Alt turns the camera there", "[ui][h
     CHECK_FALSE(bench.scene().camera == before.camera);
 }
 
-TEST_CASE("nothing is there to be taken hold of without highlight, term or light", "[ui][hands][window]") {
+TEST_CASE("without highlight, term or light there is nothing to grab", "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const glm::dvec2 at = highlight_pixel(bench);
@@ -170,13 +169,13 @@ TEST_CASE("nothing is there to be taken hold of without highlight, term or light
     CHECK_FALSE(gripped());
 }
 
-TEST_CASE("the selected light's terminator follows the hand", "[ui][hands][window]") {
+TEST_CASE("the selected light's terminator follows the cursor", "[ui][hands][window]") {
     for (const LightKind kind : {LightKind::Directional, LightKind::Point, LightKind::Spot}) {
         HeadlessWindow bench;
         with_light(bench, kind);
         bench.state.editor.selection = {Selection::Kind::Light, 0};
         const Scene before = bench.scene();
-        // From the highlight away from the light until the surface turns away from it.
+        // From the highlight away from the light until the surface faces away from it.
         glm::dvec2 from = highlight_pixel(bench);
         const auto cosine = [&](glm::dvec2 p) {
             return bench.state.renderer->explain(int(p.x), int(p.y)).at.lights.at(0).n_dot_l;
@@ -194,12 +193,12 @@ TEST_CASE("the selected light's terminator follows the hand", "[ui][hands][windo
     }
 }
 
-TEST_CASE("a click on W or C in a light's row keeps the light where it is, with Alt its numbers",
+TEST_CASE("a click on W or C in a light's row keeps its position, with Alt its numbers",
           "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const Light start = bench.scene().lights[0];
-    // The letter stands left of the eye, at the right end of the row.
+    // The letter is left of the eye, at the right end of the row.
     const float right = lay_out({1280, 800}, bench.state.layout, 1).left.high.x;
     ImVec2 letter{right - 1.7f * ImGui::GetFrameHeight(), 60};
     while (bench.scene().lights[0].space == LightSpace::World && letter.y < 400) {
@@ -222,7 +221,7 @@ TEST_CASE("a click on W or C in a light's row keeps the light where it is, with 
     CHECK(glm::length(bench.handle_pixel(0) - before) > 1);
 }
 
-TEST_CASE("an object is moved, turned and scaled in the picture, each drag one named step",
+TEST_CASE("moving, turning and scaling an object in the picture are one named step each",
           "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
@@ -239,7 +238,7 @@ TEST_CASE("an object is moved, turned and scaled in the picture, each drag one n
         const char* name;
     } deeds[] = {{Key::G, {0, 0}, "Move "}, {Key::R, {70.0, 70.0}, "Rotate "}, {Key::T, {0, 0}, "Scale "}};
     bench.key(Key::G);
-    CHECK(bench.state.viewport.gizmo == GizmoMode::None);  // it showed before: its key takes it away
+    CHECK(bench.state.viewport.gizmo == GizmoMode::None);  // it was shown before: its key hides it
     for (const auto& action : deeds) {
         bench.key(action.key);
         // The outer ring is 1.18 axes of 84 units out.
@@ -282,7 +281,7 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
         return glm::dvec2(0);
     };
     for (const ShapePart part : {ShapePart::Rim, ShapePart::Aim}) {
-        // Inwards: past the rim of the sphere on which the free aim moves no place is under the cursor.
+        // Inwards: past the rim of the sphere of the free aim no position is under the cursor.
         const glm::dvec2 from = place(part), to = from + glm::round(0.2 * (bench.handle_pixel(0) - from));
         ImGui::GetIO().KeyShift = part == ShapePart::Aim;
         bench.drag(bench.at_pixel(from), bench.at_pixel(to));
@@ -292,7 +291,7 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
         bench.key(Key::Z, true);
         CHECK(bench.scene() == before);
     }
-    // The axis goes through what is under the cursor: the surface, and off it a place that shows there.
+    // The axis goes through the point under the cursor: on the surface, and off it at a visible depth.
     const glm::dvec2 from = place(ShapePart::Aim);
     const ScreenMap map = screen_map(before.camera, bench.state.rendered->size);
     const glm::dvec2 on_ball = project(map, {0.1, 0.2, 0.95}).pixel, off = {30, 40};
@@ -315,9 +314,8 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
     }
 }
 
-TEST_CASE(
-    "turned about the picked point, a skew quad changes its colour there under scanline interpolation alone",
-    "[ui][hands][window]") {
+TEST_CASE("a skew quad turned about the picked point changes there under scanlines only",
+          "[ui][hands][window]") {
     for (const Interpolation interpolation : {Interpolation::Scanline, Interpolation::Perspective}) {
         HeadlessWindow bench;
         take_document(bench.state.editor, std::get<SceneDocument>(open_document(

@@ -1,4 +1,4 @@
-// A highlight is sized by its rim: the factor there is half of its peak, by the models' own formulas.
+// A highlight is resized by its rim: the factor there is half of its peak, by the models' own formulas.
 #include "ui/picture/handles/highlight_size.h"
 
 #include <cmath>
@@ -30,7 +30,7 @@ Scene glossy_ball(Reflection reflection, LightKind kind, LightSpace space) {
     return scene;
 }
 
-/// D G F / (4 n.v) of GGX, height-correlated Smith and Schlick, written out again.
+/// D G F / (4 n.v) of GGX, height-correlated Smith and Schlick, implemented independently.
 double microfacets(glm::dvec3 n, glm::dvec3 l, glm::dvec3 v, double roughness, double f0) {
     const glm::dvec3 h = glm::normalize(l + v);
     const double a = std::max(roughness * roughness, 0.001), c = glm::dot(n, h);
@@ -61,7 +61,7 @@ double share_by_hand(const Explanation& e, const Material& material) {
 
 }  // namespace
 
-TEST_CASE("a highlight's rim under the cursor has half of the model's peak, for lights of every kind",
+TEST_CASE("a highlight's rim under the cursor has half of the peak for every light kind",
           "[ui][hands][property]") {
     for (const Reflection reflection :
          {Reflection::Phong, Reflection::BlinnPhong, Reflection::Retro, Reflection::CookTorrance})
@@ -92,7 +92,7 @@ TEST_CASE("a highlight's rim under the cursor has half of the model's peak, for 
             }
 }
 
-TEST_CASE("a highlight is made larger by its rim, one step, and Escape puts it back", "[ui][hands][window]") {
+TEST_CASE("enlarging a highlight by its rim is one step, and Escape reverts it", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.scene().lights.resize(1);
     bench.scene().shading.reflection = Reflection::Phong;

@@ -1,4 +1,4 @@
-// Dragging a highlight: where the picture's specular term is largest afterwards, read off the picture itself.
+// After dragging a highlight: where the picture's specular term is largest, measured in the picture.
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -16,13 +16,13 @@ namespace {
 
 const PictureSize highlight_picture{360, 240};
 
-/// Whether lights are fainter farther off and off their axes, which shifts the peak from where r = v.
+/// Whether lights get fainter with distance and off their axes, which shifts the peak from where r = v.
 enum class Fall { No, Off };
 
 using Models = std::array<Reflection, 2>;
 constexpr Models powers{Reflection::Phong, Reflection::BlinnPhong};
 
-/// A random scene of one smooth object and one light, and a hand that holds the light by its highlight.
+/// A random scene of one smooth object and one light, and a drag of the light by its highlight.
 class Grab {
   public:
     Grab(std::mt19937& random, Renderer& renderer, const std::vector<Object>& shapes, Fall fall,
@@ -112,7 +112,7 @@ std::vector<Object> hollow_shapes() {
             object_of(Primitive::BumpySphere)};
 }
 
-/// The specular term alone, one number a pixel, as the engine draws it.
+/// The specular term alone, one number per pixel, as the engine draws it.
 std::vector<float> specular_picture(Renderer& renderer, Scene scene) {
     scene.shading.terms = {false, false, false, true};
     scene.display.background = glm::vec3(0);
@@ -142,7 +142,7 @@ glm::dvec2 peak_near(const std::vector<float>& values, glm::dvec2 pixel, int rad
     return peak;
 }
 
-/// Returns after how many of `count` random grabs the peak is more than a pixel away from the cursor.
+/// Returns in how many of `count` random grabs the peak is more than a pixel away from the cursor.
 int misses(unsigned seed, int count, const std::vector<Object>& shapes, Fall fall, Models models = powers) {
     std::mt19937 random(seed);
     Renderer renderer(1);
@@ -164,22 +164,22 @@ int misses(unsigned seed, int count, const std::vector<Object>& shapes, Fall fal
 
 }  // namespace
 
-TEST_CASE("after a highlight drag the specular term peaks within a pixel of the cursor in 999 of 1,000 grabs",
+TEST_CASE("after a highlight drag the specular peak is within a pixel in 999 of 1,000",
           "[ui][hands][property][long][release]") {
     CHECK(misses(20, 1000, round_shapes(), Fall::Off) <= 1);
 }
 
-TEST_CASE("on saddles and bumps, too, under lights without falloff", "[ui][hands][property][long][release]") {
+TEST_CASE("also on saddles and bumps, under lights without falloff", "[ui][hands][property][long][release]") {
     CHECK(misses(21, 1000, hollow_shapes(), Fall::No) <= 1);
 }
 
-// Where the normal hardly turns along some direction, falloff and a cone can leave no such place at the
-// light's own distance, or with its own aim.
+// Where the normal hardly turns along some direction, falloff and a cone may leave no solution at the light's
+// own distance, or with its own aim.
 TEMPLATE_TEST_CASE_SIG("and on saddles and bumps under lights with falloff",
                        "[ui][hands][property][long][release]", ((unsigned seed), seed), 22, 101) {
     CHECK(misses(seed, 1000, hollow_shapes(), Fall::Off) <= 1);
 }
 
-TEST_CASE("and so does light thrown back, and that of microfacets", "[ui][hands][property][long][release]") {
+TEST_CASE("also with light reflected back, and with microfacets", "[ui][hands][property][long][release]") {
     CHECK(misses(23, 1000, round_shapes(), Fall::No, {Reflection::Retro, Reflection::CookTorrance}) <= 1);
 }

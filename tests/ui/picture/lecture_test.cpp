@@ -1,4 +1,4 @@
-// What the window does for a lecture.
+// The window's features for a lecture.
 #include "ui/features/lecture/lecture.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// The most corners that commands which count from the same place may have to tell apart, with 16 bits.
+/// The largest vertex count that commands with one vertex offset may have to index, with 16 bits.
 unsigned most_corners() {
     unsigned most = 0;
     const ImDrawData& data = *ImGui::GetDrawData();
@@ -37,7 +37,7 @@ unsigned most_corners() {
 
 }  // namespace
 
-TEST_CASE("names are ordered as a person would count them", "[ui][lecture]") {
+TEST_CASE("names are in natural order", "[ui][lecture]") {
     const std::vector<std::string> ordered{"1",        "2",         "10",    "Step 2", "step 10",
                                            "step 10b", "step 010c", "steps", "Z1",     "z2"};
     for (std::size_t i = 0; i < ordered.size(); ++i)
@@ -50,7 +50,8 @@ TEST_CASE("names are ordered as a person would count them", "[ui][lecture]") {
     CHECK(natural_less("99999999999999999999998", "99999999999999999999999"));
 }
 
-TEST_CASE("PgDn and PgUp go through a folder's scenes in that order, and stop at its ends", "[ui][lecture]") {
+TEST_CASE("PgDn and PgUp go through a folder's scenes in natural order and stop at its ends",
+          "[ui][lecture]") {
     const TemporaryDirectory folder;
     for (const char* name : {"s10.json", "s2.json", "s1.json"}) {
         SceneDocument document = first_scene();
@@ -60,7 +61,7 @@ TEST_CASE("PgDn and PgUp go through a folder's scenes in that order, and stop at
     (void)folder.file("s3.obj", "");
     (void)folder.file(".s4.json", "");
     CHECK(scene_beside(folder.path("s1.json"), -1).empty());
-    CHECK(scene_beside(folder.path("s3.json"), 1) == folder.path("s10.json"));  // was deleted meanwhile
+    CHECK(scene_beside(folder.path("s3.json"), 1) == folder.path("s10.json"));  // was deleted in between
     CHECK(scene_beside(folder.path("s3.json"), -1) == folder.path("s2.json"));
     CHECK(scene_beside("/nowhere/at/all.json", 1).empty());
     HeadlessWindow bench;
@@ -78,9 +79,7 @@ TEST_CASE("PgDn and PgUp go through a folder's scenes in that order, and stop at
     CHECK(bench.scene().lights[0].name == "s2.json");
 }
 
-TEST_CASE(
-    "the scenes of a folder follow its lecture_order.txt, and at the last one PgDn says that it is the last",
-    "[ui][lecture]") {
+TEST_CASE("a folder's scenes follow its lecture_order.txt; PgDn reports the last one", "[ui][lecture]") {
     const TemporaryDirectory folder;
     for (const char* name : {"a.json", "b.json", "c.json"})
         (void)folder.file(name, scene_text(first_scene().scene));
@@ -102,7 +101,7 @@ TEST_CASE(
     CHECK(bench.state.notifications.list[0].text == "This is the last scene");
 }
 
-TEST_CASE("PgDn goes through the scenes that the program was given, in their order", "[ui][lecture]") {
+TEST_CASE("PgDn goes through the scenes of the command line in order", "[ui][lecture]") {
     const TemporaryDirectory folder;
     std::vector<std::string> given;
     for (const char* name : {"z.json", "a.json"})
@@ -132,7 +131,7 @@ TEST_CASE("PgDn goes through the scenes that the program was given, in their ord
     CHECK(bench.state.editor.document.path == given[1]);
 }
 
-TEST_CASE("a page that cannot be opened is said, and PgDn and PgUp go on behind it", "[ui][lecture]") {
+TEST_CASE("an unreadable page is reported, and PgDn and PgUp skip it", "[ui][lecture]") {
     const TemporaryDirectory folder;
     for (const char* name : {"1.json", "4.json"}) (void)folder.file(name, scene_text(first_scene().scene));
     for (const char* name : {"2.json", "3.json"}) (void)folder.file(name, "{");
@@ -158,7 +157,8 @@ TEST_CASE("a page that cannot be opened is said, and PgDn and PgUp go on behind 
         CHECK(told.find(name) != std::string::npos);
     };
     fails(Key::PageDown, "1.json", "2.json");
-    CHECK(page(Key::PageUp).second == "This is the first scene");  // the other way it is the open one's
+    CHECK(page(Key::PageUp).second == "This is the first scene");  // in the other direction it is relative to
+                                                                   // the open one
     fails(Key::PageDown, "1.json", "3.json");
     CHECK(page(Key::PageDown).first == "4.json");
     CHECK(page(Key::PageDown).second == "This is the last scene");
@@ -166,10 +166,10 @@ TEST_CASE("a page that cannot be opened is said, and PgDn and PgUp go on behind 
     drop.dropped = {folder.path("1.json")};
     (void)bench.frame(drop);
     bench.wait_for_loads();
-    fails(Key::PageDown, "1.json", "2.json");  // counted from the document that came
+    fails(Key::PageDown, "1.json", "2.json");  // relative to the document that was opened
 }
 
-TEST_CASE("PgDn goes on behind a scene for whose picture there is no memory", "[ui][lecture][memory]") {
+TEST_CASE("PgDn continues after a scene without enough memory for its picture", "[ui][lecture][memory]") {
     const TemporaryDirectory folder;
     SceneDocument large = first_scene();
     large.scene.objects.assign(2000, test::object_of(test::primitive(Primitive::Sphere, 200)));
@@ -188,7 +188,7 @@ TEST_CASE("PgDn goes on behind a scene for whose picture there is no memory", "[
     }
 }
 
-TEST_CASE("on the projector everything to be read has a contrast of 7 to 1", "[ui][lecture]") {
+TEST_CASE("on the projector all text has a contrast of 7 to 1", "[ui][lecture]") {
     for (const bool dark : {true, false}) {
         const Theme& t = projector_theme(dark);
         CHECK(t.dark == dark);
@@ -206,7 +206,7 @@ TEST_CASE("on the projector everything to be read has a contrast of 7 to 1", "[u
     CHECK(13 * projector_scale >= 18);  // the smallest type
 }
 
-TEST_CASE("a clean picture has no bars and no columns, and Escape brings them back", "[ui][lecture]") {
+TEST_CASE("a clean picture has no bars and no columns, and Escape restores them", "[ui][lecture]") {
     HeadlessWindow bench;
     bench.frames(2);
     const PictureSize before = bench.state.rendered->size;
@@ -221,7 +221,7 @@ TEST_CASE("a clean picture has no bars and no columns, and Escape brings them ba
     CHECK(bench.state.rendered->size == before);
 }
 
-TEST_CASE("over a clean picture nothing is said but what needs an eye", "[ui][lecture]") {
+TEST_CASE("a clean picture shows only messages that need attention", "[ui][lecture]") {
     HeadlessWindow bench;
     bench.key(Key::F10);
     bench.state.notifications.add(Tone::Done, "Saved");
@@ -232,7 +232,7 @@ TEST_CASE("over a clean picture nothing is said but what needs an eye", "[ui][le
     CHECK(test::window_named("##note") != nullptr);
 }
 
-TEST_CASE("a frozen picture stays whatever is edited", "[ui][lecture]") {
+TEST_CASE("a frozen picture stays during all edits", "[ui][lecture]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto pixels = bench.state.rendered->rgba;
@@ -243,7 +243,7 @@ TEST_CASE("a frozen picture stays whatever is edited", "[ui][lecture]") {
     CHECK(bench.state.rendered->rgba == pixels);
     CHECK(bench.state.editor.unsaved());
     bench.click(bench.at_pixel({200, 200}));
-    CHECK_FALSE(bench.state.viewport.probe);  // nor does anything move that is drawn over it
+    CHECK_FALSE(bench.state.viewport.probe);  // nor do its overlays change
     bench.key(Key::F8);
     bench.frames(2);
     CHECK_FALSE(bench.state.rendered->rgba == pixels);
@@ -252,7 +252,7 @@ TEST_CASE("a frozen picture stays whatever is edited", "[ui][lecture]") {
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("the pen draws on what is under it and leaves the scene alone", "[ui][lecture]") {
+TEST_CASE("the pen draws over the picture and leaves the scene unchanged", "[ui][lecture]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -272,12 +272,12 @@ TEST_CASE("the pen draws on what is under it and leaves the scene alone", "[ui][
     CHECK_FALSE(bench.state.get<PenState>().on);
 }
 
-TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
+TEST_CASE("the step wedge reports the lost steps", "[ui][lecture]") {
     WedgeRow row{"black", 0, 1};
     CHECK(wedge_words(row) == "On black: click the first patch that the last row of the room can see");
     row.seen = 0;
     CHECK(wedge_words(row) == "On black every step is visible");
-    row.seen = 4;  // 6 is seen, 4 is not
+    row.seen = 4;  // 6 is visible, 4 is not
     CHECK(wedge_words(row) ==
           "On black this projector loses steps below 6/255: colours 0.016 apart look the same");
     HeadlessWindow bench;
@@ -290,7 +290,7 @@ TEST_CASE("the step wedge says what is swallowed", "[ui][lecture]") {
     CHECK_FALSE(bench.state.get<WedgeState>().open);
 }
 
-TEST_CASE("the pen draws lines of any length, up to what the picture holds", "[ui][lecture]") {
+TEST_CASE("the pen draws lines of any length, up to its limit", "[ui][lecture]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::W);

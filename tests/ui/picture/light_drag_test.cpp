@@ -1,4 +1,4 @@
-// Dragging lights: where the handle is before and after, by projecting it again.
+// Drags of lights: the position of the handle before and after, by projecting it again.
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -29,7 +29,7 @@ std::vector<Case> cases() {
             {{-4, 1, 3}, Orthographic{6, 0.1f, 100}}};
 }
 
-/// A light at a place in the world, counted in `space`.
+/// A light at a position in the world, expressed in `space`.
 Light light_at(const Case& c, LightKind kind, LightSpace space, glm::vec3 place) {
     Light light;
     light.kind = kind;
@@ -47,7 +47,7 @@ std::vector<Light> lights(const Case& c) {
 
 }  // namespace
 
-TEST_CASE("a dragged handle stays within half a pixel of the cursor, grip kept", "[ui][property]") {
+TEST_CASE("a dragged handle stays within half a pixel of the grabbed offset", "[ui][property]") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> x(300, 700), y(200, 500), grip(-8, 8);
     for (const Case& c : cases())
@@ -63,7 +63,7 @@ TEST_CASE("a dragged handle stays within half a pixel of the cursor, grip kept",
             }
 }
 
-TEST_CASE("a drag that goes nowhere changes nothing but rounding", "[ui]") {
+TEST_CASE("a drag of length zero changes nothing except rounding", "[ui]") {
     for (const Case& c : cases())
         for (const Light& light : lights(c))
             for (const auto along : {DragAlong::ViewPlane, DragAlong::Depth, DragAlong::X, DragAlong::Z}) {
@@ -85,8 +85,7 @@ TEST_CASE("in depth the handle keeps its pixel, and up is away", "[ui]") {
         }
 }
 
-TEST_CASE("along an axis one coordinate changes, and no place on the line is nearer to the cursor",
-          "[ui][property]") {
+TEST_CASE("along an axis one coordinate changes, to the point nearest to the cursor", "[ui][property]") {
     std::mt19937 random(8);
     std::uniform_real_distribution<double> x(350, 650), y(250, 450);
     const Case c = cases()[1];
@@ -123,7 +122,7 @@ TEST_CASE("a directional light turns round an axis and keeps its height over it"
     CHECK(after.position.w == 0);
 }
 
-TEST_CASE("snapping lands on the grid, directions on multiples of 15 degrees", "[ui]") {
+TEST_CASE("snapping rounds to the grid, directions to multiples of 15 degrees", "[ui]") {
     const Case c = cases()[0];
     const Light bulb = light_at(c, LightKind::Point, LightSpace::World, {0.4f, 1.1f, 0.7f});
     const Light after = dragged({bulb, DragAlong::ViewPlane, {500, 350}}, c.view, {571, 288}, true);
@@ -142,7 +141,7 @@ TEST_CASE("the step of the grid is 1, 2 or 5 times a power of ten", "[ui]") {
     CHECK(snap_step_for({{0, 0, 0}, {0.0004f, 0, 0}}) == Approx(0.00002));  // 0.0004 / 20
 }
 
-TEST_CASE("a light told to count in other coordinates stays where it is", "[ui]") {
+TEST_CASE("a light whose coordinate system is changed stays where it is", "[ui]") {
     for (const Case& c : cases())
         for (const Light& light : lights(c)) {
             const auto other = light.space == LightSpace::World ? LightSpace::Camera : LightSpace::World;
@@ -154,7 +153,7 @@ TEST_CASE("a light told to count in other coordinates stays where it is", "[ui]"
         }
 }
 
-TEST_CASE("a world light stays in the world when the camera turns, a camera light rides along", "[ui]") {
+TEST_CASE("a world light stays when the camera turns, a camera light moves with it", "[ui]") {
     const Case front({0, 0, 6}, Perspective{}), side({6, 0, 0}, Perspective{});
     const Light world = light_at(front, LightKind::Point, LightSpace::World, {1, 2, 0.5f});
     const Light camera = in_space(world, LightSpace::Camera, front.camera);

@@ -1,5 +1,5 @@
-// A light set by what it does at a point: brightest there, or from behind; which light does most there; and
-// how bright it is.
+// A light positioned by its effect at a point: brightest there, or from behind; the light with the largest
+// effect there; and its brightness.
 #include "ui/picture/handles/light_effects.h"
 
 #include <cmath>
@@ -31,7 +31,7 @@ Scene ball_under(LightKind kind, LightSpace space) {
     return scene;
 }
 
-/// A drawn scene that a light is set in.
+/// A drawn scene in which a light is positioned.
 struct DrawnBall {
     Scene scene;
     Renderer renderer{1};
@@ -47,7 +47,8 @@ struct DrawnBall {
     }
 };
 
-/// What a light's position or direction gives at a point, by geometry in the world and without the equation.
+/// The angles of a light's position or direction at a point, by geometry in the world and without the
+/// equation.
 struct Geometry {
     glm::dvec3 n, l, v;
     double distance = 0;
@@ -92,7 +93,7 @@ double aim_at(const DrawnBall& stage, const Light& light, glm::dvec3 place) {
 
 }  // namespace
 
-TEST_CASE("brightest here: n·l is 1 under the cursor, for every kind of light in both coordinates",
+TEST_CASE("brightest here: n·l is 1 under the cursor for every light kind and space",
           "[ui][hands][property]") {
     for_all_lights([](DrawnBall& stage, const Explanation& e, glm::dvec2 pixel) {
         const Light& start = stage.scene.lights[0];
@@ -119,8 +120,7 @@ TEST_CASE("brightest here: the equation itself has n·l = 1 there", "[ui][hands]
     }
 }
 
-TEST_CASE("rim light: it comes from behind at cos 75°, and all from the cursor to the outline is lit",
-          "[ui][hands][property]") {
+TEST_CASE("rim light: from behind at cos 75°, lit from the cursor to the outline", "[ui][hands][property]") {
     const double cosine = std::cos(75 * std::acos(-1.0) / 180);
     int from_behind = 0;
     for_all_lights([&](DrawnBall& stage, const Explanation& e, glm::dvec2 pixel) {
@@ -138,7 +138,7 @@ TEST_CASE("rim light: it comes from behind at cos 75°, and all from the cursor 
         CHECK(std::abs(glm::dot(now.l, glm::cross(now.n, now.v))) < 1e-4);
         CHECK(now.distance == Approx(before.distance).epsilon(1e-5));
         if (light->kind != LightKind::Directional) return;
-        // On a ball the normals from here to the outline lie between n and the outline's, across v.
+        // On a ball the normals from here to the outline are between n and the outline's, across v.
         const glm::dvec3 outline = glm::normalize(now.n - facing * now.v);
         for (double share = 0; share <= 1; share += 0.125)
             CHECK(glm::dot(glm::normalize(glm::mix(now.n, outline, share)), now.l) > 0.2);
@@ -146,7 +146,7 @@ TEST_CASE("rim light: it comes from behind at cos 75°, and all from the cursor 
     CHECK(from_behind > 100);
 }
 
-TEST_CASE("the light that matters most is the one without which the pixel loses most", "[ui][hands]") {
+TEST_CASE("the main light is the one without which the pixel loses most", "[ui][hands]") {
     for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Flat}) {
         Scene scene = test::busy_scene();
         scene.shading.mode = mode;
@@ -180,8 +180,7 @@ TEST_CASE("the light that matters most is the one without which the pixel loses 
     CHECK_FALSE(main_light(Explanation{}));
 }
 
-TEST_CASE("a light follows the cursor by its effect: a click keeps it as one step, Escape puts it back",
-          "[ui][hands][window]") {
+TEST_CASE("a light that follows the cursor: a click is one step, Escape reverts", "[ui][hands][window]") {
     for (const bool shift : {false, true}) {
         HeadlessWindow bench;
         bench.frames(2);
@@ -204,7 +203,7 @@ TEST_CASE("a light follows the cursor by its effect: a click keeps it as one ste
         bench.frames(2);
         CHECK(bench.state.viewport.gesture == Gesture::None);
         CHECK(bench.state.editor.history.undo_name() == "Move Bulb");
-        CHECK_FALSE(bench.state.viewport.probe);  // the click was not a question
+        CHECK_FALSE(bench.state.viewport.probe);  // the click did not pick a pixel
         const Explanation e = bench.state.renderer->explain(int(at.x), int(at.y));
         CHECK(e.at.lights.at(1).n_dot_l ==
               Approx(shift ? std::cos(75 * std::acos(-1.0) / 180) : 1).margin(1e-4));
@@ -213,7 +212,7 @@ TEST_CASE("a light follows the cursor by its effect: a click keeps it as one ste
     }
 }
 
-TEST_CASE("off the surface a light that follows the cursor waits", "[ui][hands][window]") {
+TEST_CASE("off the surface a light that follows the cursor does not move", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -227,12 +226,11 @@ TEST_CASE("off the surface a light that follows the cursor waits", "[ui][hands][
                     .empty());
 }
 
-TEST_CASE("K selects the light that matters most under the cursor, else at the picked point",
-          "[ui][hands][window]") {
+TEST_CASE("K selects the main light under the cursor, else at the picked point", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
-    // The bulb stands on the left of the ball, the sun on the right.
+    // The bulb is on the left of the ball, the sun on the right.
     const PictureSize whole = bench.state.rendered->size;
     const glm::dvec2 middle{whole.width / 2.0, whole.height / 2.0};
     const ScreenMap map = screen_map(bench.scene().camera, whole);
@@ -249,8 +247,7 @@ TEST_CASE("K selects the light that matters most under the cursor, else at the p
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Light, 1});
 }
 
-TEST_CASE("with Ctrl and Shift a drag changes how bright a light is and leaves it where it is",
-          "[ui][hands][window]") {
+TEST_CASE("a Ctrl+Shift drag changes a light's brightness, not its position", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.scene().lights[1].position.x = -1;
     take_document(bench.state.editor, bench.state.editor.document);
@@ -265,7 +262,7 @@ TEST_CASE("with Ctrl and Shift a drag changes how bright a light is and leaves i
     bench.move(bench.at_pixel(handle - glm::dvec2(0, third)));
     CHECK(bench.scene().lights[1].intensity == Approx(std::exp(1.0)).epsilon(0.01));
     CHECK(bench.scene().lights[1].position == before.lights[1].position);
-    // Let go of the keys, it moves on from here.
+    // After the keys are released it moves on from here.
     ImGui::GetIO().KeyShift = ImGui::GetIO().KeyCtrl = false;
     (void)bench.frame();
     CHECK(glm::length(bench.scene().lights[1].position - before.lights[1].position) < 1e-3f);
@@ -280,7 +277,7 @@ TEST_CASE("with Ctrl and Shift a drag changes how bright a light is and leaves i
     CHECK(dimmed(0, -30, 300) == 0);
 }
 
-TEST_CASE("the note at the hand leaves the ball free whose light is dragged", "[ui][hands][window]") {
+TEST_CASE("the note at the cursor does not cover the ball whose light is dragged", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);

@@ -1,4 +1,4 @@
-// Objects in the window: hidden ones, one number for the three scales, and where the gizmo stands.
+// Objects in the window: hidden ones, one number for the three scales, and the gizmo's position.
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -12,7 +12,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A box whose mesh lies far from its origin.
+/// A box whose mesh is far from its origin.
 Object far_off() {
     Object object = test::object_of(
         test::polygon_mesh(
@@ -64,7 +64,7 @@ TEST_CASE("the eye of an object's row hides it from picture, picking, framing an
     CHECK(bench.state.viewport.hovered_grip.kind == GripKind::None);
     CHECK(bench.state.renderer->object_at(int(middle.x), int(middle.y)) == -1);
     bench.key(Key::F, false, true);
-    // What is framed is the pea alone.
+    // Only the pea is framed.
     CHECK(glm::length(bench.scene().camera.target - glm::vec3(1.4f, 0, 0)) < 0.01f);
     bench.click(bench.control("/objects/0/visible"));
     bench.frames(2);
@@ -72,8 +72,7 @@ TEST_CASE("the eye of an object's row hides it from picture, picking, framing an
     CHECK(bench.state.editor.history.undo_name() == "Show Ball");
 }
 
-TEST_CASE("one number scales an object as a whole and keeps the ratio and the mirroring",
-          "[ui][window][objects]") {
+TEST_CASE("one number scales an object uniformly and keeps ratio and mirroring", "[ui][window][objects]") {
     HeadlessWindow bench({1280, 1200});
     bench.scene().objects[0].transform.scale = {1, -0.5f, 0.25f};
     take_document(bench.state.editor, bench.state.editor.document);
@@ -89,7 +88,7 @@ TEST_CASE("one number scales an object as a whole and keeps the ratio and the mi
     CHECK(bench.state.editor.history.undo_name() == "Scale Ball");
 }
 
-TEST_CASE("a scale of all that is typed digit by digit keeps the ratio, and 0 is refused",
+TEST_CASE("a uniform scale typed digit by digit keeps the ratio, and 0 is rejected",
           "[ui][window][objects]") {
     HeadlessWindow bench({1280, 1200});
     const glm::vec3 first = GENERATE(glm::vec3(1), glm::vec3(1, -0.5f, 0.25f), glm::vec3(1, 0.625f, 0.625f));
@@ -114,8 +113,7 @@ TEST_CASE("a scale of all that is typed digit by digit keeps the ratio, and 0 is
                            bench.scene()));
 }
 
-TEST_CASE("the gizmo stands in the middle of what is drawn where the origin is outside of it",
-          "[ui][objects]") {
+TEST_CASE("the gizmo is at the centre of the drawn part if the origin is outside", "[ui][objects]") {
     const Seen seen;
     const Object object = far_off();
     const glm::dvec3 middle(4.5, 4.5, 5);
@@ -124,21 +122,20 @@ TEST_CASE("the gizmo stands in the middle of what is drawn where the origin is o
     centred.mesh = test::primitive(Primitive::Cube, 1);
     centred.transform = {{0.2f, 0, 0}, {}, glm::vec3(1)};
     CHECK(gizmo_anchor(centred, seen.picture) == glm::dvec3(0));
-    // A long plank about its origin at one end: that end is out of the picture.
+    // A long plank with its origin at one end, which is outside the picture.
     Object plank =
         test::object_of(test::polygon_mesh({{-1, 0, 0}, {9, 0, 0}, {9, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}}));
     plank.transform.translate = {-5, 0, 0};
     CHECK(gizmo_anchor(plank, seen.picture) == glm::dvec3(4, 0.5, 0));
     plank.transform.translate = {0, 0, 0};
     CHECK(gizmo_anchor(plank, seen.picture) == glm::dvec3(0));
-    plank.transform.translate = {-500, 0, 0};  // none of it is seen
+    plank.transform.translate = {-500, 0, 0};  // nothing of it is visible
     CHECK(gizmo_anchor(plank, seen.picture) == glm::dvec3(0));
     plank.mesh = nullptr;
     CHECK(gizmo_anchor(plank, seen.picture) == glm::dvec3(0));
 }
 
-TEST_CASE("turned and scaled where its gizmo stands, an object keeps that place; moved, its numbers follow",
-          "[ui][objects]") {
+TEST_CASE("an object turned or scaled about its gizmo keeps the gizmo's position", "[ui][objects]") {
     const Seen seen;
     const Transform start = far_off().transform;
     const glm::dvec3 anchor = gizmo_anchor(far_off(), seen.picture), stand = in_world(start, anchor);
@@ -164,7 +161,7 @@ TEST_CASE("turned and scaled where its gizmo stands, an object keeps that place;
     CHECK(after.scale == start.scale);
 }
 
-TEST_CASE("scaled about the middle of its bounds, an object's step is called so", "[ui][objects]") {
+TEST_CASE("scaling about the centre of an object's bounds is named as scaling", "[ui][objects]") {
     Scene before;
     before.objects = {far_off()};
     Scene after = before;

@@ -1,4 +1,4 @@
-// The badge on the picture: everything that makes it differ from the scene is named there, and can be ended.
+// The badge on the picture names everything that makes it differ from the scene, and can end it.
 #include "ui/picture/picture_notes.h"
 
 #include <functional>
@@ -18,7 +18,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Something that changes the picture, and what the badge calls it.
+/// A change of the picture, and its name on the badge.
 struct Change {
     std::string name;
     std::function<void(HeadlessWindow&)> make;
@@ -69,14 +69,14 @@ std::vector<std::string> badge_of(const HeadlessWindow& bench) {
     return names;
 }
 
-/// The bytes of the edited scene's picture, from a renderer of its own.
+/// The bytes of the edited scene's picture, from its own renderer.
 std::vector<std::uint8_t> drawn_alone(HeadlessWindow& bench) {
     Renderer renderer(1);
     return renderer.render(bench.scene(), bench.state.rendered->size).rgba;
 }
 
 void open(HeadlessWindow& bench, const std::string& path) {
-    bench.state.editor.saved = bench.scene();  // nothing to ask about
+    bench.state.editor.saved = bench.scene();  // nothing to save
     UiInput drop;
     drop.dropped = {path};
     (void)bench.frame(drop);
@@ -106,7 +106,7 @@ TEST_CASE("the badge names each change of the picture, and its cross ends it", "
     }
 }
 
-TEST_CASE("opening another scene ends what the badge names", "[ui][window][badge]") {
+TEST_CASE("opening another scene ends everything on the badge", "[ui][window][badge]") {
     const TemporaryDirectory folder;
     Scene other = first_scene().scene;
     other.lights[0].intensity = 0.3f;
@@ -125,8 +125,7 @@ TEST_CASE("opening another scene ends what the badge names", "[ui][window][badge
     }
 }
 
-TEST_CASE("a comparison stays on when another scene opens, and on the badge",
-          "[ui][window][badge][compare]") {
+TEST_CASE("a comparison stays on, with its badge, when another scene opens", "[ui][window][badge][compare]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
@@ -135,7 +134,7 @@ TEST_CASE("a comparison stays on when another scene opens, and on the badge",
     CHECK(badge_of(bench) == std::vector<std::string>{"Comparison"});
 }
 
-TEST_CASE("a mistake in a frozen picture is named, and ends with the picture", "[ui][window][badge]") {
+TEST_CASE("a mistake in a frozen picture is named and ends with the picture", "[ui][window][badge]") {
     HeadlessWindow bench;
     bench.scene().shading.mistakes.reflect_sign = true;
     bench.frames(3);
@@ -163,7 +162,7 @@ TEST_CASE("the badge names a preview instead of B", "[ui][window][badge][why]") 
     CHECK(badge_of(bench) == std::vector<std::string>{"B, the stored scene"});
 }
 
-TEST_CASE("a mistake is not named while a lesson's question waits", "[ui][window][badge][lesson]") {
+TEST_CASE("a mistake is not named during a lesson's question", "[ui][window][badge][lesson]") {
     const TemporaryDirectory folder;
     (void)folder.file("s.json",
                       R"({"glint": 1, "objects": [{}], "shading": {"mistakes": {"reflect_sign": true}}})");

@@ -1,4 +1,4 @@
-// Pixels that were asked about in a picture of another size.
+// Pixels that were picked in a picture of another size.
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/features/views/views.h"
@@ -9,7 +9,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Asks about a pixel, as a share of the picture, that a smaller picture does not have.
+/// Picks a pixel, as a share of the picture, that a smaller picture does not have.
 void ask_at(HeadlessWindow& window, glm::dvec2 share) {
     window.frames(2);
     const PictureSize size = window.state.rendered->size;
@@ -37,7 +37,7 @@ bool shows_explained_bytes(const UiState& state) {
 
 }  // namespace
 
-TEST_CASE("a frozen comparison explains a pixel that it has when the window gets smaller",
+TEST_CASE("a frozen comparison explains a pixel that exists after the window shrinks",
           "[ui][window][compare]") {
     HeadlessWindow window;
     window.frames(2);
@@ -55,7 +55,7 @@ TEST_CASE("a frozen comparison explains a pixel that it has when the window gets
     CHECK(shows_explained_bytes(window.state));
 }
 
-TEST_CASE("while another scene is shown, what was explained of a larger picture is gone", "[ui][window]") {
+TEST_CASE("while another scene is shown, the explanation of a larger picture is dropped", "[ui][window]") {
     HeadlessWindow window;
     ask_at(window, corner);
     window.key(Key::B, true);  // stores it

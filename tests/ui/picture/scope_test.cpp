@@ -1,4 +1,4 @@
-// The scan-line scope: what it plots is what `glint profile` prints, of the picture on the screen.
+// The scan-line scope: it plots what `glint profile` prints, for the picture on the screen.
 #include "ui/features/views/scope.h"
 
 #include <cmath>
@@ -44,8 +44,7 @@ void check_equal(const std::vector<ProfileSample>& a, const std::vector<ProfileS
 
 }  // namespace
 
-TEST_CASE("the scope's key puts its tool in hand, and a drag lays the line where the hand went",
-          "[ui][window][scope]") {
+TEST_CASE("the scope's key activates its tool, and a drag sets the line", "[ui][window][scope]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -65,7 +64,7 @@ TEST_CASE("the scope's key puts its tool in hand, and a drag lays the line where
     CHECK_FALSE(scope.open);
 }
 
-TEST_CASE("the scope's line lies level again in another scene, and stays where the same one is read again",
+TEST_CASE("the scope's line is reset for another scene and kept when the same is reloaded",
           "[ui][window][scope]") {
     HeadlessWindow bench;
     ScopeState& scope = bench.state.get<ScopeState>();
@@ -84,8 +83,7 @@ TEST_CASE("the scope's line lies level again in another scene, and stays where t
     CHECK(scope.to == level.to);
 }
 
-TEST_CASE("the end of the scope's line lies on the pixel where the hand let go, in a picture of any width",
-          "[ui][window][scope]") {
+TEST_CASE("the scope's line ends at the release pixel, at any picture width", "[ui][window][scope]") {
     for (const float width : {1280.0f, 1279.0f, 1260.0f, 1203.0f}) {
         HeadlessWindow bench({width, 800});
         with_line(bench);
@@ -100,7 +98,7 @@ TEST_CASE("the end of the scope's line lies on the pixel where the hand let go, 
     }
 }
 
-TEST_CASE("the scope holds what the command prints, also while a light is dragged", "[ui][window][scope]") {
+TEST_CASE("the scope has the command's numbers, also during a drag of a light", "[ui][window][scope]") {
     HeadlessWindow bench;
     with_line(bench);
     check_equal(bench.state.get<ScopeState>().samples, fresh_profile(bench));
@@ -111,7 +109,8 @@ TEST_CASE("the scope holds what the command prints, also while a light is dragge
     CHECK(bench.state.get<ScopeState>().samples[100].intensity != before);
 }
 
-TEST_CASE("the scope's ends and its line are dragged; Shift keeps it level", "[ui][window][scope]") {
+TEST_CASE("the scope's ends and its line are dragged; Shift keeps it horizontal or vertical",
+          "[ui][window][scope]") {
     HeadlessWindow bench;
     with_line(bench);
     ScopeState& scope = bench.state.get<ScopeState>();
@@ -132,7 +131,7 @@ TEST_CASE("the scope's ends and its line are dragged; Shift keeps it level", "[u
     CHECK(bench.scene().camera == camera);
 }
 
-TEST_CASE("a click with the scope's tool takes the whole scan line; Escape puts the tool away",
+TEST_CASE("a click with the scope's tool gives the full scan line; Escape ends the tool",
           "[ui][window][scope]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -149,7 +148,7 @@ TEST_CASE("a click with the scope's tool takes the whole scan line; Escape puts 
     CHECK(scope.open);
 }
 
-TEST_CASE("pointing at the scope's panel takes the sample under the cursor", "[ui][window][scope]") {
+TEST_CASE("hovering over the scope's panel selects the sample under the cursor", "[ui][window][scope]") {
     HeadlessWindow bench;
     with_line(bench);
     const Layout layout = lay_out({1280, 800}, bench.state.layout, 1);
@@ -167,7 +166,8 @@ TEST_CASE("pointing at the scope's panel takes the sample under the cursor", "[u
     CHECK(scope.hovered == -1);
 }
 
-TEST_CASE("the grey card lies beside the sharpest bend and leaves the picture alone", "[ui][window][scope]") {
+TEST_CASE("the grey card is next to the sharpest bend and leaves the picture unchanged",
+          "[ui][window][scope]") {
     HeadlessWindow bench;
     with_line(bench);
     const std::vector<std::uint8_t> bytes = bench.state.rendered->rgba;
@@ -199,7 +199,7 @@ TEST_CASE("ticks are round numbers inside their range", "[ui][plot]") {
     CHECK(tick_text(200, 50) == "200");
 }
 
-TEST_CASE("a plot's way to the window and back gives the same value", "[ui][plot]") {
+TEST_CASE("a plot's mapping to the window and back gives the same value", "[ui][plot]") {
     const PlotArea area{{{100, 50}, {300, 150}}, {-2, 2}, {0, 10}};
     CHECK(area.at({-2, 0}).x == 100);
     CHECK(area.at({-2, 0}).y == 150);

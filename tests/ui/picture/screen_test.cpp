@@ -1,4 +1,4 @@
-// The way to the screen and back, and how a hand moves the camera.
+// Mapping to the screen and back, and moving the camera with the mouse.
 #include "ui/picture/screen.h"
 
 #include <glm/geometric.hpp>
@@ -24,7 +24,7 @@ const PictureSize screen_picture{800, 600};
 
 }  // namespace
 
-TEST_CASE("the target of a symmetric camera shows in the middle of the picture", "[ui]") {
+TEST_CASE("the target of a symmetric camera is in the middle of the picture", "[ui]") {
     for (const Camera& camera : {cameras()[0], cameras()[1]}) {
         const ProjectedPoint at = project(screen_map(camera, screen_picture), camera.target);
         CHECK(distance(at.pixel, {400, 300}) < 1e-6);
@@ -33,16 +33,16 @@ TEST_CASE("the target of a symmetric camera shows in the middle of the picture",
     }
 }
 
-TEST_CASE("a place at 45 degrees shows at the edge of a 90 degree view", "[ui]") {
+TEST_CASE("a point at 45 degrees is at the edge of a 90 degree view", "[ui]") {
     const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{90, 0.1f, 100}};
     const ProjectedPoint at =
-        project(screen_map(camera, {600, 600}), {-3, 3, 2});  // 3 aside, 3 above, 3 in front
+        project(screen_map(camera, {600, 600}), {-3, 3, 2});  // 3 sideways, 3 above, 3 in front
     CHECK(distance(at.pixel, {0, 0}) < 1e-9);
     CHECK(at.depth == Approx(3));
     CHECK_FALSE(project(screen_map(camera, screen_picture), {0, 0, 6}).in_front);
 }
 
-TEST_CASE("unproject is the way back of project under every projection", "[ui][property]") {
+TEST_CASE("unproject is the inverse of project under every projection", "[ui][property]") {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> number(-1, 1);
     for (const Camera& camera : cameras()) {
@@ -73,10 +73,10 @@ TEST_CASE("orbiting keeps distance, target and up, and never reaches a pole", "[
     }
 }
 
-TEST_CASE("a drag over a quarter of the height turns by 90 degrees, the scene following the hand", "[ui]") {
+TEST_CASE("a drag over a quarter of the height turns by 90 degrees with the cursor", "[ui]") {
     Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, {}};
     orbit(camera, {150, 0},
-          screen_picture);  // to the right: what is in front goes right, so the eye goes left
+          screen_picture);  // to the right: the scene follows to the right, so the eye moves left
     CHECK(camera.eye.x == Approx(-5));
     CHECK(camera.eye.z == Approx(0).margin(1e-5));
     camera.eye = {0, 0, 5};
@@ -84,7 +84,7 @@ TEST_CASE("a drag over a quarter of the height turns by 90 degrees, the scene fo
     CHECK(camera.eye.y == Approx(3.5355339));
 }
 
-TEST_CASE("what is panned stays under the cursor", "[ui]") {
+TEST_CASE("a panned point stays under the cursor", "[ui]") {
     for (const Camera& before : cameras()) {
         Camera camera = before;
         const glm::dvec3 held = unproject(screen_map(camera, screen_picture), {200, 450}, 4);
@@ -94,7 +94,7 @@ TEST_CASE("what is panned stays under the cursor", "[ui]") {
     }
 }
 
-TEST_CASE("what the wheel moves towards stays under the cursor", "[ui]") {
+TEST_CASE("the point that the wheel moves towards stays under the cursor", "[ui]") {
     for (const Camera& before : cameras()) {
         Camera camera = before;
         const glm::dvec3 held = unproject(screen_map(camera, screen_picture), {100, 500}, 3);
@@ -108,7 +108,7 @@ TEST_CASE("what the wheel moves towards stays under the cursor", "[ui]") {
     }
 }
 
-TEST_CASE("no wheel takes the camera out of the numbers", "[ui]") {
+TEST_CASE("the wheel never takes the camera out of the number range", "[ui]") {
     for (Camera camera : cameras()) {
         for (int i = 0; i < 500; ++i) dolly(camera, {10, 10}, target_depth(camera), 0.7, screen_picture);
         CHECK(target_depth(camera) > 1e-5);
@@ -118,7 +118,7 @@ TEST_CASE("no wheel takes the camera out of the numbers", "[ui]") {
     }
 }
 
-TEST_CASE("moving away widens the depth range, but a near plane set into the scene stays", "[ui]") {
+TEST_CASE("moving away widens the depth range, but a near plane in the scene stays", "[ui]") {
     const Bounds box{{-1, -1, -1}, {1, 1, 1}};
     Camera before{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{45, 1, 10}};
     Camera camera = before;
@@ -135,7 +135,7 @@ TEST_CASE("moving away widens the depth range, but a near plane set into the sce
     CHECK(camera.projection == before.projection);
 }
 
-TEST_CASE("a near plane that is at the eye already does not move away from it", "[ui]") {
+TEST_CASE("a near plane already at the eye does not move away from it", "[ui]") {
     const Camera before{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{45, 0.01f, 1000}};
     Camera camera = before;
     camera.eye.z = 1.005f;

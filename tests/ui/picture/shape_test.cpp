@@ -1,4 +1,4 @@
-// Dragging what lights and objects have beside their place: cones, panels, and the gizmo of an object.
+// Drags of the shapes of lights and objects: cones, panels, and the gizmo of an object.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -76,8 +76,7 @@ TEST_CASE("a cone's rim opens until it is under the cursor", "[ui][hands]") {
         }
 }
 
-TEST_CASE("the aim of a spot and of a panel stays under the cursor, and the light where it is",
-          "[ui][hands]") {
+TEST_CASE("the aim of a spot or panel stays under the cursor, and the light in place", "[ui][hands]") {
     const LightStage stage;
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera})
         for (const Light& light : {lamp(space, stage), panel(space, stage)}) {
@@ -91,7 +90,7 @@ TEST_CASE("the aim of a spot and of a panel stays under the cursor, and the ligh
         }
 }
 
-TEST_CASE("an aim with a place to shine at shines there", "[ui][hands]") {
+TEST_CASE("an aim at a target shines at it", "[ui][hands]") {
     const LightStage stage;
     const glm::dvec3 place(0.2, -0.4, -0.3);
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
@@ -103,7 +102,7 @@ TEST_CASE("an aim with a place to shine at shines there", "[ui][hands]") {
     }
 }
 
-TEST_CASE("a panel's corners and edges follow the cursor, its middle stays", "[ui][hands]") {
+TEST_CASE("a panel's corners and edges follow the cursor, its centre stays", "[ui][hands]") {
     const LightStage stage;
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
         const Light light = panel(space, stage);
@@ -125,18 +124,18 @@ TEST_CASE("a panel's corners and edges follow the cursor, its middle stays", "[u
         const auto grip_at = [&](ShapePart part, glm::dvec2 at) {
             return ShapeGrip{part, 0, at, panel_of(light, stage.view.map)->point(at)};
         };
-        // In the middle an edge stays, however short: the scene file wants an area.
+        // In the middle a minimal edge remains, since the scene file requires an area.
         const Light thin = dragged_to(grip_at(ShapePart::Edge, {1, 0}), {0, 0});
         CHECK(glm::length(thin.area.edge_u) > 0);
         CHECK(glm::length(thin.area.edge_u) < 0.01f * glm::length(light.area.edge_u));
-        // Past the middle the panel grows again, and shines to where it shone.
+        // Past the middle the panel grows again, and shines in the same direction.
         const Light turned = dragged_to(grip_at(ShapePart::Corner, {1, -1}), {-1.5, 0.5});
         CHECK(glm::length(turned.area.edge_u - 1.5f * light.area.edge_u) < 1e-3f);
         CHECK(glm::length(turned.area.edge_v - 0.5f * light.area.edge_v) < 1e-3f);
     }
 }
 
-TEST_CASE("every mark of a shape is what the cursor finds on it, and the rim all round", "[ui][hands]") {
+TEST_CASE("the cursor finds every mark of a shape, and the rim all round", "[ui][hands]") {
     const LightStage stage;
     for (const Light& light : {lamp(LightSpace::World, stage), panel(LightSpace::Camera, stage)})
         for (const ShapeGrip& grip : shape_grips(light, stage.view.dome, stage.view.map)) {
@@ -157,7 +156,7 @@ TEST_CASE("an object moved along an axis or in a plane changes only those coordi
     REQUIRE(gizmo);
     for (int k = 0; k < 7; ++k) {
         const auto part = static_cast<GizmoPart>(k);
-        glm::dvec3 motion(0.25, -0.15, 0.2);  // what the part allows of it
+        glm::dvec3 motion(0.25, -0.15, 0.2);  // the allowed part of it
         if (part <= GizmoPart::Z)
             for (int i = 0; i < 3; ++i) motion[i] = i == k ? motion[i] : 0;
         else if (part != GizmoPart::Free)
@@ -169,7 +168,8 @@ TEST_CASE("an object moved along an axis or in a plane changes only those coordi
             (part <= GizmoPart::Z ? 0.8 * gizmo->length * gizmo->axes[std::size_t(k)] : glm::dvec3(0));
         const ObjectDrag drag{start, *gizmo, GizmoMode::Move, part, stage.pixel(hand)};
         const Transform after = dragged_object(drag, stage.view, stage.pixel(hand + motion), false);
-        // The hand kept its distance from the origin on the screen: along an axis the depth differs a little.
+        // The cursor kept its distance from the origin on the screen: along an axis the depth differs
+        // slightly.
         CHECK(glm::length(glm::dvec3(after.translate - start.translate) - motion) <
               (part <= GizmoPart::Z ? 0.05 : 1e-4));
         CHECK(after.rotate_deg == start.rotate_deg);
@@ -181,7 +181,7 @@ TEST_CASE("an object moved along an axis or in a plane changes only those coordi
     }
 }
 
-TEST_CASE("an object turned by a ring turns round that axis by the angle of the hand", "[ui][hands]") {
+TEST_CASE("an object turned by a ring turns round that axis by the cursor's angle", "[ui][hands]") {
     const LightStage stage;
     const Transform start = busy_transform();
     const auto gizmo = gizmo_of(start, GizmoMode::Rotate, stage.picture);
@@ -204,7 +204,7 @@ TEST_CASE("an object turned by a ring turns round that axis by the angle of the 
     }
 }
 
-TEST_CASE("an object turned about a point keeps that point of it in its place", "[ui][hands]") {
+TEST_CASE("an object turned about a point keeps that point in place", "[ui][hands]") {
     const LightStage stage;
     const Transform start = busy_transform();
     const glm::dvec3 pivot(0.6, 0.1, 0.2);
@@ -225,7 +225,7 @@ TEST_CASE("an object turned about a point keeps that point of it in its place", 
     }
 }
 
-TEST_CASE("angles found for a rotation give it back, and stay near those it had", "[ui][hands][property]") {
+TEST_CASE("angles of a rotation reproduce it and stay near the previous ones", "[ui][hands][property]") {
     std::mt19937 random(5);
     for (int i = 0; i < 500; ++i) {
         const glm::vec3 deg = test::uniform_vec3(random, -400, 400);
@@ -239,7 +239,7 @@ TEST_CASE("angles found for a rotation give it back, and stay near those it had"
                                  rotation({25, y, 40})) < 1e-4);
 }
 
-TEST_CASE("an object scaled by hand never gets a scale of 0, and keeps its mirroring", "[ui][hands]") {
+TEST_CASE("an object scaled by dragging never gets a scale of 0 and keeps its mirroring", "[ui][hands]") {
     const LightStage stage;
     Transform start = busy_transform();
     start.scale.x = -1;

@@ -1,4 +1,4 @@
-// Looking at a quantity in place of the picture.
+// Quantities shown in place of the picture.
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/features/views/views.h"
@@ -6,7 +6,7 @@
 using namespace glint;
 using test::HeadlessWindow;
 
-TEST_CASE("a key goes through the quantities and round to the picture again", "[ui][window][debug_view]") {
+TEST_CASE("a key cycles through the quantities and back to the picture", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -26,7 +26,7 @@ TEST_CASE("a key goes through the quantities and round to the picture again", "[
     CHECK(bench.state.get<DebugViewState>().set.choice.view == DebugView::Specular);
 }
 
-TEST_CASE("a quantity follows the scene as it is edited, and is not painted again while nothing changes",
+TEST_CASE("a quantity follows edits of the scene and is repainted only after changes",
           "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -48,7 +48,7 @@ TEST_CASE("a quantity follows the scene as it is edited, and is not painted agai
     CHECK(bench.state.picture_serial == serial);
 }
 
-TEST_CASE("a scene that loses its lights has n·l nowhere", "[ui][window][debug_view]") {
+TEST_CASE("a scene without lights has no n·l", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     show_quantity(bench.state, DebugView::NDotL);
@@ -61,7 +61,7 @@ TEST_CASE("a scene that loses its lights has n·l nowhere", "[ui][window][debug_
           "background");
 }
 
-TEST_CASE("a comparison and a quantity take each other's place", "[ui][window][debug_view]") {
+TEST_CASE("a comparison and a quantity exclude each other", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::C);
@@ -71,8 +71,7 @@ TEST_CASE("a comparison and a quantity take each other's place", "[ui][window][d
     CHECK(bench.state.get<DebugViewState>().set.choice.view == DebugView::Picture);
 }
 
-TEST_CASE("over-range stripes lie over the picture that is shown and leave the drawn one alone",
-          "[ui][window][debug_view]") {
+TEST_CASE("over-range stripes change the shown picture, not the drawn one", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].intensity = 5;
@@ -82,7 +81,7 @@ TEST_CASE("over-range stripes lie over the picture that is shown and leave the d
     bench.frames(1);
     CHECK(bench.state.get<DebugViewState>().clipped > 100);
     CHECK(bench.state.displayed->rgba != bytes);
-    CHECK(((*bench.state.unpainted).rgba == bytes));  // what big pixels say
+    CHECK(((*bench.state.unpainted).rgba == bytes));  // the numbers of big pixels
     bench.state.get<DebugViewState>().set.choice.view = DebugView::Depth;
     bench.frames(1);
     CHECK(bench.state.displayed->rgba != bytes);
@@ -95,7 +94,7 @@ TEST_CASE("over-range stripes lie over the picture that is shown and leave the d
     CHECK(bench.state.displayed->rgba == bytes);
 }
 
-TEST_CASE("a key shows front and back of faces and takes them away again", "[ui][window][debug_view]") {
+TEST_CASE("a key shows and hides front and back of faces", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::N, false, true);
@@ -107,7 +106,7 @@ TEST_CASE("a key shows front and back of faces and takes them away again", "[ui]
     CHECK(bench.state.displayed == bench.state.rendered);
 }
 
-TEST_CASE("the legend of the normals has the picture's colours, turned away ones too",
+TEST_CASE("the legend of the normals has the picture's colours, also facing away",
           "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -120,7 +119,7 @@ TEST_CASE("the legend of the normals has the picture's colours, turned away ones
                 if (v.col == IM_COL32(c[0], c[1], c[2], 255)) return true;
         return false;
     };
-    // The middle cells of the balls: as good as towards the camera and away from it.
+    // The middle cells of the balls: practically towards the camera and away from it.
     const float near = 0.5f * 2 / 24, z = std::sqrt(1 - 2 * near * near);
     CHECK(drawn(normal_color({near, near, z})));
     int away = 0;
@@ -128,7 +127,7 @@ TEST_CASE("the legend of the normals has the picture's colours, turned away ones
     CHECK(away > 0);
 }
 
-TEST_CASE("the point picked before comes back after Escape, and after another pick", "[ui][window][probe]") {
+TEST_CASE("the previous point returns after Escape, and after another pick", "[ui][window][probe]") {
     HeadlessWindow bench;
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;

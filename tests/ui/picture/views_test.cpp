@@ -1,4 +1,4 @@
-// Ways to look at the scene: views by key, kept views, scrolling, and the view from outside.
+// Views of the scene: views by key, saved views, scrolling, and the outside view.
 #include <glm/geometric.hpp>
 
 #include "tests/places.h"
@@ -30,8 +30,7 @@ void scroll(HeadlessWindow& bench, float across, float down) {
 
 }  // namespace
 
-TEST_CASE("the number pad looks from six sides, as far away as before, each one view",
-          "[ui][hands][window]") {
+TEST_CASE("the number pad views from six sides at the same distance, each one view", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -58,8 +57,7 @@ TEST_CASE("the number pad looks from six sides, as far away as before, each one 
     CHECK(bench.scene().camera == before.camera);
 }
 
-TEST_CASE("5 on the number pad sees in parallel and back, what is at the target as large",
-          "[ui][hands][window]") {
+TEST_CASE("5 on the number pad switches to parallel and back at the target's size", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera before = bench.scene().camera;
@@ -71,7 +69,7 @@ TEST_CASE("5 on the number pad sees in parallel and back, what is at the target 
     CHECK(width_at_target(bench.scene().camera) == Approx(width_at_target(before)));
 }
 
-TEST_CASE("views that were kept come back in turn, and eight of them are kept", "[ui][hands]") {
+TEST_CASE("saved views return in turn, at most eight of them", "[ui][hands]") {
     std::vector<Camera> views;
     CHECK_FALSE(next_view(views, Camera{}));
     for (int i = 0; i < 9; ++i) {
@@ -87,13 +85,13 @@ TEST_CASE("views that were kept come back in turn, and eight of them are kept", 
     CHECK(next_view(views, Camera{}) == views.front());
 }
 
-TEST_CASE("a kept view is come back to by a key, as one step", "[ui][hands][window]") {
+TEST_CASE("a key returns to a saved view as one step", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     CHECK_FALSE(why_disabled(bench.state, command(CommandId::NextView)).empty());
     bench.key(Key::U, false, true);
-    // It is remembered with the settings, longer than the window lasts.
+    // It is remembered with the settings, beyond the window's lifetime.
     CHECK(bench.state.notifications.list.back().text == "This view is kept: U comes back to it");
     bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
     CHECK_FALSE(bench.scene().camera == before.camera);
@@ -101,8 +99,7 @@ TEST_CASE("a kept view is come back to by a key, as one step", "[ui][hands][wind
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("two fingers pan with Shift and sideways, turn with Alt, come closer without",
-          "[ui][hands][window]") {
+TEST_CASE("two fingers pan with Shift or sideways, turn with Alt, else move closer", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera start = bench.scene().camera;
@@ -129,7 +126,7 @@ TEST_CASE("two fingers pan with Shift and sideways, turn with Alt, come closer w
     CHECK(target_depth(bench.scene().camera) < away);
 }
 
-TEST_CASE("F frames the selected object, and all where none is selected", "[ui][hands][window]") {
+TEST_CASE("F frames the selected object, or all if none is selected", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     Object small = bench.scene().objects[0];
@@ -145,7 +142,7 @@ TEST_CASE("F frames the selected object, and all where none is selected", "[ui][
     CHECK(bench.scene().camera.target.x < 3);
 }
 
-TEST_CASE("from outside the eye, what it sees, all axes and every light are in sight", "[ui][hands]") {
+TEST_CASE("the outside view contains the eye, its view volume, all axes and every light", "[ui][hands]") {
     Scene scene = first_scene().scene;
     REQUIRE(problem_of(load_meshes(scene, "", "")) == nullptr);
     Selection selection;
@@ -181,7 +178,7 @@ TEST_CASE("from outside the eye, what it sees, all axes and every light are in s
     }
 }
 
-TEST_CASE("the words of the outside view stand apart", "[ui][window]") {
+TEST_CASE("the labels of the outside view do not overlap", "[ui][window]") {
     for (const char* name : {"default", "every-term", "sun-and-headlight", "still-life"}) {
         HeadlessWindow bench;
         take_document(bench.state.editor, std::get<SceneDocument>(open_document(
@@ -204,8 +201,7 @@ TEST_CASE("the words of the outside view stand apart", "[ui][window]") {
     }
 }
 
-TEST_CASE("a hand in the outside view turns that alone, and a click there selects a light",
-          "[ui][hands][window]") {
+TEST_CASE("a drag in the outside view turns only that view; a click selects a light", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.state.get<InspectorState>().tab = InspectorTab::Outside;
     bench.frames(3);
@@ -230,7 +226,7 @@ TEST_CASE("a hand in the outside view turns that alone, and a click there select
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("the badge of the evaluations is as wide as its text, at every scale of the type", "[ui][window]") {
+TEST_CASE("the badge of the evaluations is as wide as its text at every type scale", "[ui][window]") {
     HeadlessWindow bench;
     bench.key(Key::J);
     bench.frames(2);

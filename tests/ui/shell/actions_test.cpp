@@ -1,4 +1,4 @@
-// The table of actions, and what reads it.
+// The table of actions, and its readers.
 #include <set>
 
 #include "models/fields/choices.h"
@@ -37,7 +37,7 @@ TEST_CASE("no two commands share a key", "[ui][commands]") {
         }
 }
 
-TEST_CASE("each key of a frame is reported, and a refused key is a warning", "[ui][window][commands]") {
+TEST_CASE("each key of a frame is reported, and a rejected key is a warning", "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto& notes = bench.state.notifications.list;
@@ -50,7 +50,7 @@ TEST_CASE("each key of a frame is reported, and a refused key is a warning", "[u
     CHECK(notes[2].text.starts_with("No scene is stored as B"));
     CHECK(notes[2].tone == Tone::Warning);
     (void)bench.key(Key::S);
-    REQUIRE(notes.size() == 1);  // it takes the place of the earlier ones
+    REQUIRE(notes.size() == 1);  // it replaces the earlier ones
     CHECK(notes[0].text == "Specular: on (S)");
 }
 
@@ -67,17 +67,17 @@ TEST_CASE("a key is shown as it is pressed", "[ui][commands]") {
     CHECK(keys_of(CommandId::Redo) == "Ctrl+Shift+Z or Ctrl+Y");
 }
 
-TEST_CASE("every command does something, and each that code names has one row", "[ui][commands]") {
+TEST_CASE("every command has an effect, and each CommandId has one row", "[ui][commands]") {
     std::set<CommandId> named;
     for (const WindowCommand& command : commands()) {
         INFO(command.name);
         CHECK(command.run != nullptr);
         if (command.id != CommandId::None) CHECK(named.insert(command.id).second);
     }
-    CHECK(named.size() + 1 == static_cast<std::size_t>(CommandId::Count));  // and None
+    CHECK(named.size() + 1 == static_cast<std::size_t>(CommandId::Count));  // except None
 }
 
-TEST_CASE("a command changes that value of the scene of which controls show its keys", "[ui][commands]") {
+TEST_CASE("a command changes the value of the scene whose controls show its keys", "[ui][commands]") {
     int held = 0;
     for (const WindowCommand& command : commands()) {
         const std::string sets = command.sets;
@@ -97,7 +97,7 @@ TEST_CASE("a command changes that value of the scene of which controls show its 
     CHECK(held == 8);
 }
 
-TEST_CASE("what controls show of keys is what the table of commands says", "[ui][commands]") {
+TEST_CASE("the keys shown by controls are those of the table of commands", "[ui][commands]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.frames(2);
@@ -122,8 +122,7 @@ TEST_CASE("what controls show of keys is what the table of commands says", "[ui]
     CHECK(key_at("Redo") == "Ctrl+Shift+Z or Ctrl+Y");
 }
 
-TEST_CASE("hints for beginners go when a command shows something over the picture, and stay otherwise",
-          "[ui][commands]") {
+TEST_CASE("beginners' hints disappear when a command draws over the picture", "[ui][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     REQUIRE_FALSE(bench.state.viewport.touched);
@@ -136,7 +135,7 @@ TEST_CASE("hints for beginners go when a command shows something over the pictur
     CHECK(bench.state.viewport.touched);
 }
 
-TEST_CASE("a key says which quantity it shows, and undo takes back what keys said", "[ui][commands]") {
+TEST_CASE("a key reports the quantity that it shows, and undo removes messages of keys", "[ui][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::I);
@@ -151,7 +150,7 @@ TEST_CASE("a key says which quantity it shows, and undo takes back what keys sai
     CHECK(list.empty());
 }
 
-TEST_CASE("every command is found by the palette or opens it, once", "[ui][commands]") {
+TEST_CASE("the palette finds or opens each command once", "[ui][commands]") {
     HeadlessWindow bench;
     const auto entries = palette_entries(bench.state);
     for (const WindowCommand& command : commands()) {
@@ -180,7 +179,7 @@ TEST_CASE("a search ranks starts of names, then of words, then parts, then lette
     CHECK_FALSE(match_rank("shading flat", "Phong shading"));
 }
 
-TEST_CASE("Ctrl+K, a few letters and Enter do what the best match says", "[ui][palette]") {
+TEST_CASE("Ctrl+K, a few letters and Enter run the best match", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frame();
     bench.key(Key::K, true);
@@ -195,7 +194,7 @@ TEST_CASE("Ctrl+K, a few letters and Enter do what the best match says", "[ui][p
     CHECK(bench.state.editor.history.undo_name() == "Shading mode");
 }
 
-TEST_CASE("what cannot be done now is shown with its reason and stays undone", "[ui][palette]") {
+TEST_CASE("a disabled command is listed with its reason and does not run", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frame();
     bench.key(Key::K, true);
@@ -210,8 +209,7 @@ TEST_CASE("what cannot be done now is shown with its reason and stays undone", "
     CHECK_FALSE(bench.state.palette.open);
 }
 
-TEST_CASE("by keys alone a light is selected, its kind and space chosen, and a number typed",
-          "[ui][commands]") {
+TEST_CASE("keys alone select a light, set its kind and space, and type a number", "[ui][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto choose = [&](const char* letters) {
@@ -235,7 +233,7 @@ TEST_CASE("by keys alone a light is selected, its kind and space chosen, and a n
     bench.key(Key::Tab);
     bench.frames(2);
     CHECK(ImGui::GetIO().WantTextInput);
-    bench.type("7");  // over what the first field, the eye's x, held
+    bench.type("7");  // over the previous contents of the first field, the eye's x
     CHECK(bench.scene().camera.eye.x == 7);
     CHECK_FALSE(bench.scene().shading.mode == ShadingMode::Flat);  // keys are text now
 }

@@ -1,4 +1,4 @@
-// Colours by hand: the picker and its presets.
+// Editing colours: the picker and its presets.
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -54,14 +54,14 @@ glm::dvec3 black_body(double t) {
 
 }  // namespace
 
-TEST_CASE("a preset of the picker gives its colour, as one step that can be undone", "[ui][window]") {
+TEST_CASE("a preset of the picker sets its colour as one undo step", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
     const ImVec2 swatch = open_picker(bench);
     REQUIRE(bench.scene() == before);
     const ImGuiWindow& popup = *open_popup();
-    CHECK(popup.Pos.x > swatch.x);  // what is being chosen stays in sight
+    CHECK(popup.Pos.x > swatch.x);  // the edited swatch stays visible
     bench.click(preset_at(popup, 0, 7));
     bench.frames(1);
     CHECK(bench.scene().lights[0].diffuse == glm::vec3(0, 1, 1));
@@ -78,8 +78,7 @@ TEST_CASE("a preset of the picker gives its colour, as one step that can be undo
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("a picker closes when its light is deleted, and when that light comes back before another's",
-          "[ui][window]") {
+TEST_CASE("a picker closes when its light is deleted, and when lights are restored", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     (void)open_picker(bench);
@@ -94,7 +93,7 @@ TEST_CASE("a picker closes when its light is deleted, and when that light comes 
     CHECK(open_popup() == nullptr);
 }
 
-TEST_CASE("a swatch dragged onto another gives it its colour", "[ui][window]") {
+TEST_CASE("dragging a swatch onto another copies its colour", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].diffuse = {0.2f, 0.4f, 0.6f};

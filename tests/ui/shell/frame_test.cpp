@@ -1,4 +1,4 @@
-// The whole window without a window: a mouse and keys in, the scene out.
+// The complete window without a display: mouse and keys in, the scene out.
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
@@ -24,7 +24,7 @@ HeadlessWindow& with_bulb(HeadlessWindow& bench) {
     return bench;
 }
 
-/// With the button held down on the bulb's handle. Returns the pixel at which that is.
+/// With the button pressed on the bulb's handle. Returns the pixel of the handle.
 glm::dvec2 with_grabbed_bulb(HeadlessWindow& bench) {
     with_bulb(bench);
     const glm::dvec2 handle = bench.handle_pixel(0);
@@ -47,7 +47,7 @@ TEST_CASE("the first frame shows the scene at the picture's real size", "[ui][wi
     CHECK_FALSE(wants.quit);
 }
 
-TEST_CASE("nothing is drawn again while nothing changes", "[ui][window]") {
+TEST_CASE("nothing is redrawn while nothing changes", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(3);
     const auto serial = bench.state.picture_serial;
@@ -59,8 +59,7 @@ TEST_CASE("nothing is drawn again while nothing changes", "[ui][window]") {
     CHECK(bench.state.picture_serial == serial + 1);
 }
 
-TEST_CASE("a preview shows for a frame and leaves the scene, the history and the answer alone",
-          "[ui][window]") {
+TEST_CASE("a preview lasts a frame and leaves scene, history and explanation unchanged", "[ui][window]") {
     HeadlessWindow bench;
     bench.click(bench.at_pixel({400, 300}));
     bench.frames(3);
@@ -79,9 +78,7 @@ TEST_CASE("a preview shows for a frame and leaves the scene, the history and the
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE(
-    "of several scenes in place of the edited one the frozen shows, then the animated, the pointed at, B",
-    "[ui][window]") {
+TEST_CASE("precedence of shown scenes: frozen, animated, previewed, B", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto with_ambient = [&](float ambient) {
@@ -97,7 +94,7 @@ TEST_CASE(
     CHECK(ambient_shown() == -1);
     CompareChoice& compare = bench.state.get<CompareState>().choice;
     compare.stored = std::make_shared<const Scene>(with_ambient(4));
-    CHECK(ambient_shown() == -1);  // stored, and not looked at
+    CHECK(ambient_shown() == -1);  // stored, and not shown
     compare.shows_stored = true;
     CHECK(ambient_shown() == 4);
     bench.state.get<InspectorState>().instead = with_ambient(3);
@@ -108,7 +105,7 @@ TEST_CASE(
     CHECK(ambient_shown() == 1);
 }
 
-TEST_CASE("nothing is to be drawn while B rests on the screen", "[ui][window]") {
+TEST_CASE("nothing is redrawn while B is on the screen", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::B, true);
@@ -121,7 +118,7 @@ TEST_CASE("nothing is to be drawn while B rests on the screen", "[ui][window]") 
     CHECK(bench.frame().sleep_s > 0);
 }
 
-TEST_CASE("B is one scene, however often what is compared is copied and remembered", "[ui][compare]") {
+TEST_CASE("B is one shared scene, however often the comparison is copied", "[ui][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::C);
@@ -132,7 +129,7 @@ TEST_CASE("B is one scene, however often what is compared is copied and remember
     CHECK(bench.state.get<ViewsState>().shown_from.compare.stored == choice.stored);
 }
 
-TEST_CASE("Escape leaves the innermost thing first, one a press", "[ui][window]") {
+TEST_CASE("Escape leaves the innermost thing first, one per press", "[ui][window]") {
     HeadlessWindow bench;
     bench.click(bench.at_pixel({400, 300}));
     bench.frames(2);
@@ -163,7 +160,7 @@ TEST_CASE("Escape leaves the innermost thing first, one a press", "[ui][window]"
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("a light is dragged by its handle, which stays under the cursor, as one step", "[ui][window]") {
+TEST_CASE("a light dragged by its handle stays under the cursor, as one step", "[ui][window]") {
     HeadlessWindow bench;
     with_bulb(bench);
     const Scene before = bench.scene();
@@ -181,7 +178,7 @@ TEST_CASE("a light is dragged by its handle, which stays under the cursor, as on
     CHECK(glm::length(bench.handle_pixel(0) - to) < 0.5);
 }
 
-TEST_CASE("every frame of a drag shows the newest place of the hand", "[ui][window]") {
+TEST_CASE("every frame of a drag shows the latest cursor position", "[ui][window]") {
     HeadlessWindow bench;
     const glm::dvec2 handle = with_grabbed_bulb(bench);
     for (int i = 1; i < 12; ++i) {
@@ -194,7 +191,7 @@ TEST_CASE("every frame of a drag shows the newest place of the hand", "[ui][wind
     bench.button(false);
 }
 
-TEST_CASE("Escape puts a dragged light back", "[ui][window]") {
+TEST_CASE("Escape reverts a dragged light", "[ui][window]") {
     HeadlessWindow bench;
     const glm::dvec2 handle = with_grabbed_bulb(bench);
     const Scene before = bench.scene();
@@ -208,7 +205,7 @@ TEST_CASE("Escape puts a dragged light back", "[ui][window]") {
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("held axis keys and Shift change what a drag moves along", "[ui][window]") {
+TEST_CASE("axis keys and Shift change what a drag moves along", "[ui][window]") {
     HeadlessWindow bench;
     const glm::dvec2 handle = with_grabbed_bulb(bench);
     const glm::vec4 start = bench.scene().lights[0].position;
@@ -231,7 +228,7 @@ TEST_CASE("held axis keys and Shift change what a drag moves along", "[ui][windo
     CHECK(bench.scene().lights[0].position.z < along_x.z - 0.1f);
 }
 
-TEST_CASE("a click asks why, and the numbers follow what is dragged", "[ui][window]") {
+TEST_CASE("a click explains a pixel, and the numbers follow drags", "[ui][window]") {
     HeadlessWindow bench;
     with_bulb(bench);
     const PictureSize size = bench.state.rendered->size;
@@ -252,7 +249,7 @@ TEST_CASE("a click asks why, and the numbers follow what is dragged", "[ui][wind
         CHECK(bench.state.on_screen.explanation->byte[i] == bench.state.rendered->rgba[at + i]);
 }
 
-TEST_CASE("orbiting leaves lights and objects as they are, and is one step", "[ui][window]") {
+TEST_CASE("orbiting leaves lights and objects unchanged and is one step", "[ui][window]") {
     HeadlessWindow bench;
     with_bulb(bench);
     const Scene before = bench.scene();
@@ -279,7 +276,7 @@ TEST_CASE("the wheel moves closer, and quick notches are one step", "[ui][window
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("wherever the wheel goes, the view can be saved, and all can be framed again", "[ui][window]") {
+TEST_CASE("after any wheel motion the view can be saved, and all can be framed again", "[ui][window]") {
     HeadlessWindow bench({1400, 900});
     bench.frames(2);
     const auto turn = [&](ImVec2 at, float way, int times) {
@@ -301,7 +298,7 @@ TEST_CASE("wherever the wheel goes, the view can be saved, and all can be framed
         const auto read = parse_scene(scene_text(bench.scene()), "wheel.json");
         if (const Problem* problem = problem_of(read)) FAIL(problem->text());
         CHECK(bench.state.notifications.list.empty());
-        // Coming closer turns nobody's head, but by what floats lose far away.
+        // Moving closer does not turn the view, except for float rounding far away.
         CHECK(glm::length(view_direction() - ahead) < 0.01);
         (void)bench.key(Key::F, false, true);
         bench.frames(2);
@@ -314,7 +311,7 @@ TEST_CASE("wherever the wheel goes, the view can be saved, and all can be framed
     CHECK(bench.scene().camera.up == start.up);
 }
 
-TEST_CASE("an edit that no scene file could hold is taken back, and it is said what it was", "[ui][window]") {
+TEST_CASE("an edit that no scene file accepts is reverted and reported", "[ui][window]") {
     HeadlessWindow bench;
     SceneDocument document = first_scene();
     document.scene.lights[1].position = {1e7f, 1e7f, 1e7f, 1};
@@ -334,7 +331,7 @@ TEST_CASE("an edit that no scene file could hold is taken back, and it is said w
         "Not possible: /lights/1/position/0: inf is out of range; expected a number within -1e7 and 1e7"));
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Light, 1});
     CHECK_FALSE(bench.state.editor.history.can_undo());
-    // Beyond, where a copy would stand.
+    // Outside, where a copy would be placed.
     (void)bench.key(Key::D, true);
     bench.frames(2);
     for (const Light& light : bench.scene().lights) CHECK(std::isfinite(light.position.x));
@@ -346,13 +343,13 @@ TEST_CASE("an edit that no scene file could hold is taken back, and it is said w
     bench.frames(2);
     CHECK(bench.scene() == now);
     CHECK(is_told("/camera: eye and target are the same point"));
-    // An edit beside it is none of it.
+    // An unrelated edit is not affected.
     bench.scene().lights[0].intensity = 2;
     bench.frames(2);
     CHECK(bench.scene().lights[0].intensity == 2);
 }
 
-TEST_CASE("number keys choose the shading, letters switch terms", "[ui][window]") {
+TEST_CASE("number keys set the shading, letters switch terms", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::Digit1);
@@ -366,7 +363,7 @@ TEST_CASE("number keys choose the shading, letters switch terms", "[ui][window]"
     CHECK(bench.scene().shading.terms.specular);
 }
 
-TEST_CASE("F11 leaves the picture alone, and again brings the columns back", "[ui][window]") {
+TEST_CASE("F11 hides everything except the picture and restores it", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const int width = bench.state.rendered->size.width;
@@ -396,8 +393,7 @@ TEST_CASE("closing asks about unsaved changes, and only then", "[ui][window]") {
     CHECK(bench.frame(close).quit);
 }
 
-TEST_CASE("who closes the window in the middle of a drag is asked at its end, and the drag is one step",
-          "[ui][window]") {
+TEST_CASE("closing during a drag asks at its end, and the drag is one step", "[ui][window]") {
     const bool drops = GENERATE(false, true);
     HeadlessWindow bench;
     const glm::dvec2 handle = with_grabbed_bulb(bench);
@@ -414,7 +410,7 @@ TEST_CASE("who closes the window in the middle of a drag is asked at its end, an
     bench.move(bench.at_pixel(handle + glm::dvec2(70, 90)));
     bench.button(false);
     UiRequests last = bench.frame();
-    if (escapes) {  // nothing is left to ask about
+    if (escapes) {  // nothing left to save
         CHECK(bench.scene() == before);
         CHECK_FALSE(bench.state.editor.history.can_undo());
         CHECK_FALSE(bench.state.pending.asking);
@@ -429,7 +425,7 @@ TEST_CASE("who closes the window in the middle of a drag is asked at its end, an
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("what cannot be opened is said in the command line's words, and the scene stays", "[ui][window]") {
+TEST_CASE("an unreadable file is reported as on the command line, and the scene stays", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -453,14 +449,14 @@ TEST_CASE("a probe survives a change of the picture's size", "[ui][window]") {
     bench.frames(2);
     REQUIRE(bench.state.on_screen.explanation);
     const PictureSize after = bench.state.rendered->size;
-    // Both pictures keep the width of the field: the window's 1280 x 800 is narrower than 16:9, too.
+    // Both pictures keep the width of the view: the window's 1280 x 800 is narrower than 16:9 too.
     CHECK(double(bench.state.on_screen.explanation->x) / after.width ==
           Approx(100.0 / before.width).margin(0.01));
     CHECK((bench.state.on_screen.explanation->y - after.height / 2.0) / after.width ==
           Approx((300 - before.height / 2.0) / before.width).margin(0.01));
 }
 
-TEST_CASE("what is saved by the window opens in it again, as a scene and as a picture", "[ui][window]") {
+TEST_CASE("scenes and pictures saved by the window open in it again", "[ui][window]") {
     namespace fs = std::filesystem;
     const fs::path folder = fs::temp_directory_path() / "glint_window_save_test";
     fs::remove_all(folder);
@@ -499,11 +495,11 @@ TEST_CASE("what is saved by the window opens in it again, as a scene and as a pi
     fs::remove_all(folder);
 }
 
-TEST_CASE("a file that is dropped in the middle of a drag ends it", "[ui][window]") {
+TEST_CASE("a file dropped during a drag ends the drag", "[ui][window]") {
     HeadlessWindow bench;
     const glm::dvec2 handle = with_grabbed_bulb(bench);
     bench.move(bench.at_pixel(handle + glm::dvec2(40, 0)));
-    bench.state.editor.saved = bench.scene();  // nothing to ask about
+    bench.state.editor.saved = bench.scene();  // nothing to save
     bench.scene().lights.front().enabled = false;
     UiInput drop;
     drop.dropped = {"/nowhere.json"};
@@ -514,7 +510,7 @@ TEST_CASE("a file that is dropped in the middle of a drag ends it", "[ui][window
     CHECK(bench.state.viewport.gesture == Gesture::None);
 }
 
-TEST_CASE("a frame that is not asked for by anything lets the window sleep", "[ui][window]") {
+TEST_CASE("a frame without a request lets the window sleep", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(3);
     CHECK(std::isinf(bench.frame().sleep_s));
@@ -524,11 +520,11 @@ TEST_CASE("a frame that is not asked for by anything lets the window sleep", "[u
     CHECK(std::isinf(bench.frame().sleep_s));
 }
 
-TEST_CASE("a rect may be as wide as leaves its corners next to nothing", "[ui][window]") {
+TEST_CASE("a rectangle whose corners have almost no radius can be drawn", "[ui][window]") {
     HeadlessWindow bench;
     (void)bench.frame();
     ImGui::NewFrame();
-    // Half of its width less one pixel is the radius of its corners: 1e-7.
+    // Half of its width minus one pixel is the radius of its corners: 1e-7.
     const float width = std::nextafter(2.0f, 3.0f);
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     list.AddRectFilled({0, 0}, {width, 20}, IM_COL32_WHITE, 2);
@@ -536,9 +532,8 @@ TEST_CASE("a rect may be as wide as leaves its corners next to nothing", "[ui][w
     ImGui::EndFrame();
 }
 
-TEST_CASE("what was selected in a scene with more items is not asked for by a key in this one",
-          "[ui][window]") {
-    // As a click on a light of B does, where that has more lights than the scene in hand.
+TEST_CASE("a selection in a scene with more items does not affect keys in this one", "[ui][window]") {
+    // As a click on a light of B does, if B has more lights than the present scene.
     HeadlessWindow bench({1280, 800});
     const std::size_t lights = bench.scene().lights.size(), objects = bench.scene().objects.size();
     const std::string last_light = bench.scene().lights.back().name;

@@ -1,11 +1,11 @@
-// A kept result is computed again for another key, and for no other reason.
+// A cached result is recomputed for another key, and for no other reason.
 #include "ui/widgets/kept.h"
 
 #include "tests/support/catch.h"
 
 using namespace glint;
 
-TEST_CASE("a kept result is computed once for each key that comes after another", "[ui][kept]") {
+TEST_CASE("a cached result is computed once for each new key", "[ui][kept]") {
     Kept<int, int> square;
     int computed = 0;
     const auto of = [&](int n) {
@@ -15,7 +15,7 @@ TEST_CASE("a kept result is computed once for each key that comes after another"
         });
     };
     CHECK(square.value() == nullptr);
-    CHECK(of(0) == 0);  // the key that an empty one might be taken for
+    CHECK(of(0) == 0);  // the key of an empty cache
     CHECK(of(0) == 0);
     CHECK(computed == 1);
     CHECK(of(3) == 9);

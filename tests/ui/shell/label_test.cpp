@@ -1,4 +1,4 @@
-// Labels that do not cover one another.
+// Labels that do not overlap.
 #include <cmath>
 #include <random>
 
@@ -20,17 +20,17 @@ bool overlap(const Placed& a, const Placed& b) {
 
 }  // namespace
 
-TEST_CASE("a label stands where it would like to be when nothing is there", "[ui]") {
+TEST_CASE("a label is at its preferred position if nothing is there", "[ui]") {
     LabelRoom room;
     const auto at = room.place({100, 50}, {40, 12}, 30);
     REQUIRE(at);
     CHECK((at->x == 100 && at->y == 50));
-    const auto beside = room.place({140, 50}, {40, 12}, 30);  // edge to edge
+    const auto beside = room.place({140, 50}, {40, 12}, 30);  // touching
     REQUIRE(beside);
     CHECK((beside->x == 140 && beside->y == 50));
 }
 
-TEST_CASE("labels are pushed apart by no more than they must, within their reach", "[ui]") {
+TEST_CASE("labels move apart as little as possible, within their reach", "[ui]") {
     std::mt19937 random(3);
     const auto number = [&random](float low, float high) {
         return low + (high - low) * float(random() % 10'000) / 10'000;
@@ -57,7 +57,7 @@ TEST_CASE("labels are pushed apart by no more than they must, within their reach
     }
 }
 
-TEST_CASE("without room a label is left out, or written where it would like to be", "[ui]") {
+TEST_CASE("without room a label is left out, or written at its preferred position", "[ui]") {
     LabelRoom room;
     room.keep_free({{0, 0}, {200, 200}});
     CHECK_FALSE(room.place({100, 100}, {30, 12}, 40));
@@ -65,7 +65,7 @@ TEST_CASE("without room a label is left out, or written where it would like to b
     CHECK((at.x == 100 && at.y == 100));
 }
 
-TEST_CASE("a label keeps inside its bounds", "[ui]") {
+TEST_CASE("a label stays inside its bounds", "[ui]") {
     LabelRoom room({{0, 0}, {100, 60}});
     const auto right = room.place({95, 20}, {40, 12}, 30);
     REQUIRE(right);

@@ -1,4 +1,4 @@
-// Scenes and folders of very many items: what is out of sight costs no frame its time, and is still there.
+// Scenes and folders with very many items: invisible items cost no frame time, and remain reachable.
 #include <algorithm>
 #include <string>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int many = 300;
 
-/// So many lights on one triangle, each with a name of its own.
+/// `count` lights on one triangle, each with its own name.
 Scene scene_of_lights(int count) {
     Scene scene;
     scene.camera.eye = {0, 0, 4};
@@ -28,7 +28,7 @@ Scene scene_of_lights(int count) {
     return scene;
 }
 
-/// The tab asked of the middle of such a scene.
+/// The tab at the middle of such a scene.
 struct ManyWindow : HeadlessWindow {
     ManyWindow(const Scene& shown, InspectorTab tab) {
         state.editor.history.reset(shown);
@@ -41,7 +41,7 @@ struct ManyWindow : HeadlessWindow {
     }
     void scroll_to_end() {
         move(test::right_column(*this).middle());
-        for (int i = 0; i < 3; ++i) {  // heights that were guessed are known then
+        for (int i = 0; i < 3; ++i) {  // estimated heights are known then
             ImGui::GetIO().MouseWheel = -1e5f;
             (void)frame();
             ImGui::GetIO().MouseWheel = 0;
@@ -54,8 +54,7 @@ int corners_drawn() { return ImGui::GetDrawData()->TotalVtxCount; }
 
 }  // namespace
 
-TEST_CASE("a folder of thirty thousand files is listed, and only its rows in sight are drawn",
-          "[ui][window][many]") {
+TEST_CASE("a folder of thirty thousand files draws only its visible rows", "[ui][window][many]") {
     HeadlessWindow bench;
     bench.state.files.ask(mesh_purpose, "");
     bench.state.files.entries.clear();
@@ -76,9 +75,8 @@ TEST_CASE("a folder of thirty thousand files is listed, and only its rows in sig
     CHECK(bench.state.files.name == "mesh29999.obj");
 }
 
-TEST_CASE(
-    "what is selected by keys or in the picture is scrolled into the scene's list, and the wheel leaves it",
-    "[ui][window][many]") {
+TEST_CASE("a selection by keys or in the picture is scrolled to once in the scene's list",
+          "[ui][window][many]") {
     ManyWindow bench(scene_of_lights(many), InspectorTab::Equation);
     const auto in_sight = [&bench](int light) {
         const std::string key = "/lights/" + std::to_string(light) + "/enabled";
@@ -86,12 +84,12 @@ TEST_CASE(
         return std::any_of(all.begin(), all.end(),
                            [&](const NamedControl& c) { return c.key == key && c.in_sight; });
     };
-    // The panel has the switch of the selected light, too, so its neighbours' are looked for.
+    // The panel also has the switch of the selected light, so its neighbours' are checked.
     for (const auto& [selected, neighbour] : {std::pair{299, 298}, {0, 1}, {150, 149}, {151, 149}}) {
         bench.state.editor.selection = {Selection::Kind::Light, selected};
         bench.frames(3);
         INFO(selected);
-        CHECK(in_sight(neighbour));  // no farther than it has to be
+        CHECK(in_sight(neighbour));  // no farther than necessary
     }
     bench.state.editor.selection = {Selection::Kind::Light, 0};
     bench.frames(3);
@@ -103,8 +101,7 @@ TEST_CASE(
     CHECK_FALSE(in_sight(1));
 }
 
-TEST_CASE("the equation lays out the cards of the lights in sight, and all can be scrolled to",
-          "[ui][window][many]") {
+TEST_CASE("the equation lays out only visible cards, and all can be scrolled to", "[ui][window][many]") {
     ManyWindow bench(scene_of_lights(many), InspectorTab::Equation);
     REQUIRE(bench.state.on_screen.explanation);
     REQUIRE(bench.state.on_screen.explanation->corners.at(0).at.lights.size() == many);
@@ -113,14 +110,14 @@ TEST_CASE("the equation lays out the cards of the lights in sight, and all can b
     bench.scroll_to_end();
     CHECK(bench.controls_named("angle n·l") < 40);
     (void)test::in_column(bench, "/lights/299/falloff/constant");
-    // A number that a lesson leads to is brought into sight from anywhere.
+    // A number that a lesson leads to is scrolled to from anywhere.
     bench.state.get<InspectorState>().marked = {Quantity::Falloff, 100, ImGui::GetTime() + 1,
                                                 ImGui::GetTime() + 1};
     bench.frames(4);
     (void)test::in_column(bench, "/lights/100/falloff/constant");
 }
 
-TEST_CASE("a number that is dragged out of sight stays in hand", "[ui][window][many]") {
+TEST_CASE("a number dragged out of view stays active", "[ui][window][many]") {
     ManyWindow bench(scene_of_lights(many), InspectorTab::Equation);
     const ImVec2 at = test::in_column(bench, "/lights/0/falloff/constant");
     bench.move(at);
@@ -136,7 +133,7 @@ TEST_CASE("a number that is dragged out of sight stays in hand", "[ui][window][m
     bench.button(false);
 }
 
-TEST_CASE("light by term draws the rows in sight, and all can be scrolled to", "[ui][window][many]") {
+TEST_CASE("light by term draws only visible rows, and all can be scrolled to", "[ui][window][many]") {
     ManyWindow bench(scene_of_lights(many), InspectorTab::Grid);
     CHECK(bench.controls_named("diffuse") < 40);
     bench.scroll_to_end();
@@ -148,7 +145,7 @@ TEST_CASE("light by term draws the rows in sight, and all can be scrolled to", "
     CHECK(bench.state.get<TermGridState>().solo->light > many - 10);
 }
 
-TEST_CASE("the program of many objects and lights is written in sight, and all of it can be scrolled to",
+TEST_CASE("the program of many objects lays out visible calls, and all can be scrolled to",
           "[ui][window][many]") {
     constexpr int each = 150;
     Scene scene = scene_of_lights(each);

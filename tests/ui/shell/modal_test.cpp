@@ -1,4 +1,4 @@
-// Dialogs: one at a time, and nothing that opens in the same frame is held up by one.
+// Dialogs: one at a time, and none blocks windows opened in the same frame.
 #include "ui/shell/modal.h"
 
 #include <imgui_internal.h>
@@ -19,7 +19,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Leaves whatever is open, and puts the scene back to one that is not saved, whatever is done next.
+/// Closes everything, and restores an unsaved scene, whatever the previous steps did.
 void start_afresh(HeadlessWindow& bench) {
     for (int i = 0; i < 6; ++i) (void)bench.key(Key::Escape);
     UiState& state = bench.state;
@@ -35,7 +35,7 @@ void start_afresh(HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("whatever is opened in the same frame as a dialog, both are drawn", "[ui][modal]") {
+TEST_CASE("a dialog and a window opened in the same frame are both drawn", "[ui][modal]") {
     // The folder of the dialogs, and a small picture.
     HeadlessWindow bench({420, 240});
     bench.frames(2);
@@ -54,7 +54,7 @@ TEST_CASE("whatever is opened in the same frame as a dialog, both are drawn", "[
         }
 }
 
-TEST_CASE("keys that come in one frame may open a dialog and a sheet", "[ui][modal]") {
+TEST_CASE("keys in one frame may open a dialog and a sheet", "[ui][modal]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().shading.mode = ShadingMode::Flat;  // not saved
@@ -67,9 +67,7 @@ TEST_CASE("keys that come in one frame may open a dialog and a sheet", "[ui][mod
     CHECK(bench.state.shows_shortcuts);
 }
 
-TEST_CASE(
-    "a question that comes while a file is being chosen stands before that, and the choice goes on after it",
-    "[ui][modal]") {
+TEST_CASE("a question during a file dialog comes first, and the dialog returns after it", "[ui][modal]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().shading.mode = ShadingMode::Flat;
@@ -94,8 +92,7 @@ TEST_CASE(
     CHECK(open_dialog(bench.state) == nullptr);
 }
 
-TEST_CASE("of several files it is said that one is opened when it is, and not when it is not",
-          "[ui][modal]") {
+TEST_CASE("opening one of several files is reported only if it opens", "[ui][modal]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().shading.mode = ShadingMode::Flat;
@@ -119,8 +116,7 @@ TEST_CASE("of several files it is said that one is opened when it is, and not wh
     CHECK(says_so());
 }
 
-TEST_CASE("a mesh of a path that cannot be made absolute is refused in one line, and the views stay",
-          "[ui][modal]") {
+TEST_CASE("a mesh path that cannot be made absolute is rejected in one line", "[ui][modal]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
@@ -128,7 +124,7 @@ TEST_CASE("a mesh of a path that cannot be made absolute is refused in one line,
     bench.frames(2);
     bench.state.files.ask(mesh_purpose, "");
     bench.state.files.folder = "rel";
-    bench.state.files.name = "x.obj";  // before its field has the keyboard
+    bench.state.files.name = "x.obj";  // before its field has focus
     bench.frames(2);
     bench.state.notifications.list.clear();
     const std::filesystem::path here = std::filesystem::current_path();
@@ -154,8 +150,8 @@ TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][mo
     bench.key(Key::Q, true);
     bench.frames(2);
     REQUIRE(bench.state.pending.asking);
-    bench.state.editor.document.path = folder.path("new.png");  // offers "new.json" beside it
-    bench.key(Key::Enter);                                      // Save: a name is asked for
+    bench.state.editor.document.path = folder.path("new.png");  // offers "new.json" next to it
+    bench.key(Key::Enter);                                      // Save: a name is requested
     bench.frames(2);
     CHECK(open_dialog(bench.state) == &files_dialog);
     CHECK(folder.names().empty());
@@ -164,8 +160,7 @@ TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][mo
     CHECK(folder.names() == std::vector<std::string>{"new.json"});
 }
 
-TEST_CASE("the Enter that chooses in the palette does not answer the dialog that opens by it",
-          "[ui][modal]") {
+TEST_CASE("the Enter that chooses in the palette does not answer the dialog that it opens", "[ui][modal]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
@@ -197,7 +192,7 @@ TEST_CASE("the Enter that chooses in the palette does not answer the dialog that
     }
 }
 
-TEST_CASE("the questions about unsaved work are answered by keys", "[ui][window]") {
+TEST_CASE("keys answer the questions about unsaved work", "[ui][window]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
@@ -218,7 +213,7 @@ TEST_CASE("the questions about unsaved work are answered by keys", "[ui][window]
 
 namespace {
 
-/// Returns the place of the window whose name has `part`, counted from the back.
+/// Returns the index of the window whose name contains `part`, counted from the back.
 std::ptrdiff_t place_of(const std::string& part) {
     const auto& windows = ImGui::GetCurrentContext()->Windows;
     return std::find(windows.begin(), windows.end(), test::window_named(part)) - windows.begin();
@@ -226,8 +221,7 @@ std::ptrdiff_t place_of(const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("what the dialog of a file did is said in front of the dialog that comes back",
-          "[ui][modal][notifications]") {
+TEST_CASE("a file dialog's message is in front of the dialog that returns", "[ui][modal][notifications]") {
     for (const bool long_before : {false, true}) {
         HeadlessWindow bench;
         bench.frames(2);
@@ -245,8 +239,7 @@ TEST_CASE("what the dialog of a file did is said in front of the dialog that com
     }
 }
 
-TEST_CASE("a notification is in front of the dialog that it comes from, and lets clicks through",
-          "[ui][modal][notifications]") {
+TEST_CASE("a notification is in front of its dialog and lets clicks through", "[ui][modal][notifications]") {
     HeadlessWindow bench;
     bench.frames(2);
     run_command(bench.state, test::command_named("Export picture…"));

@@ -1,4 +1,4 @@
-// Ctrl+K: what is found, in which order, and what it does.
+// Ctrl+K: the results, their order, and their effect.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -45,7 +45,7 @@ TEST_CASE("the palette finds a field of the scene first by the beginning of its 
     }
 }
 
-TEST_CASE("a command is found by a word about it", "[ui][palette]") {
+TEST_CASE("a command is found by its topic", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     const std::string about[][2] = {{"game", "Match the target"},
@@ -63,7 +63,7 @@ TEST_CASE("a command is found by a word about it", "[ui][palette]") {
     }
 }
 
-TEST_CASE("names are found as files and commands write them", "[ui][palette]") {
+TEST_CASE("names are found as spelled in files and commands", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.shipped_scenes = project_file("assets/scenes");
@@ -97,8 +97,7 @@ TEST_CASE("a lesson is found by its number, its title and its topic", "[ui][pale
     CHECK(std::is_sorted(numbers.begin(), numbers.end()));
 }
 
-TEST_CASE("the comparison's difference and what the scope shows are found while they stand there",
-          "[ui][palette]") {
+TEST_CASE("commands of the difference and the scope are found while those are shown", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     CHECK(found(bench.state, "difference of the parts").at(0).refused == "Nothing is compared (C)");
@@ -118,8 +117,7 @@ TEST_CASE("the comparison's difference and what the scope shows are found while 
     CHECK(bench.state.get<ScopeState>().eye);
 }
 
-TEST_CASE("the scope's card and its copying, and the pen's colour and last line are found, too",
-          "[ui][palette]") {
+TEST_CASE("commands of the scope's card and of the pen are found", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     CHECK(found(bench.state, "grey card").at(0).refused == "The scope is not open");
@@ -131,7 +129,7 @@ TEST_CASE("the scope's card and its copying, and the pen's colour and last line 
     found(bench.state, "grey card").at(0).run(bench.state);
     const ScopeState& scope = bench.state.get<ScopeState>();
     CHECK(scope.card);
-    CHECK(scope.card_at.x != 0.5);  // it lies beside the line's sharpest bend
+    CHECK(scope.card_at.x != 0.5);  // it is next to the line's sharpest bend
     found(bench.state, "scope copy").at(0).run(bench.state);
     CHECK(std::string(ImGui::GetClipboardText()).find("glint profile ") != std::string::npos);
     PenState& pen = bench.state.get<PenState>();
@@ -146,7 +144,7 @@ TEST_CASE("the scope's card and its copying, and the pen's colour and last line 
     CHECK(pen.lines[0].colour == 1);
 }
 
-TEST_CASE("a row of the palette is one line, whatever an item is called", "[ui][palette]") {
+TEST_CASE("a row of the palette is one line, whatever an item's name contains", "[ui][palette]") {
     HeadlessWindow bench;
     bench.scene().lights[0].name = "two\nlines";
     bench.frames(2);
@@ -155,7 +153,7 @@ TEST_CASE("a row of the palette is one line, whatever an item is called", "[ui][
         CHECK((entry.name + entry.group).find('\n') == std::string::npos);
 }
 
-TEST_CASE("a component of a vector is found, and takes the keyboard", "[ui][palette][window]") {
+TEST_CASE("a component of a vector is found and focused", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = project_file("assets/scenes");
     bench.state.editor.selection = {Selection::Kind::Object, 0};
@@ -200,8 +198,7 @@ TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palett
     CHECK(bench.state.notifications.list.back().text == "No picked pixel shows an object");
 }
 
-TEST_CASE("the palette adds what the lists add, and gives the selected object another mesh",
-          "[ui][palette]") {
+TEST_CASE("the palette adds lights and objects, and replaces the selected object's mesh", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     const std::size_t objects = bench.scene().objects.size(), lights = bench.scene().lights.size();
@@ -239,7 +236,7 @@ TEST_CASE("the palette answers the offer to recover unsaved work", "[ui][palette
     }
 }
 
-TEST_CASE("the palette plays the animation, and leads to its number without a mouse",
+TEST_CASE("the palette plays the animation and chooses its number without a mouse",
           "[ui][palette][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -265,7 +262,7 @@ TEST_CASE("the palette plays the animation, and leads to its number without a mo
     CHECK(bench.state.files.purpose == &frames_purpose);
 }
 
-TEST_CASE("the palette knows a field by another word for it", "[ui][palette]") {
+TEST_CASE("the palette finds a field by a synonym", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto entries = found(bench.state, "gamma");
@@ -273,13 +270,13 @@ TEST_CASE("the palette knows a field by another word for it", "[ui][palette]") {
     CHECK(entries[0].name == "Encoding");
 }
 
-TEST_CASE("every number of a scene is in a field that the palette leads to", "[ui][palette]") {
+TEST_CASE("every number of a scene is in a field that the palette finds", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     const std::vector<PaletteEntry> entries = palette_entries(bench.state);
     const auto fields = std::count_if(entries.begin(), entries.end(),
                                       [](const PaletteEntry& e) { return e.group.find("Field") == 0; });
-    std::size_t rows = 0;  // of numbers without effect none is asked for
+    std::size_t rows = 0;  // of numbers without effect none is required
     std::string last;
     for (const SceneNumber& number : numbers_of(bench.scene())) {
         std::string row = number.pointer;
@@ -290,8 +287,7 @@ TEST_CASE("every number of a scene is in a field that the palette leads to", "[u
     CHECK(std::size_t(fields) >= rows);
 }
 
-TEST_CASE("a field that the palette finds stands in its panel and has the keyboard",
-          "[ui][palette][window]") {
+TEST_CASE("a field found by the palette is in its panel and has focus", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Shading, 0};
     bench.frames(2);
@@ -321,7 +317,7 @@ TEST_CASE("a field below the end of its panel is scrolled to", "[ui][palette][wi
         bench.frames(6);
     };
     run("crease", "Crease");
-    (void)bench.control("/objects/0/normals/crease_deg");  // in sight
+    (void)bench.control("/objects/0/normals/crease_deg");  // visible
     CHECK(ImGui::GetIO().WantTextInput);
     bench.scene().lights[0].kind = LightKind::Spot;
     bench.scene().lights[0].position.w = 1;
@@ -332,11 +328,11 @@ TEST_CASE("a field below the end of its panel is scrolled to", "[ui][palette][wi
     run("nam", "Name");
     bench.type("Key light");
     CHECK(bench.scene().lights[0].name == "Key light");
-    run("silh", "Silhouettes");  // a switch, which takes no keyboard
+    run("silh", "Silhouettes");  // a switch, which takes no focus
     (void)bench.control("/npr/silhouettes");
 }
 
-TEST_CASE("a switch that the palette finds turns by Space or Enter, until something else is clicked",
+TEST_CASE("a switch found by the palette toggles by Space or Enter until the next click",
           "[ui][palette][window]") {
     HeadlessWindow bench;
     constexpr int space_key = 32, enter_key = 13;  // of ImGui's io.KeysDown, for this test
@@ -352,7 +348,7 @@ TEST_CASE("a switch that the palette finds turns by Space or Enter, until someth
     ImGui::GetIO().KeysDown[enter_key] = false;
     bench.frames(8);
     const bool& two_sided = bench.scene().shading.two_sided;
-    CHECK_FALSE(two_sided);  // the Enter of the palette is not one for the switch
+    CHECK_FALSE(two_sided);  // the palette's Enter does not reach the switch
     const auto press = [&](int key) {
         ImGui::GetIO().KeysDown[key] = true;
         bench.frames(2);
@@ -365,12 +361,12 @@ TEST_CASE("a switch that the palette finds turns by Space or Enter, until someth
     CHECK_FALSE(two_sided);
     bench.state.editor.selection = {Selection::Kind::Shading, 0};
     bench.click(HeadlessWindow::middle_of(bench.area_of("/shading/two_sided")));
-    CHECK(two_sided);  // by the mouse, as ever
+    CHECK(two_sided);  // by the mouse, as always
     press(space_key);
     CHECK(two_sided);
 }
 
-TEST_CASE("where nothing matches the palette does nothing at Enter", "[ui][palette][window]") {
+TEST_CASE("Enter does nothing in the palette if nothing matches", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -383,7 +379,7 @@ TEST_CASE("where nothing matches the palette does nothing at Enter", "[ui][palet
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("after Enter found nothing the palette goes on taking letters", "[ui][palette][window]") {
+TEST_CASE("after an Enter without a match the palette accepts more letters", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     ImGuiIO& io = ImGui::GetIO();
@@ -417,7 +413,7 @@ TEST_CASE("each entry of the palette is found by its full name", "[ui][palette]"
     }
 }
 
-TEST_CASE("the palette finds every kind of projection, and what is seen stays", "[ui][palette][window]") {
+TEST_CASE("the palette finds every kind of projection and keeps the visible size", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     for (const ProjectionKind kind :
@@ -435,7 +431,7 @@ TEST_CASE("the palette finds every kind of projection, and what is seen stays", 
     CHECK(back.fov_y_deg == Approx(std::get<Perspective>(first_scene().scene.camera.projection).fov_y_deg));
 }
 
-TEST_CASE("a letter that acts at once says what it did", "[ui][window][commands]") {
+TEST_CASE("a one-letter command reports what it did", "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto last = [&] {
@@ -445,7 +441,7 @@ TEST_CASE("a letter that acts at once says what it did", "[ui][window][commands]
     CHECK(last() == "Specular: off (S)");
     (void)bench.key(Key::S);
     CHECK(last() == "Specular: on (S)");
-    CHECK(bench.state.notifications.list.size() == 1);  // in the place of the one before
+    CHECK(bench.state.notifications.list.size() == 1);  // in place of the previous one
     (void)bench.key(Key::Digit1);
     CHECK(last() == "Flat shading (1)");
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
@@ -454,7 +450,7 @@ TEST_CASE("a letter that acts at once says what it did", "[ui][window][commands]
     CHECK(last().find("No object is selected") == 0);
 }
 
-TEST_CASE("arrow keys pick a pixel and go on to the next, ten at once with Shift", "[ui][window][commands]") {
+TEST_CASE("arrow keys pick a pixel and move it, by ten with Shift", "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;
@@ -463,7 +459,7 @@ TEST_CASE("arrow keys pick a pixel and go on to the next, ten at once with Shift
     CHECK(picked() == glm::ivec2(size.width / 2, size.height / 2));  // none was picked: the middle
     bench.frames(2);
     REQUIRE(bench.state.on_screen.explanation);
-    CHECK(bench.state.left_shows_inspector);  // where the columns stand one over the other
+    CHECK(bench.state.left_shows_inspector);  // where the columns share one place
     (void)bench.key(Key::Right);
     (void)bench.key(Key::Right);
     (void)bench.key(Key::Up);
@@ -485,7 +481,7 @@ TEST_CASE("arrow keys pick a pixel and go on to the next, ten at once with Shift
     CHECK(bench.notes_with("The picture is frozen: F8 unfreezes it") == 1);
 }
 
-TEST_CASE("F says why it does not frame what is too far away", "[ui][window][commands]") {
+TEST_CASE("F reports why it does not frame a distant object", "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.editor.selection = {Selection::Kind::Object, 0};
@@ -505,7 +501,7 @@ TEST_CASE("F says why it does not frame what is too far away", "[ui][window][com
     CHECK(bench.notes_with("No camera can show all of it") == 0);
 }
 
-TEST_CASE("each letter that is a command says something", "[ui][window][commands]") {
+TEST_CASE("each one-letter command reports something", "[ui][window][commands]") {
     for (const WindowCommand& command : commands())
         for (const KeyPress& press : command.keys) {
             if (press.ctrl || press.shift || press.alt || press.key > Key::Digit4) continue;
@@ -521,7 +517,7 @@ TEST_CASE("each letter that is a command says something", "[ui][window][commands
         }
 }
 
-TEST_CASE("the palette leads to every tab of the column", "[ui][palette]") {
+TEST_CASE("the palette opens every tab of the column", "[ui][palette]") {
     HeadlessWindow bench;
     for (const InspectorTabInfo& info : inspector_tabs()) {
         bench.state.layout.right = false;
@@ -532,8 +528,7 @@ TEST_CASE("the palette leads to every tab of the column", "[ui][palette]") {
     }
 }
 
-TEST_CASE("with nothing typed Enter runs nothing, until an arrow key chose an entry",
-          "[ui][palette][window]") {
+TEST_CASE("without typing, Enter runs nothing until an arrow key chose an entry", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].name = "Mine";
@@ -550,7 +545,7 @@ TEST_CASE("with nothing typed Enter runs nothing, until an arrow key chose an en
     CHECK_FALSE(bench.state.palette.open);
 }
 
-TEST_CASE("every light and object of a large scene can be selected by Ctrl+K", "[ui][palette][window]") {
+TEST_CASE("Ctrl+K can select every light and object of a large scene", "[ui][palette][window]") {
     HeadlessWindow bench;
     for (std::size_t i = 0; i < 120; ++i) {
         bench.scene().lights.push_back(bench.scene().lights[0]);
@@ -569,7 +564,7 @@ TEST_CASE("every light and object of a large scene can be selected by Ctrl+K", "
           Selection{Selection::Kind::Object, static_cast<int>(bench.scene().objects.size()) - 1});
 }
 
-TEST_CASE("letters that come with Ctrl+K in one frame are typed into the list", "[ui][palette][window]") {
+TEST_CASE("letters in the same frame as Ctrl+K are typed into the list", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto type = [](const char* letters) {
@@ -596,8 +591,7 @@ TEST_CASE("letters that come with Ctrl+K in one frame are typed into the list", 
     CHECK(bench.state.palette.text.empty());
 }
 
-TEST_CASE("the arrow keys go round the whole list of the palette, which follows them",
-          "[ui][palette][window]") {
+TEST_CASE("the arrow keys cycle through the palette, which scrolls with them", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     (void)bench.key(Key::K, true);

@@ -1,5 +1,4 @@
-// Panels under a random hand: whatever is dragged, typed or clicked, what is saved opens again and undo leads
-// home.
+// Panels under random input: after any drag, typing or click, saved files open again and undo leads back.
 #include <array>
 #include <cmath>
 #include <random>
@@ -77,7 +76,7 @@ void act(HeadlessWindow& bench, Hand& hand) {
         break;
     }
     ImGui::GetIO().KeyShift = false;
-    bench.state.files.open = false;  // a folder of this machine is not a test
+    bench.state.files.open = false;  // folders of this machine are not part of the test
 }
 
 /// Keeps a random detail from building millions of faces.
@@ -109,7 +108,7 @@ bool finite(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("whatever a hand does in the panels, what is saved opens again", "[ui][window][property]") {
+TEST_CASE("after random input in the panels, the saved file opens again", "[ui][window][property]") {
     for (unsigned seed = 1; seed <= 6; ++seed) {
         HeadlessWindow bench({760, 780});  // a narrow picture: quick to draw
         use(bench, rich_scene());
@@ -146,7 +145,7 @@ TEST_CASE("every panel draws for every kind of item", "[ui][window]") {
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("L adds a light in view, Ctrl+D copies it, Delete takes it away", "[ui][window]") {
+TEST_CASE("L adds a visible light, Ctrl+D copies it, Delete removes it", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();
@@ -170,7 +169,7 @@ TEST_CASE("L adds a light in view, Ctrl+D copies it, Delete takes it away", "[ui
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("lists that are emptied leave a usable window", "[ui][window]") {
+TEST_CASE("emptied lists leave a usable window", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.editor.selection = {Selection::Kind::Light, 0};
@@ -186,8 +185,7 @@ TEST_CASE("lists that are emptied leave a usable window", "[ui][window]") {
     check_saves(bench.scene());
 }
 
-TEST_CASE("each of joined buttons answers a click, whether its word stands in the file or not",
-          "[ui][panels]") {
+TEST_CASE("each joined button works, including labels that are not in the file", "[ui][panels]") {
     HeadlessWindow bench;
     const std::array<glint::Choice, 4> options{Choice{"", "none", ""}, Choice{"", "left", ""},
                                                Choice{"", "right", ""}, Choice{"", "both", ""}};

@@ -1,4 +1,4 @@
-// The picture fills its room, whatever that room's shape is, and shows all that the command line shows.
+// The picture fills its area, whatever the area's shape is, and shows everything that the command line shows.
 #include <glm/geometric.hpp>
 
 #include "models/scene_file/scene_file.h"
@@ -18,7 +18,7 @@ PictureView view_in(HeadlessWindow& bench) {
     return picture_view(lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).centre, bench.state);
 }
 
-/// Where a point shows, -1 to 1 from edge to edge; nothing behind the eye.
+/// The position of a point, -1 to 1 from edge to edge; nothing behind the eye.
 std::optional<glm::dvec2> on_picture(const Camera& camera, PictureSize size, glm::dvec3 world) {
     const glm::dvec4 clip =
         clip_from_view(camera.projection, size) * view_from_world(camera) * glm::dvec4(world, 1);
@@ -40,7 +40,7 @@ std::vector<glm::dvec3> bounds_corners(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("what the command line shows of a shipped scene, the window shows at every size", "[ui][scenes]") {
+TEST_CASE("at every size the window contains the command line's picture of a shipped scene", "[ui][scenes]") {
     int whole = 0;
     for (const std::string& path : asset_scenes()) {
         CAPTURE(path);
@@ -66,7 +66,7 @@ TEST_CASE("what the command line shows of a shipped scene, the window shows at e
     CHECK(whole > 40);
 }
 
-TEST_CASE("the picture fills its room, but for a margin", "[ui]") {
+TEST_CASE("the picture fills its area except for a margin", "[ui]") {
     for (const ImVec2 window : windows) {
         HeadlessWindow bench(window);
         const Rect room = lay_out(window, bench.state.layout, 1).centre;
@@ -76,7 +76,7 @@ TEST_CASE("the picture fills its room, but for a margin", "[ui]") {
     }
 }
 
-TEST_CASE("a picture narrower than 16:9 keeps the width of the field, a wider one its height", "[camera]") {
+TEST_CASE("a picture narrower than 16:9 keeps the width of the view, a wider one its height", "[camera]") {
     for (const Projection& projection : {Projection(Perspective{50}), Projection(Orthographic{3})}) {
         const glm::dmat4 composed = clip_from_view(projection, {1600, 900});
         for (const PictureSize narrow : {PictureSize{400, 300, true}, {300, 300, true}, {100, 700, true}}) {
@@ -92,7 +92,7 @@ TEST_CASE("a picture narrower than 16:9 keeps the width of the field, a wider on
     CHECK(clip_from_view(frustum, {100, 700, true}) == clip_from_view(frustum, {100, 700}));
 }
 
-TEST_CASE("a picture that is exported carries the field that it shows", "[ui]") {
+TEST_CASE("an exported picture has the visible field of view", "[ui]") {
     Scene scene = first_scene().scene;
     const PictureSize narrow{400, 300};
     const Scene shown = as_shown(scene, narrow);
@@ -101,7 +101,7 @@ TEST_CASE("a picture that is exported carries the field that it shows", "[ui]") 
     CHECK(as_shown(scene, {1920, 1080}) == scene);
 }
 
-TEST_CASE("the picked point stays the same point of the surface in every shape of the picture", "[ui]") {
+TEST_CASE("the picked point stays the same surface point in every picture shape", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.click(bench.at_pixel(
@@ -122,8 +122,7 @@ TEST_CASE("the picked point stays the same point of the surface in every shape o
     CHECK(glm::length(bench.state.on_screen.explanation->spaces.world - picked) < 0.01);
 }
 
-TEST_CASE("the scope's line and what the pen drew stay on what they lie on in every shape of the picture",
-          "[ui]") {
+TEST_CASE("the scope's line and pen strokes stay in place in every picture shape", "[ui]") {
     HeadlessWindow bench({1024, 768});
     bench.frames(2);
     const auto size = [&] {
@@ -132,7 +131,7 @@ TEST_CASE("the scope's line and what the pen drew stay on what they lie on in ev
     const auto place_of = [&](glm::dvec2 share) { return glm::vec2((share - 0.5) * size() / size().y); };
     bench.click(bench.at_pixel(size() * glm::dvec2(0.45, 0.4)));
     ScopeState& scope = bench.state.get<ScopeState>();
-    scope.open = true;  // the panel below it gives the picture another shape
+    scope.open = true;  // the panel below it changes the picture's shape
     scope.from = scope.card_at = *bench.state.viewport.probe;
     const auto& drawn = bench.state.get<PenState>().lines;
     bench.state.get<PenState>().lines = {
@@ -151,7 +150,7 @@ TEST_CASE("the scope's line and what the pen drew stay on what they lie on in ev
     }
 }
 
-TEST_CASE("the edges of the columns are dragged, and double-clicked back", "[ui]") {
+TEST_CASE("the edges of the columns can be dragged, and reset by a double-click", "[ui]") {
     HeadlessWindow bench;
     bench.frames(3);
     bench.drag({280, 400}, {330, 400});
@@ -161,7 +160,7 @@ TEST_CASE("the edges of the columns are dragged, and double-clicked back", "[ui]
     CHECK(bench.state.layout.right_width == Approx(before + 60).margin(4));
 }
 
-TEST_CASE("under the projector's large type the equation stays, and the scene's list makes room", "[ui]") {
+TEST_CASE("in projector mode the equation stays, and the scene's list makes room", "[ui]") {
     for (const ImVec2 window : {ImVec2(1280, 800), ImVec2(1920, 1080)}) {
         HeadlessWindow bench(window);
         bench.frames(2);
@@ -175,7 +174,7 @@ TEST_CASE("under the projector's large type the equation stays, and the scene's 
     }
 }
 
-TEST_CASE("in a narrow window the scene column and the why column are switched one for the other", "[ui]") {
+TEST_CASE("in a narrow window the scene column and the WHY column replace each other", "[ui]") {
     HeadlessWindow bench({1000, 760});
     bench.frames(2);
     const WindowCommand &scene = command_named("Scene column"), &why = command_named("Why column");
@@ -188,7 +187,7 @@ TEST_CASE("in a narrow window the scene column and the why column are switched o
     CHECK(lay_out({1000, 760}, bench.state.layout, 1).has_left);
 }
 
-TEST_CASE("a frozen picture keeps its handles where they were while the scene is edited", "[ui]") {
+TEST_CASE("a frozen picture keeps its handles in place while the scene is edited", "[ui]") {
     HeadlessWindow bench;
     bench.frames(3);
     bench.state.viewport.touched = true;  // the first hint has been read
@@ -218,8 +217,8 @@ TEST_CASE("a frozen picture keeps its handles where they were while the scene is
     CHECK(drawn().size() != 0);
 }
 
-TEST_CASE("the copy of unsaved work is not offered while the window is shown to others", "[ui]") {
-    // tests/ui/document/memory_test.cpp holds that it is offered otherwise.
+TEST_CASE("the copy of unsaved work is not offered during a presentation", "[ui]") {
+    // tests/ui/document/memory_test.cpp checks that it is offered otherwise.
     HeadlessWindow bench;
     bench.state.persistence.orphans.push_back({{"a.autosave", nullptr}, "x.json", "14:05"});
     const auto offers = [&bench] {
@@ -234,10 +233,10 @@ TEST_CASE("the copy of unsaved work is not offered while the window is shown to 
         bench.key(key);
         CHECK(offers());
     }
-    bench.state.get<AnimateState>().open = true;  // its panel stands in the same place
+    bench.state.get<AnimateState>().open = true;  // its panel is in the same place
     CHECK_FALSE(offers());
     bench.state.get<AnimateState>().open = false;
-    // Nor is it cut off where the column on the left leaves the picture little room.
+    // Nor is it cut off where the left column leaves the picture little room.
     ImGui::GetIO().DisplaySize = {640, 500};
     REQUIRE(offers());
     CHECK(lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).has_left);

@@ -1,5 +1,4 @@
-// Windows and displays of every size: nothing of no area reaches ImGui, and the scale stays one that can be
-// drawn.
+// Windows and displays of every size: ImGui never gets an empty area, and the scale stays in its range.
 #include <imgui_internal.h>
 
 #include <array>
@@ -24,7 +23,7 @@ WindowExtent extent(glm::ivec2 size, glm::ivec2 dots, float content = 1) {
     return {size, size, dots, content};
 }
 
-/// A frame of everything that can be open, dialogs one after the other, in windows from nothing to wide and
+/// A frame of everything that can be open, dialogs one after the other, in windows from empty to wide and
 /// low.
 void draw_all_sizes(HeadlessWindow& bench) {
     constexpr std::array widths{0.0f, 1.0f, 2.0f, 9.0f, 30.0f, 63.0f, 130.0f, 320.0f, 700.0f, 1300.0f};
@@ -49,19 +48,19 @@ void open_everything(UiState& state) {
 
 }  // namespace
 
-TEST_CASE("at every scale of a display ImGui accepts the theme", "[ui][small]") {
+TEST_CASE("ImGui accepts the theme at every display scale", "[ui][small]") {
     for (const float scale : {0.25f, 0.5f, 0.75f, 0.78125f, 0.9375f, 0.99f, 1.0f, 1.1f, 3.125f, 5.6f}) {
         HeadlessWindow bench({400, 300});
         apply_theme(light_theme(), scale);
         INFO("scale " << scale);
-        // What ImGui asks of every frame (ErrorCheckNewFrameSanityChecks).
+        // What ImGui requires of every frame (ErrorCheckNewFrameSanityChecks).
         REQUIRE(ImGui::GetStyle().WindowMinSize.x >= 1);
         REQUIRE(ImGui::GetStyle().WindowMinSize.y >= 1);
         bench.frames(2);
     }
 }
 
-TEST_CASE("a window of any size is drawn, down to nothing, with everything open in it", "[ui][small]") {
+TEST_CASE("a window of any size, down to nothing, draws with everything open in it", "[ui][small]") {
     for (const float scale : {0.75f, 4.0f}) {
         HeadlessWindow bench({800, 600});
         apply_theme(dark_theme(), scale);
@@ -80,9 +79,9 @@ TEST_CASE("a window of any size is drawn, down to nothing, with everything open 
     }
 }
 
-TEST_CASE("while a window is being resized its dots per unit stay what they were", "[ui][small]") {
+TEST_CASE("during a resize the dots per unit stay constant", "[ui][small]") {
     const DisplayScale one;
-    // The framebuffer is of the new size already.
+    // The framebuffer already has the new size.
     WindowExtent resized{{100, 80}, {1600, 1200}, {1600, 1200}, 1};
     CHECK(display_scale(resized, one) == one);
     // Twice as wide, but not twice as high: no display has such units.
@@ -115,7 +114,7 @@ TEST_CASE("no display makes type too small to read or too large for a texture", 
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-    CHECK(width <= 16384);  // what OpenGL drivers of today take
+    CHECK(width <= 16384);  // the limit of present OpenGL drivers
     CHECK(height <= 16384);
 }
 
@@ -137,7 +136,7 @@ TEST_CASE("a notification stays within the window however long its text is", "[u
                                       "no such file: " + std::string(4000, 'x') + "; expected a mesh");
         bench.frames(3);
         const ImGuiWindow& note = *test::window_named("##note0");
-        CHECK(note.Pos.y >= 0);  // its cross is at the top
+        CHECK(note.Pos.y >= 0);  // its close button is at the top
         CHECK(note.Pos.y + note.Size.y <= size.y);
         const std::string& shown = bench.state.notifications.list.back().text;
         CHECK(shown.size() < 500);

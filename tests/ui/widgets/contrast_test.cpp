@@ -1,4 +1,4 @@
-// Whether what a control says can be read: measured on what is drawn, in every state and theme.
+// Whether a control's text is legible: measured on the drawn output, in every state and theme.
 #include <imgui_internal.h>
 
 #include <array>
@@ -34,13 +34,13 @@ bool holds(const ImDrawVert* const (&corner)[3], ImVec2 p) {
     return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
-/// A letter as it is drawn, and the colour that was there before.
+/// A drawn letter, and the colour under it.
 struct Ink {
     ImVec2 at;
     ImVec4 colour, ground;
 };
 
-/// Where the letters of all fonts begin in their texture.
+/// The positions of all fonts' letters in their texture.
 using Glyphs = std::set<std::pair<float, float>>;
 Glyphs all_glyphs() {
     Glyphs glyphs;
@@ -110,14 +110,14 @@ class Painter {
     std::vector<Ink> inks_;
 };
 
-/// What cannot be used at the moment may be faint.
+/// A disabled control may be faint.
 bool is_exempt(const Ink& ink) {
     const ImVec4& off = theme().disabled_text;
     return ink.colour.w < 0.98f ||
            (std::abs(ink.colour.x - off.x) < 0.01f && std::abs(ink.colour.y - off.y) < 0.01f);
 }
 
-/// Checks the letters of a control; how many there were.
+/// Checks the letters of a control; returns their number.
 std::size_t check_letters(const NamedControl& control, const Glyphs& glyphs, const char* how) {
     const Painter painter(control.at, glyphs);
     double worst = 21;
@@ -131,7 +131,7 @@ std::size_t check_letters(const NamedControl& control, const Glyphs& glyphs, con
 /// Where a control of that name and key was checked.
 using Checked = std::set<std::tuple<std::string, std::string, float, float>>;
 
-/// Each control outside the picture, left alone, pointed at, and held down; once where it stands.
+/// Each control outside the picture: idle, hovered, and pressed; once per position.
 std::size_t check_controls(HeadlessWindow& bench, Checked& checked) {
     const Layout layout = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1);
     const std::vector<NamedControl> controls = bench.controls();
@@ -155,7 +155,7 @@ std::size_t check_controls(HeadlessWindow& bench, Checked& checked) {
 
 }  // namespace
 
-TEST_CASE("every control can be read in all its states, in all themes",
+TEST_CASE("every control is legible in all its states, in all themes",
           "[ui][window][contrast][long][release]") {
     const bool light = GENERATE(false, true), projector = GENERATE(false, true);
     HeadlessWindow bench({1600, 1000});
@@ -170,10 +170,10 @@ TEST_CASE("every control can be read in all its states, in all themes",
         bench.frames(3);
         letters += check_controls(bench, checked);
     }
-    CHECK(letters > 500);  // that letters were found at all
+    CHECK(letters > 500);  // letters were found at all
 }
 
-TEST_CASE("the figures on a slider can be read wherever its fill ends", "[ui][window][contrast]") {
+TEST_CASE("the figures on a slider are legible wherever its fill ends", "[ui][window][contrast]") {
     const bool light = GENERATE(false, true), projector = GENERATE(false, true);
     HeadlessWindow bench;
     apply_theme(projector ? projector_theme(!light) : light ? light_theme() : dark_theme(), 1);

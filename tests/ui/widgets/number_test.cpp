@@ -1,4 +1,4 @@
-// Numbers by hand: dragged, typed, and their menu.
+// Editing numbers: dragging, typing, and their menu.
 #include <fmt/core.h>
 #include <imgui_internal.h>
 
@@ -18,10 +18,10 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Places in ImGui's io.KeysDown that this test gives to keys.
+/// Indices in ImGui's io.KeysDown that this test assigns to keys.
 constexpr int enter_key = 1, escape_key = 2, tab_key = 3, backspace_key = 4, paste_key = 5;
 
-/// A window whose selected light's intensity stands in the panel, with a clipboard of its own.
+/// A window whose panel shows the selected light's intensity, with its own clipboard.
 struct Bench : HeadlessWindow {
     Bench() {
         ImGuiIO& io = ImGui::GetIO();
@@ -81,7 +81,7 @@ double value_of(const char* text, double before = 10) {
 
 }  // namespace
 
-TEST_CASE("what is typed into a number may be a calculation", "[ui][numbers]") {
+TEST_CASE("a calculation can be typed into a number", "[ui][numbers]") {
     CHECK(value_of("2*pi") == Approx(6.283185307));
     CHECK(value_of("45/2") == 22.5);
     CHECK(value_of("sqrt(2)/2") == Approx(0.7071067812));
@@ -102,7 +102,7 @@ TEST_CASE("what is typed into a number may be a calculation", "[ui][numbers]") {
     CHECK(value_of("π") == Approx(3.141592654));
 }
 
-TEST_CASE("a calculation that begins with a sign goes on from the number that was there", "[ui][numbers]") {
+TEST_CASE("a calculation that begins with a sign continues from the previous number", "[ui][numbers]") {
     CHECK(value_of("+0.1") == 10.1);
     CHECK(value_of("*2") == 20);
     CHECK(value_of("*2+1") == 21);
@@ -111,10 +111,10 @@ TEST_CASE("a calculation that begins with a sign goes on from the number that wa
     CHECK(value_of("+=0.5") == 10.5);
     CHECK(value_of("*=1+1") == 20);
     CHECK(value_of("+1", -3) == -2);
-    CHECK(value_of("-0.5") == -0.5);  // a number below 0, not a difference
+    CHECK(value_of("-0.5") == -0.5);  // a negative number, not a difference
 }
 
-TEST_CASE("what is not a number has one reason why", "[ui][numbers]") {
+TEST_CASE("invalid text has exactly one reason", "[ui][numbers]") {
     for (const char* text : {"", " ", "2*(3", "2+", "foo", "1 2", "sqrt 2", "sqrt(2", "1/0", "sqrt(-1)",
                              "inf", "nan", "-=", "*", ")", "2**3"}) {
         INFO(text);
@@ -168,7 +168,7 @@ TEST_CASE("in a narrow field a number has fewer digits, and its power of ten sta
     ImGui::EndFrame();
 }
 
-TEST_CASE("lines that are pasted together are not one number", "[ui][window][numbers]") {
+TEST_CASE("pasted lines are not joined into one number", "[ui][window][numbers]") {
     Bench bench;
     ImGui::GetIO().KeyMap[ImGuiKey_V] = paste_key;
     const auto paste_over = [&](const char* text) {
@@ -193,7 +193,7 @@ TEST_CASE("lines that are pasted together are not one number", "[ui][window][num
     CHECK(bench.last_note().find('\n') == std::string::npos);
 }
 
-TEST_CASE("a plain click on a number types, and what is typed is one step of undo", "[ui][window][numbers]") {
+TEST_CASE("a plain click on a number starts typing, which is one undo step", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.frames(1);
@@ -208,7 +208,7 @@ TEST_CASE("a plain click on a number types, and what is typed is one step of und
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("a double click types too, and takes nothing back", "[ui][window][numbers]") {
+TEST_CASE("a double click also starts typing and reverts nothing", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.button(true);
@@ -219,7 +219,7 @@ TEST_CASE("a double click types too, and takes nothing back", "[ui][window][numb
     CHECK(bench.intensity() == 1.0f);
 }
 
-TEST_CASE("a click elsewhere ends the typing and keeps it", "[ui][window][numbers]") {
+TEST_CASE("a click elsewhere ends the typing and keeps its result", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.type("0.75");
@@ -229,7 +229,7 @@ TEST_CASE("a click elsewhere ends the typing and keeps it", "[ui][window][number
     CHECK_FALSE(ImGui::GetIO().WantTextInput);
 }
 
-TEST_CASE("what is in hand of one scene changes nothing in another that is opened", "[ui][window][numbers]") {
+TEST_CASE("pending input for one scene changes nothing in the next one", "[ui][window][numbers]") {
     const TemporaryDirectory folder;
     Scene other = first_scene().scene;
     other.lights[0].name = "Moon";
@@ -243,7 +243,7 @@ TEST_CASE("what is in hand of one scene changes nothing in another that is opene
             bench.click(at);
             if (drags) bench.button(true);
             if (drags) bench.move({at.x + 30, at.y});
-            bench.state.editor.saved = bench.scene();  // so that nothing is asked
+            bench.state.editor.saved = bench.scene();  // so that no question appears
             test::drop(bench, path);
             CHECK(bench.scene().lights[0].name == "Moon");
             CHECK(bench.intensity() == 0.85f);
@@ -257,8 +257,7 @@ TEST_CASE("what is in hand of one scene changes nothing in another that is opene
         }
 }
 
-TEST_CASE("a number that another forbids leaves the field as it was, and a notification says why",
-          "[ui][window][numbers]") {
+TEST_CASE("a number forbidden by another is reverted with a message", "[ui][window][numbers]") {
     CameraBench bench;
     const auto type_near = [&bench](std::initializer_list<const char*> parts, int key) {
         bench.click(bench.near_field());
@@ -288,8 +287,7 @@ TEST_CASE("a number that another forbids leaves the field as it was, and a notif
     CHECK(bench.last_note() == "Not possible: near 200 is not less than far 80; expected 0 < near < far");
 }
 
-TEST_CASE("a last letter and Enter in one frame are judged like the letters before",
-          "[ui][window][numbers]") {
+TEST_CASE("a last letter and Enter in one frame are checked like earlier letters", "[ui][window][numbers]") {
     CameraBench bench;
     bench.click(bench.near_field());
     bench.type("20");
@@ -299,7 +297,7 @@ TEST_CASE("a last letter and Enter in one frame are judged like the letters befo
     CHECK(bench.last_note().find("200 is not possible") == 0);
 }
 
-TEST_CASE("what is pasted out of range is the nearest in it, and that is said", "[ui][window][numbers]") {
+TEST_CASE("a pasted number out of range is clamped and reported", "[ui][window][numbers]") {
     Bench bench;
     bench.clipboard = "-3";
     bench.right_click(bench.field());
@@ -309,7 +307,8 @@ TEST_CASE("what is pasted out of range is the nearest in it, and that is said", 
     CHECK(bench.last_note().find("-3 is out of range") == 0);
 }
 
-TEST_CASE("a number of whole ones takes no other, typed or pasted, and says so", "[ui][window][numbers]") {
+TEST_CASE("an integer field accepts no other number, typed or pasted, and reports it",
+          "[ui][window][numbers]") {
     Bench bench;
     bench.state.editor.selection = {Selection::Kind::Object, 0};
     bench.frames(2);
@@ -343,7 +342,7 @@ TEST_CASE("the menu of a number closes when another scene is opened", "[ui][wind
     CHECK(GImGui->OpenPopupStack.empty());
 }
 
-TEST_CASE("Tab ends the typing and goes on with the next number", "[ui][window][numbers]") {
+TEST_CASE("Tab ends the typing and continues with the next number", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.type("0.75");
@@ -354,7 +353,7 @@ TEST_CASE("Tab ends the typing and goes on with the next number", "[ui][window][
     CHECK(bench.scene().lights[0].diffuse.x == 0.25f);
 }
 
-TEST_CASE("what is not a number leaves the number alone and says so in one line", "[ui][window][numbers]") {
+TEST_CASE("invalid text leaves the number unchanged and is reported in one line", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.type("3*(");
@@ -364,7 +363,7 @@ TEST_CASE("what is not a number leaves the number alone and says so in one line"
     CHECK(bench.last_note().find('\n') == std::string::npos);
 }
 
-TEST_CASE("a field that was emptied keeps its number and says so", "[ui][window][numbers]") {
+TEST_CASE("an emptied field keeps its number and reports it", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.tap(backspace_key);  // all of it is selected
@@ -373,7 +372,7 @@ TEST_CASE("a field that was emptied keeps its number and says so", "[ui][window]
     CHECK(bench.last_note() == "The field is empty. The field keeps 0.5");
 }
 
-TEST_CASE("a refused number is a warning, a copied one is not", "[ui][window][numbers]") {
+TEST_CASE("a rejected number is a warning, a copied one is not", "[ui][window][numbers]") {
     Bench bench;
     const auto last_tone = [&] { return bench.state.notifications.list.back().tone; };
     for (const char* refused : {"abc", "-3", "1/0"}) {
@@ -402,7 +401,7 @@ TEST_CASE("two messages of one frame are both shown", "[ui][window][numbers]") {
     CHECK((notes[1].text == "yes" && notes[1].tone == Tone::Done));
 }
 
-TEST_CASE("what is typed out of range is the nearest in it, and that is said", "[ui][window][numbers]") {
+TEST_CASE("a typed number out of range is clamped and reported", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.type("-3");
@@ -411,9 +410,9 @@ TEST_CASE("what is typed out of range is the nearest in it, and that is said", "
     CHECK(bench.last_note().find("out of range") != std::string::npos);
 }
 
-TEST_CASE("Escape puts back what was typed, and keeps the picked pixel", "[ui][window][numbers]") {
+TEST_CASE("Escape reverts typing and keeps the picked pixel", "[ui][window][numbers]") {
     Bench bench;
-    bench.intensity() = 0.1f + 0.2f;  // its text must not come back in its place
+    bench.intensity() = 0.1f + 0.2f;  // its text must not return in its place
     const float before = bench.intensity();
     test::ask(bench, InspectorTab::Equation);
     bench.click(bench.field());
@@ -427,7 +426,7 @@ TEST_CASE("Escape puts back what was typed, and keeps the picked pixel", "[ui][w
     CHECK(bench.state.viewport.probe);
 }
 
-TEST_CASE("Escape puts back what was dragged, and keeps the picked pixel", "[ui][window][numbers]") {
+TEST_CASE("Escape reverts a drag and keeps the picked pixel", "[ui][window][numbers]") {
     Bench bench;
     test::ask(bench, InspectorTab::Equation);
     const ImVec2 at = bench.field();
@@ -445,7 +444,7 @@ TEST_CASE("Escape puts back what was dragged, and keeps the picked pixel", "[ui]
     CHECK(bench.state.viewport.probe);
 }
 
-TEST_CASE("a slider's fill follows the hand pixel by pixel", "[ui][window][numbers]") {
+TEST_CASE("a slider's fill follows the cursor pixel by pixel", "[ui][window][numbers]") {
     Bench bench;
     const Rect field = bench.area_of("/lights/0/intensity");
     const ImVec2 at = bench.field();
@@ -461,7 +460,8 @@ TEST_CASE("a slider's fill follows the hand pixel by pixel", "[ui][window][numbe
     CHECK_FALSE(ImGui::GetIO().WantTextInput);  // that was not a click
 }
 
-TEST_CASE("with Shift a drag is ten times finer, with Ctrl it goes by round steps", "[ui][window][numbers]") {
+TEST_CASE("with Shift a drag is ten times finer, with Ctrl it moves by round steps",
+          "[ui][window][numbers]") {
     Bench bench;
     const ImVec2 at = bench.control("/lights/0/diffuse/0");
     float& red = bench.scene().lights[0].diffuse.x;
@@ -481,7 +481,7 @@ TEST_CASE("with Shift a drag is ten times finer, with Ctrl it goes by round step
     CHECK(drag_step({.step = 0.01f}, 0) == Approx(0.1));
 }
 
-TEST_CASE("the right button changes no number: it opens a menu that says what it would do",
+TEST_CASE("the right button changes no number: it opens a menu that describes its effects",
           "[ui][window][numbers]") {
     Bench bench;
     bench.right_click(bench.field());
@@ -512,7 +512,7 @@ TEST_CASE("the right button changes no number: it opens a menu that says what it
     CHECK(bench.intensity() == 0.75f);
 }
 
-TEST_CASE("a number of the equation has the same habits as one of a panel", "[ui][window][numbers]") {
+TEST_CASE("a number of the equation behaves like one of a panel", "[ui][window][numbers]") {
     Bench bench;
     test::ask(bench, InspectorTab::Equation);
     const std::string pointer = "/objects/0/material/diffuse/0";

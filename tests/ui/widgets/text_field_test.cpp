@@ -18,7 +18,7 @@ namespace {
 
 constexpr int end_key = 101, return_key = 102, v_key = 103, c_key = 104, a_key = 105;
 
-/// A window with a clipboard and the keys that a text field listens to.
+/// A window with a clipboard and the keys that a text field uses.
 struct TypingWindow : HeadlessWindow {
     TypingWindow() {
         ImGuiIO& io = ImGui::GetIO();
@@ -51,7 +51,7 @@ struct TypingWindow : HeadlessWindow {
 
 }  // namespace
 
-TEST_CASE("a name with an emoji survives a visit to its field; an edit replaces the emoji",
+TEST_CASE("a name with an emoji survives focus on its field; an edit replaces the emoji",
           "[ui][window][widgets]") {
     const std::string name = "\xF0\x9F\x98\x80 \xE5\x9C\xB0 Ground";
     TypingWindow bench;
@@ -65,7 +65,7 @@ TEST_CASE("a name with an emoji survives a visit to its field; an edit replaces 
     CHECK(bench.name() == "\xEF\xBF\xBD \xE5\x9C\xB0 Ground2");
 }
 
-TEST_CASE("a line break that is pasted into a name becomes a blank", "[ui][window][widgets]") {
+TEST_CASE("a line break pasted into a name becomes a blank", "[ui][window][widgets]") {
     TypingWindow bench;
     bench.begin_typing();
     bench.tap(a_key, true);
@@ -74,8 +74,7 @@ TEST_CASE("a line break that is pasted into a name becomes a blank", "[ui][windo
     CHECK(bench.name() == "two  lines");
 }
 
-TEST_CASE("a byte that is not UTF-8 is pasted into a name as U+FFFD, with which the scene can be saved",
-          "[ui][window][widgets]") {
+TEST_CASE("a byte that is not UTF-8 is pasted as U+FFFD, which can be saved", "[ui][window][widgets]") {
     TypingWindow bench;
     bench.begin_typing();
     bench.tap(a_key, true);
@@ -85,7 +84,7 @@ TEST_CASE("a byte that is not UTF-8 is pasted into a name as U+FFFD, with which 
     CHECK(problem_of(parse_scene(scene_text(bench.scene()), "typed.json")) == nullptr);
 }
 
-TEST_CASE("a scene is saved beside a mesh whose name has an emoji or a byte that is not UTF-8",
+TEST_CASE("a scene is saved next to a mesh whose name has an emoji or is not UTF-8",
           "[ui][window][widgets]") {
     for (const std::string name : {"\xF0\x9F\x98\x80m.json",
                                    "b\xFF"
@@ -101,7 +100,7 @@ TEST_CASE("a scene is saved beside a mesh whose name has an emoji or a byte that
     }
 }
 
-TEST_CASE("a search takes a long paste, and its first 100 bytes count", "[ui][window][widgets]") {
+TEST_CASE("a search accepts a long paste, and its first 100 bytes count", "[ui][window][widgets]") {
     TypingWindow bench;
     (void)bench.key(Key::K, true);
     bench.frames(2);

@@ -1,4 +1,4 @@
-// When and where a control says what it is.
+// When and where a control shows its tooltip.
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ const ImGuiWindow* shown_tooltip() {
     return nullptr;
 }
 
-/// The largest alpha of all that the window draws, 0 to 255.
+/// The largest alpha drawn in the window, 0 to 255.
 ImU32 opacity_of(const ImGuiWindow& window) {
     ImU32 most = 0;
     for (const ImDrawVert& v : window.DrawList->VtxBuffer) most = std::max(most, v.col >> IM_COL32_A_SHIFT);
@@ -31,7 +31,7 @@ void wait(HeadlessWindow& bench) { bench.frames(45); }
 
 }  // namespace
 
-TEST_CASE("a tooltip does not come back over what was clicked until the mouse has left it",
+TEST_CASE("a tooltip does not return over a clicked control until the mouse has left it",
           "[ui][window][tooltip]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -50,12 +50,12 @@ TEST_CASE("a tooltip does not come back over what was clicked until the mouse ha
     bench.frames(2);
     bench.move(at);
     bench.frames(2);
-    CHECK(shown_tooltip() == nullptr);  // it rests anew
+    CHECK(shown_tooltip() == nullptr);  // it has started hovering again
     wait(bench);
     CHECK(shown_tooltip() != nullptr);
 }
 
-TEST_CASE("a key takes the tooltip away: it does not lie over what the key opened", "[ui][window][tooltip]") {
+TEST_CASE("a key hides the tooltip, which would cover what the key opened", "[ui][window][tooltip]") {
     HeadlessWindow bench;
     bench.frames(2);
     const ImVec2 at = test::in_column(bench, "Vectors");
@@ -68,7 +68,7 @@ TEST_CASE("a key takes the tooltip away: it does not lie over what the key opene
     CHECK(shown_tooltip() == nullptr);
 }
 
-TEST_CASE("a field's tooltip stays in its column and leaves the picture free", "[ui][window][tooltip]") {
+TEST_CASE("a field's tooltip stays in its column and does not cover the picture", "[ui][window][tooltip]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Object, 0};
     bench.frames(2);
@@ -94,7 +94,7 @@ TEST_CASE("a field's tooltip stays in its column and leaves the picture free", "
     CHECK(seen > 10);
 }
 
-TEST_CASE("a number of B, which cannot be edited, does not say how it is edited", "[ui][window][tooltip]") {
+TEST_CASE("a read-only number of B does not explain how to edit it", "[ui][window][tooltip]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     bench.key(Key::B, true);
@@ -117,7 +117,7 @@ TEST_CASE("a number of B, which cannot be edited, does not say how it is edited"
     CHECK(height_of_tooltip() < edited - 10);
 }
 
-TEST_CASE("a name is drawn whole, also what follows two hashes", "[ui][window]") {
+TEST_CASE("a name is drawn completely, including the part after two hashes", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(1);
     for (const char* name : {"key", "#", "key ## red", "##", "###1", "a##b###c####"}) {
@@ -129,7 +129,7 @@ TEST_CASE("a name is drawn whole, also what follows two hashes", "[ui][window]")
     CHECK(whole_label(std::string("no\0end", 6)) == "no end");
 }
 
-TEST_CASE("a menu says why an item is grey", "[ui][window][tooltip]") {
+TEST_CASE("a menu explains why an item is disabled", "[ui][window][tooltip]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.frames(2);
@@ -140,7 +140,7 @@ TEST_CASE("a menu says why an item is grey", "[ui][window][tooltip]") {
     wait(bench);
     const ImGuiWindow* tip = shown_tooltip();
     REQUIRE(tip != nullptr);
-    // Its words are not kept; that there is a line below the title is.
+    // Its text is not stored; that there is a line below the title is.
     CHECK(tip->Size.y > 2 * ImGui::GetTextLineHeight());
 }
 

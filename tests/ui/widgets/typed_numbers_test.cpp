@@ -1,4 +1,4 @@
-// Every number of the window, typed digit by digit: what stands there on the way is in the scene, too.
+// Every number of the window, typed digit by digit: intermediate values are in the scene too.
 #include <imgui.h>
 
 #include <cstdlib>
@@ -22,7 +22,7 @@ struct Shown {
     ImVec2 at;
 };
 
-/// A window on a scene, in which numbers are typed and taken back.
+/// A window on a scene, in which numbers are typed and reverted.
 class Typist {
   public:
     explicit Typist(const Scene& scene) {
@@ -47,7 +47,7 @@ class Typist {
     [[nodiscard]] int typed() const { return typed_; }
 
   private:
-    /// Returns what stands for something of the scene, and can be clicked.
+    /// Returns everything that represents a value of the scene and can be clicked.
     [[nodiscard]] std::vector<Shown> in_sight() const {
         std::vector<Shown> all;
         for (const NamedControl& control : bench_.controls())
@@ -56,7 +56,7 @@ class Typist {
         return all;
     }
 
-    /// False where the click did not begin a number's text; whatever it did is taken back.
+    /// False if the click did not start typing a number; its effect is reverted.
     bool type(ImVec2 at) {
         bench_.state.notifications.list.clear();
         bench_.click(at);
@@ -104,7 +104,7 @@ class Typist {
 
 }  // namespace
 
-TEST_CASE("each number that is typed digit by digit stands in the scene at last, or it is said why not",
+TEST_CASE("each number typed digit by digit ends in the scene, or the rejection is reported",
           "[ui][window][numbers][release]") {
     Scene scene = test::busy_scene();
     for (Light& light : scene.lights) light.enabled = true;
@@ -127,7 +127,7 @@ TEST_CASE("each number that is typed digit by digit stands in the scene at last,
     CHECK(typed > 120);
 }
 
-TEST_CASE("whatever is typed into a number, the scene can be saved and opened again",
+TEST_CASE("after any text typed into a number, the scene can be saved and opened again",
           "[ui][window][numbers][release]") {
     Scene scene = test::busy_scene();
     for (Light& light : scene.lights) light.enabled = true;
