@@ -1,4 +1,4 @@
-// The commands while what they ask of the system fails: each call in turn, and all from each on.
+// The commands while their system calls fail: each call in turn, and all calls from each one on.
 #include <climits>
 
 #include "tests/faults/failing_program.h"
@@ -28,7 +28,7 @@ struct Room {
 
 long count_of(const Calls& calls, Kind kind) { return calls.counts[static_cast<std::size_t>(kind)]; }
 
-/// Lets calls of the kind fail in turn: once, and from there on for ever.
+/// Makes calls of the kind fail in turn: one call, and all calls from it on.
 void fail_in_turn(const Command& command, Kind kind, long most) {
     const Made right = made_by(command);
     const long count = count_of(calls_of(command), kind);
@@ -47,7 +47,7 @@ void fail_in_turn(Kind kind, long most) {
 
 }  // namespace
 
-TEST_CASE("what fails is counted: the program opens, reads, writes and renames", "[faults]") {
+TEST_CASE("failing calls are counted: the program opens, reads, writes and renames", "[faults]") {
     Room room;
     const Calls calls = calls_of(room.commands.front());
     for (const Kind kind : {Kind::Open, Kind::Read, Kind::Write, Kind::Fsync, Kind::Rename, Kind::Close})
@@ -55,13 +55,13 @@ TEST_CASE("what fails is counted: the program opens, reads, writes and renames",
     CHECK(made_by(room.commands.front()).file.starts_with("\x89PNG"));
 }
 
-TEST_CASE("whatever of files fails, a command ends in one line and the old file is whole", "[faults]") {
+TEST_CASE("after any failing file call a command ends with one line and intact files", "[faults]") {
     const Kind kind = GENERATE(Kind::Open, Kind::Read, Kind::Write, Kind::Fsync, Kind::Close, Kind::Rename,
                                Kind::Stat, Kind::Lock, Kind::Mode, Kind::Unlink, Kind::Thread);
     fail_in_turn(kind, 1000);
 }
 
-TEST_CASE("a refused thread is reported in one line", "[faults]") {
+TEST_CASE("a thread that cannot start is reported in one line", "[faults]") {
     Room room;
     const Command render{"render two",
                          {"render", room.scene_file, "-o", room.png, "--size", "640x480", "--threads", "2"},
@@ -72,7 +72,7 @@ TEST_CASE("a refused thread is reported in one line", "[faults]") {
     CHECK(error.find('\n') == error.size() - 1);
 }
 
-TEST_CASE("a file is on the disk before it takes the old one's place, and its name after", "[faults]") {
+TEST_CASE("a file is synced before it replaces the old one, and its directory after", "[faults]") {
     Room room;
     const Command& render = room.commands.front();
     const std::string folder = room.folder.path("out");

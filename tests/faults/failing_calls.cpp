@@ -1,8 +1,8 @@
-// A library to be loaded before the C library (LD_PRELOAD) or linked to before it. In the environment:
-// GLINT_FAULT="KIND FIRST COUNT ERRNO" is what fails, GLINT_FAULT_LOG=FILE gets a line for each call that
-// touches files ("rename FROM TO", "fsync DESCRIPTOR PATH") and at the end one for each kind ("calls KIND
-// N"). GLINT_FAULT_SOCKET=DESCRIPTOR is where faults are asked for one after another, in that form: each time
-// a copy of the process goes on with its main(), and how it ended is answered, as wait() tells it.
+// A library to be loaded (LD_PRELOAD) or linked before the C library. Environment: GLINT_FAULT="KIND FIRST
+// COUNT ERRNO" selects the failing calls; GLINT_FAULT_LOG=FILE gets a line for each call on files ("rename
+// FROM TO", "fsync DESCRIPTOR PATH") and at the end one for each kind ("calls KIND N").
+// GLINT_FAULT_SOCKET=DESCRIPTOR receives faults in that form, one after another: for each one a copy of the
+// process continues with its main(), and the answer is its status, as returned by wait().
 #include "tests/faults/failing_calls.h"
 
 #include <dirent.h>
@@ -34,7 +34,7 @@ constexpr std::array<int, kinds> usual_errors{EACCES, EIO,    ENOSPC, EIO,   EIO
 
 std::array<std::atomic<long>, kinds> counts;
 std::atomic<bool> is_on{false}, failed{false};
-thread_local bool is_in_linker = false;  // glibc's dlopen() crashes where its own words find no memory
+thread_local bool is_in_linker = false;  // glibc's dlopen() crashes if its own allocations fail
 Fault fault;
 int log_descriptor = -1;
 
@@ -48,7 +48,7 @@ int failure(Kind kind) {
     return fault.error != 0 ? fault.error : usual_errors[index];
 }
 
-/// Returns whether a call of this kind is to fail; it then returns -1, and errno is set.
+/// Returns whether a call of this kind must fail; it then returns -1, and errno is set.
 bool fails(Kind kind) {
     const int error = failure(kind);
     if (error != 0) errno = error;
@@ -60,7 +60,7 @@ template <class Function> Function* real(const char* name) {
     return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));  // NOLINT: as dlsym is meant
 }
 
-/// One line into the log, without allocating: straight to the kernel.
+/// Writes one line into the log without allocating: directly to the kernel.
 void log_line(const char* format, ...) __attribute__((format(printf, 1, 2)));
 void log_line(const char* format, ...) {
     if (log_descriptor < 0 || !is_on) return;
@@ -73,7 +73,7 @@ void log_line(const char* format, ...) {
     if (length > 0) (void)!::syscall(SYS_write, log_descriptor, line, std::size_t(length));
 }
 
-/// What a descriptor is open on, for the log.
+/// The path of a descriptor, for the log.
 struct PathOf {
     char text[PATH_MAX] = "";
     explicit PathOf(int descriptor) {
@@ -105,8 +105,7 @@ void empty(int descriptor) {
     (void)::lseek(descriptor, 0, SEEK_SET);
 }
 
-/// Returns in a copy of the process for each fault that is asked for. This one ends when nobody asks any
-/// more.
+/// Returns in a copy of the process for each requested fault. This process ends when the socket is closed.
 void serve(int socket) {
     char asked[128];
     for (ssize_t length; (length = ::recv(socket, asked, sizeof asked - 1, 0)) > 0;) {
@@ -129,7 +128,7 @@ void serve(int socket) {
 
 int (*main_of_program)(int, char**, char**) = nullptr;
 
-// main() may have another type than the C library gives it.
+// main() may have a type other than the C library's.
 __attribute__((no_sanitize("undefined"))) int counted_main(int count, char** arguments, char** environment) {
     if (const char* const socket = std::getenv("GLINT_FAULT_SOCKET"))
         serve(std::atoi(socket));  // NOLINT(cert-err34-c)
@@ -170,7 +169,7 @@ using glint::faults::real;
 // NOLINTBEGIN
 extern "C" {
 
-// Only where LD_PRELOAD brings us: a test that is linked with us calls fail().
+// Only with LD_PRELOAD: a test that is linked with the library calls fail().
 int __libc_start_main(int (*main)(int, char**, char**), int count, char** arguments, void (*init)(),
                       void (*fini)(), void (*linker_fini)(), void* stack_end) {
     using Start = int(int (*)(int, char**, char**), int, char**, void (*)(), void (*)(), void (*)(), void*);
@@ -239,7 +238,7 @@ int fsync(int descriptor) {
     return fails(Kind::Fsync) ? -1 : int(::syscall(SYS_fsync, descriptor));
 }
 
-// As the kernel does it: the descriptor is closed whatever it says.
+// As in the kernel: the descriptor is closed whatever the result.
 int close(int descriptor) {
     const int result = int(::syscall(SYS_close, descriptor));
     return fails(Kind::Close) ? -1 : result;

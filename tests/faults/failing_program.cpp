@@ -40,7 +40,7 @@ void send_to(int descriptor, const std::string& path) {
     ::close(file);
 }
 
-/// Turns the child process into the program. `told`: what the environment is to say beside what was there.
+/// Replaces the child process by the program. `told`: variables to add to the environment.
 [[noreturn]] void become(const Command& command, const TemporaryDirectory& notes,
                          const std::vector<std::pair<std::string, std::string>>& told) {
     if (*GLINT_FAILING_CALLS != 0) ::setenv("LD_PRELOAD", GLINT_FAILING_CALLS, 1);
@@ -56,13 +56,13 @@ void send_to(int descriptor, const std::string& path) {
     ::_exit(127);
 }
 
-/// Without the line that says how long it took.
+/// Without the line that reports the time.
 std::string without_times(std::string out) {
     const std::size_t at = out.find("\"load_ms\"");
     return at == std::string::npos ? out : out.erase(at, out.find('\n', at) - at);
 }
 
-/// How it ended, by what wait() says, and what it said.
+/// The exit status from wait(), and the output.
 Ended ended(int status, const TemporaryDirectory& notes) {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
             without_times(bytes_of(notes.path("out"))), bytes_of(notes.path("err"))};
@@ -85,7 +85,7 @@ std::string text_of(const Fault& fault) {
     return fmt::format("{} {} {} {}", kind_names[kind], fault.first, fault.count, fault.error);
 }
 
-/// What is wrong with the folder of the file, which is alone in it.
+/// What is wrong in the folder of the file, which must contain nothing else.
 std::string wrong_folder(const Command& command) {
     if (command.out.empty()) return {};
     for (const auto& entry : std::filesystem::directory_iterator(folder_of(command)))
@@ -136,7 +136,7 @@ FailingProgram::FailingProgram(Command command) : command_(std::move(command)) {
     socket_ = ends[0];
     process_ = ::fork();
     if (process_ == 0) {
-        const int kept = ::dup(ends[1]);  // over exec
+        const int kept = ::dup(ends[1]);  // across exec
         become(command_, notes_, {{"GLINT_FAULT_SOCKET", std::to_string(kept)}});
     }
     ::close(ends[1]);

@@ -1,5 +1,5 @@
-// Whatever moment a window or a command is killed at, every file is the complete old or new one. GLINT_KILLS
-// says how often.
+// Whenever a window or a command is killed, every file is the complete old or new one. GLINT_KILLS sets the
+// number of kills.
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/wait.h>
@@ -36,7 +36,8 @@ int kills() {
     return asked != nullptr ? std::atoi(asked) : 40;
 }
 
-/// The program `arguments`, killed after so many microseconds unless it has ended; 0: it is waited for.
+/// Runs the program `arguments`, killed after `killed_after_us` microseconds unless it has ended; 0: waits
+/// for it.
 int status_of(const std::vector<std::string>& arguments, int killed_after_us) {
     std::vector<char*> words;
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
@@ -60,14 +61,14 @@ bool is_temporary(const fs::path& path) {
     return path.filename().string().starts_with(".glint-") && path.extension() == ".tmp";
 }
 
-/// How many files below the folder `is` says yes to.
+/// The number of files below the folder for which `is` returns true.
 template <class Is> long count_below(const std::string& folder, const Is& is) {
     long count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) count += is(entry.path()) ? 1 : 0;
     return count;
 }
 
-/// A scene of the window's: the first one with some intensity.
+/// A scene written by the window: the first one with some intensity.
 void check_scene(Scene scene) {
     Scene expected = test::busy_scene();
     REQUIRE_FALSE(scene.lights.empty());
@@ -83,14 +84,14 @@ void check_document(const std::string& path) {
     check_scene(std::get<SceneDocument>(opened).scene);
 }
 
-/// The picture is that of the scene that it carries.
+/// The picture is that of its embedded scene.
 void check_picture(const std::string& path) {
     check_document(path);
     const auto opened = std::get<SceneDocument>(open_document(path));
     CHECK(std::get<std::string>(picture_file(opened, small_picture, path, 1)) == bytes_of(path));
 }
 
-/// What the window keeps of itself is whole; copies are looked at and taken away.
+/// The window's own files are intact; removes copies after checking them.
 void check_state(const std::string& folder, const std::string& scene) {
     const std::string settings = folder + "/window.json";
     if (fs::exists(settings))
@@ -133,7 +134,7 @@ TEST_CASE(worker, "[.]") {
     end_persistence(bench.state);
 }
 
-TEST_CASE("a window may be killed at any moment: every file is whole", "[faults][ui]") {
+TEST_CASE("a window may be killed at any moment: every file is intact", "[faults][ui]") {
     const TemporaryDirectory folder;
     const std::string scene = folder.file("scene.json", scene_text(test::busy_scene()));
     ::setenv("GLINT_KILLED_FOLDER", folder.path().c_str(), 1);
@@ -160,7 +161,7 @@ TEST_CASE("a window may be killed at any moment: every file is whole", "[faults]
     CHECK(count_below(folder.path("state"), [](const fs::path& path) { return !is_temporary(path); }) == 2);
 }
 
-TEST_CASE("a command may be killed at any moment: its file is whole", "[faults]") {
+TEST_CASE("a command may be killed at any moment: its file is intact", "[faults]") {
     const TemporaryDirectory folder;
     const std::string scene = folder.file("scene.json", scene_text(test::busy_scene()));
     const std::string out = folder.path("picture.png");

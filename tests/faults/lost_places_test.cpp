@@ -1,6 +1,5 @@
-// A full disk, a folder that may not be written, a folder that has gone: the window says so once, the scene
-// is still open and not saved, and what was not saved is offered after a crash. And what is written is on the
-// disk.
+// A full disk, a read-only folder, a deleted folder: the window reports it once, the scene stays open and
+// unsaved, and unsaved work is offered after a crash. Written files are synced to disk.
 #include <climits>
 #include <filesystem>
 
@@ -21,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A window on a scene that was edited, with its copy in a state folder.
+/// A window with an edited scene, and its copy in a state folder.
 struct Edited : HeadlessWindow {
     TemporaryDirectory folder;
     std::string path, state_folder = folder.path("state"), old_text = scene_text(test::busy_scene());
@@ -51,7 +50,7 @@ struct Edited : HeadlessWindow {
             if (n.text.starts_with(path)) messages.push_back(n);
         return messages;
     }
-    /// One message that says `why` and names the file; the scene is still open, not saved, and in a copy.
+    /// One message that contains `why` and names the file; the scene is still open, unsaved, and in a copy.
     void check_nothing_is_lost(const std::string& why) {
         const std::vector<Notification> errors = messages_about_scene();
         REQUIRE(errors.size() == 1);
@@ -71,7 +70,7 @@ struct Edited : HeadlessWindow {
 
 }  // namespace
 
-TEST_CASE("on a full disk saving says so, the old file is whole and the work is kept", "[faults][ui]") {
+TEST_CASE("on a full disk saving reports it, keeps the old file and the work", "[faults][ui]") {
     Edited bench;
     fail({Kind::Write, 0, LONG_MAX, ENOSPC});
     bench.press_save();
@@ -82,7 +81,7 @@ TEST_CASE("on a full disk saving says so, the old file is whole and the work is 
     bench.check_nothing_is_lost("no space left on the device");
 }
 
-TEST_CASE("on a disk that is full only when the file is closed the old file is whole", "[faults][ui]") {
+TEST_CASE("on a disk that is full only at closing a file the old file is intact", "[faults][ui]") {
     Edited bench;
     fail({Kind::Close, 0, LONG_MAX, ENOSPC});
     bench.press_save();
@@ -91,16 +90,16 @@ TEST_CASE("on a disk that is full only when the file is closed the old file is w
     bench.check_nothing_is_lost("no space left on the device");
 }
 
-TEST_CASE("in a folder that may not be written saving says so and the work is kept", "[faults][ui]") {
+TEST_CASE("in a read-only folder saving reports it and keeps the work", "[faults][ui]") {
     Edited bench;
-    fail({Kind::Open, 0, LONG_MAX, EROFS});  // file permissions do not bind every user who runs this
+    fail({Kind::Open, 0, LONG_MAX, EROFS});  // file permissions do not apply to every user who runs this
     bench.press_save();
     stop();
     CHECK(bytes_of(bench.path) == bench.old_text);
     bench.check_nothing_is_lost("read-only file system");
 }
 
-TEST_CASE("where the folder has gone saving says so, and saves again when it is back", "[faults][ui]") {
+TEST_CASE("in a deleted folder saving reports it, and works again after it is restored", "[faults][ui]") {
     Edited bench;
     fs::remove_all(bench.folder.path("work"));
     bench.press_save();
@@ -113,15 +112,14 @@ TEST_CASE("where the folder has gone saving says so, and saves again when it is 
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE("where the folder has gone the work is kept", "[faults][ui]") {
+TEST_CASE("after the folder was deleted the work is kept", "[faults][ui]") {
     Edited bench;
     fs::remove_all(bench.folder.path("work"));
     bench.press_save();
     bench.check_nothing_is_lost("no such file or directory");
 }
 
-TEST_CASE("where the folder of copies has gone it is made again, with the copy and what is remembered",
-          "[faults][ui]") {
+TEST_CASE("a deleted folder of copies is recreated, with the copy and the settings", "[faults][ui]") {
     Edited bench;
     fs::remove_all(bench.state_folder);
     bench.state.persistence.autosaved_at = -1e9;
@@ -143,10 +141,7 @@ TEST_CASE("where the folder of copies has gone it is made again, with the copy a
     CHECK(fs::exists(bench.state_folder + "/window.json"));
 }
 
-TEST_CASE(
-    "where a file has taken the place of the folder of copies, that is said once, and copies go on without "
-    "it",
-    "[faults][ui]") {
+TEST_CASE("a file in place of the folder of copies is reported once", "[faults][ui]") {
     Edited bench;
     fs::remove_all(bench.state_folder);
     (void)bench.folder.file("state", "");

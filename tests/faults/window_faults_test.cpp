@@ -1,5 +1,5 @@
-// The window while what it asks of the system fails, each call in turn: saving, exporting, the copy of
-// unsaved work, what is remembered, opening and taking up. It says what failed, and nothing is lost.
+// The window while its system calls fail, each call in turn: saving, exporting, the copy of unsaved work,
+// settings, opening and recovering. It reports the failure, and nothing is lost.
 #include <climits>
 #include <filesystem>
 
@@ -23,8 +23,8 @@ namespace {
 constexpr std::array file_kinds{Kind::Open,   Kind::Read, Kind::Write, Kind::Fsync, Kind::Close,
                                 Kind::Rename, Kind::Stat, Kind::Lock,  Kind::Mode,  Kind::Thread};
 
-/// Runs `act` once with each fault: of every kind, every number, a single call and five in a row. `act` does
-/// what is to be tried within `during(...)`, and before and after it what it likes.
+/// Runs `act` once with each fault: of every kind and number, a single call and five in a row. `act` does the
+/// tested action within `during(...)`, and its setup and checks outside.
 class InTurn {
   public:
     template <class Act> void operator()(const Act& act) {
@@ -74,7 +74,7 @@ struct Bench : HeadlessWindow {
         wait_for_loads();
         REQUIRE(state.editor.document.path == path);
     }
-    /// Another edit, that is in no file.
+    /// Another unsaved edit.
     void change() { scene().lights[0].intensity = 7 + 0.001f * float(++edits); }
     void edit() {
         change();
@@ -86,7 +86,7 @@ struct Bench : HeadlessWindow {
     }
 };
 
-/// A frame that does something of its own before all else.
+/// A frame that performs an action before anything else.
 template <class Do> void as_in_a_frame(Bench& bench, const Do& action) {
     try {
         action();
@@ -96,19 +96,19 @@ template <class Do> void as_in_a_frame(Bench& bench, const Do& action) {
     (void)bench.frame();
 }
 
-/// Nothing but these is in the folder.
+/// The folder contains exactly these.
 void check_names(const TemporaryDirectory& folder, const std::vector<std::string>& names) {
     CHECK(folder.names() == names);
 }
 
-/// The text of the scene in the copy that the window has written; what is wrong with it where it is none.
+/// The text of the scene in the window's copy, or what is wrong with the copy.
 std::string scene_of_copy(const UiState& state) {
     const auto copy = open_autosave(state.persistence.autosave->path);
     if (const Problem* problem = problem_of(copy)) return problem->text();
     return scene_text(std::get<SceneDocument>(copy).scene);
 }
 
-/// How many files in the folder end so.
+/// The number of files in the folder with that ending.
 long count_of(const std::string& folder, const std::string& ending) {
     long count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -118,8 +118,7 @@ long count_of(const std::string& folder, const std::string& ending) {
 
 }  // namespace
 
-TEST_CASE("whatever fails while a scene is saved, the file is whole, and what is not saved is said",
-          "[faults][ui]") {
+TEST_CASE("after any failure while saving a scene the file is intact and it is reported", "[faults][ui]") {
     Bench bench;
     InTurn()([&bench](InTurn& turn) {
         bench.edit();
@@ -143,8 +142,7 @@ TEST_CASE("whatever fails while a scene is saved, the file is whole, and what is
     });
 }
 
-TEST_CASE("whatever fails while a picture is exported, it is the old or the new one, and that is said",
-          "[faults][ui]") {
+TEST_CASE("after any failure while exporting a picture it is old or new and reported", "[faults][ui]") {
     Bench bench;
     const std::string path = bench.folder.path("picture.png");
     InTurn()([&](InTurn& turn) {
@@ -169,9 +167,7 @@ TEST_CASE("whatever fails while a picture is exported, it is the old or the new 
     });
 }
 
-TEST_CASE(
-    "whatever fails while unsaved work is copied, there is a whole copy or a word, and the next is whole",
-    "[faults][ui]") {
+TEST_CASE("after any failure while copying unsaved work the next copy is intact", "[faults][ui]") {
     Bench bench;
     const std::string state_folder = bench.folder.path("state");
     InTurn()([&](InTurn& turn) {
@@ -202,8 +198,7 @@ TEST_CASE(
     });
 }
 
-TEST_CASE("whatever fails while the window ends, what it remembers is whole and the next one has it",
-          "[faults][ui]") {
+TEST_CASE("after any failure while closing the window the settings are intact", "[faults][ui]") {
     Bench bench;
     const std::string state_folder = bench.folder.path("state");
     end_persistence(bench.state);
@@ -223,8 +218,7 @@ TEST_CASE("whatever fails while the window ends, what it remembers is whole and 
     });
 }
 
-TEST_CASE("whatever fails while a window begins, a copy that was left is there for the next one",
-          "[faults][ui]") {
+TEST_CASE("after any failure while a window opens an orphaned copy remains", "[faults][ui]") {
     const TemporaryDirectory folder;
     const std::string state_folder = folder.path("state");
     Scene work;
@@ -249,9 +243,7 @@ TEST_CASE("whatever fails while a window begins, a copy that was left is there f
     });
 }
 
-TEST_CASE(
-    "whatever fails while a file is opened, the open scene stays or the new one is there, and that is said",
-    "[faults][ui]") {
+TEST_CASE("after any failure while opening a file the old or the new scene is open", "[faults][ui]") {
     Bench bench;
     Scene other_scene = test::busy_scene();
     other_scene.lights.resize(1);
@@ -275,7 +267,7 @@ TEST_CASE(
     });
 }
 
-TEST_CASE("whatever fails while left work is taken up, it is taken up or still offered", "[faults][ui]") {
+TEST_CASE("after any failure while recovering work it is recovered or still offered", "[faults][ui]") {
     Bench bench;
     const std::string state_folder = bench.folder.path("state");
     bench.edit();
@@ -300,7 +292,7 @@ TEST_CASE("whatever fails while left work is taken up, it is taken up or still o
         const bool is_taken = same_description(bench.scene(), work);
         CHECK((is_taken || bench.says_something()));
         if (is_taken) CHECK(bench.state.editor.unsaved());
-        // Whatever there was, the work is in a copy that a next window would find.
+        // In every case the work is in a copy that a next window would find.
         memory.orphans.clear();
         memory.autosave.reset();
         const auto copies = orphaned_autosaves(state_folder);

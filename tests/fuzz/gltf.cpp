@@ -1,5 +1,5 @@
-// Bytes -> a glTF file's scene and meshes, or one line that says what is wrong. What is read is written as a
-// .glb, which reads back.
+// Bytes -> a glTF file's scene and meshes, or a one-line problem. A read scene is written as a .glb, which
+// reads back.
 
 #include <string>
 #include <variant>
@@ -23,7 +23,7 @@ void require_line(const Problem& problem) {
             "a problem is one line");
 }
 
-/// The scene with its meshes; nothing where one of them is wrong, which is one line.
+/// Loads the scene's meshes; false for a one-line problem with one of them.
 bool load(const GltfFile& file, Scene& scene) {
     for (Object& object : scene.objects) {
         const auto* part = std::get_if<MeshFile>(&object.source);
@@ -56,7 +56,7 @@ void read(std::string_view bytes) {
 
 }  // namespace
 
-/// Changes a container's JSON and puts its lengths right, or changes bytes as they are.
+/// Changes a container's JSON and corrects its lengths, or changes arbitrary bytes.
 std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                     unsigned seed) {
     constexpr std::size_t header = 20;  // of the container and of its first chunk
@@ -71,11 +71,11 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
 }
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    constexpr std::uint64_t memory = 64 << 20;  // bytes: a count alone may ask for gigabytes
+    constexpr std::uint64_t memory = 64 << 20;  // bytes: a count alone may request gigabytes
     set_memory_limit(memory);
     try {
         read(fuzz::text_of(data, size));
-    } catch (const LimitExceeded&) {  // which the commands tell
+    } catch (const LimitExceeded&) {  // which the commands report
     }
     return 0;
 }

@@ -48,7 +48,7 @@ double random_number(std::mt19937& random) {
     return (static_cast<double>(random()) / 4294967295.0 - 0.5) * (below(random, 2) == 0 ? 4 : 400);
 }
 
-/// How many values there are in it, itself too.
+/// The number of values in it, including itself.
 std::size_t count_of(const Json& json) {
     std::size_t count = 1;
     for (const Json& element : elements_of(json)) count += count_of(element);
@@ -56,7 +56,7 @@ std::size_t count_of(const Json& json) {
     return count;
 }
 
-/// The value that stands `index` values after the first.
+/// The value `index` positions after the first.
 const Json& value_at(const Json& json, std::size_t index) {
     if (index == 0) return json;
     --index;
@@ -73,7 +73,7 @@ const Json& value_at(const Json& json, std::size_t index) {
     return json;
 }
 
-/// What becomes of one value: it is replaced, left out, or stands twice (of an object under another name).
+/// The change of one value: replaced, left out, or duplicated (in an object under another name).
 struct Change {
     enum Kind { Replace, LeaveOut, Double } kind;
     std::size_t index;

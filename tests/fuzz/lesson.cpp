@@ -1,4 +1,4 @@
-// Markdown -> a lesson, or one line that says what is wrong.
+// Markdown -> a lesson, or a one-line problem.
 
 #include "lessons/lesson.h"
 

@@ -1,5 +1,5 @@
-// Bytes -> a sound mesh, or one line that says what is wrong; a small one is made coarser, finer, or both,
-// too. GLINT_FUZZ_MESH names the format, ".obj".
+// Bytes -> a valid mesh, or a one-line problem; a small mesh is also decimated, subdivided, or both.
+// GLINT_FUZZ_MESH names the format, ".obj".
 
 #include <variant>
 
@@ -18,7 +18,8 @@ void require_one_line(const Problem& problem) {
             "a problem is one line");
 }
 
-/// One input of four, by its length, which also says what is done: it takes several times as long as reading.
+/// For one input of four, selected by its length, which also selects the operation: it takes several times as
+/// long as reading.
 void make_coarser_and_finer(const Mesh& mesh, std::size_t size) {
     constexpr std::size_t most_faces = 256;
     if (size % 4 != 1 || mesh.face_count() > most_faces) return;

@@ -1,4 +1,4 @@
-// Bytes -> a picture that another program drew, as `diagnose` reads it. GLINT_FUZZ_READ is its reader.
+// Bytes -> a picture by another program, as read by `diagnose`. GLINT_FUZZ_READ is its reader.
 
 #include <variant>
 
@@ -10,7 +10,7 @@ using namespace glint;
 using fuzz::require;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    constexpr std::uint64_t memory = 64 << 20;  // bytes: a header alone may ask for gigabytes
+    constexpr std::uint64_t memory = 64 << 20;  // bytes: a header alone may request gigabytes
     set_memory_limit(memory);
     try {
         const Result<Picture> read = GLINT_FUZZ_READ(fuzz::path_of_bytes(fuzz::text_of(data, size)));
@@ -22,7 +22,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const std::size_t pixels = picture.size.pixels();
         require(picture.rgba.size() == 4 * pixels || picture.linear.size() == 3 * pixels,
                 "a picture has as many numbers as pixels");
-    } catch (const LimitExceeded&) {  // which the commands tell
+    } catch (const LimitExceeded&) {  // which the commands report
     }
     return 0;
 }

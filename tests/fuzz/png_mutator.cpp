@@ -1,4 +1,4 @@
-// Changes the bytes of a PNG and makes its checksums right again, for the fuzzers that read one.
+// Changes the bytes of a PNG and corrects its checksums, for the fuzzers that read one.
 
 #include <zlib.h>
 
@@ -12,7 +12,7 @@ std::uint32_t big_endian(const std::uint8_t* at) {
     return std::uint32_t{at[0]} << 24 | std::uint32_t{at[1]} << 16 | std::uint32_t{at[2]} << 8 | at[3];
 }
 
-/// Makes the checksums right, without which no change of a byte gets past the first chunk.
+/// Corrects the checksums, without which every changed byte stops at its chunk.
 void repair_checksums(std::uint8_t* data, std::size_t size) {
     for (std::size_t at = signature; at + frame <= size;) {
         const std::size_t length = big_endian(data + at);

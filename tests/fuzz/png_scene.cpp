@@ -1,4 +1,4 @@
-// Bytes of a PNG -> the scene that it carries.
+// Bytes of a PNG -> its embedded scene.
 
 #include <variant>
 

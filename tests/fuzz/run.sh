@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Builds the fuzzers and runs each for SECONDS, or with tests/fuzz/run.sh SECONDS TARGET that one: from its corpus and from
-# what earlier runs found (build/dev/found). What fails is left in build/dev/failed/TARGET-*, and is run again by giving it
-# to build/dev/tests/fuzz/fuzz_TARGET. Ends with status 1 where one failed, after all have had their time.
+# Builds the fuzzers and runs each for SECONDS, or with tests/fuzz/run.sh SECONDS TARGET only that one: from
+# its corpus and from the findings of earlier runs (build/dev/found). Failing inputs are stored in
+# build/dev/failed/TARGET-*; pass one to build/dev/tests/fuzz/fuzz_TARGET to repeat it. Exits with status 1 if
+# a fuzzer failed, after all have run.
 #
-#   GLINT_FUZZ_SEED=N           the same inputs in the same order every time, as far as the time goes
-#   tests/fuzz/run.sh merge     keeps in tests/fuzz/corpus some of what reaches everything that all runs reached
+#   GLINT_FUZZ_SEED=N           the same inputs in the same order every time, within the time limit
+#   tests/fuzz/run.sh merge     stores in tests/fuzz/corpus a selection that covers the code reached by all
+#   runs
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../../cmake/prepare.sh"
 
@@ -22,7 +24,7 @@ if [ $# -eq 2 ]; then
     names=$2
 fi
 
-# An input of more bytes says nothing more, and takes longer.
+# Longer inputs reach no more code, and take longer.
 longest_of() {
     case $1 in
     scene_picture) echo 700 ;;
@@ -31,13 +33,13 @@ longest_of() {
     esac
 }
 
-# fuzz TARGET ARGUMENT...: memory and time of one input are bounded; more of either is a finding.
+# fuzz TARGET ARGUMENT...: limits memory and time of one input; exceeding either is a finding.
 fuzz() {
     local target=$1 once=512
     shift
-    # OpenEXR makes room for what some damaged headings claim, up to 2 GiB, and does not touch it.
+    # OpenEXR reserves memory for some damaged headers, up to 2 GiB, and does not touch it.
     [ "$target" != picture_exr ] || once=2100
-    # Weighing inputs by how rare what they reach is (entropic) took a quarter to a half of all time.
+    # Weighting inputs by the rarity of their coverage (entropic) took a quarter to a half of the time.
     ASAN_OPTIONS=malloc_context_size=8:quarantine_size_mb=8 \
         "$tree/tests/fuzz/fuzz_$target" -entropic=0 -max_len="$(longest_of "$target")" -malloc_limit_mb=$once -rss_limit_mb=2560 \
         -timeout=20 -seed="${GLINT_FUZZ_SEED:-0}" -artifact_prefix="$tree/failed/$target-" "$@"
@@ -59,7 +61,7 @@ merge() {
     rm -rf "$kept"
     mkdir -p "$kept"
     fuzz "$1" -merge=1 "$kept" "$here/corpus/$1" "$tree/found/$1" >"$tree/failed/$1.log" 2>&1
-    # As many as there is room for in the repository, small and large ones.
+    # As many as the repository has room for, small and large ones.
     find "$here/corpus/$1" -type f -delete
     find "$kept" -type f -printf '%s %p\n' | sort -n |
         awk '{ line[NR] = $0 } END { for (i = NR; i > 0; i -= int((NR + 39) / 40)) print line[i] }' |
@@ -74,7 +76,7 @@ install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-ci
 # shellcheck disable=SC2086,SC2046  # one argument a target
 build dev OFF $(printf 'fuzz_%s ' $names)
 
-# As many at once as there are processors.
+# One per processor at a time.
 seconds=$1
 failed=0
 running=()

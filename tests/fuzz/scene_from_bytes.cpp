@@ -25,7 +25,7 @@ MeshPtr mesh_of(const MeshSource& source) {
     return mesh;
 }
 
-/// Most numbers stay as they are, some are plain, few are of any size: a scene in which everything is wild
+/// Most numbers stay as they are, some are ordinary, few are of any size: a scene of only extreme numbers
 /// shows nothing.
 float number_within(const Range& range, float usual_max, float initial, Bytes& bytes) {
     constexpr unsigned keeps = 120, plain = 200, power = 228;
@@ -44,7 +44,7 @@ float number_within(const Range& range, float usual_max, float initial, Bytes& b
     return range.contains(x) ? x : initial;
 }
 
-/// Fills the fields of a scene; or counts them and fills the one of that number.
+/// Fills the fields of a scene; or counts them and fills the one with that index.
 class Filler {
   public:
     Filler(Bytes& bytes, int& count, std::optional<int> only, bool& moved_faces)
@@ -62,7 +62,7 @@ class Filler {
     }
 
   private:
-    /// Whether the next field is to be filled.
+    /// Whether to fill the next field.
     [[nodiscard]] bool is_next() const {
         const bool next = !only_ || *only_ == count_;
         if (next) moved_faces_ = moved_faces_ || moves_faces_;
@@ -84,7 +84,7 @@ class Filler {
     void at(const Homogeneous& kind, glm::vec4& v) const {
         if (is_next())
             for (int i = 0; i < 3; ++i) v[i] = number_within(component_of(kind).range, 0, v[i], bytes_);
-        v.w = kind.is_direction() ? 0.0f : 1.0f;  // also where the light's type alone has changed
+        v.w = kind.is_direction() ? 0.0f : 1.0f;  // even if only the light's type has changed
     }
     void at(const Switch&, bool& on) const {
         constexpr unsigned keeps = 224;

@@ -1,6 +1,6 @@
 #pragma once
-// A valid scene from any bytes, by the rows of models/fields/scene_fields.h: a field that is added there is
-// filled here.
+// A valid scene from any bytes, by the rows of models/fields/scene_fields.h: a new field is filled
+// automatically.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace glint::fuzz {
 
-/// The bytes of an input, taken from the front; zeros when there are no more.
+/// The bytes of an input, read from the front; zeros after the end.
 class Bytes {
   public:
     explicit Bytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -24,14 +24,15 @@ class Bytes {
     std::span<const std::uint8_t> bytes_;
 };
 
-/// A scene that its file could hold, of few lights and of shapes with few faces, its meshes loaded. Each
-/// field takes the same number of bytes whatever is in them, so that changing a byte changes one field.
+/// A scene that is valid as a file, with few lights and shapes of few faces, its meshes loaded. Each field
+/// reads the same number of bytes whatever they are, so that changing a byte changes one field.
 [[nodiscard]] Scene scene_from(Bytes& bytes);
 
-/// The scene with one of its fields filled anew.
+/// The scene with one of its fields filled again.
 struct EditedScene {
     Scene scene;
-    bool moves_faces = true;  // false: the field decides how a pixel is lit, never which face it shows (Row)
+    bool moves_faces = true;  // false: the field affects the lighting of a pixel, never its visible face
+                              // (Row)
 };
 [[nodiscard]] EditedScene edited(const Scene& scene, Bytes& bytes);
 

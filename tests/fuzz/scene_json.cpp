@@ -1,4 +1,4 @@
-// Text -> scene: what is read is written, and reads back equal.
+// Text -> scene: a read scene is written and reads back equal.
 
 #include <variant>
 

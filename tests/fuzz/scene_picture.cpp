@@ -1,6 +1,6 @@
-// Bytes -> a valid scene -> its picture. Explained pixels are the picture's to the last digit; after edits it
-// is that of a renderer that has drawn nothing before; what a change of the lighting makes of a pixel is told
-// without drawing it.
+// Bytes -> a valid scene -> its picture. Explained pixels equal the picture's exactly; after edits the
+// picture equals that of a new renderer; the effect of a lighting change on a pixel is predicted without
+// drawing.
 
 #include <algorithm>
 #include <bit>
@@ -22,8 +22,8 @@ namespace {
 constexpr std::size_t most_side = 24;  // pixels
 constexpr int pixels_explained = 3, most_edits = 3;
 
-/// Returns whether two numbers count as unchanged, as a scene compares them: a NaN equals itself, 0 equals
-/// -0.
+/// Returns whether two numbers count as unchanged, as in a comparison of scenes: a NaN equals itself, 0
+/// equals -0.
 bool same(float a, float b) {
     return a == b || std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
@@ -57,7 +57,7 @@ void check_pixels(const Renderer& renderer, const Picture& picture, Bytes& bytes
     }
 }
 
-/// Under a mistake infinities may meet, as of a half vector that is not normalised between far corners.
+/// Under a mistake infinities may occur, for example from an unnormalised half vector between far corners.
 void check_numbers(const Scene& scene, const Picture& picture) {
     if (scene.shading.mistakes != Mistakes{}) return;
     for (const float c : picture.linear) require(!std::isnan(c), "a pixel is a number");

@@ -1,4 +1,4 @@
-// Lines of `--set`, "/lights/0/intensity=2" -> a changed scene, or one line that says what is wrong.
+// Lines of `--set`, "/lights/0/intensity=2" -> a changed scene, or a one-line problem.
 
 #include <string>
 #include <string_view>
@@ -28,7 +28,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-/// A pointer to a number of the scene or to what is around it.
+/// A pointer to a number of the scene or to something near it.
 std::string random_pointer(std::mt19937& random) {
     static const Scene scene = std::get<Scene>(parse_scene(base, "s.json"));
     static const std::vector<SceneNumber> numbers = numbers_of(scene);

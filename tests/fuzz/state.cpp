@@ -1,4 +1,4 @@
-// The files of the window's folder: its settings, and the copy of unsaved work. The first byte says which.
+// The files of the window's folder: its settings, and the copy of unsaved work. The first byte selects one.
 
 #include <variant>
 

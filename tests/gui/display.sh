@@ -34,8 +34,9 @@ within() {
 
 display_answers() { xdotool getdisplaygeometry >/dev/null 2>&1; }
 
-# WxH OPTIONS...: of Xvfb. Two servers that start at once may want the same number: then once more. Without -noreset a server starts afresh
-# when its last client leaves, as the one that asked whether it answers does, and refuses who comes meanwhile.
+# WxH OPTIONS...: of Xvfb. Two servers that start at once may choose the same number: then it tries again.
+# Without -noreset a server resets when its last client leaves, such as the one that checks whether it
+# answers, and rejects new clients during the reset.
 start_display() {
     unset WAYLAND_DISPLAY
     local number try
@@ -69,11 +70,11 @@ start_glint() { # FILE
 }
 
 gone() { ! kill -0 "$glint_pid" 2>/dev/null; }
-# MODE: the copy of the unsaved work, or the scene's file, has that shading.
+# MODE: the copy of unsaved work, or the scene's file, has that shading.
 copied() { grep -q "\"mode\": \"$1\"" "$XDG_STATE_HOME"/glint/*.autosave 2>/dev/null; }
 saved() { grep -q "\"mode\": \"$1\"" "$work/scene.json"; }
 
-# MODE: answers "Recover" in a window of 1280x800, and saves what is taken up.
+# MODE: answers "Recover" in a window of 1280x800, and saves the recovered scene.
 recover_and_save() {
     sleep 0.5
     xdotool mousemove 430 136 click 1
@@ -82,8 +83,8 @@ recover_and_save() {
     within 10 saved "$1" || fail "what was taken up is not what is saved"
 }
 
-# Sets `used` to what all threads of the window have used of a processor, in nanoseconds, and `running` to how many of them
-# want one now. Begins no process: it is asked many times a second.
+# Sets `used` to the processor time of all threads of the window, in nanoseconds, and `running` to the number
+# of runnable ones. Starts no process, since it is called many times a second.
 look_at_threads() {
     local task time state rest
     used=0 running=0
@@ -93,9 +94,9 @@ look_at_threads() {
     done
 }
 
-# Waits until the window has drawn what it was told and what comes when the hand rests (tooltips, full pictures):
-# until it has used no time for so many tenths of a second, 10 when not said. A sleep of fixed length is too short where
-# the machine is busy.
+# Waits until the window has processed its input and what follows it (tooltips, full pictures): until it has
+# used no processor time for TENTHS tenths of a second, by default 10. A sleep of fixed length is too short on
+# a busy machine.
 wait_for_rest() { # [TENTHS]
     local before used running still=0
     for ((i = 0; i < 300; i++)); do
@@ -109,7 +110,7 @@ wait_for_rest() { # [TENTHS]
     fail "the window did not come to rest in half a minute"
 }
 
-# X Y RIGHT DOWN: takes hold at (X, Y) of the display and lets go that many pixels away, in ten steps.
+# X Y RIGHT DOWN: presses at (X, Y) of the display and releases that many pixels away, in ten steps.
 drag_with_mouse() {
     xdotool mousemove "$1" "$2"
     sleep 0.3
@@ -122,14 +123,14 @@ drag_with_mouse() {
     xdotool mouseup 1
 }
 
-# Moves the cursor out of the picture and takes its middle rows, without bars and hints, into $work/$1.png.
+# Moves the cursor out of the picture and saves its middle rows, without bars and hints, to $work/$1.png.
 look() {
     xdotool mousemove 2 2
     sleep 0.3
     import -window root -crop 1280x600+0+50 +repage "$work/$1.png"
 }
 
-# Prints the middle of what has exactly the colour $2 in $work/$1.png, in the display's coordinates.
+# Prints the centre of the pixels with exactly the colour $2 in $work/$1.png, in the display's coordinates.
 middle_of() {
     local box w h x y
     box=$(convert "$work/$1.png" -fill black +opaque "$2" -format '%@' info: | tr 'x+' '  ')
@@ -142,5 +143,5 @@ middle_is() { # COLOUR, in the middle of a display of 1280x800
     [ "$(convert "$work/middle.png" -format '%[hex:u.p{0,0}]' info: | cut -c1-6)" = "$1" ]
 }
 
-# How many pixels differ between two looks.
+# The number of pixels that differ between two screenshots.
 difference() { compare -metric AE "$work/$1.png" "$work/$2.png" null: 2>&1 | sed 's/[^0-9.e+].*//'; }

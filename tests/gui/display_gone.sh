@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# When the connection to the display is lost the window says so in one line and ends with 1. The copy of the unsaved work stays.
+# When the connection to the display is lost, the window reports it in one line and exits with 1. The copy of
+# unsaved work stays.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

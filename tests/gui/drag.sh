@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# A light is dragged with the real mouse: its handle follows the hand, the picture changes, undo brings both back,
-# and what is saved is what is seen.
+# Dragging a light with the real mouse: its handle follows the cursor, the picture changes, undo reverts both,
+# and the saved scene matches the window.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
 # shellcheck source=tests/gui/display.sh
 . "$(dirname "$0")/display.sh"
 
-# The handle alone is pure magenta: the ball reflects no more than a third of it.
+# Only the handle is pure magenta: the ball reflects at most a third of it.
 cat >"$work/scene.json" <<'JSON'
 {"glint": 1, "camera": {"eye": [0, 0, 5]},
  "lights": [{"name": "Bulb", "position": [-1.2, 1.1, 1], "diffuse": [1, 0, 1], "specular": [0, 0, 0]}],
@@ -27,7 +27,7 @@ sleep 1
 handle_seen before
 x=$x_seen y=$y_seen
 
-# Saves, and keeps what was written as $1.
+# Saves, and keeps the written file as $1.
 save_as() {
     rm -f "$work/scene.json"
     xdotool key ctrl+s

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Files are dropped on the window as a file manager drops them: a scene, a mesh, a picture that carries its scene; what
-# cannot be opened leaves the scene as it is. A pixel is picked, and what is saved reopens. What takes its time is awaited.
+# Files are dropped on the window as by a file manager: a scene, a mesh, a picture with its scene; an
+# unreadable file leaves the scene unchanged. A pixel is picked, and the saved scene reopens. Slow loads are
+# awaited.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -44,7 +45,7 @@ within 10 middle_is FF00FF || fail "the picture's scene is not to be seen"
 drop triangle.obj
 within 10 title_is triangle.obj || fail "the mesh was not opened"
 
-# Who drags may be gone before the window answers.
+# The dragging program may have ended before the window answers.
 "$source" --vanish || fail "nothing was dragged"
 sleep 1
 kill -0 "$glint_pid" 2>/dev/null || fail "the window ended with the program that dragged something over it"
@@ -62,7 +63,8 @@ within 10 middle_is 003300 || fail "the first scene did not come back"
 drop second.json
 within 10 middle_is 000000 || fail "what was saved is not what reopens"
 
-# A lesson that takes many seconds is awaited in the window, beside the default scene, and can be given up.
+# A lesson that takes many seconds to load is awaited in the window with the default scene, and can be
+# cancelled.
 xdotool key ctrl+q
 within 10 bash -c "! kill -0 $glint_pid 2>/dev/null" || fail "the window did not close"
 {

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# A window that is told to end by a signal keeps what was edited last, and ends by that signal; one that was saved leaves nothing.
+# A window that is ended by a signal keeps the latest edits, and ends by that signal; a saved one leaves no
+# copy.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# A highlight is dragged with the real mouse: it lies under the hand afterwards, and undo brings it back.
+# Dragging a highlight with the real mouse: it follows the cursor, and undo restores it.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
 # shellcheck source=tests/gui/display.sh
 . "$(dirname "$0")/display.sh"
 
-# Nothing but the highlight shines: no pixel is green but it, and the handle, which is red, stands aside.
+# Only the highlight is bright: no other pixel is green, and the handle, which is red, is elsewhere.
 cat >"$work/scene.json" <<'JSON'
 {"glint": 1, "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}, "global_ambient": [0, 0, 0],
  "lights": [{"name": "Bulb", "position": [-1.6, 1.2, 2], "diffuse": [1, 0, 0], "specular": [0, 1, 0]}],
@@ -18,7 +18,7 @@ JSON
 start_display 1280x800
 start_glint "$work/scene.json"
 xdotool key F11 # the picture alone
-# The middle of what is nearly full green, in the display's coordinates.
+# The centre of the nearly full green pixels, in the display's coordinates.
 highlight_seen() { # in look $1
     look "$1"
     local box w h x y

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The window draws only what changes. What it shows after much has changed is what it shows when it draws all of it.
+# The window redraws only changes. After many changes it shows the same as when it is redrawn completely.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -8,7 +8,7 @@ program=$1
 
 start_display 1100x760
 start_glint "$(dirname "$0")/../../assets/scenes/default.json"
-# The display forgets a window that it does not show, and asks for all of it when it does again.
+# The display discards the contents of a hidden window, and requests a complete redraw when it is shown again.
 same_when_drawn_anew() { # after $1
     wait_for_rest 35 # and notices go after three seconds
     import -window root "$work/kept.png"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# On a large window the largest zoom enlarges the picture, and not only what is drawn over it.
+# In a large window the largest zoom enlarges the picture, not only its overlays.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -22,7 +22,7 @@ import -window root "$work/whole.png"
 edge=$(convert "$work/whole.png" -crop 2000x9+280+716 +repage -channel G -separate +channel -threshold 30% -format '%@' info: | tr 'x+' '  ' | cut -d' ' -f3)
 edge=$((edge + 280)) # beside the frame
 [ "$edge" -gt 700 ] && [ "$edge" -lt 1200 ] || fail "the ball begins at $edge"
-# Twelve pixels within the ball: its edge goes 384 pixels to the left at a zoom of 32, and 768 at 64.
+# Twelve pixels within the ball: its edge moves 384 pixels to the left at a zoom of 32, and 768 at 64.
 hand=$((edge + 12))
 green() { # of a place so far to the left of the hand, 0 to 255
     import -window root -crop "100x100+$((hand - $1))+670" "$work/place.png"

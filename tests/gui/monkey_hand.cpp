@@ -1,11 +1,10 @@
-// A hand that does anything to the window, as fast as it can: resizes, keys, clicks, wheels, drops from
-// programs that vanish, files that change under it, two windows on one state folder, displays of every
-// resolution. What it does is a function of the seed and of the number of the life alone; a life is one start
-// of the program and 400 deeds; an event is what one of them sends: a key, a point, a press, a turn of the
-// wheel, a size.
+// Sends random input to the window, as fast as possible: resizes, keys, clicks, wheels, drops from programs
+// that vanish, files that change, two windows on one state folder, displays of every resolution. The input is
+// a function of the seed and the number of the life only; a life is one start of the program and 400 actions;
+// an event is one part of an action: a key, a point, a press, a turn of the wheel, a size.
 //
-// Usage: monkey_hand EVENTS SEED FIRST_LIFE FOLDER PROGRAM XDND_SOURCE. The program is started in
-// FOLDER/work and opens what lies there. Ends with 1 and the last events when a program dies, complains, or
+// Usage: monkey_hand EVENTS SEED FIRST_LIFE FOLDER PROGRAM XDND_SOURCE. The program is started in FOLDER/work
+// and opens the files there. Exits with 1 and prints the last events when a program dies, prints errors, or
 // does not answer.
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -52,14 +51,14 @@ struct Options {
     std::string program, source;
 };
 
-/// A program that was started, and its window.
+/// A started program, and its window.
 struct Started {
     pid_t pid = 0;
     Window window = None;
     fs::path errors;
 };
 
-/// Words of `path` that a program should never have written there.
+/// Text in `path` that a program should never have written there.
 std::string complaints(const fs::path& path) {
     std::ifstream file(path);
     std::string line, found;
@@ -72,10 +71,10 @@ class Hand {
   public:
     Hand(Options options, Display* display)
         : options_(std::move(options)), display_(display), root_(DefaultRootWindow(display)) {
-        XSelectInput(display, root_, SubstructureNotifyMask);  // answers to pings come there
+        XSelectInput(display, root_, SubstructureNotifyMask);  // answers to pings arrive there
     }
 
-    /// 0: nothing was found.
+    /// 0: nothing was found
     int run() {
         int life = options_.life;
         for (; sent_ < options_.events && !found_; ++life) live(life);
@@ -159,7 +158,7 @@ class Hand {
         started_.push_back(one);
     }
 
-    /// The mapped window of a process, by what EWMH has it say.
+    /// The mapped window of a process, by its EWMH properties.
     Window window_of(pid_t pid) {
         Window root = None, parent = None, *children = nullptr;
         unsigned count = 0;
@@ -192,7 +191,7 @@ class Hand {
                  one);
     }
 
-    /// A file that cannot be opened is told in one line at the start.
+    /// An unreadable file is reported in one line at the start.
     static bool is_refusal(int status, const std::string& said) {
         return status == 1 && said.starts_with("    glint: error: ") &&
                std::count(said.begin(), said.end(), '\n') == 1;
@@ -203,7 +202,7 @@ class Hand {
         waitpid(one.pid, nullptr, 0);
     }
 
-    /// Whether all live, have complained of nothing, and answer.
+    /// Whether all programs run, have printed no errors, and answer.
     void look_after_all() {
         for (std::size_t i = started_.size(); i-- > 0 && !found_;) {
             const Started one = started_[i];
@@ -213,7 +212,7 @@ class Hand {
             if (gone)
                 ended(one, status);
             else if (!complaints(one.errors).empty()) {
-                rest(5000);  // a sanitizer goes on writing for as long as it looks up names
+                rest(5000);  // a sanitizer keeps writing while it looks up names
                 find("it complained", one);
             } else if (!answers(one) && waitpid(one.pid, &status, WNOHANG | WNOWAIT) == 0)
                 hangs(one);
@@ -221,7 +220,7 @@ class Hand {
     }
 
     void hangs(const Started& one) {
-        kill(one.pid, SIGABRT);  // a sanitizer says where it was
+        kill(one.pid, SIGABRT);  // a sanitizer reports its position
         rest(3000);
         find(fmt::format("no answer for {} seconds", longest_answer), one);
     }
@@ -244,7 +243,7 @@ class Hand {
         return false;
     }
 
-    // --- what the hand does
+    // --- input
 
     void act(const Started& one) {
         XSetInputFocus(display_, one.window, RevertToParent, CurrentTime);
@@ -317,7 +316,7 @@ class Hand {
                                     XK_KP_1,   XK_KP_3,    XK_KP_5,   XK_KP_7,      XK_BackSpace};
         for (int i = 1 + below(5); i > 0; --i) {
             const int which = below(26 + 4 + int(others.size()) + 1);
-            // No slash but as a question mark: a path that is typed stays in the folder.
+            // The slash is only part of a question mark, so that a typed path stays in the folder.
             if (which == 0)
                 press(XK_slash, false, true, false);
             else if (which <= 26)
@@ -341,7 +340,7 @@ class Hand {
     void point(const Started& one) {
         XWindowAttributes look{};
         if (XGetWindowAttributes(display_, one.window, &look) == 0) return;
-        // Shares, so that what is decided does not depend on a size that another may just have changed.
+        // Shares, so that decisions do not depend on a size that another program may have just changed.
         const int x = below(1000), y = below(1000);
         note(fmt::format("point at {} {} thousandths", x, y));
         XTestFakeMotionEvent(display_, -1, look.x + x * look.width / 1000, look.y + y * look.height / 1000,
@@ -410,7 +409,7 @@ class Hand {
         XFlush(display_);
     }
 
-    /// A source of a drop that is gone before the window can answer.
+    /// A drop source that ends before the window can answer.
     void vanish(const Started& one) {
         const bool drops = one_in(2);
         note(drops ? "a source drops and vanishes" : "a source drags and vanishes");
@@ -440,7 +439,7 @@ class Hand {
         note("drop " + file);
         const pid_t pid = fork();
         if (pid == 0) {
-            const int nowhere = open("/dev/null", O_WRONLY);  // that nobody takes a drop is not a finding
+            const int nowhere = open("/dev/null", O_WRONLY);  // a rejected drop is not a finding
             dup2(nowhere, STDERR_FILENO);
             execl(options_.source.c_str(), "xdnd_source", file.c_str(), nullptr);
             _exit(3);

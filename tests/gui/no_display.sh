@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Without a display the window says so in one line, names the headless command, and exits with 1.
+# Without a display the window reports it in one line, names the headless command, and exits with 1.
 set -u
 program=$1
 work=$(mktemp -d)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# On a display without OpenGL the window says so in one line, in GLFW's words, and exits with 1.
+# On a display without OpenGL the window reports it in one line, with GLFW's text, and exits with 1.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

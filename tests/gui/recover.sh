@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A window that is killed leaves a copy of what was not saved; the next one offers it, and what is saved then is it.
-# The columns and the theme come back too, and the file is among the recent ones.
+# A killed window leaves a copy of unsaved work; the next one offers it, and a saved recovery has its
+# contents. The columns and the theme are restored too, and the file is among the recent ones.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What is typed while a frame takes long lands where it belongs: behind Ctrl+K in the palette, behind Return in the field
-# that it opens, behind a click in the field that was clicked.
+# Input typed during a slow frame reaches its target: after Ctrl+K the palette, after Return the field that it
+# opens, after a click the clicked field.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

@@ -1,6 +1,6 @@
 // Drops a file on the window under the mouse, as a file manager does: the source's side of XDND, which
-// xdotool lacks. Usage: xdnd_source FILE. Exit status 0 when the target has taken it. With FILE
-// `--vanish` the source drags and is gone before the target can answer. Source:
+// xdotool lacks. Usage: xdnd_source FILE. Exit status 0 if the target has accepted it. With FILE `--vanish`
+// the source drags and ends before the target can answer. Source:
 // freedesktop.org, "Drag-and-Drop Protocol for the X Window System" (XDND, version 5).
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -23,7 +23,7 @@ struct Atoms {
     }
 };
 
-/// The window under the mouse that says it takes drops, and where the mouse is.
+/// The window under the mouse that accepts drops, and the mouse position.
 struct Target {
     Window window = None;
     int x = 0, y = 0;
@@ -98,7 +98,8 @@ class Source {
         XFlush(display_);
     }
 
-    /// Serves the target's questions for the data until a message of this type comes; false after 5 seconds.
+    /// Answers the target's requests for the data until a message of this type arrives; false after 5
+    /// seconds.
     bool wait_for(Atom message) {
         for (int tries = 0; tries < 50; ++tries) {
             while (XPending(display_) > 0) {

@@ -28,8 +28,8 @@ bool can(const Scene& scene, Language language) {
     return problem_of(write_program({scene, small, "scene"}, language)) == nullptr;
 }
 
-/// The scene as fixed function can draw it: its shading, its lights, its numbers. The seed chooses what it
-/// can do in several ways.
+/// Limits the scene to what fixed function can draw: its shading, its lights, its numbers. The seed chooses
+/// among alternatives.
 void as_fixed_function(Scene& scene, unsigned seed) {
     scene.shading = {};
     scene.shading.mode = seed % 3 == 2 ? ShadingMode::Flat : ShadingMode::Gouraud;
@@ -63,7 +63,7 @@ void report(const Comparison& comparison, Language language) {
     for (const std::string& line : f.disagreements) FAIL_CHECK(line);
 }
 
-/// Draws the scenes of assets that the language can; the names of the others.
+/// Draws the scenes of assets that the language supports; returns the names of the others.
 std::string compare_assets(Language language, void (*change)(Scene&) = nullptr) {
     Comparison comparison;
     std::string left;
@@ -82,7 +82,7 @@ std::string compare_assets(Language language, void (*change)(Scene&) = nullptr) 
     return left;
 }
 
-/// Draws `count` random scenes, or as many of them as the language can.
+/// Draws `count` random scenes, or as many of them as the language supports.
 int compare_random(Language language, unsigned first, unsigned count) {
     Comparison comparison;
     for (unsigned i = first; i < first + count; ++i) {
@@ -97,8 +97,8 @@ int compare_random(Language language, unsigned first, unsigned count) {
     return comparison.figure().scenes;
 }
 
-/// The program makes each mistake as we do, where it shows, and says so. The names of those that the language
-/// cannot make.
+/// Checks that the program makes each visible mistake like Glint and documents it. Returns the names of the
+/// mistakes that the language cannot make.
 std::string compare_mistakes(Language language) {
     Comparison comparison;
     std::string left;
@@ -122,15 +122,15 @@ std::string compare_mistakes(Language language) {
 
 }  // namespace
 
-TEST_CASE("a C++ program draws the scenes of assets as we do", "[programs]") {
+TEST_CASE("a C++ program draws the scenes of assets like Glint", "[programs]") {
     CHECK(compare_assets(Language::Cpp) == "silhouettes-and-creases");
 }
 
-// Compiling takes longer than drawing: of the random scenes some, and all where they are asked for.
-TEST_CASE("a C++ program draws random scenes as we do", "[programs]") {
+// Compiling takes longer than drawing: some random scenes by default, all on request.
+TEST_CASE("a C++ program draws random scenes like Glint", "[programs]") {
     CHECK(compare_random(Language::Cpp, 0, 12) == 12);
 }
-TEST_CASE("a C++ program draws scenes without a reflection model as we do", "[programs]") {
+TEST_CASE("a C++ program draws scenes without a reflection model like Glint", "[programs]") {
     Comparison comparison;
     for (const Transfer transfer : {Transfer::None, Transfer::Srgb}) {
         Scene scene = oracle::random_scene(1);
@@ -140,32 +140,32 @@ TEST_CASE("a C++ program draws scenes without a reflection model as we do", "[pr
     }
     report(comparison, Language::Cpp);
 }
-TEST_CASE("a C++ program draws more random scenes as we do", "[.][programs]") {
+TEST_CASE("a C++ program draws more random scenes like Glint", "[.][programs]") {
     CHECK(compare_random(Language::Cpp, 12, 28) == 27);  // one would have more than 400 lines
 }
 
-TEST_CASE("a Python program draws the scenes of assets as we do", "[programs]") {
+TEST_CASE("a Python program draws the scenes of assets like Glint", "[programs]") {
     CHECK(compare_assets(Language::Python) == "silhouettes-and-creases");
 }
 
-TEST_CASE("a Python program draws random scenes as we do", "[programs]") {
+TEST_CASE("a Python program draws random scenes like Glint", "[programs]") {
     CHECK(compare_random(Language::Python, 0, 40) == 40);
 }
 
-TEST_CASE("a Python program makes every mistake as we do", "[programs]") {
+TEST_CASE("a Python program makes every mistake like Glint", "[programs]") {
     CHECK(compare_mistakes(Language::Python) == "");
 }
 
-// Compiles 52 programs, a minute's work; those of Python are the same text but for the spelling.
-TEST_CASE("a C++ program makes every mistake as we do", "[.][programs][every-mistake]") {
+// Compiles 52 programs, which takes a minute; those in Python are the same text in another spelling.
+TEST_CASE("a C++ program makes every mistake like Glint", "[.][programs][every-mistake]") {
     CHECK(compare_mistakes(Language::Cpp) == "");
 }
 
-TEST_CASE("an OpenGL 1 program draws the scenes of assets as we do under its own shading", "[programs]") {
+TEST_CASE("an OpenGL 1 program draws the scenes of assets like Glint in its own shading", "[programs]") {
     const auto under_its_own = [](Scene& scene) { as_fixed_function(scene, 0); };
     CHECK(compare_assets(Language::Gl1, under_its_own) == "");
 }
-TEST_CASE("an OpenGL 1 program draws scenes of fixed function as we do", "[programs]") {
+TEST_CASE("an OpenGL 1 program draws scenes of fixed function like Glint", "[programs]") {
     Comparison comparison;
     for (unsigned i = 0; i < 40; ++i) {
         const Scene scene = fixed_function_scene(i);
@@ -176,7 +176,7 @@ TEST_CASE("an OpenGL 1 program draws scenes of fixed function as we do", "[progr
     }
     report(comparison, Language::Gl1);
 }
-TEST_CASE("an OpenGL 1 program makes the mistakes that its calls can make as we do", "[programs]") {
+TEST_CASE("an OpenGL 1 program makes the mistakes that its calls can make like Glint", "[programs]") {
     Comparison comparison;
     for (bool Mistakes::*wrong :
          {&Mistakes::light_in_wrong_space, &Mistakes::no_normals_given, &Mistakes::normals_flipped}) {
@@ -187,7 +187,7 @@ TEST_CASE("an OpenGL 1 program makes the mistakes that its calls can make as we 
     }
     report(comparison, Language::Gl1);
 }
-TEST_CASE("what OpenGL 1 cannot do is one line that names the languages that can", "[programs]") {
+TEST_CASE("an unsupported feature in OpenGL 1 is one line that names supporting languages", "[programs]") {
     const auto refused = [](const auto& change) {
         Scene scene = fixed_function_scene(0);
         change(scene);
@@ -214,22 +214,22 @@ TEST_CASE("what OpenGL 1 cannot do is one line that names the languages that can
         refused([](Scene& s) { s.objects[0].material.shininess = 200; }) ==
         "/objects: a shininess is above 128, which gl1 cannot do; expected --language glsl or cpp or python");
 }
-TEST_CASE("an OpenGL 3.3 program draws the scenes of assets as we do", "[programs]") {
+TEST_CASE("an OpenGL 3.3 program draws the scenes of assets like Glint", "[programs]") {
     CHECK(compare_assets(Language::Glsl) == "silhouettes-and-creases skew-quad t-junction");
 }
-TEST_CASE("an OpenGL 3.3 program draws random scenes as we do", "[programs]") {
+TEST_CASE("an OpenGL 3.3 program draws random scenes like Glint", "[programs]") {
     CHECK(compare_random(Language::Glsl, 0, 8) >= 7);
 }
-TEST_CASE("an OpenGL 3.3 program draws more random scenes as we do", "[.][programs]") {
+TEST_CASE("an OpenGL 3.3 program draws more random scenes like Glint", "[.][programs]") {
     CHECK(compare_random(Language::Glsl, 8, 32) > 24);
 }
-TEST_CASE("an OpenGL 3.3 program makes mistakes as we do", "[.][programs][every-mistake]") {
+TEST_CASE("an OpenGL 3.3 program makes mistakes like Glint", "[.][programs][every-mistake]") {
     CHECK(compare_mistakes(Language::Glsl) == "power_zero_is_nan culled_by_light");
 }
 
 namespace {
 
-/// A scene whose picture tells much, with these mistakes.
+/// A scene whose picture reveals many mistakes, with these mistakes.
 Scene scene_with(std::initializer_list<bool Mistakes::*> mistakes) {
     Scene scene = test::telling_scene();
     for (bool Mistakes::*mistake : mistakes) scene.shading.mistakes.*mistake = true;
@@ -249,15 +249,14 @@ void compare(Language language, const std::vector<std::pair<std::string, Scene>>
 
 }  // namespace
 
-TEST_CASE("OpenGL takes a background whose channels are whole numbers", "[programs]") {
+TEST_CASE("OpenGL accepts a background whose channels are integers", "[programs]") {
     Scene scene = fixed_function_scene(0);
     scene.display.background = {0, 0.5f, 1};
     compare(Language::Gl1, {{"whole numbers", scene}});
     compare(Language::Glsl, {{"whole numbers", scene}});
 }
 
-TEST_CASE("an OpenGL 3.3 program encodes bytes that wrap, and facets' normals are unit, as ours",
-          "[programs]") {
+TEST_CASE("an OpenGL 3.3 program wraps encoded bytes and normalises facets like Glint", "[programs]") {
     Scene encoded = scene_with({&Mistakes::bytes_wrap});
     encoded.display.transfer = Transfer::Srgb;
     Scene facet = scene_with({&Mistakes::unnormalized_normals}), flat = facet;
@@ -266,8 +265,7 @@ TEST_CASE("an OpenGL 3.3 program encodes bytes that wrap, and facets' normals ar
     compare(Language::Glsl, {{"encoded", encoded}, {"facet", facet}, {"flat", flat}});
 }
 
-TEST_CASE("where l keeps its length, l.v is of a unit l, and a huge highlight is interpolated, as ours",
-          "[programs]") {
+TEST_CASE("an unnormalised l and a huge interpolated highlight are drawn like Glint", "[programs]") {
     Scene scene = scene_with({&Mistakes::unnormalized_light}), gouraud = scene;
     scene.lights[0].kind = LightKind::Directional;
     scene.lights[0].position = {2, 3, 4, 0};
@@ -283,8 +281,7 @@ TEST_CASE("where l keeps its length, l.v is of a unit l, and a huge highlight is
     compare(Language::Glsl, scenes);
 }
 
-TEST_CASE("an OpenGL 3.3 program is linear on the screen where faces reach beyond the picture",
-          "[programs]") {
+TEST_CASE("an OpenGL 3.3 program is linear on the screen beyond the picture's edges", "[programs]") {
     Scene phong;
     phong.lights.emplace_back();
     phong.objects.push_back(test::object_of(test::primitive(Primitive::Plane, 1)));
@@ -298,7 +295,7 @@ TEST_CASE("an OpenGL 3.3 program is linear on the screen where faces reach beyon
     compare(Language::Glsl, {{"phong", phong}, {"gouraud", gouraud}, {"normals as they are", unit}});
 }
 
-TEST_CASE("two mistakes of one formula are written as we make them, in every language", "[programs]") {
+TEST_CASE("two mistakes of one formula are written like Glint's in every language", "[programs]") {
     const std::vector<std::pair<std::string, Scene>> scenes = {
         {"cosine", scene_with({&Mistakes::no_clamp_of_cosine, &Mistakes::absolute_cosine})},
         {"normals", scene_with({&Mistakes::normals_left_in_world, &Mistakes::normals_as_points})}};
@@ -306,7 +303,7 @@ TEST_CASE("two mistakes of one formula are written as we make them, in every lan
         compare(language, scenes);
 }
 
-TEST_CASE("a program compiles whatever of its libraries a light or an object is called", "[programs]") {
+TEST_CASE("a program compiles even if a light or object has a library's name", "[programs]") {
     const std::vector<std::string> names{
         "NULL",     "EOF",          "stdin",    "stdout", "printf",     "malloc",   "exp",
         "log",      "pow",          "abs",      "sqrt",   "rand",       "div",      "signgam",
@@ -315,7 +312,7 @@ TEST_CASE("a program compiles whatever of its libraries a light or an object is 
         "tolower",  "errno",        "isnan",    "GLint",  "GLFWwindow", "glFlush",  "glm",
         "std",      "np",           "print",    "len",    "class",      "Teapot",   "OSMesaPixelStore",
         "M_PIf",    "P_tmpdir"};
-    constexpr std::size_t at_once = 10;  // a program has so many lines at most
+    constexpr std::size_t at_once = 10;  // the maximum number of lines in a program
     std::vector<std::pair<std::string, Scene>> scenes;
     for (std::size_t first = 0; first < names.size(); first += at_once) {
         Scene scene = fixed_function_scene(4);
@@ -330,7 +327,7 @@ TEST_CASE("a program compiles whatever of its libraries a light or an object is 
         compare(language, scenes);
 }
 
-TEST_CASE("a program has no variable that tones in place of light leave unused", "[programs]") {
+TEST_CASE("a program has no variable that is unused because of tones", "[programs]") {
     std::vector<std::pair<std::string, Scene>> scenes;
     for (const Reflection reflection : {Reflection::BlinnPhong, Reflection::Retro}) {
         Scene scene = scene_with({&Mistakes::specular_behind_surface});
@@ -341,8 +338,7 @@ TEST_CASE("a program has no variable that tones in place of light leave unused",
     compare(Language::Cpp, scenes);
 }
 
-TEST_CASE("of a face and the same face the other way round the first one shows, in every language",
-          "[programs]") {
+TEST_CASE("of a face and its reverse the first one is visible in every language", "[programs]") {
     const TemporaryDirectory folder;
     const std::string mesh =
         folder.file("twice.obj", "v -1.1 -0.9 0.3\nv 1.2 -1 -0.4\nv 0.1 1.3 0.2\nf 1 2 3\nf 3 2 1\n");
@@ -356,7 +352,7 @@ TEST_CASE("of a face and the same face the other way round the first one shows, 
         compare(language, {{"twice", scene}});
 }
 
-TEST_CASE("without a reflection model a program makes no mistake of lighting", "[programs]") {
+TEST_CASE("without a reflection model a program makes no lighting mistakes", "[programs]") {
     Scene scene = test::telling_scene();
     scene.shading.reflection = Reflection::None;
     for (const MistakeName& mistake : mistake_names())
@@ -371,7 +367,7 @@ TEST_CASE("without a reflection model a program makes no mistake of lighting", "
           "/shading/mistakes/culled_by_light: a light that nothing is lit by leaves faces out, which cpp "
           "cannot "
           "do; expected a scene without it: no language can");
-    // What one language lacks another has, but that one lacks something else.
+    // Each language lacks something that the other has.
     scene.shading.reflection = Reflection::Phong;
     scene.shading.power_table = 16;
     scene.shading.mistakes = {.culled_by_light = true};
@@ -383,7 +379,7 @@ TEST_CASE("without a reflection model a program makes no mistake of lighting", "
           "it, or --language glsl and one without /shading/mistakes/culled_by_light");
 }
 
-TEST_CASE("the calls that the window copies compile as C and as C++", "[programs][calls]") {
+TEST_CASE("the calls copied from the window compile as C and as C++", "[programs][calls]") {
     std::string all;
     int functions = 0;
     const auto add = [&](const Scene& scene) {

@@ -13,7 +13,7 @@
 namespace glint::programs {
 namespace {
 
-/// A picture's surfaces, so that what lies at an edge can be left out.
+/// A picture's surfaces, used to exclude pixels at edges.
 class Surfaces {
   public:
     Surfaces(Renderer& renderer, const Scene& scene, PictureSize size) : scene_(scene), size_(size) {
@@ -22,7 +22,8 @@ class Surfaces {
     }
     [[nodiscard]] const Explanation& at(int x, int y) const { return all_[size_.index(x, y)]; }
 
-    /// Whether nothing around (x, y), which has all its neighbours, may hide or show where roundings differ.
+    /// Whether no neighbour of (x, y), which has all its neighbours, may become visible or hidden by
+    /// rounding.
     [[nodiscard]] bool interior(int x, int y) const {
         const Explanation& e = at(x, y);
         for (int j = y - 1; j <= y + 1; ++j)
@@ -37,8 +38,8 @@ class Surfaces {
     }
 
   private:
-    /// From the pixel's middle to the nearest edge of its triangle, in pixels; 0 where that reaches behind
-    /// the eye.
+    /// From the pixel's centre to the nearest edge of its triangle, in pixels; 0 if the triangle reaches
+    /// behind the eye.
     [[nodiscard]] double edge_distance(const Explanation& e) const {
         const Object& object = scene_.objects[static_cast<std::size_t>(e.object_index)];
         const glm::dmat4 clip_from_object = clip_from_view(scene_.camera.projection, size_) *
@@ -72,8 +73,8 @@ double highlights_of(const ExplainedPoint& at) {
     return sum;
 }
 
-/// What roundings of our floats may cost: 1e-5, and of what is brighter than 1 that share. A highlight takes
-/// a cosine, which is right to some 1e-7, to the power of its shininess, and has so many times the error.
+/// The tolerance for rounding of floats: 1e-5, relative for values above 1. A highlight raises a cosine,
+/// which is accurate to about 1e-7, to the power of its shininess, which multiplies the error.
 double bound_of(const Explanation& e, const glm::vec3& ours) {
     const double brightest = std::max({ours.x, ours.y, ours.z});
     double highlights = e.lit_per_corner ? 0 : highlights_of(e.at);

@@ -1,5 +1,5 @@
 #pragma once
-// A written program's picture against ours.
+// Compares a written program's picture with Glint's.
 
 #include <string>
 #include <vector>
@@ -10,22 +10,22 @@
 
 namespace glint::programs {
 
-/// What comparing pictures came to.
+/// The result of comparing pictures.
 struct Figure {
     int scenes = 0;
     std::size_t pixels = 0, surfaces = 0;  // compared; of these, of surfaces
-    double largest = 0;                    // difference of floats, as a share of what is allowed
+    double largest = 0;                    // difference of floats, as a share of the tolerance
     int largest_bytes = 0;
     std::vector<std::string> disagreements;  // the worst pixel of each scene that has one, or what failed
 };
 
-/// Draws scenes both ways. Pixels are compared whose middle lies well within one triangle, where no other
-/// surface is near, and no rule of left_out.h applies.
+/// Draws scenes both ways. Compares pixels whose centre is well within one triangle, with no other surface
+/// near and no rule of left_out.h.
 class Comparison {
   public:
     void add(const std::string& name, const Scene& scene, PictureSize size, Language language);
     [[nodiscard]] const Figure& figure() const { return figure_; }
-    /// The text of the program that was compared last.
+    /// The text of the last compared program.
     [[nodiscard]] const std::string& text() const { return text_; }
 
   private:

@@ -15,7 +15,7 @@
 namespace glint::programs {
 namespace {
 
-/// What follows `word` in a comment of the first lines.
+/// The text after `word` in a comment of the first lines.
 std::string line_after(const std::string& text, const std::string& word) {
     const std::size_t at = text.find(" " + word + ": ");
     if (at == text.npos) throw std::runtime_error("no line " + word);
@@ -27,8 +27,8 @@ void replace(std::string& text, const std::string& from, const std::string& to) 
     if (const std::size_t at = text.find(from); at != text.npos) text.replace(at, from.size(), to);
 }
 
-/// Whether the command succeeds in that folder; what it says goes to `said`. Debian's own Python comes first:
-/// it is the one with numpy.
+/// Whether the command succeeds in that folder; its output goes to `said`. Debian's own Python comes first
+/// because it has numpy.
 bool runs(const std::string& command, const TemporaryDirectory& folder, std::string& said) {
     const std::string line =
         fmt::format("cd '{}' && PATH=/usr/bin:$PATH && ( {} ) >../{}.log 2>&1", folder.path(), command,
@@ -39,13 +39,13 @@ bool runs(const std::string& command, const TemporaryDirectory& folder, std::str
     return ok;
 }
 
-/// Builds what is like an earlier program in a third of the time: the standard headers of C++ programs are
-/// compiled once, and gold links, because the default linker reads all of LLVM behind OSMesa each time. Where
-/// there is ccache, what it compiled before is not compiled again.
+/// Builds a program that is similar to an earlier one in a third of the time: the standard headers of C++
+/// programs are compiled once, and gold links, because the default linker reads all of LLVM behind OSMesa
+/// each time. With ccache, earlier compilations are reused.
 class QuickerBuild {
   public:
-    /// The command that builds a program in `folder` as `build`, its own line, does. The first time it is
-    /// that line, so that one program of each kind is built as a user builds it.
+    /// The command that builds a program in `folder` like `build`, its own line. The first time it is that
+    /// line, so that one program of each kind is built as a user builds it.
     std::string command(const std::string& text, const std::string& build, const TemporaryDirectory& folder) {
         const bool is_cpp = build.starts_with("g++ ");
         std::string headers;
@@ -54,7 +54,7 @@ class QuickerBuild {
             headers += i->str();
         const auto [at, is_new] = known_.try_emplace(build + headers, known_.size());
         if (is_new) return build;
-        if (!is_cpp && !build.starts_with("gcc ")) return "true";  // it asks whether there is numpy
+        if (!is_cpp && !build.starts_with("gcc ")) return "true";  // it checks for numpy
         const std::size_t output = build.find(" -o "), source = build.find(" main.c");
         const std::string compile = build.substr(0, output);
         std::string included;
@@ -67,7 +67,7 @@ class QuickerBuild {
     }
 
   private:
-    /// Names the header in `folder` whose precompiled form lies beside it; made once, with the options of
+    /// Names the header in `folder` whose precompiled form is next to it; made once, with the options of
     /// `compile`.
     std::string precompiled(const std::string& headers, std::size_t number, const std::string& compile,
                             const TemporaryDirectory& folder) {
@@ -83,13 +83,13 @@ class QuickerBuild {
         return name;
     }
 
-    // What ccache must pass over so as to take a precompiled header.
+    // Differences that ccache must ignore to accept a precompiled header.
     static constexpr const char* kept = "CCACHE_SLOPPINESS=pch_defines,time_macros $(command -v ccache) ";
     TemporaryDirectory folder_;
     std::map<std::string, std::size_t> known_;
 };
 
-/// The bytes behind a header of that many lines.
+/// The bytes after a header of that many lines.
 std::string behind_header(const std::string& bytes, int lines) {
     std::size_t at = 0;
     for (int i = 0; i < lines; ++i) at = bytes.find('\n', at) + 1;

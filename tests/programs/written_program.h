@@ -1,5 +1,5 @@
 #pragma once
-// A program that Glint has written, built and run as its first comment says.
+// A program written by Glint, built and run as described in its first comment.
 
 #include <string>
 #include <vector>
@@ -8,18 +8,17 @@
 
 namespace glint::programs {
 
-/// What the program drew: of each pixel, from the top left, three bytes and, where it writes them, three
-/// floats.
+/// The program's output: for each pixel, from the top left, three bytes and, if it writes them, three floats.
 struct Drawn {
-    std::string failure;  // what its build or run said; empty where both worked
+    std::string failure;  // the output of its build or run; empty if both worked
     std::string text;     // of the program and its shaders
     std::vector<unsigned char> bytes;
     std::vector<float> linear;
 };
 
-/// Writes the program into a folder of its own, types the lines `build offscreen:` and `run offscreen:` there
-/// (compilers are made strict, and to optimise little), and reads the pictures. Precondition: the language
-/// can.
+/// Writes the program into its own folder, runs its lines `build offscreen:` and `run offscreen:` there (with
+/// strict warnings and low optimisation), and reads the pictures. Precondition: the language supports the
+/// scene.
 [[nodiscard]] Drawn build_and_run(const ProgramOf& of, Language language);
 
 }  // namespace glint::programs

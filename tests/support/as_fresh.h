@@ -1,13 +1,13 @@
 #pragma once
-// Whatever a renderer keeps must not show.
+// A renderer's caches must not be visible.
 
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 
 namespace glint::test {
 
-/// Draws with a renderer that has drawn before, and holds the picture against one drawn from scratch on
-/// another number of threads: the bytes are the same, and the unclamped numbers where they are asked for.
+/// Draws with a renderer that has drawn before, and compares with a picture drawn from scratch on another
+/// number of threads: the bytes are equal, and the unclamped numbers if requested.
 inline const Picture& draw_as_fresh(Renderer& kept, const Scene& scene, PictureSize size, bool linear = false,
                                     int samples = 1) {
     Renderer fresh(1);

@@ -1,5 +1,5 @@
 #pragma once
-// The table of docs/scene_file.md for the fields of a struct, made of their rows.
+// The table of docs/scene_file.md for the fields of a struct, made from their rows.
 
 #include <fmt/core.h>
 
@@ -14,7 +14,7 @@ namespace glint::test {
 
 class FieldTable {
   public:
-    /// A line a field, those of its structs below it with their path; `prefix` stands before the key.
+    /// A line per field, those of its structs below it with their path; `prefix` precedes the key.
     template <class T> void add(const T& value, const std::string& prefix = "") {
         fields(value, [&](const Row& row, const auto& kind, const auto& member) {
             add(prefix + std::string(row.key), row, kind, member);
@@ -75,7 +75,7 @@ class FieldTable {
     template <class T> void add(const std::string& key, const Row&, const Group&, const T& value) {
         add(value, key + "/");
     }
-    void add(const std::string&, const Row&, const Group&, const Mistakes&) {}  // a table of their own
+    void add(const std::string&, const Row&, const Group&, const Mistakes&) {}  // they have their own table
     void add(const std::string& key, const Row& row, const OneProjection&, const Projection& p) {
         line(key + "/type", fmt::format("`{}`", name_of(kind_of(p))), words(choices<ProjectionKind>),
              meanings(row.help, choices<ProjectionKind>));

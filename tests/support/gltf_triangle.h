@@ -1,5 +1,5 @@
 #pragma once
-// A glTF file of one triangle, to be broken on purpose, and what is said of it.
+// A glTF file of one triangle, to be damaged on purpose, and the resulting message.
 
 #include <stdexcept>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace glint::gltf_triangle {
 
-/// A triangle in 36 bytes, with a normal, as a .glb by our writer.
+/// A triangle in 36 bytes, with a normal, as a .glb by Glint's writer.
 inline std::string triangle_glb() {
     const TemporaryDirectory folder;
     const std::string obj = folder.file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

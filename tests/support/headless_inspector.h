@@ -1,5 +1,5 @@
 #pragma once
-// What tests of the WHY column share.
+// Common parts of tests of the WHY column.
 
 #include <imgui_internal.h>
 
@@ -11,14 +11,14 @@
 
 namespace glint::test {
 
-/// The window of ImGui whose name holds `part`, in its last frame; null when there was none.
+/// The ImGui window whose name contains `part`, in its last frame; null if there was none.
 inline const ImGuiWindow* window_named(const std::string& part) {
     for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
         if (window->WasActive && std::string(window->Name).find(part) != std::string::npos) return window;
     return nullptr;
 }
 
-/// Opens a tab and picks what shows at this share of a picture of 1280 x 720.
+/// Opens a tab and picks the pixel at this share of a picture of 1280 x 720.
 inline void ask(HeadlessWindow& bench, InspectorTab tab, glm::dvec2 share = {0.5, 0.5}) {
     bench.frames(2);
     bench.state.get<InspectorState>().tab = tab;
@@ -36,7 +36,7 @@ inline ImVec2 in_column(const HeadlessWindow& bench, std::string_view name_or_ke
     return HeadlessWindow::middle_of(bench.area_of(name_or_key, right_column(bench)));
 }
 
-/// Rests the mouse on that control; where it is.
+/// Hovers over that control; returns its position.
 inline ImVec2 rest_on(HeadlessWindow& bench, std::string_view name_or_key) {
     const ImVec2 at = in_column(bench, name_or_key);
     bench.move(at);

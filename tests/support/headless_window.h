@@ -1,5 +1,5 @@
 #pragma once
-// A window without a window: ImGui with no backend, fed with a mouse and keys, run frame by frame.
+// A headless window: ImGui without a backend, driven by mouse and keys, frame by frame.
 
 #include <imgui.h>
 
@@ -52,7 +52,8 @@ inline const WindowCommand& command_named(std::string_view name) {
     return commands()[0];
 }
 
-/// Makes `clipboard`, which must outlive its use, the clipboard of the window. Precondition: there is one.
+/// Makes `clipboard`, which must outlive its use, the clipboard of the window. Precondition: there is a
+/// window.
 inline void use_clipboard(std::string& clipboard) {
     ImGuiIO& io = ImGui::GetIO();
     io.ClipboardUserData = &clipboard;
@@ -66,7 +67,7 @@ class HeadlessWindow {
         context_ = ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
-        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as the program's window
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as in the program's window
         io.DisplaySize = size;
         io.DeltaTime = 1.0f / 60;
         apply_theme(dark_theme(), 1);
@@ -74,7 +75,7 @@ class HeadlessWindow {
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-        state.pace.slow_ms = HUGE_VAL;  // what a test sees must not depend on what else the machine does
+        state.pace.slow_ms = HUGE_VAL;  // test results must not depend on the machine's load
         take_document(state.editor, first_scene());
         list_controls_in(&controls_);
     }
@@ -132,7 +133,7 @@ class HeadlessWindow {
         frames(2);
     }
 
-    /// How many notifications have these words.
+    /// The number of notifications that contain this text.
     [[nodiscard]] std::size_t notes_with(const std::string& words) const {
         const auto& list = state.notifications.list;
         return std::size_t(std::count_if(list.begin(), list.end(), [&words](const Notification& note) {
@@ -140,7 +141,7 @@ class HeadlessWindow {
         }));
     }
 
-    /// Frames until nothing is being loaded any more.
+    /// Runs frames until nothing is being loaded.
     void wait_for_loads() {
         do {
             (void)frame();
@@ -151,8 +152,8 @@ class HeadlessWindow {
 
     /// Returns the controls of the last frame.
     [[nodiscard]] const std::vector<NamedControl>& controls() const { return controls_; }
-    /// Returns where a control in sight lies within `area`, by its name or its key in the scene file,
-    /// "/lights/0/diffuse"; of several, the one that was drawn first.
+    /// Returns the rectangle of a visible control within `area`, by its name or its key in the scene file,
+    /// "/lights/0/diffuse"; of several, the first one drawn.
     [[nodiscard]] Rect area_of(std::string_view name_or_key, const Rect& area) const {
         for (const NamedControl& control : controls_) {
             const ImVec2 at = middle_of(control.at);
@@ -175,7 +176,7 @@ class HeadlessWindow {
     }
 
     [[nodiscard]] Scene& scene() { return state.editor.scene(); }
-    /// The picture's place in the window, as a pixel of it shows.
+    /// The window position of a pixel of the picture.
     [[nodiscard]] ImVec2 at_pixel(glm::dvec2 pixel) const {
         const ImVec2 low = picture_area(window_layout(state).centre, 1).low;
         return {low.x + float(pixel.x), low.y + float(pixel.y)};

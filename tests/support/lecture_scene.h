@@ -1,5 +1,5 @@
 #pragma once
-// The lecture's scenes (assets/scenes), opened for tests, and what shows at a place of the world.
+// The lecture's scenes (assets/scenes), opened for tests, and the pixel of a point in the world.
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -20,7 +20,7 @@ inline Scene lecture_scene(const std::string& name, const std::vector<Assignment
     return std::get<SceneDocument>(document).scene;
 }
 
-/// The pixel in which a place of the world lies. Precondition: it lies in the picture.
+/// The pixel of a point in the world. Precondition: it is in the picture.
 inline glm::ivec2 pixel_of(const Camera& camera, PictureSize size, glm::dvec3 place) {
     const glm::dvec4 clip =
         clip_from_view(camera.projection, size) * view_from_world(camera) * glm::dvec4(place, 1);
@@ -28,7 +28,7 @@ inline glm::ivec2 pixel_of(const Camera& camera, PictureSize size, glm::dvec3 pl
             static_cast<int>(std::floor((1 - clip.y / clip.w) / 2 * size.height))};
 }
 
-/// A drawn scene that can be asked.
+/// A drawn scene that can be explained.
 class Drawn {
   public:
     explicit Drawn(Scene scene, PictureSize size = {320, 180}) : scene_(std::move(scene)), size_(size) {

@@ -1,5 +1,6 @@
 #pragma once
-// What tests of lessons in the window share: a window with a lesson open, and a student who answers by hand.
+// Common parts of tests of lessons in the window: a window with an open lesson, and a student who answers
+// with mouse and keys.
 
 #include <filesystem>
 #include <string>
@@ -28,7 +29,7 @@ inline void type(HeadlessWindow& bench, const std::string& text) {
     (void)bench.frame();
 }
 
-/// Frames until what is to be done has been asked of the scene in hand.
+/// Runs frames until the tasks' conditions have been evaluated on the present scene.
 inline void wait_for_tasks(HeadlessWindow& bench) {
     const LessonState& lesson = bench.state.get<LessonState>();
     do {
@@ -38,13 +39,13 @@ inline void wait_for_tasks(HeadlessWindow& bench) {
     bench.frames(2);
 }
 
-/// The first question that waits for an answer. Precondition: there is one.
+/// The first open question. Precondition: there is one.
 inline const StationQuestion& asked(const HeadlessWindow& bench) {
     const LessonState& lesson = bench.state.get<LessonState>();
     return lesson.station().questions[open_question(lesson).value()];
 }
 
-/// Gives an answer with mouse and keys, the right one where that can be met so, and does not lock it in.
+/// Gives an answer with mouse and keys, the right one if possible, and does not lock it in.
 inline void give_answer(HeadlessWindow& bench) {
     const StationQuestion& question = asked(bench);
     const Json& right = question.right.value;

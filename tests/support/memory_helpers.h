@@ -1,5 +1,5 @@
 #pragma once
-// For tests of the memory limit, of a small address space, and of threads that cannot begin.
+// For tests of the memory limit, of a small address space, and of threads that cannot start.
 
 #include <pthread.h>
 #include <sys/resource.h>
@@ -16,7 +16,7 @@
 
 namespace glint::test {
 
-/// Sets the memory limit while it lives.
+/// Sets the memory limit during its lifetime.
 class MemoryLimit {
   public:
     explicit MemoryLimit(std::uint64_t bytes) { set_memory_limit(bytes); }
@@ -25,14 +25,14 @@ class MemoryLimit {
     MemoryLimit& operator=(const MemoryLimit&) = delete;
 };
 
-/// The memory limit that a scene and its picture just keep.
+/// The smallest memory limit for a scene and its picture.
 inline std::uint64_t cost_of(const Scene& scene, PictureSize size) {
     const SceneCost cost = scene_cost(scene, size, 1);
     return cost.meshes + cost.objects + cost.picture;
 }
 
-/// What `action` says in a process of its own that may take only so many bytes of address space more than it
-/// has; false too when that process does not end well. Not under sanitizers, which take all addresses.
+/// The result of `action` in a separate process that may use only `bytes` of additional address space; also
+/// false if that process crashes. Not under sanitizers, which reserve all addresses.
 template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& action) {
     const pid_t child = fork();
     if (child == 0) {
@@ -53,7 +53,7 @@ template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& act
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// While it lives no thread can begin: there is no room for such a stack.
+/// During its lifetime no thread can start: there is no room for its stack.
 class NoThreads {
   public:
     NoThreads() {

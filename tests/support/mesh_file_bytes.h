@@ -14,20 +14,20 @@
 
 namespace glint::test {
 
-/// The mesh that a file of that name has in `bytes`; of glTF the first part.
+/// The mesh in `bytes`, read as a file of that name; of glTF the first part.
 inline Result<Mesh> parsed(const std::string& name, const std::string& bytes) {
     if (!is_gltf_path(name)) return parse_mesh(bytes, name);
     return result_of(name, [&] { return value_or_throw(GltfFile::parse(bytes, name)).mesh(0); });
 }
 
-/// The mesh in `bytes`; fails the test with its one line when there is none.
+/// The mesh in `bytes`; fails the test with the one-line problem if there is none.
 inline Mesh read_text(const std::string& name, const std::string& bytes) {
     Result<Mesh> result = parsed(name, bytes);
     if (const Problem* problem = problem_of(result)) FAIL(problem->text());
     return std::get<Mesh>(std::move(result));
 }
 
-/// The one line about `bytes`; empty when they are read.
+/// The one-line problem with `bytes`; empty if they are read.
 inline std::string error_of(const std::string& name, const std::string& bytes) {
     const Result<Mesh> result = parsed(name, bytes);
     const Problem* problem = problem_of(result);
@@ -68,7 +68,7 @@ class Bytes {
     bool big_;
 };
 
-/// A binary STL of two facets of a square in z = 0 that promises `count` of them.
+/// A binary STL of two facets of a square in z = 0 that claims to have `count` of them.
 inline std::string binary_stl(std::uint32_t count = 2, float first_x = 0) {
     return Bytes(std::string(80, ' '))
         .u32({count})

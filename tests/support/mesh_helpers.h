@@ -22,7 +22,7 @@ inline Mesh make_mesh(std::vector<glm::vec3> positions,
     return mesh;
 }
 
-/// One polygon through these points, in their order.
+/// One polygon through these points, in order.
 inline Mesh make_polygon(std::vector<glm::vec3> points) {
     std::vector<std::uint32_t> face;
     for (std::uint32_t i = 0; i < points.size(); ++i) face.push_back(i);

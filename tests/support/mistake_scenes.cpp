@@ -70,7 +70,7 @@ const std::vector<MistakeScenes>& mistake_scenes() {
     };
     static const std::vector<MistakeScenes> table{
         {"unnormalized_light", anywhere,
-         [only](Scene& s) {  // a sun whose vector is unit already
+         [only](Scene& s) {  // a sun whose vector is already unit
              only(LightKind::Directional)(s);
              s.lights[0].position = {0, 1, 0, 0};
              camera_at_origin(s);
@@ -101,7 +101,7 @@ const std::vector<MistakeScenes>& mistake_scenes() {
         {"cutoff_as_full_angle", anywhere, only(LightKind::Point)},
         {"viewer_at_origin_of_world", anywhere, camera_at_origin},
         {"lit_after_projection", anywhere,
-         [only](Scene& s) {  // a sun and a viewer at infinity do not care where the point is
+         [only](Scene& s) {  // a sun and a viewer at infinity do not depend on the point's position
              only(LightKind::Directional)(s);
              s.shading.local_viewer = false;
          }},
@@ -173,7 +173,7 @@ const std::vector<MistakeScenes>& mistake_scenes() {
          anywhere},
         {"culled_by_light", anywhere, unlit},
         {"encoded_twice", anywhere,
-         [unlit](Scene& s) {  // all is black, which stays black
+         [unlit](Scene& s) {  // everything is black, which stays black
              unlit(s);
              s.global_ambient = s.display.background = glm::vec3(0);
              for (Object& o : s.objects) o.material.emission = glm::vec3(0);

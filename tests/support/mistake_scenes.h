@@ -1,5 +1,6 @@
 #pragma once
-// For each mistake two changes to one scene: one under which it shows, and one under which it has no part.
+// For each mistake two changes to one scene: one under which it is visible, and one under which it has no
+// effect.
 
 #include <functional>
 #include <vector>
@@ -8,7 +9,8 @@
 
 namespace glint::test {
 
-/// A scene in which every mistake shows: lights of all kinds, all with falloff and ambient, a squashed ball.
+/// A scene in which every mistake is visible: lights of all kinds, all with falloff and ambient, a squashed
+/// ball.
 [[nodiscard]] Scene telling_scene();
 
 struct MistakeScenes {
@@ -16,7 +18,7 @@ struct MistakeScenes {
     std::function<void(Scene&)> where_it_shows, where_it_is_inert;  // changes of telling_scene()
 };
 
-/// One a mistake, in the order of the catalogue.
+/// One per mistake, in the order of the catalogue.
 [[nodiscard]] const std::vector<MistakeScenes>& mistake_scenes();
 
 }  // namespace glint::test

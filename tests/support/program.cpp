@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-/// One word for the shell, whatever is in it.
+/// One word for the shell, with any contents.
 std::string quoted(const std::string& word) {
     std::string text(1, '\'');
     for (const char c : word) {
@@ -30,8 +30,8 @@ std::string quoted(const std::string& word) {
     return text;
 }
 
-/// Runs it without a display and waits; what wait() says, or -1 where it could not begin. Standard output is
-/// the file `out`; the others are those of the tests where they are empty.
+/// Runs it without a display and waits; returns the status of wait(), or -1 if it could not start. Standard
+/// output goes to the file `out`; the others are those of the tests if empty.
 int run(std::vector<std::string> words, const std::string& out, const std::string& in,
         const std::string& err) {
     std::vector<char*> arguments, environment;
@@ -57,7 +57,7 @@ int run(std::vector<std::string> words, const std::string& out, const std::strin
     return status;
 }
 
-/// A shell's command in which the program's own status counts, even in front of a pipe.
+/// A shell command whose status is the program's own, even before a pipe.
 std::string redirected(const std::vector<std::string>& words, const std::string& in, const std::string& err,
                        const std::string& redirect) {
     std::string command;

@@ -1,5 +1,5 @@
 #pragma once
-// Runs the real program as a user's shell would.
+// Runs the real program as from a user's shell.
 
 #include <string>
 #include <vector>
@@ -7,17 +7,17 @@
 namespace glint {
 
 struct Ended {
-    int status = -1;  // of the exit; 128 and the signal when one ended it
+    int status = -1;  // of the exit; 128 plus the signal that ended it
     std::string out, err;
 };
 
-/// The program with these arguments, in an empty display and with `input` on standard input. `redirect` is
-/// shell text behind the command, such as ">/dev/full" or "| head -c 1"; standard output is captured where it
-/// leaves it alone.
+/// Runs the program with these arguments, without a display and with `input` on standard input. `redirect` is
+/// shell text after the command, such as ">/dev/full" or "| head -c 1"; standard output is captured unless
+/// redirected.
 [[nodiscard]] Ended run_glint(const std::vector<std::string>& arguments, const std::string& input = {},
                               const std::string& redirect = {});
 
-/// A directory that is gone at the end of the test.
+/// A directory that is removed at the end of the test.
 class TemporaryDirectory {
   public:
     TemporaryDirectory();
@@ -29,14 +29,14 @@ class TemporaryDirectory {
     /// The path of a file in it; the second form writes `bytes` there.
     [[nodiscard]] std::string path(const std::string& name) const { return path_ + "/" + name; }
     [[nodiscard]] std::string file(const std::string& name, const std::string& bytes) const;
-    /// Names of what it holds, sorted.
+    /// Names of its entries, sorted.
     [[nodiscard]] std::vector<std::string> names() const;
 
   private:
     std::string path_;
 };
 
-/// All bytes of a file; empty when there is none.
+/// All bytes of a file; empty if there is none.
 [[nodiscard]] std::string bytes_of(const std::string& path);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes with everything in them, by seed. Of the standard generator only its bits are used: the
+// Random scenes with all features, by seed. Only the bits of the standard generator are used: the
 // distributions differ between libraries.
 
 #include <cmath>
@@ -38,7 +38,7 @@ class RandomScene {
     float between(double low, double high) {
         return static_cast<float>(low + (high - low) * static_cast<double>(random_()) / 4294967295.0);
     }
-    /// Returns a number of any size that a scene file takes, most often a plain one; now and then one that is
+    /// Returns a number of any size that a scene file accepts, usually an ordinary one; sometimes one that is
     /// hard to write.
     float positive() {
         constexpr float hard[] = {1e7f, 1e-45f, 7.0385307e-26f, 0.1f, 1.17549435e-38f, 3.14159274f};

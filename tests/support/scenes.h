@@ -13,7 +13,7 @@
 
 namespace glint::test {
 
-/// Closer than ==: 0 is not -0.
+/// Stricter than ==: 0 is not -0.
 inline bool same_bits(glm::vec3 a, glm::vec3 b) {
     const auto bits = [](float f) { return std::bit_cast<std::uint32_t>(f); };
     return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);

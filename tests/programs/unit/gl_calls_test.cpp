@@ -1,4 +1,4 @@
-// The calls of fixed-function OpenGL for a scene: their order, their numbers, and what they come to.
+// The calls of fixed-function OpenGL for a scene: their order, their numbers, and their result.
 #include "programs/gl_calls.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ bool has(const std::vector<std::string>& lines, const std::string& line) {
     return std::find(lines.begin(), lines.end(), line) != lines.end();
 }
 
-/// What the calls make of OpenGL's matrix: each multiplies it from the right.
+/// The effect of the calls on OpenGL's matrix: each multiplies it from the right.
 void apply(glm::dmat4& matrix, const std::string& text) {
     glm::dvec3 v;
     double angle = 0;
@@ -64,7 +64,7 @@ TEST_CASE("every number in a call is the scene's at its pointer", "[programs][ca
     }
 }
 
-TEST_CASE("places of camera lights stand before gluLookAt, those of world lights after it",
+TEST_CASE("positions of camera lights come before gluLookAt, those of world lights after",
           "[programs][calls]") {
     const Scene scene = shipped(first);
     const std::vector<GlCall> calls = all_calls(scene);
@@ -77,7 +77,7 @@ TEST_CASE("places of camera lights stand before gluLookAt, those of world lights
         const Light& light = scene.lights[static_cast<std::size_t>(call->place_of_light)];
         CHECK((call < look) == (light.space == LightSpace::Camera));
     }
-    CHECK(places == 5);  // of four lights, one of which is aimed
+    CHECK(places == 5);  // of four lights, one of them with a direction
 }
 
 TEST_CASE("the calls of an object's transform multiply to its matrix", "[programs][calls]") {
@@ -92,7 +92,7 @@ TEST_CASE("the calls of an object's transform multiply to its matrix", "[program
         for (int r = 0; r < 4; ++r) CHECK(matrix[c][r] == Approx(expected[c][r]).margin(1e-6));
 }
 
-TEST_CASE("the calls of the first scene are those that the lecture writes", "[programs][calls]") {
+TEST_CASE("the calls of the first scene are those of the lecture", "[programs][calls]") {
     const std::vector<std::string> lines = all_texts(shipped(first));
     for (const char* line :
          {"gluPerspective(28, (double)width / height, 1, 80);",

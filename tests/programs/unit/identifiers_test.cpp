@@ -3,8 +3,7 @@
 
 using namespace glint;
 
-TEST_CASE("what has one name is numbered in a program, past numbers that stand for something else",
-          "[programs]") {
+TEST_CASE("equal names are numbered in a program, skipping numbers already used", "[programs]") {
     Identifiers identifiers({"x_4"});
     CHECK(identifiers.once("x") == "x");
     CHECK(identifiers.once("x_3") == "x_3");
@@ -15,7 +14,7 @@ TEST_CASE("what has one name is numbered in a program, past numbers that stand f
     CHECK(identifiers.once("y") == "y");
 }
 
-TEST_CASE("a name that a library may have defined is none of a program's", "[programs]") {
+TEST_CASE("a name that a library may define is not used in a program", "[programs]") {
     Identifiers identifiers({});
     for (const std::string name :
          {"log", "NULL", "GLint", "glFlush", "OSMesaPixelStore", "M_PIf", "L_tmpnam", "P_tmpdir"})

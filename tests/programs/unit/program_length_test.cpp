@@ -1,4 +1,4 @@
-// How long a program may be, and what is said of one that would be longer.
+// The maximum length of a program, and the message about a longer one.
 #include <ctime>
 #include <regex>
 
@@ -10,10 +10,10 @@ using namespace glint;
 
 namespace {
 
-/// A small scene, but for so many lights and balls: each is a line of every program, or more.
+/// A small scene, except for its lights and balls: each is a line of every program, or more.
 Scene scene_of(std::size_t lights, std::size_t balls) {
     Scene scene = test::busy_scene();
-    scene.shading.mode = ShadingMode::Phong;  // which OpenGL 1 cannot do
+    scene.shading.mode = ShadingMode::Phong;  // which OpenGL 1 does not support
     scene.lights.assign(lights, Light{});
     scene.objects.assign(balls, scene.objects.front());
     return scene;
@@ -26,16 +26,16 @@ std::string refused(const Scene& scene, Language language) {
 
 }  // namespace
 
-TEST_CASE("of a program that is too long it is said in which language it is not", "[programs]") {
+TEST_CASE("the message about a program that is too long names a shorter language", "[programs]") {
     CHECK(refused(scene_of(1, 1), Language::Python).empty());
-    CHECK(refused(scene_of(60, 1), Language::Python) ==  // of which GLSL takes 32
+    CHECK(refused(scene_of(60, 1), Language::Python) ==  // of which GLSL supports 32
           "at most 250: fewer lights and objects, or --language cpp");
     CHECK(refused(scene_of(1, 400), Language::Cpp) ==
           "at most 400: fewer lights and objects, or --language glsl");
     CHECK(refused(scene_of(60, 400), Language::Cpp) == "at most 400: fewer lights and objects");
 }
 
-TEST_CASE("many objects of one mesh take a program hardly longer than one", "[programs]") {
+TEST_CASE("many objects of one mesh make a program only slightly longer than one", "[programs]") {
     Scene scene = scene_of(1, 1);
     scene.objects[0].mesh = test::primitive(Primitive::Sphere, 100);
     scene.objects[0].normals = {NormalSource::Vertex, NormalWeighting::Angle, 30, false};
@@ -49,26 +49,26 @@ TEST_CASE("many objects of one mesh take a program hardly longer than one", "[pr
     CHECK(seconds() < 100 * of_one);
 }
 
-TEST_CASE("what a scene is about tells Python no encoding", "[programs]") {
+TEST_CASE("a scene's description does not set Python's source encoding", "[programs]") {
     Scene scene = scene_of(1, 1);
     scene.about = "Encoding: sRGB against none";
     const auto program = write_program({scene, {64, 48}, "scene"}, Language::Python);
     REQUIRE(problem_of(program) == nullptr);
     const std::string& text = std::get<Program>(program).texts.front().text;
-    // PEP 263: the first of two lines that matches. What is told there has to be one that Python knows.
+    // PEP 263: the first of two lines that matches. It must name an encoding that Python supports.
     std::smatch told;
     REQUIRE(std::regex_search(text, told, std::regex("coding[:=][ \t]*([-_.a-zA-Z0-9]+)")));
     CHECK(told[1] == "utf-8");
     CHECK(text.find("Encoding: sRGB against none") != std::string::npos);
 }
 
-TEST_CASE("a mesh file of a program has a name that a file may have", "[programs]") {
+TEST_CASE("a mesh file of a program has a valid file name", "[programs]") {
     Scene scene = scene_of(1, 2);
     for (Object& object : scene.objects) {
         object.name = std::string(1000, 'n');
         object.source = MeshFile{"scene.glb", 0};
     }
-    scene.objects[1].normals.source = NormalSource::Facet;  // a file of its own
+    scene.objects[1].normals.source = NormalSource::Facet;  // a separate file
     const auto program = write_program({scene, {64, 48}, "scene"}, Language::Python);
     REQUIRE(problem_of(program) == nullptr);
     const std::vector<ProgramMesh>& meshes = std::get<Program>(program).meshes;
