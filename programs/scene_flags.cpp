@@ -122,7 +122,7 @@ constexpr std::array need_rows{
             blends_screen},
     NeedRow{"interpolation.scanline", "/shading/interpolation", "interpolation runs along scanlines",
             blends_scanline},
-    NeedRow{"near_cut", "/shading/interpolation", "the near plane cuts what is interpolated on the screen",
+    NeedRow{"near_cut", "/shading/interpolation", "the near plane cuts polygons interpolated on the screen",
             near_plane_cuts},
     NeedRow{"light.area", "/lights", "an area light shines",
             [](const Facts& f) { return f.any_light(LightKind::Area); }},

@@ -43,7 +43,8 @@ std::string buffer_file(const std::string& directory, const std::string& name) {
     std::string exr = path + ".exr";
     if (!is_there(exr)) return is_there(pfm) ? pfm : "";
     if (is_there(pfm))
-        throw Failure{ExitStatus::Impossible, {exr, "", "stands beside " + name + ".pfm", "one of the two"}};
+        throw Failure{ExitStatus::Impossible,
+                      {exr, "", "exists in addition to " + name + ".pfm", "one of the two"}};
     return exr;
 }
 

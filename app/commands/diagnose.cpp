@@ -146,7 +146,7 @@ std::vector<MistakeSet> read_mistakes(const std::string& option, const std::stri
 /// Finds the change of the scene that distinguishes mistakes.
 Outcome tell_apart(const DiagnoseArguments& arguments) {
     constexpr PictureSize size{640, 480};
-    if (!arguments.pictures.empty()) throw wrong_usage("--apart", "is asked of a scene alone", "no PICTURE");
+    if (!arguments.pictures.empty()) throw wrong_usage("--apart", "needs only a scene", "no PICTURE");
     if (arguments.format != DiagnosisFormat::Text && arguments.format != DiagnosisFormat::Json)
         throw wrong_usage("--apart", "gives no table", "--format text or json");
     if (!arguments.out.empty()) throw wrong_usage("-o", "--apart draws no sheet", "no -o");

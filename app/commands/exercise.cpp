@@ -36,7 +36,7 @@ Outcome exercise(const ExerciseArguments& arguments) {
     if (extension != ".html" && extension != ".tex")
         throw wrong_usage("-o", arguments.out + " cannot be written", "a name that ends in .html or .tex");
     if (arguments.seed > max_seed - (arguments.count - 1))
-        throw wrong_usage("--count", fmt::format("there are not so many sheets from {} on", arguments.seed),
+        throw wrong_usage("--count", fmt::format("there are fewer sheets from {} on", arguments.seed),
                           fmt::format("1 to {}", max_seed - arguments.seed + 1));
     require_writable(arguments.out);
     const Lesson lesson = open_lesson(arguments.name);

@@ -126,7 +126,7 @@ Outcome lessons(const LessonsArguments& arguments) {
     if (arguments.check && !arguments.out.empty())
         throw wrong_usage("--check", "cannot be combined with -o", "one of the two");
     if (arguments.as_json && !arguments.out.empty())
-        throw wrong_usage("--format", "is json beside -o, which writes a page", "one of the two");
+        throw wrong_usage("--format", "is json, but -o writes a page", "one of the two");
     if (arguments.key && arguments.out.empty()) throw wrong_usage("--key", "is without -o", "-o OUT.html");
     if (arguments.check) return check(arguments);
     if (!arguments.out.empty()) return hand_out(arguments);

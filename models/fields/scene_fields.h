@@ -316,10 +316,10 @@ template <Of<Scene> S, class Visit> void fields(S& s, Visit&& visit) {
               .undone_as("Global ambient")
               .of_lighting(),
           Colour{}, s.global_ambient);
-    visit(Row{"lights", "Lights", "What shines"}.undone_as("Edit lights").of_lighting(),
+    visit(Row{"lights", "Lights", "The light sources"}.undone_as("Edit lights").of_lighting(),
           List{max_lights, "lights"}, s.lights);
-    visit(Row{"objects", "Objects", "What is lit"}.undone_as("Edit objects"), List{max_objects, "objects"},
-          s.objects);
+    visit(Row{"objects", "Objects", "The lit objects"}.undone_as("Edit objects"),
+          List{max_objects, "objects"}, s.objects);
     visit(Row{"shading", "Shading", "How points are lit and how the lit points fill the picture"}.undone_as(
               "Shading"),
           Group{}, s.shading);

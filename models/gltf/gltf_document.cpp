@@ -104,7 +104,7 @@ std::string unescaped_uri(const Node& node, const std::string& uri) {
                                                               [](const fs::path& p) { return p == ".."; });
     if (leads_away || path.find('\0') != std::string::npos || lower_extension(path) != ".bin")
         node.fail(in_quotes(uri) + " is not a buffer that may be opened",
-                  "a file that ends in .bin, beside this one or below, or a data URI");
+                  "a file that ends in .bin, next to this one or below, or a data URI");
     return path;
 }
 

@@ -178,10 +178,10 @@ GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world
     camera.up = glm::vec3(up);
     camera.target = target_of(camera.eye, -back, 1);
     std::optional<Problem> wrong = violation_of(camera);
-    if (violation_of_ranges(camera)) wrong = Problem{"", "", "its place is beyond 1e7", ""};
+    if (violation_of_ranges(camera)) wrong = Problem{"", "", "its position is beyond 1e7", ""};
     if (wrong)
-        node.fail("no camera can stand there: " + wrong->what,
-                  "axes that have a length, at a place within 1e7");
+        node.fail("no camera can be there: " + wrong->what,
+                  "axes that have a length, at a position within 1e7");
     const glm::dvec3 right = glm::normalize(glm::cross(up, back));
     const glm::dmat3 world_from_view(right, glm::cross(back, right), back);
     // Both start at the eye, however far from the origin that is.

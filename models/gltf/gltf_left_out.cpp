@@ -90,8 +90,8 @@ Warnings said(const GltfLeftOut& left) {
     warn(w, left.cameras, "further camera is left out", "further cameras are left out");
     warn(w, left.lights, "light beyond the most that a scene has is left out",
          "lights beyond the most that a scene has are left out");
-    warn(w, left.ranges, "light has a range, beyond which it shines here, too",
-         "lights have a range, beyond which they shine here, too");
+    warn(w, left.ranges, "light has a range, beyond which it also shines here",
+         "lights have a range, beyond which they also shine here");
     warn(w, left.sheared, "object is sheared, which is straightened",
          "objects are sheared, which is straightened");
     return w;

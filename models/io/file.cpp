@@ -349,7 +349,7 @@ std::string reason(int error) {
     case ENOSPC:
         return "no space left on the device";
     case EPIPE:
-        return "the reader of the pipe has gone";
+        return "the pipe has no reader any more";
     default:
         break;
     }

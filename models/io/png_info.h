@@ -20,8 +20,8 @@ struct PngInfo {
     [[nodiscard]] const std::string* text(std::string_view keyword) const;
 };
 
-/// Reads the chunks before the pixels. If no text with that keyword is among them, reads those after the
-/// pixels, too. Problems, with `file`: not a PNG, damaged or truncated, no text with the keyword, a text of
+/// Reads the chunks before the pixels. If no text with that keyword is among them, also reads those after the
+/// pixels. Problems, with `file`: not a PNG, damaged or truncated, no text with the keyword, a text of
 /// more than `max_bytes`.
 [[nodiscard]] Result<PngInfo> png_info(std::string_view bytes, std::string_view keyword,
                                        std::size_t max_bytes, const std::string& file);

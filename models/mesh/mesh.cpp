@@ -50,7 +50,7 @@ std::optional<std::string> rounding_warning(const Bounds& bounds) {
     if (!(across < fewest_steps * step) || farthest == 0) return {};
     return fmt::format(
         "the shape is {:.3g} across at coordinates of up to {:.7g}, which are rounded to steps of "
-        "{:.3g}: it is drawn distorted, and may be too small to see; subtract an offset that brings it near "
+        "{:.3g}: it is drawn distorted, and may be too small to see; subtract an offset that moves it near "
         "the origin",
         across, farthest, step);
 }

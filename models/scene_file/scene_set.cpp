@@ -29,7 +29,7 @@ Tokens tokens_of(const std::string& pointer) {
         } else if (pointer[i] == '~') {
             const char next = i + 1 < pointer.size() ? pointer[++i] : '\0';
             if (next != '0' && next != '1')
-                fail(pointer, "~ stands alone in the pointer", "~0 for ~, ~1 for /");
+                fail(pointer, "a ~ in the pointer is not followed by 0 or 1", "~0 for ~, ~1 for /");
             tokens.back() += next == '0' ? '~' : '/';
         } else {
             tokens.back() += pointer[i];

@@ -276,7 +276,7 @@ TEST_CASE("glint diagnose --apart finds a pixel that distinguishes mistakes", "[
     CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,x"})
               .err.starts_with("glint: error: --apart: x is not known; expected "));
     CHECK(run_glint({"diagnose", files.scene, "a.png", "--apart", "view_reversed,missing_pi"}).err ==
-          "glint: error: --apart: is asked of a scene alone; expected no PICTURE\n");
+          "glint: error: --apart: needs only a scene; expected no PICTURE\n");
     const std::string sheet = files.directory.path("sheet.png"), two = "view_reversed,missing_pi";
     CHECK(run_glint({"diagnose", files.scene, "--apart", two, "-o", sheet}).err ==
           "glint: error: -o: --apart draws no sheet; expected no -o\n");
@@ -403,7 +403,8 @@ TEST_CASE("glint check reports unreadable buffers and duplicate names", "[cli][b
     const std::string normal = buffers.path("normal.pfm"), beside = buffers.path("normal.exr");
     const auto error = [&] { return run_glint({"check", files.scene, buffers.path("")}).err; };
     (void)buffers.file("normal.exr", "");
-    CHECK(error() == "glint: error: " + beside + ": stands beside normal.pfm; expected one of the two\n");
+    CHECK(error() ==
+          "glint: error: " + beside + ": exists in addition to normal.pfm; expected one of the two\n");
     std::filesystem::remove(beside);
     std::filesystem::remove(normal);
     std::filesystem::create_symlink("nowhere", normal);

@@ -518,7 +518,7 @@ TEST_CASE("a small mesh far from the origin causes a warning about its distortio
     const std::string far = box("far.obj", "500000.", "5400000.");
     const std::string said =
         "the shape is 0.5 across at coordinates of up to 5400000, which are rounded to steps of 0.5: it is "
-        "drawn distorted, and may be too small to see; subtract an offset that brings it near the origin";
+        "drawn distorted, and may be too small to see; subtract an offset that moves it near the origin";
     CHECK(warnings(far).find("glint: warning: far.obj: " + said + "\n") != std::string::npos);
     CHECK(json::parse(must({"info", far}).out)["warnings"].back() == said);
 }

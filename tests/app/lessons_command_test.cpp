@@ -109,7 +109,8 @@ TEST_CASE("glint lessons and glint exercise report wrong usage", "[cli][lesson][
     check_refused({"lessons", "5", "-o", "x.pdf"}, "expected a name that ends in .html, or -");
     check_refused({"lessons", "5", "--key"}, "--key: is without -o");
     check_refused({"lessons", "5", "--check", "-o", "x.html"}, "--check: cannot be combined with -o");
-    check_refused({"lessons", "5", "--format", "json", "-o", "x.html"}, "--format: is json beside -o");
+    check_refused({"lessons", "5", "--format", "json", "-o", "x.html"},
+                  "--format: is json, but -o writes a page");
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", ball_scene);
     for (const char* const name : {"one.md", "two.md"})
@@ -123,7 +124,7 @@ TEST_CASE("glint lessons and glint exercise report wrong usage", "[cli][lesson][
     check_refused({"exercise", "5", "-o", "x.html", "--seed", "4294967296"},
                   "--seed: 4294967296 is out of range; expected 0 to 2147483647");
     check_refused({"exercise", "5", "-o", "x.html", "--seed", "2147483647", "--count", "3"},
-                  "--count: there are not so many sheets from 2147483647 on; expected 1 to 1");
+                  "--count: there are fewer sheets from 2147483647 on; expected 1 to 1");
     check_refused({"exercise"}, "NAME: is missing");
     check_refused({"exercise", "5"}, "-o: is missing");
     check_refused({"exercise", "5", "-o", "x.pdf"}, "expected a name that ends in .html or .tex");

@@ -76,15 +76,15 @@ std::string complaint(string_view path, string_view name, bool quoted) {
     if (quoted && !to) return "is in no layer";
     if (to && *to > *from)
         return "points up from " + std::string(layers[*from]) + " to " + std::string(layers[*to]);
-    if (!path.starts_with("app/") && is_gl_or_window(name)) return "brings GL, GLFW or a window below app";
+    if (!path.starts_with("app/") && is_gl_or_window(name)) return "uses GL, GLFW or a window below app";
     if (!path.starts_with("app/") && !path.starts_with("ui/") && name.starts_with("imgui"))
-        return "brings ImGui below ui";
+        return "uses ImGui below ui";
     // Only the files of models/mesh/resolution share its half-edges.
     const bool in_source = path.starts_with("models/") && path.ends_with(".cpp");
     if (name.starts_with("OpenMesh/") && !in_source && path != "models/mesh/resolution/half_edges.h")
-        return "brings OpenMesh out of models/*.cpp";
+        return "uses OpenMesh outside models/*.cpp";
     if (name == "models/mesh/resolution/half_edges.h" && !path.starts_with("models/mesh/resolution/"))
-        return "brings OpenMesh out of models/mesh/resolution";
+        return "uses OpenMesh outside models/mesh/resolution";
     // Each takes seconds to compile.
     if (name == "nlohmann/json.hpp" && path != "models/json/json.h")
         return "is for models/json/json.h; expected that";
@@ -116,7 +116,7 @@ std::vector<std::string> forbidden_includes(string_view path, string_view text) 
 std::vector<std::string> way_of_includes(const std::map<std::string, std::string>& files,
                                          const std::string& from, const std::string& to) {
     static const std::regex include(R"re((?:^|\n)\s*#\s*include\s*"([^"]+)")re");
-    std::map<std::string, std::string> reached{{from, ""}};  // and by which file
+    std::map<std::string, std::string> reached{{from, ""}};  // and the including file
     std::vector<std::string> next{from};
     while (!next.empty() && !reached.contains(to)) {
         const std::string file = next.back();

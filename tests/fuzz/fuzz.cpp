@@ -35,7 +35,7 @@ void check_numbers(const Mesh& mesh) {
     for (const glm::vec3& p : mesh.positions)
         require(std::abs(p.x) <= 1e7f && std::abs(p.y) <= 1e7f && std::abs(p.z) <= 1e7f,
                 "positions are within +-1e7");
-    require(mesh_info(mesh).faces == mesh.face_count(), "as many faces are told as there are");
+    require(mesh_info(mesh).faces == mesh.face_count(), "the reported number of faces is the actual one");
     for (const float crease : {40.f, 180.f})
         for (const glm::vec3& n :
              corner_normals(mesh, {NormalSource::Auto, NormalWeighting::Angle, crease, false}).normals)

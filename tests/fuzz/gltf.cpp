@@ -50,8 +50,8 @@ void read(std::string_view bytes) {
     const Result<GltfWritten> written = glb_of(scene, "m");
     if (const Problem* problem = problem_of(written)) return require_line(*problem);
     const Result<GltfFile> again = GltfFile::parse(std::get<GltfWritten>(written).bytes, "n.glb");
-    require(!problem_of(again), "what is written can be read");
-    require(!problem_of(std::get<GltfFile>(again).content("n.glb")), "what is written is a scene");
+    require(!problem_of(again), "written output can be read");
+    require(!problem_of(std::get<GltfFile>(again).content("n.glb")), "written output is a scene");
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     require(!violation_of(scene), "a scene that was read keeps the rules");
     const std::string text = scene_text(scene);
     const Result<Scene> again = parse_scene(text, "s.json");
-    require(!problem_of(again), "what is written can be read");
-    require(std::get<Scene>(again) == scene, "what is written reads back equal");
-    require(scene_text(std::get<Scene>(again)) == text, "what is read back is written alike");
+    require(!problem_of(again), "written output can be read");
+    require(std::get<Scene>(again) == scene, "written output reads back equal");
+    require(scene_text(std::get<Scene>(again)) == text, "a scene that was read back is written equally");
     return 0;
 }

@@ -95,6 +95,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         scene = std::move(next.scene);
         if (told)
             require(same(*told, kept.render(scene, picture_size, true).linear_at(at.x, at.y)),
-                    "what a change of the lighting makes of a pixel is told without drawing it");
+                    "a lighting change's effect on a pixel is predicted without drawing");
     }
 }

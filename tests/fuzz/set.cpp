@@ -66,7 +66,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const Result<Scene> set = parse_scene(base, "s.json", assignments);
     if (const Problem* problem = problem_of(set)) {
         require(problem->text().find('\n') == std::string::npos, "a problem is one line");
-        require(problem->file == "--set" || assignments.empty(), "what is wrong is in the assignments");
+        require(problem->file == "--set" || assignments.empty(), "the problem is in the assignments");
         return 0;
     }
     const Result<Scene> again = parse_scene(scene_text(std::get<Scene>(set)), "s.json");

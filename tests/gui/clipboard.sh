@@ -13,7 +13,7 @@ cat >"$work/scene.json" <<'JSON'
 JSON
 start_display 1280x800
 start_glint "$work/scene.json"
-xdotool key F10 # the picture alone
+xdotool key F10 # only the picture
 within 10 middle_is 003300 || fail "the scene is not visible"
 
 printf 'Ambient on or off' | xclip -selection clipboard

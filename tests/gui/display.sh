@@ -1,12 +1,12 @@
 # shellcheck shell=bash disable=SC2154
-# A display, a window on it and a hand, for the scripts beside this one. Source it; needs $program.
+# A display, a window on it and mouse helpers, for the scripts in this folder. Source it; needs $program.
 
 for tool in Xvfb xdotool import compare convert; do
     command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
 
 work=$(mktemp -d)
-export XDG_STATE_HOME=$work/state # what a window remembers stays in the test
+export XDG_STATE_HOME=$work/state # the window's settings stay in the test
 glint_pid=
 finish() {
     [ -z "$glint_pid" ] || kill "$glint_pid" 2>/dev/null
@@ -51,7 +51,7 @@ start_display() {
         [ -n "$number" ] && within 5 display_answers && return
         kill "$xvfb_pid" 2>/dev/null
     done
-    fail "no display came up in $try tries"
+    fail "no display started in $try tries"
 }
 
 find_window() {
@@ -64,7 +64,7 @@ window_or_end() { find_window || ! kill -0 "$glint_pid" 2>/dev/null; }
 start_glint() { # FILE
     "$program" "$1" 2>"$work/glint.err" &
     glint_pid=$!
-    within 30 window_or_end && find_window || fail "no window came up"
+    within 30 window_or_end && find_window || fail "no window appeared"
     xdotool windowfocus "$window"
     sleep 0.5
 }
@@ -80,7 +80,7 @@ recover_and_save() {
     xdotool mousemove 430 136 click 1
     sleep 0.5
     xdotool key ctrl+s
-    within 10 saved "$1" || fail "what was taken up is not what is saved"
+    within 10 saved "$1" || fail "the recovered scene is not the saved one"
 }
 
 # Sets `used` to the processor time of all threads of the window, in nanoseconds, and `running` to the number
@@ -107,7 +107,7 @@ wait_for_rest() { # [TENTHS]
         if [ "$before" = "$used" ] && [ "$running" = 0 ]; then still=$((still + 1)); else still=0; fi
         [ "$still" -lt "${1:-10}" ] || return 0
     done
-    fail "the window did not come to rest in half a minute"
+    fail "the window did not become idle in half a minute"
 }
 
 # X Y RIGHT DOWN: presses at (X, Y) of the display and releases that many pixels away, in ten steps.

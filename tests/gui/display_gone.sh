@@ -13,12 +13,12 @@ start_glint "$work/scene.json"
 xdotool key 1 # flat shading: a change
 within 15 copied flat || fail "the change did not arrive"
 kill -9 "$xvfb_pid"
-within 20 gone || fail "the program goes on without a display"
+within 20 gone || fail "the program keeps running without a display"
 wait "$glint_pid"
 status=$?
 glint_pid=
 [ "$status" -eq 1 ] || fail "exit status $status, not 1"
 [ "$(wc -l <"$work/glint.err")" -eq 1 ] || fail "more or less than one line on standard error"
 grep -q '^glint: error: the connection to the display is lost$' "$work/glint.err" || fail "other words"
-copied flat || fail "the copy of the unsaved work is gone"
+copied flat || fail "the copy of unsaved work was removed"
 echo "passed"

@@ -16,13 +16,13 @@ JSON
 
 start_display 1280x800
 start_glint "$work/scene.json"
-xdotool key F11 # the picture alone: the list of lights shows the colour too
+xdotool key F11 # only the picture: the list of lights shows the colour too
 handle_seen() { # in look $1
     look "$1"
     read -r x_seen y_seen <<<"$(middle_of "$1" '#ff00ff')"
     [ -n "$y_seen" ]
 }
-within 10 handle_seen before || fail "the light's handle is not to be seen"
+within 10 handle_seen before || fail "the light's handle is not visible"
 sleep 1
 handle_seen before
 x=$x_seen y=$y_seen
@@ -50,7 +50,7 @@ changed=$(difference before dragged)
 save_as second
 cmp -s "$work/first" "$work/second" && fail "the drag is not in the saved scene"
 
-looks_like() { # LOOK PIXELS: what is seen now differs in fewer
+looks_like() { # LOOK PIXELS: the present picture differs in fewer
     look now
     [ "$(difference "$1" now)" -lt "$2" ]
 }
@@ -60,7 +60,7 @@ save_as third
 cmp -s "$work/first" "$work/third" || fail "after undo the saved scene is not the first one"
 
 xdotool key ctrl+shift+z
-within 10 looks_like dragged 200 || fail "redo does not bring the drag back"
+within 10 looks_like dragged 200 || fail "redo does not restore the drag"
 xdotool key ctrl+s
 sleep 0.5
 xdotool key ctrl+q

@@ -10,7 +10,7 @@ source=$2
 . "$(dirname "$0")/display.sh"
 [ -x "$source" ] || { echo "skipped: the source of drops was not built (libx11-dev)"; exit 77; }
 
-scene() { # NAME COLOUR: a ball of this colour, lit by nothing
+scene() { # NAME COLOUR: a ball of this colour, unlit
     cat >"$work/$1.json" <<JSON
 {"glint": 1, "camera": {"eye": [0, 0, 4]}, "global_ambient": [1, 1, 1],
  "objects": [{"name": "Ball", "material": {"ambient": $2, "diffuse": [0, 0, 0], "specular": [0, 0, 0]}}]}
@@ -28,12 +28,12 @@ title_is() { xdotool getwindowname "$window" | grep -q "$1"; }
 drop() { # FILE
     xdotool mousemove 640 420
     sleep 0.2
-    "$source" "$work/$1" || fail "$1 was not taken"
+    "$source" "$work/$1" || fail "$1 was not accepted"
 }
-xdotool key F10 # the picture alone
-within 10 middle_is 003300 || fail "the first scene is not to be seen"
+xdotool key F10 # only the picture
+within 10 middle_is 003300 || fail "the first scene is not visible"
 drop second.json
-within 10 middle_is FF00FF || fail "the dropped scene is not to be seen"
+within 10 middle_is FF00FF || fail "the dropped scene is not visible"
 title_is second.json || fail "the title is not the dropped scene's"
 drop broken.json
 sleep 1
@@ -41,7 +41,7 @@ title_is second.json || fail "a file that cannot be opened changed the title"
 drop first.json
 within 10 middle_is 003300 || fail "the first scene did not come back"
 drop picture.png
-within 10 middle_is FF00FF || fail "the picture's scene is not to be seen"
+within 10 middle_is FF00FF || fail "the picture's scene is not visible"
 drop triangle.obj
 within 10 title_is triangle.obj || fail "the mesh was not opened"
 
@@ -54,14 +54,14 @@ kill -0 "$glint_pid" 2>/dev/null || fail "the window ended with the program that
 drop second.json
 within 10 middle_is FF00FF || fail "the scene did not come back"
 xdotool key a # ambient off: black
-within 10 middle_is 000000 || fail "the ambient term is still to be seen"
+within 10 middle_is 000000 || fail "the ambient term is still visible"
 xdotool key ctrl+s
 saved() { grep -q '"ambient": false' "$work/second.json"; }
 within 10 saved || fail "it was not saved"
 drop first.json
 within 10 middle_is 003300 || fail "the first scene did not come back"
 drop second.json
-within 10 middle_is 000000 || fail "what was saved is not what reopens"
+within 10 middle_is 000000 || fail "the reopened scene is not the saved one"
 
 # A lesson that takes many seconds to load is awaited in the window with the default scene, and can be
 # cancelled.
@@ -75,8 +75,8 @@ within 10 bash -c "! kill -0 $glint_pid 2>/dev/null" || fail "the window did not
     printf 'answer: 1\ntolerance: 0\n```\n'
 } >"$work/slow.md"
 start_glint "$work/slow.md"
-within 10 title_is "New scene" || fail "the default scene is not shown while the lesson is opened"
+within 10 title_is "New scene" || fail "the default scene is not shown while the lesson is opening"
 xdotool key Escape
 wait_for_rest
-title_is "New scene" || fail "the lesson was opened though it was given up"
+title_is "New scene" || fail "the lesson was opened although it was cancelled"
 echo "passed"

@@ -28,7 +28,7 @@ for signal in TERM HUP; do
     xdotool key 2 # facet: the next copy would come 5 seconds later
     sleep 1
     end_by "$signal"
-    copied facet || fail "after $signal the copy is not what was on the screen"
+    copied facet || fail "after $signal the copy differs from the screen"
     grep -q facet "$work/scene.json" && fail "$signal wrote the file without being asked"
     [ -s "$state/window.json" ] || fail "after $signal the columns are not remembered"
 

@@ -17,7 +17,7 @@ JSON
 
 start_display 1280x800
 start_glint "$work/scene.json"
-xdotool key F11 # the picture alone
+xdotool key F11 # only the picture
 # The centre of the nearly full green pixels, in the display's coordinates.
 highlight_seen() { # in look $1
     look "$1"
@@ -27,7 +27,7 @@ highlight_seen() { # in look $1
     [ -n "$y" ] && [ "$w" -gt 1 ] && [ "$w" -lt 100 ] || return 1
     x_seen=$((x + w / 2)) y_seen=$((y + h / 2 + 50))
 }
-within 10 highlight_seen before || fail "the highlight is not to be seen"
+within 10 highlight_seen before || fail "the highlight is not visible"
 sleep 1
 highlight_seen before
 x=$x_seen y=$y_seen

@@ -9,27 +9,27 @@ program=$1
 start_display 1100x760
 start_glint "$(dirname "$0")/../../assets/scenes/default.json"
 # The display discards the contents of a hidden window, and requests a complete redraw when it is shown again.
-same_when_drawn_anew() { # after $1
-    wait_for_rest 35 # and notices go after three seconds
+same_when_redrawn() { # after $1
+    wait_for_rest 35 # and notices disappear after three seconds
     import -window root "$work/kept.png"
     xdotool windowunmap --sync "$window" windowmap --sync "$window" windowfocus "$window"
     wait_for_rest
-    import -window root "$work/anew.png"
+    import -window root "$work/redrawn.png"
     local different
-    different=$(difference kept anew)
-    [ "$different" = 0 ] || fail "after $1 $different pixels are not as they are when all is drawn"
+    different=$(difference kept redrawn)
+    [ "$different" = 0 ] || fail "after $1 $different pixels differ from a complete redraw"
 }
 drag_with_mouse 400 300 90 40
-same_when_drawn_anew "an orbit"
+same_when_redrawn "an orbit"
 xdotool mousemove 20 160 click 1 mousemove 700 30
-same_when_drawn_anew "a click into the list"
+same_when_redrawn "a click into the list"
 xdotool key c
 xdotool mousemove 640 420
-same_when_drawn_anew "a comparison"
+same_when_redrawn "a comparison"
 xdotool key c key F9
-same_when_drawn_anew "large type"
+same_when_redrawn "large type"
 xdotool key F9 mousemove 25 20 click 1
 sleep 0.3
 xdotool key Escape mousemove 500 400 click 1
-same_when_drawn_anew "a menu and a click into the picture"
+same_when_redrawn "a menu and a click into the picture"
 echo "passed"

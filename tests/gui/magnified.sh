@@ -16,15 +16,15 @@ JSON
 start_display 2560x1440
 start_glint "$work/scene.json"
 xdotool windowmove "$window" 0 0 windowsize "$window" 2560 1440
-xdotool key F11 # the picture alone
+xdotool key F11 # only the picture
 wait_for_rest
 import -window root "$work/whole.png"
 edge=$(convert "$work/whole.png" -crop 2000x9+280+716 +repage -channel G -separate +channel -threshold 30% -format '%@' info: | tr 'x+' '  ' | cut -d' ' -f3)
-edge=$((edge + 280)) # beside the frame
+edge=$((edge + 280)) # next to the frame
 [ "$edge" -gt 700 ] && [ "$edge" -lt 1200 ] || fail "the ball begins at $edge"
 # Twelve pixels within the ball: its edge moves 384 pixels to the left at a zoom of 32, and 768 at 64.
 hand=$((edge + 12))
-green() { # of a place so far to the left of the hand, 0 to 255
+green() { # of the pixel this far to the left of the cursor, 0 to 255
     import -window root -crop "100x100+$((hand - $1))+670" "$work/place.png"
     convert "$work/place.png" -channel G -separate +channel -resize 1x1! -format '%[fx:int(255*mean)]' info:
 }
@@ -34,5 +34,5 @@ for _ in 1 2 3 4 5; do xdotool click 4 sleep 0.2; done
 within 10 is_green 300 || fail "the picture is not enlarged: green $(green 300)"
 is_green 600 && fail "the picture is enlarged too much"
 xdotool click 4 keyup ctrl
-within 10 is_green 600 || fail "the picture is not enlarged as much as what is drawn over it: green $(green 600)"
+within 10 is_green 600 || fail "the picture is not enlarged as much as its overlays: green $(green 600)"
 echo "passed"

@@ -19,7 +19,7 @@ build=${GLINT_BUILD:-$(cd "$(dirname "$0")/../.." && pwd)/build/dev}
 program=$build/app/glint hand=$build/tests/gui/monkey_hand source=$build/tests/gui/xdnd_source
 # shellcheck source=tests/gui/display.sh
 . "$(dirname "$0")/display.sh"
-[ -x "$program" ] || { echo "$program is not there: cmake --preset dev && cmake --build --preset dev"; exit 2; }
+[ -x "$program" ] || { echo "$program does not exist: cmake --preset dev && cmake --build --preset dev"; exit 2; }
 [ -x "$hand" ] || { echo "skipped: the hand was not built (libxtst-dev)"; exit 77; }
 
 # The program with its own copies of the scenes, which may be overwritten.

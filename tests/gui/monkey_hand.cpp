@@ -150,7 +150,7 @@ class Hand {
         while ((one.window = window_of(one.pid)) == None) {
             if (waitpid(one.pid, &status, WNOHANG) == one.pid) return ended(one, status);
             if (seconds_since(since) > longest_start) {
-                find("no window came up", one);
+                find("no window appeared", one);
                 return end(one);
             }
             rest(20);

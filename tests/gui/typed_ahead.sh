@@ -18,6 +18,6 @@ xdotool key ctrl+k type --delay 12 exposure
 xdotool key Return type --delay 12 1.5
 xdotool key Return ctrl+s
 kill -CONT "$glint_pid"
-within 20 holds '"exposure": 1.5' || fail "what was typed behind Ctrl+K and Return did not become the exposure"
+within 20 holds '"exposure": 1.5' || fail "input after Ctrl+K and Return did not become the exposure"
 holds '"mode": "phong"' || fail "a letter was taken for a key that changes the shading"
 echo "passed"

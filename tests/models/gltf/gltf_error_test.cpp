@@ -44,11 +44,12 @@ TEST_CASE("a hostile glTF file is reported in one line with the place and the er
           "and /");
     for (const std::string file : {"/dev/zero", "/etc/passwd", "/tmp/a.bin", "../a.bin", "b/../../a.bin",
                                    "a.txt", "%2e%2e/a.bin", "http://a.b/c.bin/..", ""})
-        check("data:application/octet-stream;base64,", file + "\", \"x\": \"",
-              "t.gltf: /buffers/0/uri: \"" + file +
-                  "\" is not a buffer that may be opened; expected a file that ends in .bin, beside this one "
-                  "or "
-                  "below, or a data URI");
+        check(
+            "data:application/octet-stream;base64,", file + "\", \"x\": \"",
+            "t.gltf: /buffers/0/uri: \"" + file +
+                "\" is not a buffer that may be opened; expected a file that ends in .bin, next to this one "
+                "or "
+                "below, or a data URI");
     check("data:application/octet-stream;base64,", "there/is/none.bin\", \"x\": \"",
           "t.gltf: /buffers/0/uri: \"there/is/none.bin\": cannot read: no such file or directory; "
           "expected a regular file that can be read");

@@ -147,7 +147,7 @@ TEST_CASE("a light's range is left out with a warning, and inner <= outer cone i
     const auto warnings = [&](const std::string& light) {
         return std::get<SceneDocument>(open_document(folder.file("t.gltf", text_with(light)))).warnings;
     };
-    const std::string range = "1 light has a range, beyond which it shines here, too";
+    const std::string range = "1 light has a range, beyond which it also shines here";
     CHECK(warnings("\"type\": \"point\", \"range\": 3") == Warnings{range});
     CHECK(warnings("\"type\": \"spot\", \"range\": 3") == Warnings{range});
     CHECK(warnings("\"type\": \"directional\", \"range\": 3").empty());
@@ -169,8 +169,8 @@ TEST_CASE("a camera whose node gives it no direction is one line", "[gltf]") {
     const auto check = [&](const std::string& node, const std::string& what) {
         CHECK(error_of(changed("\"nodes\": [{\"mesh\": 0}]",
                                camera + "\"nodes\": [{\"mesh\": 0, \"camera\": 0, " + node + "}]")) ==
-              "t.gltf: /nodes/0: no camera can stand there: " + what +
-                  "; expected axes that have a length, at a place within 1e7");
+              "t.gltf: /nodes/0: no camera can be there: " + what +
+                  "; expected axes that have a length, at a position within 1e7");
     };
     check("\"scale\": [1, 1, 0]", "eye and target are the same point");
     check("\"scale\": [1, 0, 1]", "up is zero");

@@ -179,7 +179,7 @@ TEST_CASE("a pipe is written in place; one without a reader is a problem, not a 
     ::close(ends[0]);
     const std::string name = "/dev/fd/" + std::to_string(ends[1]);
     CHECK(problem_text(write_file(name, "x")) ==
-          name + ": cannot write: the reader of the pipe has gone; expected a place that can be written");
+          name + ": cannot write: the pipe has no reader any more; expected a place that can be written");
     ::close(ends[1]);
 }
 

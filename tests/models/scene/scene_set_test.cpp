@@ -184,6 +184,6 @@ TEST_CASE("a pointer to nothing is a problem", "[scene_set]") {
           "of the "
           "scene");
     CHECK(problem_with(smallest, {"/a~b=1"}) ==
-          "--set: /a~b: ~ stands alone in the pointer; expected ~0 for ~, ~1 for /");
+          "--set: /a~b: a ~ in the pointer is not followed by 0 or 1; expected ~0 for ~, ~1 for /");
     CHECK(problem_with(smallest, {"/~01~1=1"}) == "--set: /~01~1: unknown key \"~1/\"; expected \"npr\"");
 }
