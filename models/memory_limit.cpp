@@ -57,8 +57,8 @@ std::optional<Result<std::uint64_t>> from_environment() {
     return parse_memory_size("GLINT_MEMORY", text);
 }
 
-/// Returns the limit if set_memory_limit() was not called. It is computed once, because neither the
-/// environment nor the machine changes while the program runs.
+/// Returns the limit if set_memory_limit() was not called. It is computed once, because the
+/// environment and the machine do not change while the program runs.
 std::uint64_t limit_of_surroundings() {
     static const std::uint64_t limit = [] {
         const auto named = from_environment();

@@ -1,6 +1,6 @@
 #pragma once
 // One frame of the window's contents: input in, scene edited, picture drawn, requests out. Draws with ImGui
-// only and uses neither GLFW nor GL, so that tests run it without a window.
+// only without GLFW and GL, so that tests run it without a window.
 
 #include <imgui.h>
 
@@ -96,7 +96,7 @@ struct UiState {
     bool rendered_is_edited = false;  // whether that was the edited scene: no preview, none that awaits a
                                       // mesh
     ImGuiID active_before = 0;        // the active control of the previous frame; 0: none
-    Scene edited_drawn;               // the last drawn state of the edited scene, whatever is shown since
+    Scene edited_drawn;  // the last drawn state of the edited scene, even if another is shown since
     OnScreen on_screen;
 
     Jobs jobs;  // last: they use the others

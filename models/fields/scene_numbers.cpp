@@ -205,7 +205,7 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
         violation = assign(kind, to, value);
     });
     if (!exists)
-        return Problem{"", pointer, "there is no such number", "the pointer of a number of the scene"};
+        return Problem{"", pointer, "no number with this pointer", "the pointer of a number of the scene"};
     if (violation) {
         violation->pointer = pointer;
         return violation;

@@ -9,7 +9,7 @@
 
 namespace glint {
 
-/// The number of elements of a list at the root ("meshes"); 0 if there is no such list.
+/// The number of elements of a list at the root ("meshes"); 0 without such a list.
 [[nodiscard]] std::size_t count_of(const Node& root, std::string_view list);
 
 /// The number in a list of nodes; the node may not exist.

@@ -41,7 +41,7 @@ struct NotJson : ProblemFound {
 
 /// The member with that name; null if it does not exist or `json` is not an object.
 [[nodiscard]] const Json* find_member(const Json& json, std::string_view name);
-/// Its elements or members; empty if it is neither an array nor an object.
+/// Its elements or members; empty unless it is an array or an object.
 [[nodiscard]] const Json::array_t& elements_of(const Json& json);
 [[nodiscard]] const Json::object_t& members_of(const Json& json);
 

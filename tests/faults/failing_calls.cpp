@@ -238,7 +238,7 @@ int fsync(int descriptor) {
     return fails(Kind::Fsync) ? -1 : int(::syscall(SYS_fsync, descriptor));
 }
 
-// As in the kernel: the descriptor is closed whatever the result.
+// As in the kernel: the descriptor is closed even on failure.
 int close(int descriptor) {
     const int result = int(::syscall(SYS_close, descriptor));
     return fails(Kind::Close) ? -1 : result;

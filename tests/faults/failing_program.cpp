@@ -40,7 +40,7 @@ void send_to(int descriptor, const std::string& path) {
     ::close(file);
 }
 
-/// Replaces the child process by the program. `told`: variables to add to the environment.
+/// Replaces the child process by the program. Adds variables to the environment.
 [[noreturn]] void become(const Command& command, const TemporaryDirectory& notes,
                          const std::vector<std::pair<std::string, std::string>>& told) {
     if (*GLINT_FAILING_CALLS != 0) ::setenv("LD_PRELOAD", GLINT_FAILING_CALLS, 1);
@@ -85,7 +85,7 @@ std::string text_of(const Fault& fault) {
     return fmt::format("{} {} {} {}", kind_names[kind], fault.first, fault.count, fault.error);
 }
 
-/// What is wrong in the folder of the file, which must contain nothing else.
+/// The problem with the folder of the file, which must contain nothing else.
 std::string wrong_folder(const Command& command) {
     if (command.out.empty()) return {};
     for (const auto& entry : std::filesystem::directory_iterator(folder_of(command)))
@@ -99,8 +99,7 @@ std::string wrong_failure(const Command& command, const Ended& ended, const Made
     if (ended.status != 1) return fmt::format("exit status {}", ended.status);
     if (lines != 1 || !ended.err.starts_with("glint: error: ")) return "not one line of an error";
     if (!right.out.starts_with(ended.out)) return "other output";
-    if (!command.out.empty() && file != old_bytes && file != right.file)
-        return "neither the old nor the new file";
+    if (!command.out.empty() && file != old_bytes && file != right.file) return "not the old or the new file";
     return {};
 }
 

@@ -101,7 +101,7 @@ void check_names(const TemporaryDirectory& folder, const std::vector<std::string
     CHECK(folder.names() == names);
 }
 
-/// The text of the scene in the window's copy, or what is wrong with the copy.
+/// The text of the scene in the window's copy, or the problem with the copy.
 std::string scene_of_copy(const UiState& state) {
     const auto copy = open_autosave(state.persistence.autosave->path);
     if (const Problem* problem = problem_of(copy)) return problem->text();

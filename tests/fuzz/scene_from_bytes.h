@@ -25,7 +25,7 @@ class Bytes {
 };
 
 /// A scene that is valid as a file, with few lights and shapes of few faces, its meshes loaded. Each field
-/// reads the same number of bytes whatever they are, so that changing a byte changes one field.
+/// reads the same number of any bytes, so that changing a byte changes one field.
 [[nodiscard]] Scene scene_from(Bytes& bytes);
 
 /// The scene with one of its fields filled again.

@@ -48,7 +48,7 @@ namespace glint::test {
 inline const WindowCommand& command_named(std::string_view name) {
     for (const WindowCommand& command : commands())
         if (command.name == name) return command;
-    FAIL("there is no command " << name);
+    FAIL("missing command " << name);
     return commands()[0];
 }
 
@@ -162,7 +162,7 @@ class HeadlessWindow {
             const bool named = control.name == name_or_key || control.key == name_or_key;
             if (inside && named && control.in_sight) return control.at;
         }
-        FAIL("there is no control " << name_or_key << " in sight");
+        FAIL("control " << name_or_key << " is not visible");
         return {};
     }
     [[nodiscard]] Rect area_of(std::string_view name_or_key) const {

@@ -53,7 +53,7 @@ template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& act
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// During its lifetime no thread can start: there is no room for its stack.
+/// During its lifetime no thread can start for lack of room for its stack.
 class NoThreads {
   public:
     NoThreads() {

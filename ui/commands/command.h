@@ -57,8 +57,8 @@ struct WindowCommand {
     CommandId id = CommandId::None;
     bool line_above = false;       // in the menu
     bool changes_picture = false;  // draws over or replaces the picture, where hints would be in the way
-    bool quiet = false;            // neither changes nor reveals the scene: allowed during a question
-    const char* noun = "";         // what is on or off, if different from the name
+    bool quiet = false;            // does not change or reveal the scene: allowed during a question
+    const char* noun = "";         // name of the switch, if different from the command's
     const char* words = "";        // topics: Ctrl+K also finds it by the beginnings of these words
     const char* sets = "";         // the value of the scene that it sets, as in keys_of_value()
 };

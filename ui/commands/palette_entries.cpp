@@ -186,7 +186,7 @@ std::vector<PaletteEntry> palette_entries(UiState& state) {
     const std::string held = why_held(state);
     for (std::size_t i = of_the_scene; i < entries.size() && !held.empty(); ++i)
         if (!entries[i].quiet) entries[i].refused = held;
-    for (PaletteEntry& entry : entries)  // a row is one line, whatever the item's name contains
+    for (PaletteEntry& entry : entries)  // a row is one line, even if the item's name has line breaks
         for (std::string* text : {&entry.name, &entry.group})
             std::replace_if(text->begin(), text->end(), breaks_line, ' ');
     return entries;

@@ -41,7 +41,7 @@ void ask_mesh(UiState& state, int object);
 /// Saves the document. Requests a name if there is none yet, and asks first if another program has changed
 /// the file. True if it is saved now.
 bool save(UiState& state);
-/// Saves over whatever the file contains. True if it is saved now.
+/// Saves and overwrites the file. True if it is saved now.
 bool save_over(UiState& state);
 /// Saves to that file and reports the result. True if it is saved now.
 bool save_as(UiState& state, const std::string& path);
@@ -53,7 +53,7 @@ void reload(UiState& state);
 void draw_scene_before(UiState& state, bool previewed);
 
 /// Handles an exception anywhere in a frame: reports it, closes what ImGui has open, and closes the views
-/// drawn in addition to the picture. The next frame starts clean. Rethrows if there is no picture.
+/// drawn in addition to the picture. The next frame starts clean. Rethrows without a picture.
 void give_up_frame(UiState& state, const std::exception& error);
 
 }  // namespace glint

@@ -35,7 +35,7 @@ void take_loaded(UiState& state, SceneDocument document) {
     if (const auto opened = std::exchange(loading.opened, nullptr)) opened(state);
 }
 
-/// The problem of a file that is neither a scene nor a mesh lists what else the window opens.
+/// The problem with a file of unknown kind also lists the other kinds that the window opens.
 Problem with_all_that_opens(Problem problem) {
     if (problem.expected == opened_files)
         problem.expected = fmt::format(

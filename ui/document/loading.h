@@ -79,7 +79,7 @@ void poll_meshes(UiState& state);
 [[nodiscard]] bool awaits_mesh(const UiState& state);
 
 /// Returns `scene` with each object that still waits for a mesh as it is visible, so that the scene can be
-/// opened again and gives the picture on the screen. During loading this is what is saved, exported or kept.
+/// opened again and gives the picture on the screen. During loading this scene is saved, exported or kept.
 /// `scene` is the edited one or shares its objects.
 [[nodiscard]] Scene as_made(const UiState& state, Scene scene);
 /// Returns the open document with that scene.

@@ -46,7 +46,7 @@ template <class Item> auto place_after(std::vector<Item>& items, int index) {
     return items.begin() + index + 1;
 }
 
-/// Shines at the middle of the scene, whatever its kind.
+/// Aims a light of any kind at the middle of the scene.
 void aim(Light& light, glm::vec3 place, glm::vec3 middle, float radius) {
     const glm::vec3 towards = middle - place;
     light.position = {place, 1};

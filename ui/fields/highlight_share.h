@@ -12,7 +12,7 @@ namespace glint {
 
 /// Returns the object's brightest specular light in a picture of that size, relative to Phong shading: about
 /// 1 if triangles are small. It exceeds 1 only slightly, when a vertex is closer to the peak than any pixel
-/// centre. Nothing if there is no highlight. `object`: index in Scene::objects.
+/// centre. Nothing without a highlight. `object`: index in Scene::objects.
 [[nodiscard]] std::optional<double> highlight_share(const Scene& scene, std::size_t object, PictureSize size);
 
 /// That share, cached until the scene changes and settles.

@@ -48,7 +48,7 @@ PictureSize paced_size(UiState& state, PictureSize full, bool changed, bool smal
 }
 
 /// During a preview the explanation stays that of the picture before. A preview of a different size may lack
-/// the explained pixel: then there is no explanation until the preview ends.
+/// the explained pixel: then the explanation is missing until the preview ends.
 void follow_size(UiState& state, const PictureView& view) {
     OnScreen& shown = state.on_screen;
     const bool same = shown.explained_size == view.map.size && shown.explained_drawn == state.rendered->size;

@@ -10,7 +10,7 @@
 namespace glint {
 
 void find_main_light(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px) {
-    constexpr std::size_t most = 300;  // more than can be told apart, and they take time
+    constexpr std::size_t most = 300;  // more than can be distinguished, and they take time
     state.main_light.reset();
     const std::size_t lights = frame.scene.lights.size();
     if (!state.hovered || state.gesture != Gesture::None || frame.renderer == nullptr || lights < 2 ||

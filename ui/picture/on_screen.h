@@ -1,5 +1,5 @@
 #pragma once
-// Decides once a frame, before drawing, what the picture shows and why, and what is explained of it.
+// Decides once a frame, before drawing, what the picture shows and why, and which pixel is explained.
 
 #include <glm/vec2.hpp>
 #include <optional>
@@ -49,7 +49,7 @@ struct OnScreen {
     }
     /// Whether the picture shows a scene that dragging in it does not edit.
     [[nodiscard]] bool is_out_of_hand() const { return resting && !resting->of_edited; }
-    /// Why neither the view nor the picked pixel can be changed; empty: they can.
+    /// Why the view and the picked pixel cannot be changed; empty: they can.
     [[nodiscard]] std::string refusal() const { return resting ? resting->refusal : std::string(); }
 };
 

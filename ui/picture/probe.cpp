@@ -12,8 +12,8 @@ namespace glint {
 void follow_shape(UiState& state, PictureSize size) {
     const PictureSize before = std::exchange(state.viewport.shares_of, size);
     if (before == size || before == PictureSize{0, 0}) return;
-    // From shares to the plane at depth 1 and back: there a point has one position, whatever the picture's
-    // shape.
+    // From shares to the plane at depth 1 and back: there a point has one position, independent of the
+    // picture's shape.
     const Projection& projection = state.editor.scene().camera.projection;
     const glm::dmat4 from = clip_from_view(projection, before), to = clip_from_view(projection, size);
     const glm::dvec2 scale(to[0][0] / from[0][0], to[1][1] / from[1][1]);

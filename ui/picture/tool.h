@@ -30,7 +30,7 @@ inline constexpr int not_taken = -1;
 
 /// Functions that a tool does not need are null.
 struct Tool {
-    /// Called while no button drags a tool: finds what is under the cursor, and clears it if the cursor is
+    /// Called while no button drags a tool: finds the item under the cursor, and clears it if the cursor is
     /// not `over`. True if this tool takes the cursor: then later tools are skipped.
     bool (*hover)(ToolFrame&) = nullptr;
     /// Called when a button may have been pressed on what hover() found. Returns the button that drags the

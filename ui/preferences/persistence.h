@@ -96,7 +96,7 @@ void tell_not_kept(UiState& state, const std::string& what, const Problem& why);
 [[nodiscard]] bool can_keep(UiState& state, const std::string& what);
 
 /// Reads the settings in `folder`, which is created if needed. Before the first frame. Without a usable
-/// folder nothing is remembered, and the first unsaved edit reports that there is no copy of it.
+/// folder nothing is remembered, and the first unsaved edit reports that no copy is kept.
 void begin_persistence(UiState& state, const std::string& folder);
 
 /// Once a frame: saves settings that have been unchanged for a second, and unsaved work.

@@ -1,6 +1,6 @@
 #pragma once
-// The positions of the columns. Three columns for three questions: what is in the scene, what do I see, why
-// that colour.
+// The positions of the columns. Three columns for three questions: what does the scene contain, what do I
+// see, why that colour.
 
 #include "ui/widgets/area.h"
 

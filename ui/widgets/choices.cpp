@@ -84,7 +84,7 @@ float segments_width(std::span<const Choice> options) {
 int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help) {
     ImGui::PushID(id);
     int result = chosen;
-    // If the labels do not fit they use a smaller font, so that none is cut off.
+    // If the labels do not fit they use a smaller font instead of being cut off.
     const bool crowded = segment_padding(options) < px(4);
     if (crowded) ImGui::PushFont(fonts().small);
     const float padding = segment_padding(options);

@@ -61,7 +61,7 @@ TEST_CASE("a glTF box is the same mesh with every layout of its numbers", "[gltf
 
 TEST_CASE("glTF without a camera is framed like a mesh file", "[gltf][frame_camera]") {
     const TemporaryDirectory folder;
-    // A quarter turn about x lays the file's triangle flat: its (0, 1, 0) becomes (0, 0, 1).
+    // A quarter turn about x turns the file's triangle flat: its (0, 1, 0) becomes (0, 0, 1).
     const std::string lying = gltf_triangle::changed(
         R"({"mesh": 0})", R"({"mesh": 0, "rotation": [0.70710678, 0, 0, 0.70710678]})");
     const SceneDocument gltf = opened(folder.file("floor.gltf", lying));

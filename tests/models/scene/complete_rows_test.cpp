@@ -1,5 +1,5 @@
-// Every member of a scene has a row in models/fields/scene_fields.h: without one it would silently be neither
-// read nor written.
+// Every member of a scene has a row in models/fields/scene_fields.h: without one it would silently be skipped
+// by reader and writer.
 #include "models/fields/scene_fields.h"
 #include "tests/support/catch.h"
 

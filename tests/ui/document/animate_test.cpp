@@ -361,7 +361,7 @@ TEST_CASE("Escape first cancels writing the frames, and the panel reports it", "
     begin_frames(bench.state, folder.path("turn.png"), {640, 480}, 8);
     bench.frames(2);
     REQUIRE(bench.state.get<AnimateState>().job);
-    bench.key(Key::T, true);  // nor is it closed while they are written
+    bench.key(Key::T, true);  // the panel stays open while they are written
     CHECK(bench.state.get<AnimateState>().open);
     bench.key(Key::Escape);
     CHECK(bench.state.get<AnimateState>().open);
@@ -389,7 +389,7 @@ TEST_CASE("problems with the frames' files are reported before drawing", "[ui][a
     CHECK(bench.notes_with("no such file or directory") >= 1);
 }
 
-TEST_CASE("writing frames needs a chosen number before it asks for a name", "[ui][window][animate]") {
+TEST_CASE("writing frames needs a chosen number before the file dialog opens", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     begin_animation(bench.state, Motion::PingPong);

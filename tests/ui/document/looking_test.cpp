@@ -31,7 +31,7 @@ void key_alt(HeadlessWindow& bench, Key key) {
 
 }  // namespace
 
-TEST_CASE("orbiting and picking are neither unsaved nor undo steps", "[ui]") {
+TEST_CASE("orbiting and picking make no unsaved changes and no undo steps", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera before = bench.scene().camera;
@@ -128,7 +128,7 @@ TEST_CASE("dragging a number of the camera's panel is an edit", "[ui]") {
     CHECK(bench.state.editor.history.undo_name() == "Camera");
 }
 
-TEST_CASE("saving an example asks for a name and never overwrites it", "[ui]") {
+TEST_CASE("saving an example requires a new name and never overwrites it", "[ui]") {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "glint-shipped-test";
     std::filesystem::create_directories(folder);
     const std::string path = (folder / "example.json").string();

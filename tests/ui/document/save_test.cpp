@@ -213,7 +213,7 @@ TEST_CASE("typing replaces the offered name, in each dialog and folder", "[ui][s
     CHECK(bench.state.files.name == "x");
 }
 
-TEST_CASE("a question about one scene is not answered for another that opens meanwhile", "[ui][save]") {
+TEST_CASE("a question about one scene is not answered for one that opens in between", "[ui][save]") {
     const TemporaryDirectory folder;
     const std::string one = folder.file("one.json", scene_text(test::busy_scene()));
     Scene scene = test::busy_scene();

@@ -312,7 +312,7 @@ TEST_CASE("two windows keep two copies, and closing a window removes only its ow
     CHECK(orphaned_autosaves(folder.path("")).size() == 1);
 }
 
-TEST_CASE("a copy finds its meshes wherever the scene is", "[ui][memory]") {
+TEST_CASE("a copy finds its meshes for a scene in any folder", "[ui][memory]") {
     const TemporaryDirectory folder;
     std::filesystem::create_directories(folder.path("work/meshes"));
     (void)folder.file("work/meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -271,7 +271,7 @@ TEST_CASE("closing a game does not ask to save camera changes", "[ui][window][ma
     bench.frames(3);
     CHECK(bench.state.editor.history.undo_name() == "Camera");
     CHECK_FALSE(bench.state.editor.unsaved());
-    CHECK_FALSE(bench.state.persistence.autosave);  // nor was a copy ever written
+    CHECK_FALSE(bench.state.persistence.autosave);  // and no copy was ever written
 }
 
 TEST_CASE("the game's buttons: hint, target, again, another, leave", "[ui][window][match]") {

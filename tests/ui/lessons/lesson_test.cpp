@@ -648,7 +648,7 @@ TEST_CASE("an animation of a deleted light is reported and does not play", "[ui]
     CHECK(says(bench, "there is no “/lights/0/position/0” any more"));
 }
 
-TEST_CASE("each page plays its own animation, whatever was played or edited before", "[ui][window][lesson]") {
+TEST_CASE("each page plays its own animation after any other animation or edit", "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::drop(bench, test::shipped_lesson("03-falloff"));

@@ -79,7 +79,7 @@ TEST_CASE("a colour is predicted without a mouse once a pixel is picked", "[ui][
     CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);
 }
 
-TEST_CASE("a new prediction needs a pixel if the previous one is gone", "[ui][window][lesson]") {
+TEST_CASE("a new prediction needs a pixel if the previous one was lost", "[ui][window][lesson]") {
     PredictWindow bench;
     bench.click(bench.control("Lock the colour in"));
     bench.frames(4);
@@ -157,7 +157,7 @@ TEST_CASE("a prediction starts during a freeze or an animation", "[ui][window][l
     CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);
 }
 
-TEST_CASE("the revealed pixel is the picked one, whatever is viewed or picked meanwhile",
+TEST_CASE("the revealed pixel is the picked one, even if others are viewed or picked",
           "[ui][window][lesson]") {
     PredictWindow bench;
     REQUIRE(bench.state.get<PredictState>().stage == PredictStage::Change);

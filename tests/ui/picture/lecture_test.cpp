@@ -243,7 +243,7 @@ TEST_CASE("a frozen picture stays during all edits", "[ui][lecture]") {
     CHECK(bench.state.rendered->rgba == pixels);
     CHECK(bench.state.editor.unsaved());
     bench.click(bench.at_pixel({200, 200}));
-    CHECK_FALSE(bench.state.viewport.probe);  // nor do its overlays change
+    CHECK_FALSE(bench.state.viewport.probe);  // and its overlays do not change
     bench.key(Key::F8);
     bench.frames(2);
     CHECK_FALSE(bench.state.rendered->rgba == pixels);

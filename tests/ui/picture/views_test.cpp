@@ -126,7 +126,7 @@ TEST_CASE("two fingers pan with Shift or sideways, turn with Alt, else move clos
     CHECK(target_depth(bench.scene().camera) < away);
 }
 
-TEST_CASE("F frames the selected object, or all if none is selected", "[ui][hands][window]") {
+TEST_CASE("F frames the selected object, or all without a selection", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     Object small = bench.scene().objects[0];

@@ -101,7 +101,7 @@ TEST_CASE("a selection by keys or in the picture is scrolled to once in the scen
     CHECK_FALSE(in_sight(1));
 }
 
-TEST_CASE("the equation lays out only visible cards, and all can be scrolled to", "[ui][window][many]") {
+TEST_CASE("the equation draws only visible cards, and all can be scrolled to", "[ui][window][many]") {
     ManyWindow bench(scene_of_lights(many), InspectorTab::Equation);
     REQUIRE(bench.state.on_screen.explanation);
     REQUIRE(bench.state.on_screen.explanation->corners.at(0).at.lights.size() == many);
@@ -145,7 +145,7 @@ TEST_CASE("light by term draws only visible rows, and all can be scrolled to", "
     CHECK(bench.state.get<TermGridState>().solo->light > many - 10);
 }
 
-TEST_CASE("the program of many objects lays out visible calls, and all can be scrolled to",
+TEST_CASE("the program of many objects draws only visible calls, and all can be scrolled to",
           "[ui][window][many]") {
     constexpr int each = 150;
     Scene scene = scene_of_lights(each);

@@ -19,7 +19,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Closes everything, and restores an unsaved scene, whatever the previous steps did.
+/// Closes everything, and restores an unsaved scene, after any previous steps.
 void start_afresh(HeadlessWindow& bench) {
     for (int i = 0; i < 6; ++i) (void)bench.key(Key::Escape);
     UiState& state = bench.state;

@@ -144,7 +144,7 @@ TEST_CASE("commands of the scope's card and of the pen are found", "[ui][palette
     CHECK(pen.lines[0].colour == 1);
 }
 
-TEST_CASE("a row of the palette is one line, whatever an item's name contains", "[ui][palette]") {
+TEST_CASE("a row of the palette is one line, even for a name with line breaks", "[ui][palette]") {
     HeadlessWindow bench;
     bench.scene().lights[0].name = "two\nlines";
     bench.frames(2);
@@ -276,7 +276,7 @@ TEST_CASE("every number of a scene is in a field that the palette finds", "[ui][
     const std::vector<PaletteEntry> entries = palette_entries(bench.state);
     const auto fields = std::count_if(entries.begin(), entries.end(),
                                       [](const PaletteEntry& e) { return e.group.find("Field") == 0; });
-    std::size_t rows = 0;  // of numbers without effect none is required
+    std::size_t rows = 0;  // numbers without effect are not required
     std::string last;
     for (const SceneNumber& number : numbers_of(bench.scene())) {
         std::string row = number.pointer;

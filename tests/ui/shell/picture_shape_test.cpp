@@ -1,4 +1,4 @@
-// The picture fills its area, whatever the area's shape is, and shows everything that the command line shows.
+// The picture fills an area of any shape, and shows everything that the command line shows.
 #include <glm/geometric.hpp>
 
 #include "models/scene_file/scene_file.h"
@@ -236,7 +236,7 @@ TEST_CASE("the copy of unsaved work is not offered during a presentation", "[ui]
     bench.state.get<AnimateState>().open = true;  // its panel is in the same place
     CHECK_FALSE(offers());
     bench.state.get<AnimateState>().open = false;
-    // Nor is it cut off where the left column leaves the picture little room.
+    // It is not cut off either where the left column leaves the picture little room.
     ImGui::GetIO().DisplaySize = {640, 500};
     REQUIRE(offers());
     CHECK(lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).has_left);

@@ -173,7 +173,7 @@ TEST_CASE("every control is legible in all its states, in all themes",
     CHECK(letters > 500);  // letters were found at all
 }
 
-TEST_CASE("the figures on a slider are legible wherever its fill ends", "[ui][window][contrast]") {
+TEST_CASE("the figures on a slider are legible for any length of its fill", "[ui][window][contrast]") {
     const bool light = GENERATE(false, true), projector = GENERATE(false, true);
     HeadlessWindow bench;
     apply_theme(projector ? projector_theme(!light) : light ? light_theme() : dark_theme(), 1);

@@ -87,7 +87,8 @@ TEST_CASE("a field's tooltip stays in its column and does not cover the picture"
         ++seen;
         INFO(control.name << " " << control.key);
         CHECK((tip->Pos.x + tip->Size.x <= picture.low.x || tip->Pos.x >= picture.high.x));
-        CHECK((tip->Pos.y >= item.high.y || tip->Pos.y + tip->Size.y <= item.low.y));  // nor its own field
+        CHECK((tip->Pos.y >= item.high.y ||
+               tip->Pos.y + tip->Size.y <= item.low.y));  // and does not cover its own field
         CHECK(tip->Pos.y >= 0);
         CHECK(tip->Pos.y + tip->Size.y <= ImGui::GetIO().DisplaySize.y);
     }

@@ -43,7 +43,7 @@ struct BroughtPicture {
 
 struct MyPictureState {
     std::string path, name;                // of the last loaded file; empty: none
-    std::shared_ptr<const Picture> shown;  // its bytes; null: there is no picture
+    std::shared_ptr<const Picture> shown;  // its bytes; null without a picture
     std::shared_ptr<const Picture> file;   // as in the file
     Display display;                       // that made the bytes of a linear one
     bool pairs = false;                    // also search for two mistakes at once
@@ -114,7 +114,7 @@ struct PixelOfMine {
     Explanation right;
     std::optional<Explanation> mistaken;  // nothing without a candidate
 };
-/// Returns nothing if there is no picture, no pixel is picked, or the picture does not cover the pixel.
+/// Returns nothing without a picture or a picked pixel, or if the picture does not cover the pixel.
 [[nodiscard]] std::optional<PixelOfMine> pixel_of_mine(UiState& state);
 /// Draws it into the equation tab, term by term; nothing without a picture.
 void my_pixel(UiState& state);

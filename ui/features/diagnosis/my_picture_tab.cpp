@@ -1,4 +1,4 @@
-// The tab "My picture": what is wrong in the user's picture.
+// The tab "My picture": the mistakes in the user's picture.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -130,7 +130,7 @@ void candidate_row(UiState& state, const Candidate& candidate, std::size_t index
     const std::string title = title_of(candidate.mistakes);
     const std::string brightness = own_brightness(mine.answer->diagnosis, candidate);
     const std::string words =
-        fmt::format("explains {} % of what is wrong, leaves {:.2f} levels{}{}", explained_percent(candidate),
+        fmt::format("explains {} % of the error, leaves {:.2f} levels{}{}", explained_percent(candidate),
                     candidate.residual, brightness.empty() ? "" : ", ", brightness);
     const float wrap = std::max(width - left - pad, px(40));
     const ImVec2 title_size = ImGui::CalcTextSize(title.c_str(), nullptr, false, wrap);

@@ -39,7 +39,7 @@ void forget_number_that_is_gone(UiState& state) {
     forget_number(state);
 }
 
-/// Reports it if a number is to be animated and none is chosen.
+/// Reports a missing choice of the number to animate.
 bool refuses_no_number(AnimateState& animate) {
     if (animate.animation.motion != Motion::PingPong || !animate.animation.pointer.empty()) return false;
     animate.refused = "No number is chosen: click one in the list";

@@ -35,7 +35,7 @@ bool in_path(const std::string& program) {
     return false;
 }
 
-/// A file in memory with these bytes, positioned at its beginning; -1 if there is no memory.
+/// A file in memory with these bytes, positioned at its beginning; -1 without enough memory.
 int file_of(const std::string& bytes) {
     const int file = ::memfd_create("glint-picture", MFD_CLOEXEC);
     if (file < 0) return -1;

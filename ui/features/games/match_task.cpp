@@ -118,11 +118,11 @@ Picture term_picture(Renderer& renderer, const Scene& scene, Symbol term) {
     return renderer.render(alone, match_size);
 }
 
-/// Compares `mine` with `wanted`: elsewhere, too large, too small, too bright, too dark.
+/// Describes how `mine` differs from `wanted` in position, size or brightness.
 std::string how(const Blob& mine, const Blob& wanted, const char* what, bool has_size) {
     constexpr double far = 5, larger = 1.25, brighter = 1.08;  // pixels of match_size; ratios
     if (mine.bright == 0) return fmt::format("{} is missing", what);
-    if (glm::length(mine.middle - wanted.middle) > far) return fmt::format("{} lies elsewhere", what);
+    if (glm::length(mine.middle - wanted.middle) > far) return fmt::format("{} is elsewhere", what);
     if (has_size && mine.bright > larger * wanted.bright) return fmt::format("{} is too large", what);
     if (has_size && wanted.bright > larger * mine.bright) return fmt::format("{} is too small", what);
     if (mine.sum > brighter * wanted.sum) return fmt::format("{} is too bright", what);

@@ -122,7 +122,7 @@ void like_line(UiState& state, const Explanation& explanation) {
     show_instead(state, other, fmt::format("Blinn, shininess {:.4g}", like));
 }
 
-/// Whether the scenes agree in everything that decides what is visible at a pixel.
+/// Whether the scenes agree in everything that decides which face is visible at a pixel.
 bool same_faces(const Scene& a, const Scene& b) {
     return same_surfaces(a, b) && a.shading.cull == b.shading.cull && a.npr == b.npr;
 }

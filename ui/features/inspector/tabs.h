@@ -47,7 +47,7 @@ struct InspectorTabInfo {
 /// match the screen.
 void inspector(UiState& state, const PictureView& view);
 
-/// Draws a tab that needs a pixel while none is picked; `promise` describes what it would show.
+/// Draws a tab that needs a pixel before one is picked; `promise` describes what it would show.
 void inspector_empty_state(const char* promise);
 
 // The models tab shows the picked pixel under flat, facet, Gouraud and Phong shading, side by side, and how
@@ -70,7 +70,7 @@ void mistakes_tab(UiState& state, const PictureView& view);
 
 /// How many mistakes are on.
 [[nodiscard]] int mistakes_on(const Mistakes& mistakes);
-/// "Mistake: Reflect sign", "3 mistakes: Reflect sign, Missing pi, …"; empty when none is on.
+/// "Mistake: Reflect sign", "3 mistakes: Reflect sign, Missing pi, …"; empty without any.
 [[nodiscard]] std::string mistakes_text(const Mistakes& mistakes);
 /// Opens the Mistakes tab at that mistake; for null, at the first one that is on.
 void show_mistake(UiState& state, const MistakeName* mistake = nullptr);

@@ -212,7 +212,7 @@ void answer_fields(UiState& state, const StationQuestion& question) {
 
 std::string why_no_answer(const LessonState& lesson) {
     const auto open = open_question(lesson);
-    if (!open) return "Nothing is asked";
+    if (!open) return "No question here";
     const Prediction& question = *lesson.station().questions[*open].asks;
     const bool is_number = question.kind == PredictionKind::Number;
     if (is_number ? lesson.typed.empty() : lesson.chosen == Json()) return "Answer first";

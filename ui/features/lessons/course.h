@@ -26,7 +26,7 @@ struct StationPart {
     const Task* task = nullptr;
 };
 
-/// The parts from one question to the next: text, questions, what is revealed once all of them are answered,
+/// The parts from one question to the next: text, questions, the reveal once all of them are answered,
 /// and what follows from it. A station without a question is revealed at once.
 struct Station {
     std::size_t step = 0;  // in Lesson::steps
@@ -53,7 +53,7 @@ struct Course {
 
 /// A user's answer to a question, and whether it is final.
 struct GivenAnswer {
-    Json value;  // null: none is given yet
+    Json value;  // null: not given yet
     bool locked = false, skipped = false;
     [[nodiscard]] bool is_over() const { return locked || skipped; }
     bool operator==(const GivenAnswer&) const = default;

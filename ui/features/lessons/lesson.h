@@ -55,7 +55,7 @@ struct LessonState {
     [[nodiscard]] const std::vector<GivenAnswer>& given() const { return progress.given[progress.station]; }
 };
 
-/// Begins to open a lesson, whatever its file is called.
+/// Begins to open a lesson from a file of any name.
 [[nodiscard]] Opening opening_of_lesson(const std::string& path);
 
 /// Opens the lesson's column where it was left. Precondition: Course::document is the open document, as made

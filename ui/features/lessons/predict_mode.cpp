@@ -55,7 +55,7 @@ void stop_picture(UiState& state) {
         as_made(state, state.editor.scene());  // not the preview of a hovered term
 }
 
-/// Shows the predicted pixel as it is now, whatever was viewed or picked in between.
+/// Shows the predicted pixel as it is now, even if something else was viewed or picked in between.
 void reveal(UiState& state) {
     state.get<PredictState>().stage = PredictStage::Revealed;
     show_edited_alone(state);

@@ -26,7 +26,7 @@ struct PredictState {
 
 /// Begins with the picked pixel, or requests one; during a prediction, cancels it.
 void switch_prediction(UiState& state);
-/// Unfreezes the picture, whatever was predicted.
+/// Unfreezes the picture without an answer.
 void end_prediction(UiState& state);
 
 /// Enter focuses the colour's fields, locks it in, and begins again; true: the key is consumed.

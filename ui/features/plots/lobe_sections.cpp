@@ -81,7 +81,7 @@ void energy_line(const LobeEnergy& energy, double light_deg) {
     if (albedo > 1.0005) warning_text("More light leaves than arrives.");
 }
 
-constexpr double usual_deg = 45;  // for the BRDF's light if none is picked
+constexpr double usual_deg = 45;  // for the BRDF's light without a picked pixel
 constexpr double steepest = 89;
 
 void verdict(const PlotsState& plots) {

@@ -96,8 +96,8 @@ struct CompareState {
     Picture picture;      // the composed one
     Comparison numbers;   // of the difference
     double ms = 0;        // of the parts in the last composition
-    Variant asked_part;   // of the picked pixel; Edited if none is picked
-    std::string resting;  // what is shown in place of the edited scene, as OtherScene::label; or empty
+    Variant asked_part;   // of the picked pixel; Edited without one
+    std::string resting;  // name of the scene shown in place of the edited one (OtherScene::label); or empty
     // The key that shows or hides B, while it may still be down:
     bool b_turned = false;
     double b_since = 0;  // ImGui time

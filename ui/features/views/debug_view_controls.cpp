@@ -191,7 +191,7 @@ bool debug_view_controls(DebugViewState& state, const Scene& scene) {
         }
         ImGui::EndCombo();
     } else {
-        tooltip("What is shown", info_of(view).what, "",
+        tooltip("The shown quantity", info_of(view).what, "",
                 keys_of(CommandId::NextDebugView) + ", " + keys_of(CommandId::PreviousDebugView));
     }
     ImGui::SameLine(0, px(4));

@@ -58,7 +58,7 @@ glm::dvec2 squared(glm::dvec2 fixed, glm::dvec2 moved, glm::dvec2 size) {
 }
 
 void move_line(ScopeState& scope, glm::dvec2 step) {
-    // As far as both ends stay inside.
+    // Limits the move so that both ends stay inside.
     const glm::dvec2 low = glm::min(scope.from, scope.to), high = glm::max(scope.from, scope.to);
     step = glm::clamp(step, -low, 1.0 - high);
     scope.from += step;

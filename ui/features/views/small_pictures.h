@@ -34,7 +34,7 @@ struct SmallPictures {
 };
 
 /// Begins `count` pictures of this size on a thread named `name`. If size and count stay the same, the sheet
-/// shows each old picture until the new one is drawn. Precondition: there is no job.
+/// shows each old picture until the new one is drawn. Precondition: no job is running.
 void begin_small_pictures(Jobs& jobs, SmallPictures& small, const std::string& name, PictureSize cell,
                           int count, DrawSmall draw);
 /// Stops collecting pictures; the job ends after its present one.

@@ -32,7 +32,7 @@ struct GridCell {
 /// without cool-to-warm shading or a clamp of each light.
 [[nodiscard]] Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown);
 
-/// Returns the factor by which a term is brightened to be visible: a power of 2, at most 16, with which only
+/// Returns the brightening factor that makes a term visible: a power of 2, at most 16, with which only
 /// the brightest twentieth of its lit pixels may exceed 1. 0 if the term contributes nothing. `drawn`: its
 /// picture, with Picture::linear; background does not count.
 [[nodiscard]] int gain_of(const Renderer& drawn_by, const Picture& drawn, float exposure);
@@ -43,7 +43,7 @@ struct TermGridState {
     std::optional<GridCell> solo;
     std::vector<GridCell> muted;
     PictureSheet sheet;      // three pictures per row, drawn while the mouse is idle
-    std::vector<int> gains;  // of the drawn cells: the factor by which each is brightened
+    std::vector<int> gains;  // of the drawn cells: the brightening factors
     std::optional<Scene> drawn_of;
     std::size_t next = 0;  // cell to draw; #cells: all are drawn
     std::unique_ptr<Renderer> renderer;

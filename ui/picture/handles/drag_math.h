@@ -36,7 +36,7 @@ struct Across {
 [[nodiscard]] std::optional<glm::dvec3> on_plane(const ScreenMap& map, glm::dvec3 place, glm::dvec3 normal,
                                                  glm::dvec2 cursor_px);
 
-/// The angle, -pi to pi, by which centre + radius `direction` must turn round `axis` (both unit) to be
+/// The angle, -pi to pi, of the turn of centre + radius `direction` round `axis` (both unit) to be
 /// nearest to the cursor.
 [[nodiscard]] double turn_towards(const ScreenMap& map, const Dome& circle, glm::dvec3 direction,
                                   glm::dvec3 axis, glm::dvec2 cursor_px);

@@ -120,7 +120,7 @@ std::string hint_of(const Grip& grip, const Scene& scene) {
     const std::string& name = light_of(grip, scene).name;
     if (!grip.in_picture) return name + ", outside the picture · Click: select";
     if (grip.kind == GripKind::Shape && grip.shape.part == ShapePart::Aim)
-        return name + ": aim at what is under the cursor · Ctrl: snap · Shift: turn freely";
+        return name + ": aim at the point under the cursor · Ctrl: snap · Shift: turn freely";
     if (grip.kind == GripKind::Shape)
         return fmt::format("{}: {} · Ctrl: snap", name, text_of(grip.shape.part));
     const bool power = info_of(scene.shading.reflection).uses_shininess();
@@ -134,7 +134,7 @@ std::string hint_of(const Held& held) {
     const Grip& grip = held.grip;
     if (!grip) return {};
     if (grip.kind == GripKind::Shape && grip.shape.part == ShapePart::Aim)
-        return "It shines at what is under the cursor · Ctrl: snap · Shift: turn freely · Esc: cancel";
+        return "It shines at the point under the cursor · Ctrl: snap · Shift: turn freely · Esc: cancel";
     if (grip.kind == GripKind::Object && grip.mode == GizmoMode::Scale) return "Ctrl: snap · Esc: cancel";
     const GripText& text = text_of(grip.kind);
     return (held.no_solution ? text.impossible : text.drag) + std::string(cancel);

@@ -30,8 +30,8 @@ struct Handle {
     bool in_picture = false;  // else `at.pixel` is on the picture's border, in the direction of the light
 };
 
-/// Returns the handles of the scene's lights, in order: of the first 300, more than can be told apart, and of
-/// `selected` (-1: none).
+/// Returns the handles of the scene's lights, in order: of the first 300, more than can be distinguished, and
+/// of `selected` (-1: none).
 [[nodiscard]] std::vector<Handle> light_handles(const Scene& scene, const PictureView& view, int selected);
 
 /// The nearest handle under the cursor (in the picture's pixels), or null.

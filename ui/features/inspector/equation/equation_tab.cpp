@@ -80,7 +80,7 @@ void against_phong(const UiState& state, const Explanation& explanation) {
     if (!explanation.lit_per_corner) return;
     const std::optional<Explanation> phong = under_phong(state, explanation);
     if (!phong) return;
-    // Not by the bytes: clipped values are equal, whatever is lost.
+    // Not by the bytes: clipped values are equal even if something is lost.
     if (shown_vector(phong->sum) == shown_vector(explanation.sum))
         return wrapped_dim("Phong shading gives the same colour here: nothing is lost between the corners.");
     const glm::vec3 lost = phong->sum - explanation.sum;
@@ -93,11 +93,11 @@ void against_phong(const UiState& state, const Explanation& explanation) {
     };
     row("Phong", "The pixel lit at its own point, not at the corners", phong->sum);
     if (glm::all(glm::greaterThanEqual(lost, glm::vec3(0))))
-        row("lost", "What is between the corners, and so in none of their colours", lost);
+        row("lost", "Light between the corners, and so in none of their colours", lost);
     else if (glm::all(glm::lessThanEqual(lost, glm::vec3(0))))
         row("too much", "What the corners contribute here, although it does not reach this point", -lost);
     else
-        row("differs", "This colour minus Phong's: negative is what is lost between the corners", -lost);
+        row("differs", "This colour minus Phong's: negative is lost between the corners", -lost);
 }
 
 /// The tone, which under cool to warm replaces emission, ambient and diffuse.

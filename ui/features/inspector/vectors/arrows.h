@@ -35,7 +35,7 @@ class Words {
     void keep_off(ImVec2 from, ImVec2 to);
     /// Writes the letter of an arrow, centred near `centre`; if displaced, it is tied to it by a line.
     void letter(ImVec2 centre, const ImVec4& colour, const std::string& text);
-    /// Writes an angle, centred near `centre`; left out if there is no room.
+    /// Writes an angle, centred near `centre`; left out without enough room.
     void degrees(ImVec2 centre, const ImVec4& colour, const std::string& text);
     void draw(ImDrawList& list) const;
 
@@ -60,7 +60,7 @@ struct ArrowLook {
 void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look);
 
 /// The arc from direction a to b (unit) with its degrees, at `radius` of the pen's reach. The degrees avoid
-/// other labels, and are left out if there is no room.
+/// other labels, and are left out without enough room.
 void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
               Words& words);
 

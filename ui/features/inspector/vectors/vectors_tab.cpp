@@ -186,7 +186,7 @@ void vectors_tab(UiState& state, const PictureView&) {
     if (!state.on_screen.explanation)
         return inspector_empty_state("Click a pixel to see its vectors here and in the picture.");
     const Explanation& explanation = *state.on_screen.explanation;
-    if (!explanation.hit) return wrapped_dim("No object is visible here: there is no normal and no light.");
+    if (!explanation.hit) return wrapped_dim("No object is visible here, so no normal and no light.");
     const ExplainedPoint& point = asked_point(state.get<InspectorState>(), explanation);
     const ExplainedLight* light = asked_light(state, point);
     switches(state.get<InspectorState>());
