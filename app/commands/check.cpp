@@ -107,7 +107,7 @@ Outcome check(const CheckArguments& arguments) {
     const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads);
     if (found.compared == 0)
         throw Failure{ExitStatus::Impossible,
-                      {arguments.directory, "", "there is no pixel to compare",
+                      {arguments.directory, "", "no pixel to compare",
                        "a size at which the scene shows a surface of some size"}};
     Warnings warnings = document.warnings;
     for (std::string& unknown : unknown_pictures(arguments.directory, checked_buffers(document.scene)))

@@ -298,7 +298,7 @@ template <Of<Npr> N, class Visit> void fields(N& n, Visit&& visit) {
 }
 
 template <Of<Display> D, class Visit> void fields(D& d, Visit&& visit) {
-    visit(Row{"background", "Background", "Colour where there is no object"}, Colour{}, d.background);
+    visit(Row{"background", "Background", "Colour of pixels without an object"}, Colour{}, d.background);
     visit(Row{"transfer", "Encoding", "How linear light is encoded for the display (gamma)"}, OneOf{},
           d.transfer);
     visit(Row{"exposure", "Exposure", "Multiplies the linear colour before display"},

@@ -102,7 +102,7 @@ Problem syntax_problem(const JsonStop& stop) {
     const std::string_view rest = stop.text.substr(fault.place);
     const std::string expected(fault.expected);
     const auto problem = [&]() -> Problem {
-        if (rest.empty() && stop.last == JsonEvent::Nothing) return {"", "", "there is no text", expected};
+        if (rest.empty() && stop.last == JsonEvent::Nothing) return {"", "", "the text is empty", expected};
         if (rest.empty()) return {"", "", "the text ends too early", expected};
         if (rest.starts_with('/'))
             return {"", "", "a comment or a stray slash", "JSON, which has no comments"};

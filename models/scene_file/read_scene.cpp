@@ -159,7 +159,7 @@ void allow_keys_of_one_mesh(const Node& node) {
     if (is_file && node.has("primitive")) node.fail("both \"file\" and \"primitive\"", "one of the two");
     for (const std::string& key : others)
         if (node.has(key) && std::find(own.begin(), own.end(), key) == own.end())
-            node.fail(fmt::format("\"{}\" {} \"file\"", key, is_file ? "beside" : "without"),
+            node.fail(fmt::format("\"{}\" {} \"file\"", key, is_file ? "together with" : "without"),
                       is_file ? "it for a primitive only" : "it for a file only");
 }
 

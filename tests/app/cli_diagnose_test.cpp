@@ -319,7 +319,7 @@ TEST_CASE("glint check without anything to compare is an error, not a success", 
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
     CHECK(run_glint({"check", files.scene, buffers.path(""), "--set", "/objects=[]"}).err ==
           "glint: error: " + buffers.path("") +
-              ": there is no pixel to compare; expected a size at which the scene shows a surface of some "
+              ": no pixel to compare; expected a size at which the scene shows a surface of some "
               "size\n");
 }
 

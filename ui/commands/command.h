@@ -101,7 +101,7 @@ constexpr bool ctrl = true, shift = true, alt = true;  // of a KeyPress
     return unless(!busy, "Another picture is being written");
 }
 [[nodiscard]] inline std::string unless_drawn(const void* picture) {
-    return unless(picture != nullptr, "There is no picture yet");
+    return unless(picture != nullptr, "No picture yet");
 }
 [[nodiscard]] std::string unless_objects(const UiState& state);
 

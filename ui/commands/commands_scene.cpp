@@ -104,17 +104,13 @@ std::vector<WindowCommand> camera_commands() {
          .section = Section::ViewCamera,
          .run = [](UiState& s) { go_to_view(s, &ViewHistory::back); },
          .why_disabled =
-             [](const UiState& s) {
-                 return unless(s.editor.views.can_go_back(), "There is no previous view");
-             }},
+             [](const UiState& s) { return unless(s.editor.views.can_go_back(), "No previous view"); }},
         {.name = "View after",
          .keys = {{Key::Right, !ctrl, !shift, alt}},
          .section = Section::ViewCamera,
          .run = [](UiState& s) { go_to_view(s, &ViewHistory::forward); },
          .why_disabled =
-             [](const UiState& s) {
-                 return unless(s.editor.views.can_go_forward(), "There is no next view");
-             }},
+             [](const UiState& s) { return unless(s.editor.views.can_go_forward(), "No next view"); }},
         {.name = "Keep this view",
          .keys = {{Key::U, !ctrl, shift}},
          .section = Section::ViewCamera,

@@ -116,7 +116,7 @@ void folder_line(FileDialog& dialog) {
 /// Returns the message in place of an empty list.
 const char* nothing_words(const FileDialog& dialog) {
     std::error_code failed;
-    return fs::is_directory(dialog.folder, failed) ? dialog.purpose->nothing : "There is no such folder";
+    return fs::is_directory(dialog.folder, failed) ? dialog.purpose->nothing : "This folder does not exist";
 }
 
 /// The result of a click or double-click on an entry.

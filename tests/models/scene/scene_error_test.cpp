@@ -29,9 +29,9 @@ void check_members(const std::vector<Wrong>& table) {
 
 TEST_CASE("text that is not JSON is a problem with its line and the expected input", "[scene_error]") {
     const std::vector<Wrong> table{
-        {"", R"(1: there is no text; expected an object, such as {"glint": 1})"},
-        {"  \n  ", R"(1: there is no text; expected an object, such as {"glint": 1})"},
-        {"\xEF\xBB\xBF", R"(1: there is no text; expected an object, such as {"glint": 1})"},
+        {"", R"(1: the text is empty; expected an object, such as {"glint": 1})"},
+        {"  \n  ", R"(1: the text is empty; expected an object, such as {"glint": 1})"},
+        {"\xEF\xBB\xBF", R"(1: the text is empty; expected an object, such as {"glint": 1})"},
         {"\xEF\xBB\xBF\xEF\xBB\xBF{\"glint\": 1}",
          "1: a second byte-order mark; expected at most one before the text"},
         {"{", R"(1: the text ends too early; expected a key in quotes or "}")"},
@@ -240,7 +240,7 @@ TEST_CASE("an object that breaks its rules is a problem at its pointer", "[scene
         {R"("objects": [{"mesh": {"file": "a.obj", "primitive": "cube"}}])",
          R"(/objects/0/mesh: both "file" and "primitive"; expected one of the two)"},
         {R"("objects": [{"mesh": {"file": "a.obj", "detail": 3}}])",
-         R"(/objects/0/mesh: "detail" beside "file"; expected it for a primitive only)"},
+         R"(/objects/0/mesh: "detail" together with "file"; expected it for a primitive only)"},
         {R"("objects": [{"mesh": {"primitive": "cube", "part": null}}])",
          R"(/objects/0/mesh: "part" without "file"; expected it for a file only)"},
         {R"("objects": [{"mesh": {"file": ""}}])",

@@ -61,7 +61,7 @@ TEST_CASE("--set takes JSON values, and a word as a string", "[scene_set]") {
     CHECK(problem_with(smallest, {"/lights/0/name=1a"}) ==
           "--set: /lights/0/name: \"1a\" is neither JSON nor a word: unexpected \"a\"" + expected);
     CHECK(problem_with(smallest, {"/lights/0/name="}) ==
-          "--set: /lights/0/name: \"\" is neither JSON nor a word: there is no text" + expected);
+          "--set: /lights/0/name: \"\" is neither JSON nor a word: the text is empty" + expected);
     CHECK(problem_with(smallest, {"/lights/0/intensity=1e999"}) ==
           "--set: /lights/0/intensity: 1e999 is out of range; expected a number within -1e7 and 1e7");
     CHECK(problem_with(smallest, {"/lights/0/position=[0, -1e400, 0]"}) ==

@@ -170,8 +170,8 @@ TEST_CASE("a part without its scene or picture is labelled so and shows the edit
     set_parts(choice, {{}, {Variant::Kind::Stored, 0}, {Variant::Kind::Mine, 0}});
     bench.frames(2);
     CHECK(part_label(compare, 0) == "As edited");
-    CHECK(part_label(compare, 1) == "B: none is stored");
-    CHECK(part_label(compare, 2) == "My picture: none is open");
+    CHECK(part_label(compare, 1) == "B: nothing stored");
+    CHECK(part_label(compare, 2) == "My picture: not open");
     CHECK(bench.state.displayed->rgba == bench.state.rendered->rgba);
     choice.stored = std::make_shared<const Scene>(bench.scene());
     choice.mine = std::make_shared<const Picture>(*bench.state.rendered);

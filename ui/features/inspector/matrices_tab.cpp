@@ -74,7 +74,7 @@ std::string four_numbers(glm::vec4 v) { return shown_vector(v) + " " + shown_num
 void light_rows(UiState& state) {
     const Scene& scene = explained_scene(state);
     section_heading("Lights in camera coordinates");
-    if (scene.lights.empty()) return wrapped_dim("There is no light.");
+    if (scene.lights.empty()) return wrapped_dim("No lights.");
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
         const bool world = light.space == LightSpace::World;

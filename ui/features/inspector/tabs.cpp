@@ -52,7 +52,7 @@ constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that really happen, each as a switch",
                      mistakes_tab, TabScene::Edited, true},
     InspectorTabInfo{InspectorTab::MyPicture, "My picture",
-                     "What is wrong in a picture of this scene that your own program drew", my_picture_tab},
+                     "Mistakes in a picture of this scene that your own program drew", my_picture_tab},
     InspectorTabInfo{InspectorTab::Program, "Program",
                      "The OpenGL calls that draw this scene, with draggable numbers", program_tab},
     InspectorTabInfo{InspectorTab::Plots, "Plots",

@@ -72,7 +72,7 @@ std::optional<OtherScene> show_frozen(const UiState& state) {
         .end = [](UiState& s) { s.get<LectureState>().frozen.reset(); },
         .selection = lecture.frozen_selection,
         .refusal = "The picture is frozen: " + key + " unfreezes it",
-        .hint = "Frozen · " + key + ": go on",
+        .hint = "Frozen · " + key + ": unfreeze",
         .press = [](UiState& s) { s.notifications.tell(s.on_screen.refusal(), Tone::Warning); }};
 }
 

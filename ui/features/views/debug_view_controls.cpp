@@ -145,7 +145,7 @@ std::string title_of(const DebugViewState& state, const Scene& scene) {
                                                                         : "";
         return info_of(choice.view).label + unit;
     }
-    if (scene.lights.empty()) return "n·l: there is no light";
+    if (scene.lights.empty()) return "n·l: no lights";
     const std::size_t light =
         std::min(static_cast<std::size_t>(std::max(choice.light, 0)), scene.lights.size() - 1);
     return "n·l of " + scene.lights[light].name;

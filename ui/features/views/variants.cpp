@@ -85,9 +85,9 @@ bool lacks_picture(const CompareChoice& choice, Variant variant) {
 std::string part_label(const CompareState& state, std::size_t part) {
     const CompareChoice& choice = state.choice;
     const Variant variant = choice.parts[part];
-    if (lacks_stored(choice, variant)) return "B: none is stored";
+    if (lacks_stored(choice, variant)) return "B: nothing stored";
     if (variant.kind == Variant::Kind::Edited && !state.resting.empty()) return state.resting;
-    return lacks_picture(choice, variant) ? "My picture: none is open" : label_of(variant);
+    return lacks_picture(choice, variant) ? "My picture: not open" : label_of(variant);
 }
 
 Scene scene_under(Variant variant, const Scene& edited, const Scene* stored) {
