@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t least_limit = std::uint64_t{1} << 20;
-constexpr const char* size_words = "bytes as in 8G, with K, M, G or T behind a whole number; 1M at least";
+constexpr const char* size_words = "bytes as in 8G, with K, M, G or T after a whole number; at least 1M";
 
 std::atomic<std::uint64_t> limit_set{0};  // 0: not set
 

@@ -71,7 +71,7 @@ std::string from_base64(const Node& node, std::string_view text) {
     for (const char c : text) {
         const int digit = base64_digit(c);
         if (digit < 0)
-            node.fail("the data URI holds a character that is not of base64", "letters, digits, + and /");
+            node.fail("the data URI contains a character that is not base64", "letters, digits, + and /");
         bits = bits << 6 | static_cast<std::uint32_t>(digit);
         count += 6;
         if (count < 8) continue;

@@ -8,7 +8,8 @@ void say_camera(const GltfUnsaid& unsaid, Warnings& w) {
     if (unsaid.mirroring)
         w.emplace_back(
             "the frustum mirrors the picture (left above right, or bottom above top), which is left out");
-    if (unsaid.angle) w.emplace_back("the angle of view is beyond what glTF can say: the nearest is written");
+    if (unsaid.angle)
+        w.emplace_back("the angle of view is beyond what glTF can express: the nearest is written");
 }
 
 void say_whole(const Scene& scene, Warnings& w) {

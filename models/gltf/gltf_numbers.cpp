@@ -58,7 +58,7 @@ View view_of(const GltfDocument& document, const Node& view) {
     const std::string_view all = document.buffers[buffer];
     const std::uint64_t offset = whole(view, "byteOffset", 9e15, 0), length = whole(view, "byteLength", 9e15);
     if (offset > all.size() || length > all.size() - offset)
-        view.fail(fmt::format("its bytes {} to {} lie beyond its buffer", offset, offset + length),
+        view.fail(fmt::format("its bytes {} to {} are beyond its buffer", offset, offset + length),
                   fmt::format("bytes 0 to {}", all.size()));
     return {all.substr(offset, length), stride_of(view)};
 }
@@ -141,7 +141,7 @@ GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Nod
             numbers.stride = view.stride == 0 ? size : view.stride;
             if (numbers.stride < size)
                 accessor.fail(
-                    fmt::format("its elements have {} bytes and lie {} bytes apart", size, numbers.stride),
+                    fmt::format("its elements have {} bytes and are {} bytes apart", size, numbers.stride),
                     fmt::format("a byteStride of at least {}", size));
             const std::uint64_t needed = offset + (numbers.count - 1) * numbers.stride + size;
             if (needed > view.bytes.size())

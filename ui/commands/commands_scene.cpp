@@ -40,7 +40,7 @@ void go_to_view(UiState& state, Camera (ViewHistory::*step)(const Camera&)) {
 void keep_this_view(UiState& state) {
     keep_view(state.kept_views, state.editor.scene().camera);
     state.notifications.add(Tone::Done,
-                            "This view is kept: " + keys_of(CommandId::NextView) + " comes back to it");
+                            "This view is kept: " + keys_of(CommandId::NextView) + " returns to it");
 }
 
 void show_next_view(UiState& state) {
@@ -99,13 +99,13 @@ std::vector<WindowCommand> camera_commands() {
                  return unless(s.editor.scene().camera != s.editor.saved.camera,
                                "The camera is already the saved one");
              }},
-        {.name = "View before",
+        {.name = "Previous view",
          .keys = {{Key::Left, !ctrl, !shift, alt}},
          .section = Section::ViewCamera,
          .run = [](UiState& s) { go_to_view(s, &ViewHistory::back); },
          .why_disabled =
              [](const UiState& s) { return unless(s.editor.views.can_go_back(), "No previous view"); }},
-        {.name = "View after",
+        {.name = "Next view",
          .keys = {{Key::Right, !ctrl, !shift, alt}},
          .section = Section::ViewCamera,
          .run = [](UiState& s) { go_to_view(s, &ViewHistory::forward); },

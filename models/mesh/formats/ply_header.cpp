@@ -72,7 +72,8 @@ class HeaderReader {
         while (cursor_.next_line()) {
             const std::string_view keyword = cursor_.word();
             if (keyword == "end_header") {
-                if (!format) cursor_.fail("the header names no format", "\"format ascii 1.0\", say");
+                if (!format)
+                    cursor_.fail("the header names no format", "a line such as \"format ascii 1.0\"");
                 header_.format = *format;
                 check_elements(cursor_, header_);
                 return std::move(header_);
@@ -100,7 +101,7 @@ class HeaderReader {
     /// Records a name of an element, or of a property of the last one; fails if it exists already.
     void take_name(std::set<std::string_view>& names, const char* kind, std::string_view name) {
         if (!names.insert(name).second)
-            cursor_.fail(fmt::format("{} {} comes twice", kind, quoted_word(name)), "one");
+            cursor_.fail(fmt::format("duplicate {} {}", kind, quoted_word(name)), "one");
         if (++name_count_ > max_ply_names)
             cursor_.fail("the header has too many elements and properties",
                          fmt::format("at most {}", max_ply_names));

@@ -33,7 +33,7 @@ std::optional<Problem> too_many_around(const Mesh& mesh, const char* pointer) {
     return Problem{"", pointer,
                    faces > max_faces_around ? fmt::format("{} faces meet at one vertex of the mesh", faces)
                                             : fmt::format("a face of the mesh has {} corners", corners),
-                   fmt::format("at most {} where it is made finer or coarser", max_faces_around)};
+                   fmt::format("at most {} for another resolution", max_faces_around)};
 }
 
 }  // namespace

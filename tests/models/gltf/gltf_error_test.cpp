@@ -31,7 +31,7 @@ TEST_CASE("a hostile glTF file is reported in one line with the place and the er
           "to "
           "9000000000000000");
     check("\"byteLength\": 36}", "\"byteLength\": 37}",
-          "t.gltf: /bufferViews/0: its bytes 0 to 37 lie beyond its buffer; expected bytes 0 to 36");
+          "t.gltf: /bufferViews/0: its bytes 0 to 37 are beyond its buffer; expected bytes 0 to 36");
     check("\"buffer\": 0", "\"buffer\": 1",
           "t.gltf: /bufferViews/0: its buffer 1 is not there; expected one of 1");
     check("\"byteLength\": 36, \"uri\"", "\"byteLength\": 40, \"uri\"",
@@ -39,7 +39,7 @@ TEST_CASE("a hostile glTF file is reported in one line with the place and the er
     check("AAAgD8AAAAA", "AAAgD8AA",
           "t.gltf: /buffers/0: its data has 33 bytes; expected 36, its byteLength");
     check("AAAgD8AAAAA", "AAAgD8!",
-          "t.gltf: /buffers/0/uri: the data URI holds a character that is not of base64; expected letters, "
+          "t.gltf: /buffers/0/uri: the data URI contains a character that is not base64; expected letters, "
           "digits, + "
           "and /");
     for (const std::string file : {"/dev/zero", "/etc/passwd", "/tmp/a.bin", "../a.bin", "b/../../a.bin",

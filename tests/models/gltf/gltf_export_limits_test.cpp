@@ -97,7 +97,7 @@ TEST_CASE("a .glb warns once each of a frustum's mirroring and of its height lim
         exported({fmt::format(frustum_of, -1, 1, -1e7, 1e7), "/camera/projection/near=1e-6"});
     CHECK(tall.ended.status == 0);
     CHECK(tall.ended.err == straight +
-                                "glint: warning: the angle of view is beyond what glTF can say: the "
+                                "glint: warning: the angle of view is beyond what glTF can express: the "
                                 "nearest is written\n");
     CHECK(std::get<Perspective>(tall.scene.camera.projection).fov_y_deg > 179.99f);
 }

@@ -48,7 +48,7 @@ TEST_CASE("a violation of the glTF specification is one line with the place and 
                   stride));
     check(
         view, view + ", \"byteStride\": 8",
-        "t.gltf: /accessors/0: its elements have 12 bytes and lie 8 bytes apart; expected a byteStride of at "
+        "t.gltf: /accessors/0: its elements have 12 bytes and are 8 bytes apart; expected a byteStride of at "
         "least 12");
     CHECK(error_of(changed(view, view + ", \"byteStride\": 12")).empty());
 

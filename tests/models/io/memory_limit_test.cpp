@@ -35,9 +35,8 @@ TEST_CASE("a memory size is a whole number of bytes, K, M, G or T", "[memory]") 
         CHECK(size_of(wrong) == 0);
     }
     CHECK(std::get<Problem>(parse_memory_size("--memory", "8GB")).text() ==
-          "--memory: 8GB is not a memory size; expected bytes as in 8G, with K, M, G or T behind a whole "
-          "number; "
-          "1M at least");
+          "--memory: 8GB is not a memory size; expected bytes as in 8G, with K, M, G or T after a whole "
+          "number; at least 1M");
 }
 
 TEST_CASE("a control group's memory limit is the smallest of it and its parents", "[memory]") {

@@ -161,7 +161,8 @@ TEST_CASE("a malformed PLY is reported with the expected input", "[mesh_file][pl
         {"m.ply", "ply\n", ":2: the header does not end; expected \"end_header\""},
         {"m.ply", "ply\nformat ascii 2.0\nend_header\n",
          ":2: \"2.0\" is not a version of PLY that is known; expected 1.0"},
-        {"m.ply", "ply\nend_header\n", ":2: the header names no format; expected \"format ascii 1.0\", say"},
+        {"m.ply", "ply\nend_header\n",
+         ":2: the header names no format; expected a line such as \"format ascii 1.0\""},
         {"m.ply", "ply\nformat text 1.0\n",
          ":2: \"text\" is not a format of a PLY file; expected ascii, binary_little_endian or "
          "binary_big_endian"},
@@ -180,7 +181,7 @@ TEST_CASE("a malformed PLY is reported with the expected input", "[mesh_file][pl
         {"m.ply", head + "element vertex 3\nproperty real x\n",
          ":4: \"real\" is not a type; expected char, uchar, short, ushort, int, uint, float or double"},
         {"m.ply", head + "element vertex 3\nproperty float x\nproperty float x\n",
-         ":5: property \"x\" comes twice; expected one"},
+         ":5: duplicate property \"x\"; expected one"},
         {"m.ply", head + "element vertex 3\nproperty float x\nend_header\n",
          ":3: the vertices lack a coordinate; expected properties x, y and z"},
         {"m.ply", head + "element vertex 3\n" + xyz + "element face 1\nend_header\n",

@@ -336,13 +336,12 @@ TEST_CASE("a subdivision with too many faces is refused in one line", "[resoluti
           "/subdivide: subdivided 5 times the mesh has 20971520 faces; expected at most 8388608");
     const Mesh cone = make_primitive(Primitive::Cone, 9000);
     CHECK(refused(cone, {0, 1}) ==
-          "/subdivide: 9000 faces meet at one vertex of the mesh; expected at most 8192 where it is made "
-          "finer or coarser");
+          "/subdivide: 9000 faces meet at one vertex of the mesh; expected at most 8192 for another "
+          "resolution");
     CHECK(refused(cone, {100, 0}).starts_with("/decimate: 9000 faces"));
     const Mesh cylinder = make_primitive(Primitive::Cylinder, 9000);  // its caps have as many corners
     CHECK(refused(cylinder, {0, 1}) ==
-          "/subdivide: a face of the mesh has 9000 corners; expected at most 8192 where it is made finer or "
-          "coarser");
+          "/subdivide: a face of the mesh has 9000 corners; expected at most 8192 for another resolution");
     CHECK(refused(cylinder, {100, 0}).starts_with("/decimate: a face of the mesh has 9000 corners"));
 }
 

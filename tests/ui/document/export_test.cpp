@@ -157,7 +157,7 @@ TEST_CASE("a picture saved or exported elsewhere reopens with its meshes", "[ui]
     begin_export(bench.state, {{64, 36}, 4}, exported);
     while (bench.state.get<ExportState>().job) bench.frame();
     CHECK(bench.state.notifications.list.back().text ==
-          "Saved exported.png in " + folder.path("pictures") + " (64 × 36, 4 samples a pixel)");
+          "Saved exported.png in " + folder.path("pictures") + " (64 × 36, 4 samples per pixel)");
     bench.key(Key::F12);
     REQUIRE(bench.state.files.open);
     bench.state.files.folder = folder.path("pictures");
@@ -192,12 +192,12 @@ struct PictureWindow : HeadlessWindow {
         return state.notifications.list.front();
     }
     Picture saved(const std::string& name) { return std::get<Picture>(read_png(folder.path(name))); }
-    /// "Saved a.png in FOLDER (640 × 360, 1 sample a pixel)"
+    /// "Saved a.png in FOLDER (640 × 360, 1 sample per pixel)"
     std::string told(const std::string& name) {
         const Picture picture = saved(name);
         return "Saved " + name + " in " + folder.path("").substr(0, folder.path("").size() - 1) + " (" +
                std::to_string(picture.size.width) + " × " + std::to_string(picture.size.height) +
-               ", 1 sample a pixel)";
+               ", 1 sample per pixel)";
     }
 
     TemporaryDirectory folder;

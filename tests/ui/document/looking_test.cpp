@@ -76,11 +76,11 @@ TEST_CASE("views have their own back and forward, independent of undo", "[ui]") 
     CHECK(bench.scene().camera == second);
     key_alt(bench, Key::Left);
     CHECK(bench.scene().camera == first);
-    CHECK_FALSE(why_disabled(bench.state, command_named("View before")).empty());
+    CHECK_FALSE(why_disabled(bench.state, command_named("Previous view")).empty());
     key_alt(bench, Key::Right);
     CHECK(bench.scene().camera == second);
     orbit_by_hand(bench, -30);
-    CHECK_FALSE(why_disabled(bench.state, command_named("View after")).empty());
+    CHECK_FALSE(why_disabled(bench.state, command_named("Next view")).empty());
     key_alt(bench, Key::Left);
     CHECK(bench.scene().camera == second);
     CHECK(third != second);

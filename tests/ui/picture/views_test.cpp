@@ -46,11 +46,11 @@ TEST_CASE("the number pad views from six sides at the same distance, each one vi
         CHECK(glm::dot(looks_along(bench.scene().camera), view.along) > 0.99999f);
         CHECK(target_depth(bench.scene().camera) == Approx(target_depth(before.camera)));
         bench.frames(1);
-        run_command(bench.state, test::command_named("View before"));
+        run_command(bench.state, test::command_named("Previous view"));
         CHECK(bench.scene().camera == before.camera);
-        run_command(bench.state, test::command_named("View after"));
+        run_command(bench.state, test::command_named("Next view"));
         CHECK(glm::dot(looks_along(bench.scene().camera), view.along) > 0.99999f);
-        run_command(bench.state, test::command_named("View before"));
+        run_command(bench.state, test::command_named("Previous view"));
         bench.frames(1);
     }
     bench.key(Key::Pad0);
@@ -92,7 +92,7 @@ TEST_CASE("a key returns to a saved view as one step", "[ui][hands][window]") {
     CHECK_FALSE(why_disabled(bench.state, command(CommandId::NextView)).empty());
     bench.key(Key::U, false, true);
     // It is remembered with the settings, beyond the window's lifetime.
-    CHECK(bench.state.notifications.list.back().text == "This view is kept: U comes back to it");
+    CHECK(bench.state.notifications.list.back().text == "This view is kept: U returns to it");
     bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
     CHECK_FALSE(bench.scene().camera == before.camera);
     bench.key(Key::U);

@@ -258,7 +258,7 @@ TEST_CASE("orbiting leaves lights and objects unchanged and is one step", "[ui][
     CHECK(bench.scene().objects == before.objects);
     CHECK_FALSE(bench.scene().camera == before.camera);
     CHECK_FALSE(bench.state.editor.history.can_undo());
-    run_command(bench.state, test::command_named("View before"));
+    run_command(bench.state, test::command_named("Previous view"));
     CHECK(bench.scene() == before);
 }
 
@@ -272,7 +272,7 @@ TEST_CASE("the wheel moves closer, and quick notches are one step", "[ui][window
         bench.frames(2);
     }
     CHECK(glm::length(bench.scene().camera.eye) < glm::length(before.camera.eye));
-    run_command(bench.state, test::command_named("View before"));
+    run_command(bench.state, test::command_named("Previous view"));
     CHECK(bench.scene() == before);
 }
 

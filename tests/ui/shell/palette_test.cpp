@@ -101,13 +101,13 @@ TEST_CASE("commands of the difference and the scope are found while those are sh
     HeadlessWindow bench;
     bench.frames(2);
     CHECK(found(bench.state, "difference of the parts").at(0).refused == "Nothing is compared (C)");
-    CHECK(found(bench.state, "twice as strong").at(0).refused == "No difference is shown");
-    CHECK(found(bench.state, "eye makes").at(0).refused == "The scope is not open");
+    CHECK(found(bench.state, "double the difference").at(0).refused == "No difference is shown");
+    CHECK(found(bench.state, "eye perceives").at(0).refused == "The scope is not open");
     (void)bench.key(Key::C);
     (void)bench.key(Key::P);
     bench.frames(2);
-    for (const char* text :
-         {"difference of the parts", "twice as strong", "one above the other", "scope red", "eye makes"})
+    for (const char* text : {"difference of the parts", "double the difference", "one above the other",
+                             "scope red", "eye perceives"})
         found(bench.state, text).at(0).run(bench.state);
     const CompareChoice& choice = bench.state.get<CompareState>().choice;
     CHECK(choice.difference);
@@ -122,7 +122,7 @@ TEST_CASE("commands of the scope's card and of the pen are found", "[ui][palette
     bench.frames(2);
     CHECK(found(bench.state, "grey card").at(0).refused == "The scope is not open");
     CHECK(found(bench.state, "next colour").at(0).refused == "The pen is not active");
-    CHECK(found(bench.state, "last line").at(0).refused == "Nothing is drawn");
+    CHECK(found(bench.state, "last stroke").at(0).refused == "Nothing is drawn");
     (void)bench.key(Key::P);
     (void)bench.key(Key::W);
     bench.frames(2);
@@ -139,7 +139,7 @@ TEST_CASE("commands of the scope's card and of the pen are found", "[ui][palette
     }
     CHECK(pen.colour == 0);
     pen.lines = {{{{0, 0}}, 1}, {{{0, 0}}, 2}};
-    found(bench.state, "last line").at(0).run(bench.state);
+    found(bench.state, "last stroke").at(0).run(bench.state);
     REQUIRE(pen.lines.size() == 1);
     CHECK(pen.lines[0].colour == 1);
 }

@@ -144,7 +144,7 @@ void animate_panel(UiState& state) {
         if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
         (void)integer_field("Frames", animate.animation.frames, Count{1, max_frames}, 48,
                             {"Frames of one period; then it repeats", ""});
-        (void)integer_field("Speed", animate.frames_a_second, Count{1, 50}, 25, {"Frames a second", ""});
+        (void)integer_field("Speed", animate.frames_a_second, Count{1, 50}, 25, {"Frames per second", ""});
         if (!(animate.animation == before)) animate.refused.clear();
         if (!animate.refused.empty()) {
             ImGui::PushTextWrapPos();

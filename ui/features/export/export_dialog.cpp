@@ -86,7 +86,7 @@ bool answers(const UiInput& input, Key key) {
 void sample_row(ExportOptions& options, const UiInput& input) {
     std::vector<Choice> choices;
     constexpr const char* names[] = {"1", "2", "4", "8"};
-    for (const char* name : names) choices.push_back({name, name, "Samples a pixel"});
+    for (const char* name : names) choices.push_back({name, name, "Samples per pixel"});
     const auto at = std::find(samples.begin(), samples.end(), options.samples) - samples.begin();
     label_cell("Samples");
     int chosen = segments("##samples", static_cast<int>(at), choices,

@@ -127,7 +127,7 @@ std::string how(const Blob& mine, const Blob& wanted, const char* what, bool has
     if (has_size && wanted.bright > larger * mine.bright) return fmt::format("{} is too small", what);
     if (mine.sum > brighter * wanted.sum) return fmt::format("{} is too bright", what);
     if (wanted.sum > brighter * mine.sum) return fmt::format("{} is too dark", what);
-    return fmt::format("{} is slightly misplaced", what);
+    return fmt::format("{} is slightly displaced", what);
 }
 
 }  // namespace

@@ -203,7 +203,7 @@ void ways_on(QuizState& quiz) {
     ImGui::BeginDisabled(quiz.at == 0);
     if (ImGui::Button("‹ Back##quiz", {width, 0})) --quiz.at;
     ImGui::EndDisabled();
-    tooltip("Question before", "Shortcut: PgUp");
+    tooltip("Previous question", "Shortcut: PgUp");
     if (count_taken(quiz) > 0) {
         ImGui::SameLine();
         if (ImGui::Button("Begin again##quiz")) begin_quiz_again(quiz);

@@ -131,7 +131,7 @@ void pen_bar(PenState& pen, const Rect& picture) {
     ImGui::SameLine(0, px(10));
     ImGui::BeginDisabled(pen.lines.empty());
     if (icon_button("##back", Icon::Undo)) pen.lines.pop_back();
-    tooltip("Last line", "Undoes the last stroke");
+    tooltip("Last stroke", "Undoes the last stroke");
     ImGui::SameLine(0, px(4));
     if (ImGui::Button("Wipe")) pen.lines.clear();
     tooltip("Wipe", "Erases all strokes", "", keys_of(CommandId::WipePen));

@@ -44,7 +44,7 @@ void facet_section(const UiState& state, const Explanation& explanation) {
     vector_line(edge, "1→2", facet->edge_a);
     vector_line(edge, "1→3", facet->edge_b);
     vector_line(Symbol::N, "1→2 × 1→3", facet->cross);
-    vector_line(Symbol::N, "made unit", facet->of_edges);
+    vector_line(Symbol::N, "normalised", facet->of_edges);
     vector_line(Symbol::N, "Newell", facet->newell);
     const float length = glm::length(facet->cross);
     const Object& object = explained_scene(state).objects[static_cast<std::size_t>(explanation.object_index)];
