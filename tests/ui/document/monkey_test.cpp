@@ -200,9 +200,8 @@ TEST_CASE("a closed dialog does not block the next one", "[ui]") {
     }
 }
 
-TEMPLATE_TEST_CASE_SIG(
-    "after thousands of random events nothing has crashed, every scene can be saved, and undo leads back",
-    "[ui][monkey][long]", ((unsigned run), run), 0, 1, 2, 3) {
+TEMPLATE_TEST_CASE_SIG("after random events nothing has crashed, scenes can be saved, and undo works",
+                       "[ui][monkey][long]", ((unsigned run), run), 0, 1, 2, 3) {
     const Cage cage;
     const char* chosen = std::getenv("GLINT_MONKEY_SEED");
     const unsigned seed = run + (chosen != nullptr ? static_cast<unsigned>(std::atoi(chosen)) : first_seed);

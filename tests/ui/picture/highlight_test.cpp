@@ -175,7 +175,7 @@ TEST_CASE("also on saddles and bumps, under lights without falloff", "[ui][hands
 
 // Where the normal hardly turns along some direction, falloff and a cone may leave no solution at the light's
 // own distance, or with its own aim.
-TEMPLATE_TEST_CASE_SIG("and on saddles and bumps under lights with falloff",
+TEMPLATE_TEST_CASE_SIG("also on saddles and bumps, under lights with falloff",
                        "[ui][hands][property][long][release]", ((unsigned seed), seed), 22, 101) {
     CHECK(misses(seed, 1000, hollow_shapes(), Fall::Off) <= 1);
 }
