@@ -30,7 +30,7 @@ green() { # of the pixel this far to the left of the cursor, 0 to 255
 }
 is_green() { [ "$(green "$1")" -gt 100 ]; }
 xdotool mousemove "$hand" 720 keydown ctrl
-for _ in 1 2 3 4 5; do xdotool click 4 sleep 0.2; done
+for _ in 1 2 3 4 5; do xdotool click 4 && wait_for_rest 2; done
 within 10 is_green 300 || fail "the picture is not enlarged: green $(green 300)"
 is_green 600 && fail "the picture is enlarged too much"
 xdotool click 4 keyup ctrl
