@@ -226,7 +226,7 @@ TEST_CASE("keys alone select a light, set its kind and space, and type a number"
     choose((name + ": spot").c_str());
     CHECK(bench.scene().lights[0].kind == LightKind::Spot);
     CHECK(before != LightKind::Spot);
-    choose((name + ": ride").c_str());
+    choose((name + ": attach").c_str());
     CHECK(bench.scene().lights[0].space == LightSpace::Camera);
 
     choose("select camera");

@@ -240,7 +240,7 @@ TEST_CASE("the palette plays the animation and chooses its number without a mous
           "[ui][palette][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
-    found(bench.state, "back and forth").at(0).run(bench.state);
+    found(bench.state, "animate: back and forth").at(0).run(bench.state);
     bench.frames(4);
     CHECK(bench.state.get<AnimateState>().open);
     CHECK(ImGui::GetIO().WantTextInput);
