@@ -45,6 +45,12 @@ struct Mesh {
     std::vector<std::uint32_t> corner_normal;  // #C, indices into normals or no_index; empty: corner c has
                                                // (when normals are given) normals[corner_position[c]]
     std::vector<glm::vec3> colors;             // #V, linear RGB; empty if the file has none
+    // #F, the smoothing group of each face: normals are averaged within a group, and not at all in group 0. Empty:
+    // all faces are in one group.
+    std::vector<std::uint32_t> smoothing;
+    // #V, the first vertex at each vertex's position, over which normals are averaged and edges are joined. Empty:
+    // no two vertices share a position.
+    std::vector<std::uint32_t> first_at_place;
     std::vector<Triangle> triangles;           // in order of faces; degenerate polygons give none
     Bounds bounds;                             // of the positions that faces use
     Warnings warnings;                         // for input that was tolerated while reading and cutting
@@ -58,6 +64,11 @@ struct Mesh {
     /// The indices into `positions` around polygon f, in the file's order.
     [[nodiscard]] std::span<const std::uint32_t> corners_of(std::size_t f) const {
         return std::span(corner_position).subspan(first_corner[f], first_corner[f + 1] - first_corner[f]);
+    }
+    /// The first vertex at the position of a corner.
+    [[nodiscard]] std::uint32_t place_of(std::size_t corner) const {
+        const std::uint32_t v = corner_position[corner];
+        return first_at_place.empty() ? v : first_at_place[v];
     }
     /// The index into `normals` of a corner's normal as given, or no_index. Precondition: normals are given.
     [[nodiscard]] std::uint32_t given_normal_of(std::size_t corner) const {

@@ -87,7 +87,7 @@ void warn_of_missing_normals(const Mesh& mesh, Warnings& warnings);
 // Vertex normals: facet normals averaged around each vertex (lecture: "Vertex Normals").
 // Source: G. Thürmer and C. Wüthrich, JGT 3(1), 1998 (weighting by angle).
 
-/// Groups the corners at each vertex whose facets are joined there, directly or through other facets, across
+/// Groups the corners at each place whose facets are joined there, directly or through other facets, across
 /// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). An edge of exactly
 /// that angle is joined here, but drawn as a stroke (renderer/strokes/stroke_edges.h). Source:
 /// docs/scene_file.md, `normals/crease_deg`.
@@ -97,8 +97,8 @@ struct CreaseGroups {
 };
 [[nodiscard]] CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg);
 
-/// Sums the weighted unit facet normals around each vertex (with a crease below 180 degrees, those of each
-/// group of crease_groups()) and normalizes the sum; object coordinates. If a sum cancels (is shorter than
+/// Sums the weighted unit facet normals around each place (with a crease below 180 degrees, those of each
+/// group of crease_groups()), for each smoothing group of the mesh, and normalizes the sum; object coordinates. If a sum cancels (is shorter than
 /// 1e-6 of its weights), each corner uses its facet normal. Degenerate facets are ignored; their corners get
 /// 0 if no other facet is averaged. The angle at a corner is the interior one, which may exceed 180 degrees
 /// in a polygon that is not convex. `corner` stays empty if one normal per position is enough.

@@ -68,9 +68,8 @@ class Builder {
     /// The polygon's corners without those that repeat the vertex of the corner before them.
     void collect(std::uint32_t f) {
         corners_.clear();
-        const auto& vertex = mesh_.corner_position;
         for (std::uint32_t c = mesh_.first_corner[f]; c < mesh_.first_corner[f + 1]; ++c)
-            if (vertex[c] != vertex[next_corner(mesh_, f, c)]) corners_.push_back(c);
+            if (mesh_.place_of(c) != mesh_.place_of(next_corner(mesh_, f, c))) corners_.push_back(c);
     }
 
     /// Whether a half-edge structure cannot represent the face: it contains a vertex twice, or has fewer than
@@ -81,7 +80,7 @@ class Builder {
             return false;
         }
         vertices_.clear();
-        for (const std::uint32_t c : corners_) vertices_.push_back(mesh_.corner_position[c]);
+        for (const std::uint32_t c : corners_) vertices_.push_back(mesh_.place_of(c));
         std::sort(vertices_.begin(), vertices_.end());
         return std::adjacent_find(vertices_.begin(), vertices_.end()) != vertices_.end();
     }
@@ -90,20 +89,20 @@ class Builder {
         collect(f);
         if (cannot_be_held()) {
             for (const std::uint32_t c : corners_) {
-                const std::uint32_t a = mesh_.corner_position[c];
-                const std::uint32_t b = mesh_.corner_position[next_corner(mesh_, f, c)];
+                const std::uint32_t a = mesh_.place_of(c);
+                const std::uint32_t b = mesh_.place_of(next_corner(mesh_, f, c));
                 split_[a] = split_[b] = 1;
                 apart_.push_back({sorted(a, b), {f, c}});
             }
             return;
         }
         handles_.clear();
-        for (const std::uint32_t c : corners_) handles_.push_back(handle_for(mesh_.corner_position[c]));
+        for (const std::uint32_t c : corners_) handles_.push_back(handle_for(mesh_.place_of(c)));
         if (!connectivity_.add_face(handles_.data(), handles_.size()).is_valid()) {
             handles_.clear();
             for (const std::uint32_t c : corners_) {
-                split_[mesh_.corner_position[c]] = 1;
-                handles_.push_back(new_vertex(mesh_.corner_position[c]));
+                split_[mesh_.place_of(c)] = 1;
+                handles_.push_back(new_vertex(mesh_.place_of(c)));
             }
             connectivity_.add_face(handles_.data(), handles_.size());
         }
@@ -126,7 +125,7 @@ class Builder {
             collect(face_[i]);
             auto h = connectivity_.halfedge_handle(OpenMesh::FaceHandle(static_cast<int>(i)));
             const auto from = [&] { return original_[vertex_index(connectivity_.from_vertex_handle(h))]; };
-            while (from() != mesh_.corner_position[corners_[0]]) h = connectivity_.next_halfedge_handle(h);
+            while (from() != mesh_.place_of(corners_[0])) h = connectivity_.next_halfedge_handle(h);
             for (const std::uint32_t c : corners_) {
                 corner[static_cast<std::size_t>(h.idx())] = c;
                 h = connectivity_.next_halfedge_handle(h);
@@ -199,7 +198,7 @@ EdgeKind edge_kind(const Mesh& mesh, const Topology& topology, std::size_t edge)
     const auto uses = topology.uses_of(edge);
     if (uses.size() == 1) return EdgeKind::Boundary;
     if (uses.size() > 2) return EdgeKind::NonManifold;
-    const bool same = mesh.corner_position[uses[0].corner] == mesh.corner_position[uses[1].corner];
+    const bool same = mesh.place_of(uses[0].corner) == mesh.place_of(uses[1].corner);
     return same ? EdgeKind::Inconsistent : EdgeKind::Manifold;
 }
 

@@ -22,7 +22,7 @@ struct EdgeUse {
 
 struct Topology {
     std::vector<std::array<std::uint32_t, 2>>
-        edges;                             // #E, position indices, the smaller first; each pair once
+        edges;                             // #E, indices of places, the smaller first; each pair once
     std::vector<std::uint32_t> first_use;  // #E + 1: edge e has the uses first_use[e] .. [e + 1)
     std::vector<EdgeUse> uses;             // every side of every polygon that joins two vertices
 
@@ -31,7 +31,7 @@ struct Topology {
     }
 };
 
-/// Finds the edges. Degenerate polygons are included; a side from a vertex to itself is not an edge. Time:
+/// Finds the edges between places (Mesh::place_of()). Degenerate polygons are included; a side from a place to itself is not an edge. Time:
 /// about linear (n log n in the cases that OpenMesh cannot represent).
 [[nodiscard]] Topology make_topology(const Mesh& mesh);
 

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "models/mesh/circle.h"
@@ -35,7 +37,7 @@ void join_repeated_corners(const Mesh& mesh, Groups& groups) {
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
         for (std::uint32_t c = mesh.first_corner[f]; c < mesh.first_corner[f + 1]; ++c) {
             const std::uint32_t next = next_corner(mesh, f, c);
-            if (mesh.corner_position[c] == mesh.corner_position[next]) groups.join(c, next);
+            if (mesh.place_of(c) == mesh.place_of(next)) groups.join(c, next);
         }
 }
 
@@ -77,11 +79,11 @@ struct Sum {
 
 /// The sums of normals: per corner the number of its sum.
 struct Averages {
-    std::vector<std::uint32_t> group;  // #C; empty: by position
+    std::vector<std::uint32_t> group;  // #C; empty: by place
     std::vector<Sum> sums;
 
     std::uint32_t sum_of(const Mesh& mesh, std::uint32_t corner) const {
-        return group.empty() ? mesh.corner_position[corner] : group[corner];
+        return group.empty() ? mesh.place_of(corner) : group[corner];
     }
 };
 
@@ -167,13 +169,14 @@ void fall_back_to_facets(const Mesh& mesh, const Averages& averages, CornerNorma
     }
 }
 
-/// Groups of corners joined across edges below the crease. Empty if no crease splits a vertex: then all
-/// corners at one position share one normal.
+/// Groups of corners joined across edges below the crease. Empty if no crease splits a place: then all corners
+/// at one place share one normal.
 Averages averages_below(const Mesh& mesh, float crease_deg) {
     CreaseGroups creased = crease_groups(mesh, make_topology(mesh), crease_deg);
     std::vector<char> used(mesh.positions.size(), 0);
     std::size_t used_count = 0;
-    for (const std::uint32_t v : mesh.corner_position) used_count += std::exchange(used[v], 1) == 0 ? 1 : 0;
+    for (std::size_t c = 0; c < mesh.corner_position.size(); ++c)
+        used_count += std::exchange(used[mesh.place_of(c)], 1) == 0 ? 1 : 0;
     Averages result;
     if (used_count == creased.count) {
         result.sums.resize(mesh.positions.size());
@@ -184,6 +187,26 @@ Averages averages_below(const Mesh& mesh, float crease_deg) {
     return result;
 }
 
+/// Divides the groups, or the places, by smoothing group; a face of group 0 is alone.
+void split_by_smoothing(const Mesh& mesh, Averages& averages) {
+    using Key = std::tuple<std::uint32_t, std::uint64_t>;
+    std::vector<std::pair<Key, std::uint32_t>> corners;
+    corners.reserve(mesh.corner_position.size());
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+        const std::uint64_t alone = (std::uint64_t{1} << 32) + f, group = mesh.smoothing[f];
+        for (std::uint32_t c = mesh.first_corner[f]; c < mesh.first_corner[f + 1]; ++c)
+            corners.push_back({{averages.sum_of(mesh, c), group == 0 ? alone : group}, c});
+    }
+    std::sort(corners.begin(), corners.end());
+    averages.group.resize(corners.size());
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        count += i == 0 || corners[i].first != corners[i - 1].first ? 1 : 0;
+        averages.group[corners[i].second] = count - 1;
+    }
+    averages.sums.resize(count);
+}
+
 }  // namespace
 
 CornerNormals vertex_normals(const Mesh& mesh, NormalWeighting weighting, float crease_deg) {
@@ -192,12 +215,14 @@ CornerNormals vertex_normals(const Mesh& mesh, NormalWeighting weighting, float 
         averages = averages_below(mesh, crease_deg);
     else
         averages.sums.resize(mesh.positions.size());
+    if (!mesh.smoothing.empty()) split_by_smoothing(mesh, averages);
     add_all(mesh, weighting, averages);
     CornerNormals result;
     result.normals.resize(averages.sums.size());
     bool any_cancels = false;
     for (std::size_t i = 0; i < averages.sums.size(); ++i) {
-        const Sum& sum = averages.sums[i];
+        const bool of_place = averages.group.empty() && !mesh.first_at_place.empty();
+        const Sum& sum = averages.sums[of_place ? mesh.first_at_place[i] : i];
         if (cancels(sum))
             any_cancels = true;
         else if (sum.weights > 0)

@@ -40,7 +40,7 @@ std::optional<Problem> too_many_triangles(const Scene& scene) {
 std::uint64_t mesh_bytes(const Mesh& mesh) {
     return bytes_of(mesh.positions) + bytes_of(mesh.first_corner) + bytes_of(mesh.corner_position) +
            bytes_of(mesh.normals) + bytes_of(mesh.corner_normal) + bytes_of(mesh.colors) +
-           bytes_of(mesh.triangles);
+           bytes_of(mesh.triangles) + bytes_of(mesh.smoothing) + bytes_of(mesh.first_at_place);
 }
 
 SceneCost scene_cost(const Scene& scene, PictureSize size, int samples) {

@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <glm/common.hpp>
 #include <new>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "models/io/file.h"
 #include "models/mesh/formats/mesh_reader.h"
+#include "models/mesh/formats/places.h"
 #include "models/progress.h"
 #include "models/utf8.h"
 
@@ -67,7 +71,9 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
     return result_of(path, [&]() -> Result<Mesh> {
         Mesh mesh = format->read(without_mark(format->extension, {bytes, 0, bytes.size()}), path);
         if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
+        drop_bad_normals(mesh);
         raise_colors_to_black(mesh);
+        if (format->read != read_stl) find_places(mesh);  // whose positions differ already
         finish_mesh(mesh);
         if (auto warning = rounding_warning(mesh.bounds)) mesh.warnings.push_back(std::move(*warning));
         const auto time = std::chrono::steady_clock::now() - start;
@@ -144,6 +150,31 @@ Result<Mesh> parse_mesh(std::string_view bytes, const std::string& path) {
 
 std::string numbers_of(std::size_t count, const char* things) {
     return count == 0 ? things : fmt::format("0 to {}", count - 1);
+}
+
+void find_places(Mesh& mesh) {
+    Places places;
+    std::vector<glm::vec3> distinct;
+    std::vector<std::uint32_t> first, first_of;  // by vertex; by index into `distinct`
+    first.reserve(mesh.positions.size());
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+        const std::uint32_t place = places.index_of(mesh.positions[v], distinct);
+        if (place == first_of.size()) first_of.push_back(v);
+        first.push_back(first_of[place]);
+    }
+    if (distinct.size() < mesh.positions.size()) mesh.first_at_place = std::move(first);
+}
+
+void drop_bad_normals(Mesh& mesh) {
+    std::size_t bad = 0;
+    const auto good = [](float x) { return std::abs(x) <= static_cast<float>(max_number); };
+    for (glm::vec3& n : mesh.normals) {
+        if (good(n.x) && good(n.y) && good(n.z)) continue;
+        n = glm::vec3(0);
+        ++bad;
+    }
+    warn(mesh.warnings, bad, "normal is not a finite number and counts as not given",
+         "normals are not finite numbers and count as not given");
 }
 
 void close_face(Mesh& mesh, const std::string& file, int line) {

@@ -1,11 +1,12 @@
 // Wavefront .obj. We use our own reader, because OpenMesh's drops normals by corner and does not report
 // lines.
 // Source: Wavefront, "Advanced Visualizer" manual, appendix B1 (object files).
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 
 #include "models/mesh/formats/mesh_reader.h"
@@ -19,13 +20,16 @@ struct AheadOfVertex {
     int line;
 };
 
-// Grouping, materials and display do not affect the shape.
-constexpr std::array<std::string_view, 14> silent{"g",        "o",          "s",         "usemtl", "mtllib",
-                                                  "usemap",   "maplib",     "lod",       "bevel",  "c_interp",
-                                                  "d_interp", "shadow_obj", "trace_obj", "ctech"};
-constexpr std::array<std::string_view, 17> free_form{"vp",    "cstype", "deg",  "bmat",  "step", "curv",
-                                                     "curv2", "surf",   "parm", "trim",  "hole", "scrv",
-                                                     "sp",    "end",    "con",  "stech", "mg"};
+// Grouping and display do not affect the shape.
+constexpr std::array<std::string_view, 13> silent{"vt",  "g",     "o",        "mtllib",   "usemap",     "maplib",
+                                                  "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj",
+                                                  "ctech"};
+// Free-form curves and surfaces, the superseded statements, calls, and what programs add: weights of bones, tags of
+// subdivision.
+constexpr std::array<std::string_view, 26> rare{"vp",   "cstype", "deg",  "bmat",  "step", "curv", "curv2",
+                                                "surf", "parm",   "trim", "hole",  "scrv", "sp",   "end",
+                                                "con",  "stech",  "mg",   "bsp",   "bzp",  "cdc",  "cdp",
+                                                "res",  "call",   "csh",  "vw",    "t"};
 
 template <std::size_t N> bool has(const std::array<std::string_view, N>& words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -42,36 +46,44 @@ class ObjReader {
         check_ahead();
         finish_normals();
         if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.positions.size(), glm::vec3(1));
+        finish_smoothing();
         warn(mesh_.warnings, slashes_, "corner ends in a slash, which is ignored",
              "corners end in a slash, which is ignored");
         warn(mesh_.warnings, weights_, "vertex has a weight, which is ignored",
              "vertices have weights, which are ignored");
         warn(mesh_.warnings, lines_, "line element is ignored", "line elements are ignored");
         warn(mesh_.warnings, points_, "point element is ignored", "point elements are ignored");
-        warn(mesh_.warnings, free_form_, "free-form statement is ignored",
-             "free-form statements are ignored");
+        const std::string names = fmt::format("({})", fmt::join(rare_names_, ", "));
+        warn(mesh_.warnings, rare_count_, "statement is ignored " + names, "statements are ignored " + names);
+        warn(mesh_.warnings, materials_, "material of a .mtl file is not read",
+             "materials of .mtl files are not read");
         return std::move(mesh_);
     }
 
   private:
     void statement(std::string_view keyword) {
         if (keyword == "v") return vertex();
-        if (keyword == "f") return face();
+        if (keyword == "f" || keyword == "fo") return face();  // "fo" is the older name
         if (keyword == "vn") return normal();
-        if (keyword == "vt" || has(silent, keyword)) return;
+        if (keyword == "s") return smoothing_group();
+        if (has(silent, keyword)) return;
         if (keyword == "l") {
             ++lines_;
         } else if (keyword == "p") {
             ++points_;
-        } else if (has(free_form, keyword)) {
-            ++free_form_;
+        } else if (keyword == "usemtl") {
+            ++materials_;
+        } else if (has(rare, keyword)) {
+            ++rare_count_;
+            if (std::find(rare_names_.begin(), rare_names_.end(), keyword) == rare_names_.end())
+                rare_names_.push_back(keyword);
         } else {
             cursor_.fail(fmt::format("{} is not a statement of an OBJ file", quoted_word(keyword)),
                          "v, vt, vn, f, l, p, g, o, s, usemtl or mtllib");
         }
     }
 
-    /// x y z, then nothing, a weight, or a colour.
+    /// x y z, then nothing, a weight, or a colour with or without alpha.
     void vertex() {
         mesh_.positions.push_back(cursor_.three());
         if (cursor_.end_of_line()) return;
@@ -83,14 +95,28 @@ class ObjReader {
         }
         color.g = cursor_.number("a colour's green");
         color.b = cursor_.number("a colour's blue");
-        cursor_.end_line("3, 4 or 6 numbers after \"v\"");
+        if (!cursor_.end_of_line()) static_cast<void>(cursor_.number("alpha"));
+        cursor_.end_line("3, 4, 6 or 7 numbers after \"v\"");
         mesh_.colors.resize(mesh_.positions.size() - 1, glm::vec3(1));  // white for the earlier vertices
         mesh_.colors.push_back(color);
     }
 
     void normal() {
-        mesh_.normals.push_back(cursor_.three());
+        mesh_.normals.push_back(cursor_.normal());
         cursor_.end_line("3 numbers after \"vn\"");
+    }
+
+    /// "off" and 0: the following faces are not smooth.
+    void smoothing_group() {
+        std::string_view word = cursor_.word();
+        std::uint32_t group = 0;
+        const auto [last, error] = std::from_chars(word.data(), word.data() + word.size(), group);
+        if (word == "on") group = 1;
+        if (word != "off" && word != "on" && (error != std::errc() || last != word.data() + word.size()))
+            cursor_.fail(fmt::format("{} is not a smoothing group", quoted_word(word)), "a number, or off");
+        mesh_.smoothing.resize(mesh_.face_count(), group_);
+        group_ = group;
+        has_groups_ = true;
     }
 
     void face() {
@@ -99,7 +125,7 @@ class ObjReader {
         close_face(mesh_, file_, cursor_.line());
     }
 
-    /// "v", "v/vt", "v//vn" or "v/vt/vn"; some writers leave a slash at the end.
+    /// "v", "v/vt", "v//vn" or "v/vt/vn"; some writers leave slashes without an index at the end.
     void corner(std::string_view word) {
         const char* at = word.data();
         const char* end = at + word.size();
@@ -108,12 +134,14 @@ class ObjReader {
         bool has_normal = false;
         if (good && at < end && *at == '/') {
             ++at;
-            if (at == end) ++slashes_;
+            bool is_open = at == end;
             if (at < end && *at != '/') good = integer(at, end, texture);
             if (good && at < end && *at == '/') {
                 ++at;
-                good = has_normal = integer(at, end, normal);
+                is_open = at == end;
+                if (!is_open) good = has_normal = integer(at, end, normal);
             }
+            slashes_ += is_open ? 1 : 0;
         }
         if (!good || at != end)
             cursor_.fail(fmt::format("{} is not a corner of a face", quoted_word(word)),
@@ -164,6 +192,15 @@ class ObjReader {
             if (corner.index > static_cast<std::int64_t>(mesh_.positions.size())) fail_vertex(corner);
     }
 
+    /// One group for all faces is how a mesh without groups is drawn.
+    void finish_smoothing() {
+        auto& groups = mesh_.smoothing;
+        if (!has_groups_) return;
+        groups.resize(mesh_.face_count(), group_);
+        const bool is_one = std::adjacent_find(groups.begin(), groups.end(), std::not_equal_to<>()) == groups.end();
+        if (is_one && !groups.empty() && groups[0] != 0) groups = {};
+    }
+
     void finish_normals() {
         if (mesh_.normals.empty() || mesh_.corner_normal.empty()) {
             mesh_.normals.clear();
@@ -191,7 +228,11 @@ class ObjReader {
     // Corners that name a vertex not read yet, each with a larger index than the one before. The first corner
     // whose vertex is never defined is always among them.
     std::vector<AheadOfVertex> ahead_;
-    std::size_t named_normals_ = 0, slashes_ = 0, weights_ = 0, lines_ = 0, points_ = 0, free_form_ = 0;
+    std::size_t named_normals_ = 0, slashes_ = 0, weights_ = 0, lines_ = 0, points_ = 0, materials_ = 0,
+                rare_count_ = 0;
+    std::vector<std::string_view> rare_names_;
+    std::uint32_t group_ = 0;  // of smoothing
+    bool has_groups_ = false;
 };
 
 }  // namespace

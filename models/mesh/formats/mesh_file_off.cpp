@@ -1,9 +1,12 @@
 // Object File Format, ASCII: OFF, COFF (vertex colours), NOFF (vertex normals), CNOFF (both).
-// Source: Geomview manual, "OFF: Object File Format".
+// Files without a keyword, with the counts right after it ("OFF3 1 0", as in ModelNet), and with colours that
+// it does not announce are common. Source: Geomview manual, "OFF: Object File Format".
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "models/mesh/formats/mesh_reader.h"
 
@@ -14,8 +17,11 @@ struct OffKind {
     std::string_view keyword;
     bool colors, normals;
 };
-constexpr std::array<OffKind, 4> kinds{
-    {{"OFF", false, false}, {"COFF", true, false}, {"NOFF", false, true}, {"CNOFF", true, true}}};
+constexpr std::array<OffKind, 5> kinds{{{"OFF", false, false},
+                                        {"COFF", true, false},
+                                        {"NOFF", false, true},
+                                        {"CNOFF", true, true},
+                                        {"", false, false}}};
 
 class OffReader {
   public:
@@ -40,14 +46,17 @@ class OffReader {
     void read_header() {
         const char* expected = "OFF, COFF, NOFF or CNOFF";
         if (!cursor_.next_line()) cursor_.fail("this is not an OFF file", expected);
-        const std::string_view keyword = cursor_.word();
-        const auto* kind =
-            std::find_if(kinds.begin(), kinds.end(), [&](const OffKind& k) { return k.keyword == keyword; });
+        const std::string_view word = TextCursor(cursor_).word();
+        const auto* kind = std::find_if(kinds.begin(), kinds.end(), [&](const OffKind& k) {
+            return word.starts_with(k.keyword) &&
+                   word.find_first_not_of("0123456789", k.keyword.size()) == std::string_view::npos;
+        });
         if (kind == kinds.end())
-            cursor_.fail(fmt::format("{} is not a kind of OFF file that is read here", quoted_word(keyword)),
+            cursor_.fail(fmt::format("{} is not a kind of OFF file that is read here", quoted_word(word)),
                          expected);
         colors_ = kind->colors;
         normals_ = kind->normals;
+        cursor_.skip(kind->keyword);
         if (cursor_.end_of_line()) {
             if (!cursor_.next_line()) cursor_.fail("the file ends early", "the counts of vertices and faces");
         } else if (TextCursor ahead = cursor_; ahead.word() == "BINARY") {
@@ -75,8 +84,9 @@ class OffReader {
         next_row("vertices", row, vertex_count_);
         mesh_.positions.push_back(cursor_.three());
         if (normals_)
-            mesh_.normals.push_back(cursor_.three({"a normal's x", "a normal's y", "a normal's z"}));
-        if (colors_) {
+            mesh_.normals.push_back(cursor_.normal({"a normal's x", "a normal's y", "a normal's z"}));
+        if (colors_ || !cursor_.end_of_line()) {
+            mesh_.colors.resize(row, no_color);
             const std::string_view before = cursor_.rest();
             mesh_.colors.push_back(cursor_.three({"red", "green", "blue"}));
             const std::string_view text = before.substr(0, before.size() - cursor_.rest().size());
@@ -85,7 +95,7 @@ class OffReader {
             brightest_ = std::max({brightest_, c.r, c.g, c.b});
             if (!cursor_.end_of_line()) static_cast<void>(cursor_.number("alpha"));
         }
-        cursor_.end_line("x y z, for NOFF a normal, for COFF a colour");
+        cursor_.end_line("x y z, for NOFF a normal, then nothing or a colour");
     }
 
     void read_face(std::size_t row) {
@@ -103,11 +113,16 @@ class OffReader {
         face_colors_ += cursor_.end_of_line() ? 0 : 1;
     }
 
-    /// Colours of whole numbers, one of them above 1, range to 255; all others are fractions already.
+    /// Colours of whole numbers, one of them above 1, range to 255; all others are fractions already. Vertices
+    /// without one are white.
     void scale_colors() {
-        if (!whole_colors_ || brightest_ <= 1) return;
-        for (glm::vec3& c : mesh_.colors) c /= 255.f;
+        if (mesh_.colors.empty()) return;
+        mesh_.colors.resize(vertex_count_, no_color);
+        const float largest = whole_colors_ && brightest_ > 1 ? 255.f : 1.f;
+        for (glm::vec3& c : mesh_.colors) c = std::isnan(c.r) ? glm::vec3(1) : c / largest;
     }
+
+    static constexpr glm::vec3 no_color{std::numeric_limits<float>::quiet_NaN()};
 
     TextCursor cursor_;
     const std::string& file_;

@@ -46,6 +46,8 @@ template <class Rows> class PlyBody {
                 read_vertices(element);
             else if (element.name == "face")
                 read_faces(element);
+            else if (element.name == "tristrips")
+                read_strips(element);
             else
                 skip(element);
         }
@@ -106,14 +108,48 @@ template <class Rows> class PlyBody {
     }
 
     void read_corners(const PlyProperty& p) {
+        for (std::int64_t count = list_count(p); count > 0; --count)
+            mesh_.corner_position.push_back(vertex(rows_.integer(p.type, p)));
+        close_face(mesh_, file_, rows_.line());
+    }
+
+    [[nodiscard]] std::uint32_t vertex(std::int64_t index) const {
+        if (index < 0 || index >= static_cast<std::int64_t>(vertex_count_))
+            rows_.fail(fmt::format("vertex index {} is out of range", index),
+                       numbers_of(vertex_count_, "vertices"));
+        return static_cast<std::uint32_t>(index);
+    }
+
+    void read_strips(const PlyElement& element) {
+        read_lists(element, [this](const PlyProperty& p) {
+            if (p.role == PlyRole::Indices)
+                read_strip(p);
+            else
+                skip_list(p);
+        });
+    }
+
+    /// Each vertex from the third on is a triangle with the two before it, every second one wound the other way.
+    /// -1 begins a new strip.
+    void read_strip(const PlyProperty& p) {
+        std::array<std::uint32_t, 2> last{};
+        std::size_t length = 0;
         for (std::int64_t count = list_count(p); count > 0; --count) {
             const std::int64_t index = rows_.integer(p.type, p);
-            if (index < 0 || index >= static_cast<std::int64_t>(vertex_count_))
-                rows_.fail(fmt::format("vertex index {} is out of range", index),
-                           numbers_of(vertex_count_, "vertices"));
-            mesh_.corner_position.push_back(static_cast<std::uint32_t>(index));
+            if (index == -1 || index == std::int64_t{no_index}) {
+                length = 0;
+                continue;
+            }
+            const std::uint32_t v = vertex(index);
+            if (length >= 2) {
+                const std::size_t odd = length % 2;
+                for (const std::uint32_t corner : {last[odd], last[1 - odd], v})
+                    mesh_.corner_position.push_back(corner);
+                close_face(mesh_, file_, rows_.line());
+            }
+            last = {last[1], v};
+            ++length;
         }
-        close_face(mesh_, file_, rows_.line());
     }
 
     std::int64_t list_count(const PlyProperty& p) {
@@ -124,6 +160,8 @@ template <class Rows> class PlyBody {
     void skip_list(const PlyProperty& p) { rows_.skip_list(p, list_count(p)); }
 
     void skip(const PlyElement& element) {
+        warn(mesh_.warnings, element.count, fmt::format("row of the element {} is not read", in_quotes(element.name)),
+             fmt::format("rows of the element {} are not read", in_quotes(element.name)));
         if (element.properties.empty()) return;
         read_lists(element, [this](const PlyProperty& p) { skip_list(p); });
     }

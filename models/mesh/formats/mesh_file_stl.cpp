@@ -25,13 +25,14 @@ class Facets {
     }
     void close(const glm::vec3& normal, int line) {
         close_face(mesh_, file_, line);
-        any_normal_ = any_normal_ || normal != glm::vec3(0);
         const auto index = static_cast<std::uint32_t>(mesh_.normals.size());
         mesh_.normals.push_back(normal);
         mesh_.corner_normal.resize(mesh_.corner_position.size(), index);
     }
     Mesh finish() {
-        if (any_normal_) {
+        drop_bad_normals(mesh_);
+        const auto is_given = [](const glm::vec3& n) { return n != glm::vec3(0); };
+        if (std::any_of(mesh_.normals.begin(), mesh_.normals.end(), is_given)) {
             mesh_.given_normals = GivenNormals::File;
         } else {
             mesh_.normals = {};
@@ -45,35 +46,28 @@ class Facets {
     const std::string& file_;
     Mesh mesh_;
     Places places_;
-    bool any_normal_ = false;
 };
 
 Mesh read_binary(std::string_view bytes, const std::string& file) {
     const std::size_t count = binary_stl_facets(bytes);
     Facets facets(file);
     ParsedBytes parsed(bytes.size());
-    std::size_t bad_normals = 0;
     for (std::size_t f = 0; f < count; ++f) {
         parsed.at(f * binary_stl_facet);
         const char* at = bytes.data() + binary_stl_header + f * binary_stl_facet;
         std::array<glm::vec3, 4> v;  // normal, three corners
-        bool good_normal = true;
         for (int i = 0; i < 12; ++i, at += 4) {
             const float x = little_endian_float(at);
             if (i >= 3 && !(std::abs(x) <= static_cast<float>(max_number)))
                 throw ProblemFound(
                     {file, "", fmt::format("facet {}: a coordinate is {}", f, x), "-1e7 to 1e7", 0});
             v[static_cast<std::size_t>(i / 3)][i % 3] = x;
-            good_normal = good_normal && std::abs(x) <= static_cast<float>(max_number);
         }
-        if (!good_normal) v[0] = glm::vec3(0), ++bad_normals;
         for (const std::size_t i : {1u, 2u, 3u}) facets.corner(v[i]);
         facets.close(v[0], 0);
     }
     if (bytes.size() > binary_stl_header + count * binary_stl_facet)
         facets.warnings().emplace_back("data after the last facet is ignored");
-    warn(facets.warnings(), bad_normals, "facet has a normal that is out of range, which is ignored",
-         "facets have normals that are out of range, which are ignored");
     return facets.finish();
 }
 
@@ -125,21 +119,20 @@ class AsciiStl {
 
     void read_facet() {
         expect("normal");
-        const glm::vec3 normal = three();
+        const glm::vec3 normal = only_three(cursor_.normal());
         expect("outer");
         expect("loop");
         for (int i = 0; i < 3; ++i) {
             expect("vertex");
-            facets_.corner(three());
+            facets_.corner(only_three(cursor_.three()));
         }
         expect("endloop");
         expect("endfacet");
         facets_.close(normal, cursor_.line());
     }
 
-    /// Reads three numbers. Rejects a fourth one here: as the next keyword it would get a misleading message.
-    glm::vec3 three() {
-        const glm::vec3 v = cursor_.three();
+    /// Rejects a fourth number here: as the next keyword it would get a misleading message.
+    glm::vec3 only_three(const glm::vec3& v) {
         constexpr std::string_view of_numbers = "+-.0123456789";
         if (!cursor_.end_of_line() && of_numbers.find(cursor_.rest().front()) != std::string_view::npos)
             cursor_.end_line("3 numbers");

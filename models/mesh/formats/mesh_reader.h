@@ -49,6 +49,10 @@ inline constexpr std::size_t binary_stl_header = 84, binary_stl_facet = 50;  // 
 /// The text after "expected": "0 to 7" for eight items; `things` if there are none.
 [[nodiscard]] std::string numbers_of(std::size_t count, const char* things);
 
+/// Replaces the normals that are not finite, or longer than numbers may be, by (0, 0, 0), which counts as not
+/// given, with one warning.
+void drop_bad_normals(Mesh& mesh);
+
 /// Ends the polygon of the corners that were appended last.
 void close_face(Mesh& mesh, const std::string& file, int line = 0);
 

@@ -12,6 +12,9 @@
 
 namespace glint {
 
+/// Sets Mesh::first_at_place.
+void find_places(Mesh& mesh);
+
 /// Numbers positions in the order of their first use, with an open hash table of indices. The hash is seeded
 /// with the time, so that no file can make it slow; the numbers do not depend on the seed.
 class Places {

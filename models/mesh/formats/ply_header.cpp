@@ -38,7 +38,8 @@ PlyFormat read_format(TextCursor& cursor) {
 bool is_integer(PlyType type) { return type != PlyType::Float32 && type != PlyType::Float64; }
 
 PlyRole role_of(std::string_view element, const PlyProperty& property) {
-    if (element == "face" && (property.name == "vertex_indices" || property.name == "vertex_index"))
+    const bool has_corners = element == "face" || element == "tristrips";
+    if (has_corners && (property.name == "vertex_indices" || property.name == "vertex_index"))
         return PlyRole::Indices;
     if (element != "vertex" && element != "face") return PlyRole::Other;
     const auto* const found = std::find(vertex_roles.begin(), vertex_roles.end(), property.name);
@@ -50,8 +51,9 @@ void check_elements(const TextCursor& cursor, const PlyHeader& header) {
     for (const PlyElement& element : header.elements) {
         if (element.name == "vertex" && !element.has_three(PlyRole::X))
             cursor.fail_at(element.line, "the vertices lack a coordinate", "properties x, y and z");
-        if (element.name == "face" && element.with(PlyRole::Indices) == nullptr)
-            cursor.fail_at(element.line, "the faces have no corners", "a property list vertex_indices");
+        const bool has_corners = element.name == "face" || element.name == "tristrips";
+        if (has_corners && element.with(PlyRole::Indices) == nullptr)
+            cursor.fail_at(element.line, fmt::format("the element \"{}\" has no corners", element.name), "a property list vertex_indices");
     }
 }
 

@@ -18,6 +18,7 @@ enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 /// Our meaning of a property.
 enum class PlyRole { Other, X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, Indices };
 inline constexpr std::size_t ply_role_count = 11;
+constexpr bool is_normal(PlyRole role) { return role >= PlyRole::Nx && role <= PlyRole::Nz; }
 
 /// The limit of elements and properties in a header, together. Real files have a few dozen.
 inline constexpr std::size_t max_ply_names = 65536;
@@ -53,7 +54,7 @@ struct PlyElement {
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    std::string line_end;  // of the first line: LF, CR LF or LF CR
+    std::string line_end;  // of the first line: LF, CR, CR LF or LF CR
 };
 
 /// Reads up to and including the word "end_header", in time n log n for n names. Throws ProblemFound;

@@ -30,6 +30,7 @@ class AsciiRows {
     }
     void end_row() { cursor_.end_line("the header's properties only"); }
     float number(const PlyProperty& p) {
+        if (is_normal(p.role)) return cursor_.normal_number(p.name);
         if (p.role != PlyRole::Other) return cursor_.number(p.name);
         if (cursor_.word().empty()) cursor_.fail(fmt::format("{} is missing", p.name), "a number");
         return 0;
@@ -71,7 +72,7 @@ template <bool swap> class BinaryRows {
     void end_row() {}
     float number(const PlyProperty& p) {
         const double value = scalar(p.type);
-        if (p.role != PlyRole::Other && !(std::abs(value) <= max_number))
+        if (p.role != PlyRole::Other && !is_normal(p.role) && !(std::abs(value) <= max_number))
             fail(fmt::format("{} = {} is out of range", p.name, value), "-1e7 to 1e7");
         return static_cast<float>(value);
     }

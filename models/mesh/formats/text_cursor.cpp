@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstring>
+#include <limits>
 
 namespace glint {
 
@@ -26,47 +26,51 @@ void TextCursor::fail_too_many(const char* expected) {
     fail(fmt::format("{} is one too many", quoted_word(word())), expected);
 }
 
+/// The position after the line end at `at`: CR LF and LF CR are one, but the CR of a CR LF belongs to that.
+const char* TextCursor::after_line_end(const char* at) const {
+    const auto is = [this](const char* p, char c) { return p < end_ && *p == c; };
+    if (*at == '\r') return at + (is(at + 1, '\n') ? 2 : 1);
+    return at + (is(at + 1, '\r') && !is(at + 2, '\n') ? 2 : 1);
+}
+
 /// Skips the rest of this line and the lines that a backslash joins to it.
 void TextCursor::skip_rest() {
     while (at_ < end_) {
-        const void* found = std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_));
-        if (found == nullptr) {
-            at_ = end_;
-            return;
-        }
-        const char* newline = static_cast<const char*>(found);
-        const char* last = newline;  // one past the last character that is not a carriage return
-        while (last > at_ && last[-1] == '\r') --last;
-        const bool joined = continued_ && last > at_ && last[-1] == '\\';
-        at_ = newline + 1;
+        const char* found = std::find_if(at_, end_, is_line_end);
+        const bool joined = continued_ && found > at_ && found[-1] == '\\';
+        at_ = found == end_ ? end_ : after_line_end(found);
+        if (found == end_) return;
         ++line_;
         if (!joined) return;
     }
 }
 
-/// At a backslash, moves to the newline that it removes; returns false if another character follows.
+/// At a backslash, moves past the line end that it removes; returns false if another character follows.
 bool TextCursor::skip_continuation() {
     const char* next = at_ + 1;
-    while (next < end_ && *next == '\r') ++next;
-    if (next < end_ && *next != '\n') return false;
+    if (next < end_ && !is_line_end(*next)) return false;
     if (next < end_) ++line_;
-    at_ = next < end_ ? next : end_ - 1;
+    at_ = (next < end_ ? after_line_end(next) : end_) - 1;  // the caller moves on by one
     return true;
 }
 
-/// The slow path after from_chars(): reports the error, or returns 0 for a number too small for a float.
-float TextCursor::unusual_number() {
+/// The slow path after from_chars(): reports the error, or returns 0 for a number too small for a float. A
+/// normal gives NaN instead of an error about a number; Microsoft's libraries write "1.#IND" and "1.#QNAN".
+float TextCursor::unusual_number(bool of_normal) {
     const std::string_view text = word();
     const bool plus = text.starts_with('+') && !text.starts_with("+-");
     const std::string_view digits = text.substr(plus ? 1 : 0);
     double value = 0;
     const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool whole = last == digits.data() + digits.size() && error != std::errc::invalid_argument;
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    if (of_normal && ((whole && std::isnan(value)) || digits.find(".#") != std::string_view::npos)) return nan;
     if (!whole || std::isnan(value)) fail(fmt::format("{} is not a number", quoted_word(text)), "a number");
     if (error == std::errc() && std::abs(value) <= max_number) return static_cast<float>(value);
     const std::size_t exponent = std::min(digits.find_first_of("eE"), digits.size());
     const bool tiny = digits.size() < 64 && digits.substr(exponent, 2).find('-') != std::string_view::npos;
     if (error == std::errc::result_out_of_range && tiny) return 0;
+    if (of_normal) return nan;
     fail(fmt::format("{} is out of range", quoted_word(text)), "-1e7 to 1e7");
 }
 

@@ -17,7 +17,8 @@
 
 namespace glint {
 
-/// Reports the load's progress: every member that moves the cursor may throw LoadCancelled.
+/// Lines end in LF, CR, CR LF or LF CR. Reports the load's progress: every member that moves the cursor may
+/// throw LoadCancelled.
 class TextCursor {
   public:
     /// `file` is for messages. With `continued` a backslash before the end of a line joins it with the next.
@@ -45,7 +46,7 @@ class TextCursor {
     bool end_of_line() {
         parsed_.at(static_cast<std::size_t>(at_ - begin_));
         skip_blanks();
-        return at_ == end_ || *at_ == '\n' || *at_ == '#';
+        return at_ == end_ || is_line_end(*at_) || *at_ == '#';
     }
 
     /// The next word of this line; empty at the line's end.
@@ -58,16 +59,15 @@ class TextCursor {
 
     /// The next word as a finite number within +-1e7. `name` is what a message calls a missing number.
     float number(std::string_view name) {
-        if (end_of_line()) fail_missing(name, "a number");
-        const char* first = at_ + (*at_ == '+' && !(end_ - at_ > 1 && at_[1] == '-') ? 1 : 0);
         float value = 0;
-        const auto [last, error] = std::from_chars(first, end_, value);
-        if (error == std::errc() && (last == end_ || is_space(*last)) &&
-            std::abs(value) <= static_cast<float>(max_number)) {
-            at_ = last;
-            return value;
-        }
-        return unusual_number();
+        return plain_number(name, value) ? value : unusual_number(false);
+    }
+
+    /// The same of a normal: NaN if the word is a number that is infinite, not a number or out of range, in
+    /// any spelling.
+    float normal_number(std::string_view name) {
+        float value = 0;
+        return plain_number(name, value) ? value : unusual_number(true);
     }
 
     /// The next word as a whole number.
@@ -86,6 +86,14 @@ class TextCursor {
         return {a, b, c};
     }
 
+    glm::vec3 normal(const std::array<std::string_view, 3>& names = {"x", "y", "z"}) {
+        const float a = normal_number(names[0]), b = normal_number(names[1]), c = normal_number(names[2]);
+        return {a, b, c};
+    }
+
+    /// Skips that beginning of the next word. Precondition: the word begins so.
+    void skip(std::string_view beginning) { at_ += beginning.size(); }
+
     /// Fails unless the line has ended.
     void end_line(const char* expected) {
         if (!end_of_line()) fail_too_many(expected);
@@ -103,19 +111,33 @@ class TextCursor {
 
   private:
     static bool is_space(char c) { return c == ' ' || (c <= '\r' && c >= '\t'); }
+    static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+    /// Reads the next word; false, without moving, unless it is a number within +-1e7 as from_chars() reads it.
+    bool plain_number(std::string_view name, float& value) {
+        if (end_of_line()) fail_missing(name, "a number");
+        const char* first = at_ + (*at_ == '+' && !(end_ - at_ > 1 && at_[1] == '-') ? 1 : 0);
+        const auto [last, error] = std::from_chars(first, end_, value);
+        if (error != std::errc() || !(last == end_ || is_space(*last)) ||
+            !(std::abs(value) <= static_cast<float>(max_number)))
+            return false;
+        at_ = last;
+        return true;
+    }
 
     void skip_blanks() {
         for (; at_ < end_; ++at_) {
             if (*at_ == '\\' && continued_) {
                 if (!skip_continuation()) return;
-            } else if (*at_ == '\n' || !is_space(*at_)) {
+            } else if (is_line_end(*at_) || !is_space(*at_)) {
                 return;
             }
         }
     }
+    [[nodiscard]] const char* after_line_end(const char* at) const;
     void skip_rest();
     bool skip_continuation();
-    float unusual_number();
+    float unusual_number(bool of_normal);
     [[noreturn]] void fail_missing(std::string_view name, const char* expected) const;
     [[noreturn]] void fail_integer();
     [[noreturn]] void fail_too_many(const char* expected);
