@@ -79,6 +79,11 @@ bool has_large_exponent(const Facts& f) {
                return l.kind == LightKind::Spot && l.spot.exponent > fixed_function_most;
            });
 }
+bool has_soft_edge(const Facts& f) {
+    return f.is_lit() && std::any_of(f.lights.begin(), f.lights.end(), [](const Light& l) {
+               return l.kind == LightKind::Spot && l.spot.inner_deg < l.spot.cutoff_deg;
+           });
+}
 bool is_capped(const Facts& f) {
     return f.shading.rules == Rules::OpenGL2 &&
            f.any_shininess([](float s) { return s > fixed_function_most; });
@@ -130,6 +135,11 @@ constexpr std::array need_rows{
             [](const Facts& f) { return f.any_light(LightKind::Spot); }},
     NeedRow{"light.falloff", "/lights", "light falls off", [](const Facts& f) { return f.any_falloff(); }},
     NeedRow{"exponent.large", "/lights", "a spot's exponent is above 128", has_large_exponent},
+    NeedRow{"spot.soft", "/lights", "a spot has a soft edge", has_soft_edge},
+    NeedRow{"spot.soft_mistaken", "/shading/mistakes", "the angles of a soft edge are mistaken",
+            [](const Facts& f) {
+                return has_soft_edge(f) && (f.wrong.cutoff_as_full_angle || f.wrong.degrees_for_radians);
+            }},
     NeedRow{"lights.above_8", "/lights", "more than 8 lights shine",
             [](const Facts& f) { return f.is_lit() && f.lights.size() > fixed_function_lights; }},
     NeedRow{"lights.above_32", "/lights", "more than 32 lights shine",
@@ -152,6 +162,12 @@ constexpr std::array need_rows{
             [](const Facts& f) { return f.shading.cull == Cull::Back; }},
     NeedRow{"cull.front", "/shading/cull", "front faces are left out",
             [](const Facts& f) { return f.shading.cull == Cull::Front; }},
+    NeedRow{"cull.some", "/objects", "an object's back faces are kept while others are left out",
+            [](const Facts& f) {
+                return f.shading.cull != Cull::None &&
+                       std::any_of(f.objects.begin(), f.objects.end(),
+                                   [](const Object& o) { return o.double_sided; });
+            }},
     NeedRow{"power_table", "/shading/power_table", "powers are looked up in a table",
             [](const Facts& f) { return f.shading.power_table > 0 && f.uses_shininess(); }},
     NeedRow{"tone", "/npr/cool_to_warm", "surfaces are shaded from cool to warm",

@@ -143,6 +143,7 @@ Row light_row(const Light& light, Language language, const Flags& flags) {
         add("direction", vector(light.spot.direction));
         add("cutoff_deg", number_in_program(light.spot.cutoff_deg));
         add("exponent", number_in_program(light.spot.exponent));
+        if (has("spot.soft")) add("inner_deg", number_in_program(light.spot.inner_deg));
     }
     if (has("light.area")) {
         add("edge_u", vector(light.area.edge_u));

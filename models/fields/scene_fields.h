@@ -44,6 +44,15 @@ template <Of<SpotCone> C, class Visit> void fields(C& c, Visit&& visit) {
               "Power of cos(angle from the axis): 0 is uniform, more fades towards the edge"},
           Real{.range = at_least_zero, .step = 0.02f, .format = "%.2f", .usual_max = 64, .logarithmic = true},
           c.exponent);
+    visit(Row{"inner_deg", "Inner",
+              "Angle from the axis at which the soft edge begins; from the cutoff on there is none"}
+              .omitted_by_default(),
+          Real{.range = {0, 90, "0 to 90, or 180", false, false, 180},
+               .unit = "°",
+               .step = 0.1f,
+               .format = "%.1f°",
+               .usual_max = 90},
+          c.inner_deg);
 }
 
 constexpr bool is_square(int n) {
@@ -83,10 +92,12 @@ template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
               .undone_as("Falloff of {}")
               .when(l.kind == LightKind::Point || l.kind == LightKind::Spot),
           Group{}, l.falloff);
-    visit(Row{"spot", "Cone", "Inside the cutoff cos(angle from the axis)^exponent, outside 0"}
-              .undone_as("Cone of {}")
-              .when(l.kind == LightKind::Spot),
-          Group{}, l.spot);
+    visit(
+        Row{"spot", "Cone",
+            "Inside the cutoff cos(angle from the axis)^exponent, outside 0; softer from the inner angle on"}
+            .undone_as("Cone of {}")
+            .when(l.kind == LightKind::Spot),
+        Group{}, l.spot);
     visit(Row{"area", "Area", "A parallelogram centred on the position that emits light from both sides"}
               .undone_as("Area of {}")
               .when(l.kind == LightKind::Area),
@@ -165,6 +176,9 @@ template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
     visit(Row{"name", "Name", "Name of the object"}.undone_as("Rename {}"), Text{max_name_characters},
           o.name);
     visit(Row{"visible", "Shown", "Whether it is drawn"}.omitted_by_default(), Switch{}, o.visible);
+    visit(Row{"double_sided", "Both sides", "Its back faces are drawn, whatever `cull` says"}
+              .omitted_by_default(),
+          Switch{}, o.double_sided);
     visit(Row{"mesh", "Mesh", "The shape: a primitive, or a file"}.undone_as("Mesh of {}"), OneMesh{},
           o.source);
     visit(

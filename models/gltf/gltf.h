@@ -46,7 +46,8 @@ class GltfFile {
     /// Converts the file's scene, by default the first: an object for each primitive with triangles of each
     /// node, the camera of the first node that has one, and the lights. A light below that camera's node
     /// moves with the viewer. Materials are for cook-torrance.
-    [[nodiscard]] Result<Content> content(const std::string& file_name) const;
+    /// `offset` is subtracted from all positions, in double.
+    [[nodiscard]] Result<Content> content(const std::string& file_name, const glm::dvec3& offset = {}) const;
 
   private:
     explicit GltfFile(std::shared_ptr<const GltfDocument> document) : document_(std::move(document)) {}

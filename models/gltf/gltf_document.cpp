@@ -23,23 +23,24 @@ constexpr std::uint64_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, bin_chu
     throw ProblemFound({"", "", what, expected});
 }
 
-/// The two chunks of a .glb.
+/// The two chunks of a .glb. The length in its header may disagree with the file's, because the chunks have
+/// their own.
 struct Chunks {
     std::string_view json, bin;
     bool has_bin = false;
 };
-Chunks chunks_of(std::string_view bytes) {
+Chunks chunks_of(std::string_view bytes, std::vector<std::string>& warnings) {
     constexpr std::size_t header = 12, chunk_header = 8;
     const auto number = [&](std::size_t at) { return little_endian(bytes.data() + at, 4); };
     if (bytes.size() < header + chunk_header) fail("the file ends in its header", "a whole .glb file");
     if (number(4) != 2) fail(fmt::format("the container has version {}", number(4)), "2");
-    const std::uint64_t length = number(8);
-    if (length != bytes.size())
-        fail(fmt::format("the header says {} bytes, the file has {}", length, bytes.size()),
-             std::to_string(bytes.size()));
+    const std::uint64_t length = bytes.size();
+    if (number(8) != length)
+        warnings.push_back(fmt::format(
+            "the length in the header is {} bytes and the file has {}: it is ignored", number(8), length));
     Chunks chunks;
     std::size_t at = header;
-    for (int i = 0; at + chunk_header <= length; ++i) {
+    for (int i = 0; i < 2 && at + chunk_header <= length; ++i) {
         const std::uint64_t size = number(at), type = number(at + 4);
         at += chunk_header;
         if (size > length - at)
@@ -196,14 +197,25 @@ bool is_quantized(const Node& root) {
     return is_named;
 }
 
-/// Extensions that change the shapes.
+/// Whether an extension concerns only what is left out: images, animations, and the look of materials.
+bool leaves_shapes(std::string_view name) {
+    constexpr std::array<std::string_view, 6> words{"_materials_", "_texture_",   "_techniques_",
+                                                    "_image",      "_animation_", "_xmp"};
+    return std::any_of(words.begin(), words.end(),
+                       [name](std::string_view word) { return name.find(word) != std::string_view::npos; });
+}
+
+/// Fails for required extensions that change the shapes and are not read.
 void check_extensions(const Node& root) {
-    constexpr std::array<std::string_view, 2> read{"KHR_lights_punctual", "KHR_mesh_quantization"};
+    constexpr std::array<std::string_view, 3> read{"KHR_lights_punctual", "KHR_mesh_quantization",
+                                                   "EXT_mesh_gpu_instancing"};
     root.with("extensionsRequired", [&](const Node& list) {
         list.each(1000, "names", [&](const Node& node) {
             const std::string& name = text(node);
-            const bool of_looks = name.starts_with("KHR_materials_") || name.starts_with("KHR_texture_");
-            if (!of_looks && std::find(read.begin(), read.end(), name) == read.end())
+            if (name == "KHR_draco_mesh_compression")
+                node.fail("the meshes are compressed (Draco), which is not read",
+                          "a file without compression");
+            if (!leaves_shapes(name) && std::find(read.begin(), read.end(), name) == read.end())
                 node.fail(in_quotes(name) + " is needed, and cannot be read here",
                           "a file without that extension");
         });
@@ -301,7 +313,8 @@ Result<GltfFile> GltfFile::parse(std::string bytes, const std::string& path) {
         const std::string_view all = document->bytes;
         if (all.empty()) return Problem{path, "", "the file is empty", "glTF 2.0"};
         Chunks chunks{all, {}};
-        if (all.size() >= 4 && little_endian(all.data(), 4) == glb_magic) chunks = chunks_of(all);
+        if (all.size() >= 4 && little_endian(all.data(), 4) == glb_magic)
+            chunks = chunks_of(all, document->warnings);
         document->root = parsed_json(chunks.json, path);
         const Node root(document->root);
         check_version(root);

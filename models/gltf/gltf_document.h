@@ -56,7 +56,8 @@ struct GltfDocument {
     std::vector<std::string> own;  // buffers outside the file
     std::vector<std::string_view> buffers;
     Json root;
-    bool is_quantized = false;  // it names KHR_mesh_quantization
+    std::vector<std::string> warnings;  // about the container
+    bool is_quantized = false;          // it names KHR_mesh_quantization
     // Entry i is the number of the first primitive of mesh i, counted through all meshes; the last is the
     // total.
     std::vector<std::size_t> first_parts;
@@ -87,6 +88,9 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
         });
     root.with(list, [&](const Node& all) { f(Node(all.value()[index], all, index)); });
 }
+
+/// Returns whether an object has an extension.
+[[nodiscard]] bool has_extension(const Node& object, std::string_view name);
 
 /// Returns the accessor whose index is at `key` of `from`; its numbers are within its buffer view. Fails if
 /// it is not of that `type` ("VEC3"), or has no buffer view.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double sheared_from = 1e-4;  // the cosine between two axes
 constexpr double half_way = 0.25;      // glTF's brightness half-way between the cosines of its two cones
-constexpr double sharp_below = 0.001;  // radians between them
+constexpr float sharp_below = 0.001f;  // radians between them
 constexpr float least_near = 1e-3f;    // for a camera whose near plane is at the eye
 
 template <class P> void read_planes(const Node& node, P& p) {
@@ -29,23 +29,20 @@ template <class P> void read_planes(const Node& node, P& p) {
     if (!(p.far > p.near)) node.fail("zfar is not above znear", "a zfar above znear");
 }
 
-/// Reads a cone. Its exponent gives the same brightness as glTF half-way between the cosines of the two
-/// angles.
-void read_cone(const Node& node, SpotCone& cone) {
+/// Reads a cone. Sets `is_bad` if its angles were clamped.
+void read_cone(const Node& node, SpotCone& cone, bool& is_bad) {
+    constexpr auto widest = static_cast<float>(std::numbers::pi / 2);
     float inner = 0, outer = static_cast<float>(std::numbers::pi / 4);
     node.with("spot", [&](const Node& spot) {
         require_object(spot);
-        const Range angles{0, std::numbers::pi / 2 + 1e-6, "0 to pi/2"};
-        read(spot, "innerConeAngle", inner, angles);
-        read(spot, "outerConeAngle", outer, angles);
-        if (inner > outer)  // equal: a cone of even brightness
-            spot.fail("innerConeAngle is above outerConeAngle", "an inner cone within the outer one");
+        read(spot, "innerConeAngle", inner, at_least_zero);
+        read(spot, "outerConeAngle", outer, at_least_zero);
     });
+    is_bad = inner > outer || outer > widest + 1e-6f;
+    outer = std::min(outer, widest);
+    cone.exponent = 0;
     cone.cutoff_deg = std::min(glm::degrees(outer), 90.0f);
-    const double middle = (std::cos(static_cast<double>(inner)) + std::cos(static_cast<double>(outer))) / 2;
-    const bool sharp =
-        static_cast<double>(outer) - static_cast<double>(inner) < sharp_below || middle <= 0 || middle >= 1;
-    cone.exponent = sharp ? 0 : static_cast<float>(std::min(std::log(half_way) / std::log(middle), 1000.0));
+    cone.inner_deg = outer - inner < sharp_below ? SpotCone{}.inner_deg : glm::degrees(inner);
 }
 
 Material material_from(const glm::vec3& base, float metal, float roughness) {
@@ -97,13 +94,18 @@ std::optional<Transform> transform_of(const glm::dmat4& m, bool& sheared) {
 }
 
 GltfCone cone_of(const SpotCone& cone) {
-    const double outer = std::min(glm::radians(static_cast<double>(cone.cutoff_deg)), std::numbers::pi / 2);
-    GltfCone out{std::max(outer - 1e-4, 0.0), outer, cone.exponent == 0};
-    if (cone.exponent == 0) return out;
-    const double middle = std::pow(half_way, 1 / static_cast<double>(cone.exponent));
-    const double inner = std::acos(std::clamp(2 * middle - std::cos(outer), -1.0, 1.0));
-    out.is_alike = 2 * middle - std::cos(outer) <= 1 && outer - inner >= sharp_below;
-    if (out.is_alike) out.inner = inner;
+    const auto angle = [](float deg) {
+        return std::min(glm::radians(static_cast<double>(deg)), std::numbers::pi / 2);
+    };
+    const double outer = angle(cone.cutoff_deg);
+    GltfCone out{std::max(outer - 1e-4, 0.0), outer};
+    if (cone.inner_deg < cone.cutoff_deg) {
+        out.inner = angle(cone.inner_deg);
+    } else if (cone.exponent > 0) {
+        const double middle = std::pow(half_way, 1 / static_cast<double>(cone.exponent));
+        const double inner = std::acos(std::clamp(2 * middle - std::cos(outer), -1.0, 1.0));
+        if (outer - inner >= sharp_below) out.inner = inner;
+    }
     return out;
 }
 
@@ -140,8 +142,14 @@ GltfMaterial material_of(const Node& node) {
     bool both_sides = false;
     read(node, "doubleSided", both_sides);
     Material m = material_from(base, metal, roughness);
-    m.emission = strength * emission;
-    return {m, textured, is_see_through, both_sides};
+    // The factor multiplies the texture, which is mostly black.
+    const bool lacks_emission = node.has("emissiveTexture") && emission != glm::vec3(0);
+    m.emission = lacks_emission ? glm::vec3(0) : strength * emission;
+    if (has_extension(node, "KHR_materials_unlit")) {
+        m.ambient = m.diffuse = m.specular = m.f0 = glm::vec3(0);
+        m.emission = base;
+    }
+    return {m, textured, is_see_through, both_sides, lacks_emission};
 }
 
 GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world) {
@@ -194,7 +202,8 @@ glm::vec3 target_of(const glm::vec3& eye, const glm::dvec3& ahead, double distan
     return glm::vec3(from + std::max(distance, clear) * ahead);
 }
 
-Light light_from(const Node& node, const std::string& name, const glm::dmat4& placed, LightSpace space) {
+Light light_from(const Node& node, const std::string& name, const glm::dmat4& placed, LightSpace space,
+                 bool& has_bad_cone) {
     Light light;
     read_name(node, light.name);
     if (!name.empty()) light.name = name;
@@ -221,7 +230,7 @@ Light light_from(const Node& node, const std::string& name, const glm::dmat4& pl
         light.falloff = {};
     } else if (type == "spot") {
         light.kind = LightKind::Spot;
-        read_cone(node, light.spot);
+        read_cone(node, light.spot, has_bad_cone);
     } else if (type != "point") {
         node.fail(fmt::format("its type is {}", in_quotes(type)), "\"directional\", \"point\" or \"spot\"");
     }

@@ -22,8 +22,10 @@ namespace glint {
 struct GltfMaterial {
     Material material;  // for cook-torrance, with a shininess whose highlight is as wide
     bool has_textures = false, is_transparent = false, is_double_sided = false;
+    bool lacks_emission = false;  // its emissive texture is left out, and the factor with it
 };
-/// Reads a metallic-roughness material. A primitive without a material uses an empty JSON object.
+/// Reads a metallic-roughness material; an unlit one (KHR_materials_unlit) emits its base colour. A primitive
+/// without a material uses an empty JSON object.
 [[nodiscard]] GltfMaterial material_of(const Node& node);
 
 /// The inverse: the base colour and the metalness that give the material's diffuse colour and f0; nothing if
@@ -35,11 +37,10 @@ struct GltfMetal {
 [[nodiscard]] std::optional<GltfMetal> metal_of(const Material& material);
 
 /// A spot's cone as glTF's two angles, in radians: brightness is constant within the inner one and 0 from the
-/// outer one on. `is_alike`: reading them again gives the spot's exponent. If the exponent is very small or
-/// very large for its cutoff no such pair exists, and the spot gets constant brightness up to its edge.
+/// outer one on. A spot with an exponent and a hard edge gets a soft one that is as bright half-way between
+/// the cosines of its two angles, if there is such an edge.
 struct GltfCone {
     double inner, outer;
-    bool is_alike;
 };
 [[nodiscard]] GltfCone cone_of(const SpotCone& cone);
 
@@ -54,16 +55,17 @@ struct GltfCamera {
 /// A point at that distance from the eye, or further if floats could not represent its direction.
 [[nodiscard]] glm::vec3 target_of(const glm::vec3& eye, const glm::dvec3& ahead, double distance);
 
-/// Converts a light. `placed` transforms the node's coordinates to those of `space`.
+/// Converts a light. `placed` transforms the node's coordinates to those of `space`. Sets `has_bad_cone` if
+/// the angles of a spot were clamped.
 [[nodiscard]] Light light_from(const Node& light, const std::string& name, const glm::dmat4& placed,
-                               LightSpace space);
+                               LightSpace space, bool& has_bad_cone);
 
 // Features of a glTF file that a scene cannot express, and the other way round.
 
 /// Counts the things of each kind that were left out.
 struct GltfLeftOut {
     std::size_t textures = 0, blended = 0, skins = 0, animations = 0, morphs = 0, lines = 0, sparse = 0,
-                colours = 0;
+                colours = 0, emissions = 0, instances = 0, cones = 0;
     std::size_t cameras = 0, sheared = 0, flat = 0, far = 0, lights = 0, ranges = 0;
 };
 /// Returns one warning, with its count, for each kind of missing object.
@@ -74,7 +76,7 @@ struct GltfLeftOut {
 /// Features of a scene that glTF cannot express.
 struct GltfUnsaid {
     bool frustum = false, mirroring = false, angle = false;  // of the camera
-    std::size_t invisible = 0, empty = 0;                    // objects
+    std::size_t invisible = 0, empty = 0, colours = 0;       // objects
     std::size_t materials = 0, bright = 0;
     std::size_t off = 0, areas = 0, falloffs = 0, cones = 0, ambients = 0, speculars = 0;  // lights
 };

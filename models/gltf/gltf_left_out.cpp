@@ -50,8 +50,8 @@ void say_lights(const GltfUnsaid& unsaid, Warnings& w) {
          "bright as here",
          "lights do not fall off with the square of the distance: only at the camera's target are they as "
          "bright as here");
-    warn(w, unsaid.cones, "spot has an exponent that no cone of glTF has, and becomes even up to its edge",
-         "spots have exponents that no cone of glTF has, and become even up to their edges");
+    warn(w, unsaid.cones, "spot has an exponent, which glTF does not have: a soft edge is written",
+         "spots have exponents, which glTF does not have: soft edges are written");
     warn(w, unsaid.ambients, "light has an ambient colour, which is left out",
          "lights have ambient colours, which are left out");
     warn(w, unsaid.speculars, "light has highlights of another colour, which is left out",
@@ -66,6 +66,8 @@ Warnings said_objects(const GltfLeftOut& left) {
          "primitives of points or lines are left out");
     warn(w, left.sparse, "primitive with sparse accessors is left out",
          "primitives with sparse accessors are left out");
+    warn(w, left.instances, "instance beyond the most objects that a scene has is left out",
+         "instances beyond the most objects that a scene has are left out");
     warn(w, left.flat, "object has a scale of 0, which makes it flat, and is left out",
          "objects have a scale of 0, which makes them flat, and are left out");
     warn(w, left.far, "object is larger or further away than 1e7, and is left out",
@@ -77,6 +79,8 @@ Warnings said(const GltfLeftOut& left) {
     Warnings w;
     warn(w, left.textures, "material has textures, which are not read",
          "materials have textures, which are not read");
+    warn(w, left.emissions, "material has an emissive texture: its emission is left out",
+         "materials have emissive textures: their emission is left out");
     warn(w, left.blended, "material is transparent, which is not drawn",
          "materials are transparent, which is not drawn");
     warn(w, left.colours, "primitive has colours of vertices, which are not read",
@@ -91,6 +95,9 @@ Warnings said(const GltfLeftOut& left) {
     warn(w, left.cameras, "further camera is left out", "further cameras are left out");
     warn(w, left.lights, "light beyond the most that a scene has is left out",
          "lights beyond the most that a scene has are left out");
+    warn(w, left.cones,
+         "spot has an inner angle above its outer one or an outer one above 90°, which is clamped",
+         "spots have inner angles above their outer ones or outer ones above 90°, which are clamped");
     warn(w, left.ranges, "light has a range, beyond which it also shines here",
          "lights have a range, beyond which they also shine here");
     warn(w, left.sheared, "object is sheared, which is straightened",
@@ -110,6 +117,8 @@ Warnings said(const GltfUnsaid& unsaid, const Scene& scene) {
          "materials reflect more light than they get: their colours end at 1");
     say_lights(unsaid, w);
     warn(w, unsaid.invisible, "invisible object is left out", "invisible objects are left out");
+    warn(w, unsaid.colours, "mesh has colours of vertices, which are left out",
+         "meshes have colours of vertices, which are left out");
     warn(w, unsaid.empty, "object without a triangle is left out", "objects without a triangle are left out");
     return w;
 }

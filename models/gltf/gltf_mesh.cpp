@@ -78,6 +78,7 @@ std::vector<glm::vec3> vectors(const GltfDocument& document, const GltfNumbers& 
     std::vector<glm::vec3> all(numbers.count);
     for (std::size_t i = 0; i < all.size(); ++i) {
         all[i] = numbers.vector_at(i);
+        if (what == std::string_view("NORMAL")) continue;  // drop_bad_normals() checks them
         for (int k = 0; k < 3; ++k)
             if (!(std::abs(all[i][k]) <= static_cast<float>(max_number)))
                 attributes.with(what, [&](const Node& at) {
@@ -120,6 +121,11 @@ void read_primitive(const GltfDocument& document, const Node& root, const Node& 
     if (mode == PrimitiveMode::None) primitive.fail("it is made of points or lines", "one with triangles");
     primitive.with("attributes", [&](const Node& attributes) {
         require_object(attributes);
+        follow(root, attributes, "POSITION", "accessors", [&](const Node& accessor) {
+            const bool is_draco = has_extension(primitive, "KHR_draco_mesh_compression");
+            if (is_draco && accessor.value().is_object() && !accessor.has("bufferView"))
+                primitive.fail("it is compressed (Draco), which is not read", "a file without compression");
+        });
         for (const char* attribute : {"POSITION", "NORMAL"})
             if (is_sparse(root, attributes, attribute))
                 attributes.fail(fmt::format("its {} is a sparse accessor", attribute),
@@ -188,6 +194,7 @@ Result<Mesh> GltfFile::mesh(int part) const {
                 read_primitive(*document_, root, primitive, mesh);
             });
         });
+        drop_bad_normals(mesh);
         finish_mesh(mesh);
         if (auto warning = rounding_warning(mesh.bounds)) mesh.warnings.push_back(std::move(*warning));
         const auto time = std::chrono::steady_clock::now() - start;

@@ -69,6 +69,12 @@ void require_object(const Node& node) {
     if (!node.value().is_object()) node.wrong_type("an object");
 }
 
+bool has_extension(const Node& object, std::string_view name) {
+    bool found = false;
+    object.with("extensions", [&](const Node& all) { found = all.value().is_object() && all.has(name); });
+    return found;
+}
+
 std::uint64_t whole(const Node& object, std::string_view key, double most, double otherwise) {
     double x = otherwise;
     const std::string expected = fmt::format("a whole number from 0 to {:.0f}", most);
@@ -124,7 +130,7 @@ GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Nod
         read(accessor, "type", is);
         if (is != type)
             accessor.fail(fmt::format("its type is {}", in_quotes(is)), fmt::format("\"{}\"", type));
-        numbers.components = type == "VEC3" ? 3 : 1;
+        numbers.components = type == "VEC4" ? 4 : type == "VEC3" ? 3 : 1;
         const std::uint64_t component = whole(accessor, "componentType", 65535);
         const std::size_t size = size_of(component) * numbers.components;
         if (size == 0)

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <optional>
 
@@ -15,8 +16,10 @@ namespace {
 
 class SceneReader {
   public:
-    SceneReader(const Node& root, const std::vector<std::size_t>& first_parts, const std::string& file_name)
-        : root_(root), first_parts_(first_parts), file_name_(file_name) {}
+    SceneReader(const GltfDocument& document, const std::string& file_name, const glm::dvec3& offset)
+        : document_(document), root_(document.root), file_name_(file_name) {
+        to_origin_[3] = glm::dvec4(-offset, 1);
+    }
 
     GltfFile::Content read() {
         check_nodes(root_);
@@ -24,7 +27,7 @@ class SceneReader {
         std::vector<Placed> waiting;
         const auto begin_with = [&](const Node& scene) {
             require_object(scene);
-            scene.with("nodes", [&](const Node& list) { add_numbers(list, glm::dmat4(1), {}, waiting); });
+            scene.with("nodes", [&](const Node& list) { add_numbers(list, to_origin_, {}, waiting); });
         };
         if (root_.has("scene"))
             follow(root_, root_, "scene", "scenes", begin_with);
@@ -68,7 +71,7 @@ class SceneReader {
             });
         });
         for (std::size_t i = 0; i < is_child.size(); ++i)
-            if (is_child[i] == 0) waiting.push_back({i, glm::dmat4(1), {}});
+            if (is_child[i] == 0) waiting.push_back({i, to_origin_, {}});
     }
 
     void visit(const Placed& at, std::vector<Placed>& waiting) {
@@ -104,19 +107,61 @@ class SceneReader {
             const std::uint64_t index = whole(node, "mesh", 4294967295.0);
             std::string mesh_name;
             read_name(mesh, mesh_name);
-            auto part = static_cast<int>(first_parts_[index]);
+            const auto first = static_cast<int>(document_.first_parts[index]);
             mesh.with("primitives", [&](const Node& primitives) {
+                const std::vector<glm::dmat4> instances = instances_of(node);
                 // Many nodes may use a mesh with many primitives none of which becomes an object.
-                visited_primitives_ += primitives.value().size();
+                visited_primitives_ += primitives.value().size() * instances.size();
                 if (visited_primitives_ > max_json_values)
                     node.fail("the nodes show too many primitives",
                               fmt::format("at most {}", max_json_values));
-                primitives.each(max_json_values, "primitives", [&](const Node& primitive) {
-                    require_object(primitive);
-                    add_primitive(primitive, part++, !name.empty() ? name : mesh_name, world);
+                for (const glm::dmat4& instance : instances) {
+                    const std::size_t objects = content_.scene.objects.size() + primitives.value().size();
+                    if (instances.size() > 1 && objects > max_objects) {
+                        ++left_.instances;
+                        continue;
+                    }
+                    int part = first;
+                    primitives.each(max_json_values, "primitives", [&](const Node& primitive) {
+                        require_object(primitive);
+                        add_primitive(primitive, part++, !name.empty() ? name : mesh_name, world * instance);
+                    });
+                }
+            });
+        });
+    }
+    /// The transforms of EXT_mesh_gpu_instancing within the node; one that changes nothing without it.
+    std::vector<glm::dmat4> instances_of(const Node& node) {
+        std::vector<glm::dmat4> all(1, glm::dmat4(1));
+        if (!has_extension(node, "EXT_mesh_gpu_instancing")) return all;
+        const auto begin_with = [&](std::size_t count) {
+            all.resize(std::max(all.size(), count), glm::dmat4(1));
+        };
+        const auto each = [&](const Node& from, const char* key, const char* type, const auto& f) {
+            if (!from.has(key)) return;
+            const GltfNumbers numbers = numbers_of(document_, root_, from, key, type);
+            begin_with(numbers.count);
+            for (std::size_t i = 0; i < numbers.count; ++i) f(numbers, i, all[i]);
+        };
+        node.with("extensions", [&](const Node& extensions) {
+            extensions.with("EXT_mesh_gpu_instancing", [&](const Node& extension) {
+                require_object(extension);
+                extension.with("attributes", [&](const Node& from) {
+                    require_object(from);
+                    each(from, "SCALE", "VEC3", [](const GltfNumbers& n, std::size_t i, glm::dmat4& m) {
+                        for (int k = 0; k < 3; ++k) m[k] *= n.at(i, static_cast<std::size_t>(k));
+                    });
+                    each(from, "ROTATION", "VEC4", [](const GltfNumbers& n, std::size_t i, glm::dmat4& m) {
+                        const glm::dquat turn(n.at(i, 3), n.at(i, 0), n.at(i, 1), n.at(i, 2));
+                        if (glm::dot(turn, turn) > 0) m = glm::mat4_cast(glm::normalize(turn)) * m;
+                    });
+                    each(from, "TRANSLATION", "VEC3", [](const GltfNumbers& n, std::size_t i, glm::dmat4& m) {
+                        m[3] = glm::dvec4(n.at(i, 0), n.at(i, 1), n.at(i, 2), 1);
+                    });
                 });
             });
         });
+        return all;
     }
     void add_primitive(const Node& primitive, int part, const std::string& name, const glm::dmat4& world) {
         if (mode_of(primitive) == PrimitiveMode::None) return void(++left_.lines);
@@ -140,16 +185,22 @@ class SceneReader {
         if (!has_normals) object.normals.source = NormalSource::Facet;
         static const Json none = Json::object();
         object.material = material_of(Node(none)).material;
+        bool is_double_sided = false;
         if (primitive.has("material"))
-            follow(root_, primitive, "material", "materials",
-                   [&](const Node& m) { object.material = noted(material_of(m)); });
+            follow(root_, primitive, "material", "materials", [&](const Node& m) {
+                const GltfMaterial read = material_of(m);
+                object.material = noted(read);
+                is_double_sided = read.is_double_sided;
+            });
+        object.double_sided = is_double_sided;
+        double_sided_ += is_double_sided ? 1 : 0;
         if (content_.scene.objects.size() >= max_objects || part >= max_parts)
             primitive.fail("the scene has too many objects", fmt::format("at most {}", max_objects));
         content_.scene.objects.push_back(std::move(object));
     }
 
     Material noted(const GltfMaterial& m) {
-        any_double_sided_ = any_double_sided_ || m.is_double_sided;
+        left_.emissions += m.lacks_emission ? 1 : 0;
         left_.textures += m.has_textures ? 1 : 0;
         left_.blended += m.is_transparent ? 1 : 0;
         return m.material;
@@ -170,8 +221,10 @@ class SceneReader {
                    const std::optional<glm::dmat4>& view) {
         if (content_.scene.lights.size() >= max_lights) return void(++left_.lights);
         require_object(light);
-        content_.scene.lights.push_back(
-            light_from(light, name, view.value_or(world), view ? LightSpace::Camera : LightSpace::World));
+        bool has_bad_cone = false;
+        content_.scene.lights.push_back(light_from(
+            light, name, view.value_or(world), view ? LightSpace::Camera : LightSpace::World, has_bad_cone));
+        left_.cones += has_bad_cone ? 1 : 0;
         const bool has_place = content_.scene.lights.back().kind != LightKind::Directional;
         left_.ranges += has_place && light.has("range") ? 1 : 0;
         content_.has_lights = true;
@@ -185,32 +238,35 @@ class SceneReader {
     void say_left_out() {
         Scene& scene = content_.scene;
         scene.shading.reflection = Reflection::CookTorrance;
-        scene.shading.cull = any_double_sided_ ? Cull::None : Cull::Back;
-        scene.shading.two_sided = any_double_sided_;
+        const bool all_double_sided = double_sided_ == scene.objects.size() && double_sided_ > 0;
+        if (all_double_sided)
+            for (Object& object : scene.objects) object.double_sided = false;  // nothing is culled
+        scene.shading.cull = all_double_sided ? Cull::None : Cull::Back;
+        scene.shading.two_sided = double_sided_ > 0;
         scene.display.transfer = Transfer::Srgb;
         scene.display.background = glm::vec3(0.01f, 0.01f, 0.013f);  // as dark as ours, once encoded
         if (content_.has_lights || content_.is_ours) scene.global_ambient = glm::vec3(0);
-        content_.warnings = said(left_);
+        content_.warnings = document_.warnings;
+        const Warnings left = said(left_);
+        content_.warnings.insert(content_.warnings.end(), left.begin(), left.end());
         content_.objects_left_out = said_objects(left_);
     }
 
-    const Node& root_;
-    const std::vector<std::size_t>& first_parts_;  // GltfDocument::first_parts
+    const GltfDocument& document_;
+    const Node root_;
+    glm::dmat4 to_origin_{1};
     const std::string& file_name_;
     GltfFile::Content content_;
     GltfLeftOut left_;
     std::vector<char> visited_;
     std::size_t visited_primitives_ = 0;
-    bool any_double_sided_ = false;
+    std::size_t double_sided_ = 0;  // objects
 };
 
 }  // namespace
 
-Result<GltfFile::Content> GltfFile::content(const std::string& file_name) const {
-    return result_of(document_->path, [&] {
-        const Node root(document_->root);
-        return SceneReader(root, document_->first_parts, file_name).read();
-    });
+Result<GltfFile::Content> GltfFile::content(const std::string& file_name, const glm::dvec3& offset) const {
+    return result_of(document_->path, [&] { return SceneReader(*document_, file_name, offset).read(); });
 }
 
 }  // namespace glint

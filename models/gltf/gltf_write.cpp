@@ -76,7 +76,9 @@ class Writer {
     /// after the mesh.
     std::size_t add_mesh(const Object& object) {
         const GltfMeshKey key = mesh_key(object);
-        const std::size_t material = add(object.material);
+        const std::size_t material =
+            add(object.material, object.double_sided || scene_.shading.cull != Cull::Back);
+        unsaid_.colours += object.mesh->colors.empty() ? 0 : 1;
         const auto [known, is_new] =
             known_meshes_.try_emplace({key, material, object.name.empty()}, meshes_.size());
         if (!is_new) return known->second;
@@ -87,7 +89,7 @@ class Writer {
         return known->second;
     }
 
-    std::size_t add(const Material& m) {
+    std::size_t add(const Material& m, bool is_double_sided) {
         const bool is_physical = scene_.shading.reflection == Reflection::CookTorrance;
         const std::optional<GltfMetal> metal = is_physical ? metal_of(m) : std::nullopt;
         if (!metal || m.specular != glm::vec3(1)) ++unsaid_.materials;
@@ -101,7 +103,7 @@ class Writer {
                   {{"baseColorFactor", {number_json(base.x), number_json(base.y), number_json(base.z), 1}},
                    {"metallicFactor", number_json(metal ? std::clamp(metal->metal, 0.0f, 1.0f) : 0)},
                    {"roughnessFactor", number_json(roughness)}}},
-                 {"doubleSided", scene_.shading.cull != Cull::Back}};
+                 {"doubleSided", is_double_sided}};
         const float strength = std::max({m.emission.x, m.emission.y, m.emission.z, 1.0f});
         if (m.emission != glm::vec3(0)) out["emissiveFactor"] = numbers_json(m.emission / strength);
         if (strength > 1) {

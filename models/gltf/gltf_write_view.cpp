@@ -105,7 +105,7 @@ Json light_json(const Light& light, const Camera& camera, const std::string& poi
     if (is_spot) {
         const GltfCone cone = cone_of(light.spot);
         out["spot"] = {{"innerConeAngle", cone.inner}, {"outerConeAngle", cone.outer}};
-        unsaid.cones += cone.is_alike ? 0 : 1;
+        unsaid.cones += light.spot.exponent > 0 ? 1 : 0;
     }
     unsaid.ambients += light.ambient != glm::vec3(0) ? 1 : 0;
     unsaid.speculars += light.specular != light.diffuse ? 1 : 0;

@@ -19,6 +19,8 @@ namespace {
 // A corner takes up to about a thousand steps of ear clipping: a few milliseconds between two reports.
 constexpr std::size_t corners_between_reports = 1 << 14;
 
+}  // namespace
+
 Bounds bounds_of_faces(const Mesh& mesh) {
     if (mesh.corner_position.empty()) return {};
     Bounds bounds{mesh.positions[mesh.corner_position[0]], mesh.positions[mesh.corner_position[0]]};
@@ -29,8 +31,6 @@ Bounds bounds_of_faces(const Mesh& mesh) {
     return bounds;
 }
 
-}  // namespace
-
 std::array<glm::dvec3, 8> corners_of(const Bounds& bounds) {
     std::array<glm::dvec3, 8> corners;
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -39,14 +39,44 @@ std::array<glm::dvec3, 8> corners_of(const Bounds& bounds) {
     return corners;
 }
 
+namespace {
+
+/// The distance of the farthest coordinate, the longest side, and the step between floats at that distance.
+struct Rounding {
+    float farthest = 0, across = 0, step = 0;
+    explicit Rounding(const Bounds& bounds) {
+        for (int i = 0; i < 3; ++i) {
+            farthest = std::max({farthest, std::abs(bounds.min[i]), std::abs(bounds.max[i])});
+            across = std::max(across, bounds.max[i] - bounds.min[i]);
+        }
+        step = std::nextafter(farthest, HUGE_VALF) - farthest;
+    }
+};
+
+}  // namespace
+
+glm::dvec3 far_offset(const Bounds& bounds) {
+    constexpr float fewest_steps = 1e5f, far_for_a_point = 1e4f;
+    const Rounding now(bounds);
+    if (!(now.across < fewest_steps * now.step) || (now.across == 0 && now.farthest < far_for_a_point))
+        return {};
+    const auto across = static_cast<double>(now.across);
+    const double unit = across > 1 ? std::pow(10, std::floor(std::log10(across))) : 1;
+    glm::dvec3 offset = (glm::dvec3(bounds.min) + glm::dvec3(bounds.max)) / 2.0;
+    for (int i = 0; i < 3; ++i)
+        offset[i] = std::abs(offset[i]) < across ? 0 : std::round(offset[i] / unit) * unit;
+    return offset;
+}
+
+std::string offset_warning(const glm::dvec3& offset) {
+    return fmt::format(
+        "the coordinates are far from the origin: the offset ({:.0f}, {:.0f}, {:.0f}) is subtracted",
+        offset.x, offset.y, offset.z);
+}
+
 std::optional<std::string> rounding_warning(const Bounds& bounds) {
     constexpr float fewest_steps = 1000;  // across; with fewer, each step is visible in a picture
-    float farthest = 0, across = 0;
-    for (int i = 0; i < 3; ++i) {
-        farthest = std::max({farthest, std::abs(bounds.min[i]), std::abs(bounds.max[i])});
-        across = std::max(across, bounds.max[i] - bounds.min[i]);
-    }
-    const float step = std::nextafter(farthest, HUGE_VALF) - farthest;
+    const auto [farthest, across, step] = Rounding(bounds);
     if (!(across < fewest_steps * step) || farthest == 0) return {};
     return fmt::format(
         "the shape is {:.3g} across at coordinates of up to {:.7g}, which are rounded to steps of "
@@ -91,74 +121,6 @@ void finish_mesh(Mesh& mesh) {
          "faces visit one of their corners twice, and may be drawn wrong");
     warn(mesh.warnings, long_fans, "face is not convex and has more than 1000 corners: drawn as a fan",
          "faces are not convex and have more than 1000 corners: drawn as fans");
-}
-
-namespace {
-
-/// The vertices of a polygon in ascending order, without repetitions.
-void vertex_set(const Mesh& mesh, std::size_t face, std::vector<std::uint32_t>& set) {
-    const auto corners = mesh.corners_of(face);
-    set.assign(corners.begin(), corners.end());
-    std::sort(set.begin(), set.end());
-    set.erase(std::unique(set.begin(), set.end()), set.end());
-}
-
-/// Faces that have the vertices of an earlier one. Only sets with the same hash are compared.
-std::size_t count_duplicates(const Mesh& mesh) {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> by_hash(mesh.face_count());
-    std::vector<std::uint32_t> set, other;
-    for (std::uint32_t f = 0; f < by_hash.size(); ++f) {
-        vertex_set(mesh, f, set);
-        std::uint64_t hash = 0x9E3779B97F4A7C15u;
-        for (const std::uint32_t v : set) {  // splitmix64, vertex by vertex
-            hash = (hash ^ v) * 0xBF58476D1CE4E5B9u;
-            hash = (hash ^ hash >> 27) * 0x94D049BB133111EBu;
-            hash ^= hash >> 31;
-        }
-        by_hash[f] = {hash, f};
-    }
-    std::sort(by_hash.begin(), by_hash.end());
-    std::size_t duplicates = 0;
-    for (std::size_t i = 1; i < by_hash.size(); ++i) {
-        if (by_hash[i].first != by_hash[i - 1].first) continue;
-        vertex_set(mesh, by_hash[i - 1].second, other);
-        vertex_set(mesh, by_hash[i].second, set);
-        duplicates += set == other ? 1 : 0;
-    }
-    return duplicates;
-}
-
-void count_edges(const Mesh& mesh, MeshInfo& info) {
-    const Topology topology = make_topology(mesh);
-    info.edges = topology.edges.size();
-    for (std::size_t e = 0; e < info.edges; ++e) {
-        const EdgeKind kind = edge_kind(mesh, topology, e);
-        info.boundary_edges += kind == EdgeKind::Boundary ? 1 : 0;
-        info.inconsistent_edges += kind == EdgeKind::Inconsistent ? 1 : 0;
-        info.non_manifold_edges += kind == EdgeKind::NonManifold ? 1 : 0;
-    }
-}
-
-}  // namespace
-
-MeshInfo mesh_info(const Mesh& mesh) {
-    MeshInfo info;
-    info.vertices = mesh.positions.size();
-    info.faces = mesh.face_count();
-    for (std::size_t f = 0; f < info.faces; ++f) {
-        const std::size_t corners = mesh.corners_of(f).size();
-        info.triangles += corners == 3 ? 1 : 0;
-        info.quads += corners == 4 ? 1 : 0;
-        info.polygons += corners >= 5 ? 1 : 0;
-        info.degenerate_faces += polygon_plane(mesh, f).area > 0 ? 0 : 1;
-    }
-    count_edges(mesh, info);
-    info.duplicate_faces = count_duplicates(mesh);
-    info.bounds = mesh.bounds;
-    info.warnings = mesh.warnings;
-    warn_of_missing_normals(mesh, info.warnings);
-    info.load_ms = mesh.load_ms;
-    return info;
 }
 
 }  // namespace glint

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "models/problem.h"
@@ -45,18 +46,21 @@ struct Mesh {
     std::vector<std::uint32_t> corner_normal;  // #C, indices into normals or no_index; empty: corner c has
                                                // (when normals are given) normals[corner_position[c]]
     std::vector<glm::vec3> colors;             // #V, linear RGB; empty if the file has none
-    // #F, the smoothing group of each face: normals are averaged within a group, and not at all in group 0. Empty:
-    // all faces are in one group.
+    // #F, the smoothing group of each face: normals are averaged within a group, and not at all in group 0.
+    // Empty: all faces are in one group.
     std::vector<std::uint32_t> smoothing;
-    // #V, the first vertex at each vertex's position, over which normals are averaged and edges are joined. Empty:
-    // no two vertices share a position.
+    // #V, the first vertex at each vertex's position, over which normals are averaged and edges are joined.
+    // Empty: no two vertices share a position.
     std::vector<std::uint32_t> first_at_place;
-    std::vector<Triangle> triangles;           // in order of faces; degenerate polygons give none
-    Bounds bounds;                             // of the positions that faces use
-    Warnings warnings;                         // for input that was tolerated while reading and cutting
-    double load_ms = 0;                        // time to read or make it
-    std::size_t given_triangles = 0;           // of the original of a refined or coarsened mesh
-                                      // (models/mesh/resolution/resolution.h); 0: this is the original
+    std::vector<Triangle> triangles;      // in order of faces; degenerate polygons give none
+    Bounds bounds;                        // of the positions that faces use
+    Warnings warnings;                    // for input that was tolerated while reading and cutting
+    glm::dvec3 offset{0};                 // was subtracted from the file's coordinates, which were far away
+    std::size_t bad_normals = 0;          // were not finite numbers, and are 0 now
+    bool has_own_normal_indices = false;  // the file has other indices for normals than for positions
+    double load_ms = 0;                   // time to read or make it
+    std::size_t given_triangles = 0;      // of the original of a refined or coarsened mesh
+                                          // (models/mesh/resolution/resolution.h); 0: this is the original
 
     [[nodiscard]] std::size_t face_count() const {
         return first_corner.empty() ? 0 : first_corner.size() - 1;
@@ -81,6 +85,15 @@ using MeshPtr = std::shared_ptr<const Mesh>;
 /// The limit of the size of a mesh file, and of all files that one mesh file names together.
 inline constexpr std::size_t max_mesh_file_bytes = std::size_t{2} << 30;
 
+/// Returns the bounds of the positions that faces use.
+[[nodiscard]] Bounds bounds_of_faces(const Mesh& mesh);
+
+/// An offset, in whole units, that brings a shape near the origin if it is so far away that floats leave it
+/// fewer than 100,000 steps across; else 0.
+[[nodiscard]] glm::dvec3 far_offset(const Bounds& bounds);
+/// The warning about an offset that was subtracted.
+[[nodiscard]] std::string offset_warning(const glm::dvec3& offset);
+
 /// Returns a warning if a shape is so small, and so far from the origin, that the rounding of its coordinates
 /// to floats is visible; otherwise nothing.
 [[nodiscard]] std::optional<std::string> rounding_warning(const Bounds& bounds);
@@ -93,6 +106,16 @@ inline constexpr std::size_t max_mesh_file_bytes = std::size_t{2} << 30;
 /// load's progress; throws LoadCancelled (models/progress.h) when this thread's load is cancelled.
 void finish_mesh(Mesh& mesh);
 
+/// A property of a mesh that some program draws wrong.
+struct MeshFinding {
+    static constexpr std::size_t max_places = 1000;
+    std::string_view name;  // "unwelded_vertices", for JSON
+    std::size_t count = 0;
+    std::string what;               // "2 of 6 faces have a normal that points against them"
+    std::string_view effect;        // what a program draws wrong because of it
+    std::vector<glm::vec3> places;  // object coordinates; the first max_places, none for the shape itself
+};
+
 /// The statistics of `glint info`. Counts refer to the file's contents, before any repair.
 struct MeshInfo {
     std::size_t vertices = 0, faces = 0, triangles = 0, quads = 0,
@@ -104,6 +127,8 @@ struct MeshInfo {
     std::size_t degenerate_faces = 0;    // fewer than three distinct corners, or no area
     std::size_t duplicate_faces = 0;     // the same vertices as an earlier face, in any order
     Bounds bounds;
+    glm::dvec3 offset{0};
+    std::vector<MeshFinding> findings;
     Warnings warnings;
     double load_ms = 0;
 };

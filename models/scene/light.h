@@ -19,11 +19,13 @@ struct Falloff {
     bool operator==(const Falloff&) const = default;
 };
 
-/// The cone of a spot: cos(angle from the axis)^exponent inside the cutoff, 0 outside.
+/// The cone of a spot: cos(angle from the axis)^exponent inside the cutoff, 0 outside. Between the inner
+/// angle and the cutoff it also falls off smoothly, as in KHR_lights_punctual.
 struct SpotCone {
     glm::vec3 direction{0, -1, 0};  // in the light's space, any length but 0
     float cutoff_deg = 30;          // axis to edge, 0 to 90; 180: no cone
     float exponent = 1;             // >= 0
+    float inner_deg = 180;          // 0 to 90, or 180; from the cutoff on there is no soft edge
     bool operator==(const SpotCone&) const = default;
 };
 

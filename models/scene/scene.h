@@ -56,6 +56,7 @@ using MeshSource = std::variant<PrimitiveMesh, MeshFile>;
 struct Object {
     std::string name = "Object";
     bool visible = true;
+    bool double_sided = false;  // its back faces are drawn, whatever Shading::cull says
     MeshSource source;
     Transform transform;
     NormalOptions normals;
@@ -116,8 +117,9 @@ struct Scene {
 /// Whether both have the same scene file, ignoring loaded meshes. Saving, undo steps and reading back use
 /// this.
 [[nodiscard]] inline bool same_description(const Object& a, const Object& b) {
-    return a.name == b.name && a.visible == b.visible && a.source == b.source && a.transform == b.transform &&
-           a.normals == b.normals && a.material == b.material;
+    return a.name == b.name && a.visible == b.visible && a.double_sided == b.double_sided &&
+           a.source == b.source && a.transform == b.transform && a.normals == b.normals &&
+           a.material == b.material;
 }
 [[nodiscard]] inline bool same_but_camera(const Scene& a, const Scene& b) {
     const auto same = [](const Object& x, const Object& y) { return same_description(x, y); };

@@ -42,6 +42,20 @@ void warn_of_rounding(const Scene& scene, const Box& box, Warnings& warnings) {
         warnings.push_back(std::move(*warning));
 }
 
+/// Subtracts an offset if the nodes place everything far from the origin.
+void bring_near(const GltfFile& file, const std::string& name, GltfFile::Content& content) {
+    const Box box = bounds_of(content.scene);
+    const glm::dvec3 offset = far_offset({glm::vec3(box.low), glm::vec3(box.high)});
+    if (offset == glm::dvec3(0)) return;
+    Result<GltfFile::Content> near = file.content(name, offset);
+    auto* read = std::get_if<GltfFile::Content>(&near);
+    if (read == nullptr || read->scene.objects.size() != content.scene.objects.size()) return;
+    for (std::size_t i = 0; i < content.scene.objects.size(); ++i)
+        read->scene.objects[i].mesh = content.scene.objects[i].mesh;
+    content = std::move(*read);
+    content.warnings.push_back(offset_warning(offset));
+}
+
 // A light that exceeds full brightness this many times was not meant for a display.
 constexpr double far_too_bright = 4;
 
@@ -110,6 +124,7 @@ Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& pa
         if (scene.objects.empty()) return nothing_drawn(content.objects_left_out, path);
         const Result<std::monostate> loaded = load_parts(std::get<GltfFile>(file), path, scene);
         if (const Problem* problem = problem_of(loaded)) return *problem;
+        bring_near(std::get<GltfFile>(file), name, content);
         WarningList of_meshes;
         for (const Object& object : scene.objects)
             for (const std::string& warning : object.mesh->warnings)

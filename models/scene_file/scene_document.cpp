@@ -207,6 +207,15 @@ Scene with_mesh_paths_for(Scene scene, const std::string& mesh_dir, const std::s
     return with_mesh_paths_from(std::move(scene), mesh_dir, directory_of(path));
 }
 
+void warn_of_hidden_colors(const Scene& scene, Warnings& warnings) {
+    if (scene.shading.reflection == Reflection::None) return;
+    const auto has_colors = [](const Object& o) { return !o.mesh->colors.empty(); };
+    warn(warnings,
+         static_cast<std::size_t>(std::count_if(scene.objects.begin(), scene.objects.end(), has_colors)),
+         "object has vertex colours, which only the reflection \"none\" shows",
+         "objects have vertex colours, which only the reflection \"none\" shows");
+}
+
 }  // namespace
 
 std::string directory_of(const std::string& path) {
@@ -233,8 +242,10 @@ Result<SceneDocument> open_document(const std::string& path, const std::vector<A
     // Before reading, so that a write during the read counts as a change.
     const FileStamp stamp = path == "-" ? FileStamp{} : file_stamp(path);
     Result<SceneDocument> opened = open_by_extension(path, assignments);
-    if (auto* document = std::get_if<SceneDocument>(&opened))
+    if (auto* document = std::get_if<SceneDocument>(&opened)) {
         document->stamp = stamp, document->assignments = assignments;
+        warn_of_hidden_colors(document->scene, document->warnings);
+    }
     return opened;
 }
 

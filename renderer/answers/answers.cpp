@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/mat4x4.hpp>
 #include <map>
+#include <span>
 
 #include "models/fields/choices.h"
 #include "models/json/json.h"
@@ -22,7 +23,20 @@ Json number_or_null(const std::optional<double>& number) { return number ? Json(
 }  // namespace
 
 Json info_json(const Mesh& mesh, NormalSource source) {
+    constexpr std::size_t max_places = 20;
     const MeshInfo info = mesh_info(mesh);
+    Json findings = Json::array();
+    for (const MeshFinding& finding : info.findings) {
+        Json places = Json::array();
+        for (const glm::vec3& place :
+             std::span(finding.places).first(std::min(finding.places.size(), max_places)))
+            places.push_back(json_of(place));
+        findings.push_back({{"name", finding.name},
+                            {"count", finding.count},
+                            {"what", finding.what},
+                            {"effect", finding.effect},
+                            {"places", std::move(places)}});
+    }
     return {{"vertices", info.vertices},
             {"faces", info.faces},
             {"triangles", info.triangles},
@@ -34,7 +48,9 @@ Json info_json(const Mesh& mesh, NormalSource source) {
             {"degenerate_faces", info.degenerate_faces},
             {"duplicate_faces", info.duplicate_faces},
             {"bounds", {{"min", json_of(info.bounds.min)}, {"max", json_of(info.bounds.max)}}},
+            {"offset", {info.offset.x, info.offset.y, info.offset.z}},
             {"normals", name_of(used_source(mesh, source))},
+            {"findings", std::move(findings)},
             {"warnings", info.warnings},
             {"load_ms", info.load_ms}};
 }

@@ -86,7 +86,8 @@ inline constexpr std::array quantity_rows{
     QuantityRow{Quantity::Falloff, "falloff", "", "\\text{falloff}",
                 "What the distance leaves of the light: 1 / (c₀ + c₁ dist + c₂ dist²)"},
     QuantityRow{Quantity::Spot, "spot", "", "\\text{spot}",
-                "What the cone lets through: the cosine from its axis, raised to its exponent; 0 outside"},
+                "What the cone lets through: the cosine from its axis, raised to its exponent, less in a "
+                "soft edge; 0 outside"},
     QuantityRow{Quantity::Form, "form", "", "\\text{form}",
                 "Of an area light in place of falloff: A cos θ′ / (π dist²) of its samples, added"},
     QuantityRow{Quantity::Distance, "dist", "", "\\text{dist}", "Distance to the light, scene units"},

@@ -75,6 +75,7 @@ void transform_objects(Geometry& g, const Scene& scene) {
         ObjectGeometry& o = g.objects[i];
         o.transform = scene.objects[i].transform;
         o.visible = scene.objects[i].visible;
+        o.double_sided = scene.objects[i].double_sided;
         o.view_from_object = view * world_from_object(o.transform);
         o.clip_from_object = g.clip_from_view * o.view_from_object;
         const glm::dmat3 linear(o.view_from_object);
@@ -92,7 +93,8 @@ bool same_inputs(const Geometry& kept, const Scene& scene, PictureSize size) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         if (kept.objects[i].mesh != scene.objects[i].mesh ||
             kept.objects[i].transform != scene.objects[i].transform ||
-            kept.objects[i].visible != scene.objects[i].visible)
+            kept.objects[i].visible != scene.objects[i].visible ||
+            kept.objects[i].double_sided != scene.objects[i].double_sided)
             return false;
     return true;
 }

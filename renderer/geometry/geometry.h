@@ -21,6 +21,7 @@ struct ObjectGeometry {
     MeshPtr mesh;
     Transform transform;
     bool visible = true;  // false: none of its triangles is drawn; they keep their numbers
+    bool double_sided = false;
     // The transform contains a reflection (determinant < 0). The winding on the screen is then reversed, so
     // visibility/draw_tile.h swaps front and back. Normals need no change: the inverse transpose preserves
     // the sign of the product of normal and direction, (M^-T n)·(M d) = n·d, so outside remains outside.

@@ -30,7 +30,7 @@ struct LightSource {
     Float3 ambient, diffuse, specular;
     float constant = 1, linear = 0, quadratic = 0;
     Float3 axis;
-    float cos_cutoff = -1, exponent = 0;
+    float cos_cutoff = -1, exponent = 0, soft_edge = 0;
     float patch = 0;
     bool has_falloff = false, has_cone = false, is_patch = false;
     int light = 0;  // index in Scene::lights

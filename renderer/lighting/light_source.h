@@ -16,8 +16,10 @@ template <Number F> struct LightAt {
     Vec3<F> axis;          // unit: the direction of a spot, or the normal of an area light's patch
     F cos_cutoff{-1};      // of a spot
     Exponent<F> exponent;  // of a spot
+    F soft_edge{};         // 1 / (cos inner - cos cutoff) of a spot with a soft edge; else 0
     F patch{};             // of an area light's sample: area / (pi * samples)
     bool has_falloff = false, has_cone = false, is_patch = false;
+    bool has_soft_edge = false;
     bool has_ambient = true;  // false: its ambient colour is 0
 };
 
@@ -46,13 +48,19 @@ template <Number F> F falloff(const LightAt<F>& light, F r) {
 template <Number F> F along_axis(const LightAt<F>& light, Vec3<F> v) { return -dot(v, light.axis); }
 
 /// cos(angle)^exponent between the spot's axis and the ray to the point, 0 outside the cone; the edge is
-/// inside, as in may_be_inside(). l: unit, towards the light. Source: OpenGL 2.1, section 2.14.1; lecture:
-/// "point + direction + cutoff angle".
+/// inside, as in may_be_inside(). A soft edge multiplies it by ((cos angle - cos cutoff) / (cos inner - cos
+/// cutoff))^2, at most 1. l: unit, towards the light. Source: OpenGL 2.1, section 2.14.1;
+/// KHR_lights_punctual, "Inner and Outer Cone Angles"; lecture: "point + direction + cutoff angle".
 template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
     const F cos_angle = along_axis(light, l);
     const auto inside = cos_angle >= light.cos_cutoff;
     if (!any(inside)) return F(0);
-    return select(inside, power(min(cos_angle, F(1)), light.exponent), F(0));
+    F factor = power(min(cos_angle, F(1)), light.exponent);
+    if (light.has_soft_edge) {
+        const F share = min((cos_angle - light.cos_cutoff) * light.soft_edge, F(1));
+        factor = factor * share * share;
+    }
+    return select(inside, factor, F(0));
 }
 
 /// False if all lanes are certainly outside the cone. Compares signed squares of cosines times |to_light|^2,

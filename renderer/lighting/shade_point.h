@@ -20,6 +20,8 @@ template <Number F> LightAt<F> light_at(const LightSource& s) {
     light.axis = broadcast<F>(s.axis);
     light.cos_cutoff = F(s.cos_cutoff);
     light.exponent = F(s.exponent);
+    light.soft_edge = F(s.soft_edge);
+    light.has_soft_edge = s.soft_edge > 0;
     light.patch = F(s.patch);
     light.has_falloff = s.has_falloff;
     light.has_cone = s.has_cone;

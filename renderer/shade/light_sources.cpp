@@ -54,10 +54,20 @@ void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSourc
         source.constant = 1;
         source.linear = source.quadratic = 0;
     }
-    if (!source.has_cone || !(wrong.degrees_for_radians || wrong.cutoff_as_full_angle)) return;
-    const double angle = light.spot.cutoff_deg / (wrong.cutoff_as_full_angle ? 2.0 : 1.0);
-    const double cosine = wrong.degrees_for_radians ? std::cos(angle) : cos_of_cutoff(angle);
-    source.cos_cutoff = static_cast<float>(cosine);
+}
+
+/// Sets the cosines of the cone's angles. The mistakes are the same in both.
+void set_cone(const Mistakes& wrong, const SpotCone& cone, LightSource& source) {
+    const auto cosine_of = [&wrong](double deg) {
+        const double angle = deg / (wrong.cutoff_as_full_angle ? 2.0 : 1.0);
+        return wrong.degrees_for_radians ? std::cos(angle) : cos_of_cutoff(angle);
+    };
+    constexpr double narrowest = 0.001;  // between the cosines; of KHR_lights_punctual
+    const double edge = cosine_of(cone.cutoff_deg);
+    source.cos_cutoff = static_cast<float>(edge);
+    source.exponent = cone.exponent;
+    if (cone.inner_deg < cone.cutoff_deg)
+        source.soft_edge = static_cast<float>(1 / std::max(cosine_of(cone.inner_deg) - edge, narrowest));
 }
 
 LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
@@ -152,8 +162,7 @@ void add_light(std::vector<LightSource>& sources, const LightsOfScene& all, std:
     s.has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
     if (s.has_cone) {
         s.axis = to_float3(unit_or_zero(aim_of(mistakes, light, frame, all.view)));
-        s.cos_cutoff = static_cast<float>(cos_of_cutoff(light.spot.cutoff_deg));
-        s.exponent = light.spot.exponent;
+        set_cone(mistakes, light.spot, s);
     }
     apply_source_mistakes(mistakes, light, s);
     s.xyz = to_float3(position);

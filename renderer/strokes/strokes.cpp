@@ -165,7 +165,9 @@ std::vector<float> draw_strokes(Strokes& kept, const Geometry& g, const Visibili
     for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
         if (!g.objects[o].visible) continue;
         const MeshEdges& mesh = edges_of(kept.meshes, g.objects[o].mesh);
-        const auto edges = stroke_edges(mesh, edge_view(g.camera, g.objects[o]), kept.choice);
+        EdgeChoice choice = kept.choice;
+        if (g.objects[o].double_sided) choice.cull = Cull::None;
+        const auto edges = stroke_edges(mesh, edge_view(g.camera, g.objects[o]), choice);
         const auto seen = visible_lines(g, visibility, o, mesh, edges, margin);
         lines.insert(lines.end(), seen.begin(), seen.end());
     }

@@ -31,6 +31,7 @@ BinJob sort_job(const ObjectGeometry& object, const BinJob& like, Cull cull) {
     job.triangle_vertices = object.triangle_vertices.data();
     job.screen = object.screen.data();
     job.first_triangle = object.first_triangle;
+    if (object.double_sided) return job;
     // Clockwise as seen is the back, unless the transform turned it over.
     job.drop_clockwise = cull == (object.mirrored ? Cull::Front : Cull::Back);
     job.drop_counterclockwise = cull == (object.mirrored ? Cull::Back : Cull::Front);
@@ -145,7 +146,8 @@ void clip_triangle(TileLists& lists, const Geometry& g, const ObjectGeometry& ob
                                  "fewer triangles that cross the near or far plane"});
         lists.clipped.push_back({{corner(polygon[0]), corner(polygon[i - 1]), corner(polygon[i])},
                                  object.first_triangle + t,
-                                 object.mirrored});
+                                 object.mirrored,
+                                 object.double_sided});
     }
 }
 

@@ -14,7 +14,7 @@ struct TileRun {
     const ScreenVertex* screen;
     std::uint32_t first_number;
     const ClippedTriangle* pieces;  // null: of an object
-    bool mirrored;
+    bool mirrored, double_sided;
 };
 
 /// The corners of the triangles i .. i + N - 1 of a run, with the last repeated past its end.
@@ -40,11 +40,11 @@ template <Number F> CornerLanes<F> corner_lanes(const TileJob& job, const TileRu
 /// Draws one lane; `number`: the triangle's global number.
 template <Number F, unsigned N>
 void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane, std::uint32_t number,
-               bool mirrored, TilePixels& tile) {
+               bool mirrored, bool double_sided, TilePixels& tile) {
     const long long area = lanes.small[lane] ? lanes.area[lane] : doubled_area(triangle_of_lane(lanes, lane));
     // Clockwise on the screen is the back, unless the transform mirrors the object.
     const bool back = (area > 0) != mirrored;
-    if (area == 0 || !(back ? job.draw_back : job.draw_front)) return;
+    if (area == 0 || !(double_sided || (back ? job.draw_back : job.draw_front))) return;
     const int code = static_cast<int>(seen_code(number, std::uint32_t{back}));
     if (lanes.small[lane]) {
         fill_patches<F>(edges_of_lane(lanes, lane), plane_of_lane(lanes, lane, code), tile);
@@ -61,7 +61,7 @@ void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane,
 /// drawn one by one. All lanes belong to one object.
 template <Number F>
 unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::width>& lanes, unsigned count,
-                   bool mirrored, TilePixels& tile) {
+                   bool mirrored, bool double_sided, TilePixels& tile) {
     using I = IntOf<F>;
     const I drawable =
         negative(load_ints<I>(iota) - static_cast<int>(count)) & inverted(load_ints<I>(lanes.empty));
@@ -71,7 +71,8 @@ unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::widt
     const I area = load_ints<I>(lanes.area), clockwise = negative(0 - area),
             counterclockwise = negative(area);
     const I back = mirrored ? counterclockwise : clockwise, front = mirrored ? clockwise : counterclockwise;
-    const I drawn = tiny & ((back & (job.draw_back ? -1 : 0)) | (front & (job.draw_front ? -1 : 0)));
+    const I drawn = tiny & ((back & (double_sided || job.draw_back ? -1 : 0)) |
+                            (front & (double_sided || job.draw_front ? -1 : 0)));
     const I code = seen_code<I>(load_ints<I>(lanes.number), 0 - back);
     if (any_bit(drawn)) fill_tiny<F>(lanes, drawn, code, tile);
     return mask_bits(not_equal(drawable & inverted(tiny), broadcast<I>(0)));
@@ -91,14 +92,15 @@ template <Number F> void draw_run(const TileJob& job, const TileRun& run, TilePi
         make_ready(corner_lanes<F>(job, run, i), lanes);
         const unsigned count = run.count - i < width ? run.count - i : width;
         unsigned left = (1u << count) - 1;
-        if (!run.pieces) left = draw_tiny<F>(job, lanes, count, run.mirrored, tile);
+        if (!run.pieces) left = draw_tiny<F>(job, lanes, count, run.mirrored, run.double_sided, tile);
         for (; left; left &= left - 1) {
             const auto lane = static_cast<unsigned>(__builtin_ctz(left));
             if (lanes.empty[lane]) continue;
             const auto number = static_cast<std::uint32_t>(lanes.number[lane]);
             const ClippedTriangle* piece = run.pieces ? run.pieces + (number - run.first_number) : nullptr;
             draw_lane<F>(job, lanes, lane, piece ? piece->triangle : number,
-                         piece ? piece->mirrored : run.mirrored, tile);
+                         piece ? piece->mirrored : run.mirrored,
+                         piece ? piece->double_sided : run.double_sided, tile);
         }
     }
 }
@@ -115,7 +117,7 @@ template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
     const DrawnObject* object = job.objects;
     for (std::size_t begin = 0, end = 0; begin < job.count; begin = end) {
         const std::uint32_t number = job.entries[begin].number;
-        TileRun run{job.entries + begin, 0, nullptr, job.triangle_count, nullptr, false};
+        TileRun run{job.entries + begin, 0, nullptr, job.triangle_count, nullptr, false, false};
         std::uint32_t triangles = 0xffffffffu - job.triangle_count;
         if (number >= job.triangle_count) {
             run.screen = job.clipped->corner;
@@ -125,6 +127,7 @@ template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
             run.screen = object->screen;
             run.first_number = object->first_triangle;
             run.mirrored = object->mirrored;
+            run.double_sided = object->double_sided;
             triangles = object->triangle_count;
         }
         for (end = begin; end < job.count && job.entries[end].number - run.first_number < triangles;) ++end;

@@ -26,7 +26,7 @@ void list_objects(const Geometry& g, std::vector<DrawnObject>& drawn) {
     drawn.clear();
     for (const ObjectGeometry& o : g.objects)
         drawn.push_back({o.screen.data(), o.first_triangle,
-                         static_cast<std::uint32_t>(o.mesh->triangles.size()), o.mirrored});
+                         static_cast<std::uint32_t>(o.mesh->triangles.size()), o.mirrored, o.double_sided});
 }
 
 /// The lists of a tile's triangles: those of the cells that contain it, on every level.

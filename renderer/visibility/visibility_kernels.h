@@ -11,8 +11,8 @@ inline constexpr int tile_size = 1 << tile_bits;  // pixels a side
 /// A piece of a clipped triangle.
 struct ClippedTriangle {
     ScreenVertex corner[3];
-    std::uint32_t triangle = 0;  // global number of the triangle it came from
-    bool mirrored = false;       // from its object (DrawnObject)
+    std::uint32_t triangle = 0;                   // global number of the triangle it came from
+    bool mirrored = false, double_sided = false;  // from its object (DrawnObject)
 };
 
 // Which tiles a triangle may touch.
@@ -96,6 +96,7 @@ struct DrawnObject {
     const ScreenVertex* screen = nullptr;
     std::uint32_t first_triangle = 0, triangle_count = 0;
     bool mirrored = false;  // the transform reverses the winding
+    bool double_sided = false;
 };
 
 struct TileJob {
@@ -104,10 +105,10 @@ struct TileJob {
     std::uint32_t triangle_count = 0;    // of all objects; larger numbers are clipped pieces
     const TileEntry* entries = nullptr;  // of the triangles to draw, numbers rising
     std::size_t count = 0;
-    int x0 = 0, y0 = 0;              // the tile's first pixel
-    int offset_x = 0, offset_y = 0;  // of the sample from the pixel's centre, in 1/256 pixel
-    bool draw_front = true, draw_back = true;
-    bool keep = false;  // do not clear the tile first
+    int x0 = 0, y0 = 0;                        // the tile's first pixel
+    int offset_x = 0, offset_y = 0;            // of the sample from the pixel's centre, in 1/256 pixel
+    bool draw_front = true, draw_back = true;  // both sides of double-sided objects are drawn
+    bool keep = false;                         // do not clear the tile first
 };
 
 /// The kernels of one instruction set.

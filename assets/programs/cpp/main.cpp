@@ -9,7 +9,7 @@
 // Needs a C++17 compiler, and beside the program, where it is run: @mesh_files@
 // Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye at the origin, x to
 // the right, y up, the view along -z.
-//@can mode.phong wrong.no_clamp_of_cosine flat.centroid exposure exponent.large lights.above_8 lights.above_32
+//@can mode.phong spot.soft wrong.no_clamp_of_cosine flat.centroid exposure exponent.large lights.above_8 lights.above_32
 //@can shininess.large shininess.zero
 //@can wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
 //@can wrong.mirror_turns_inside_out wrong.falloff_forgotten
@@ -128,6 +128,12 @@ vec3 share_of(const Light& light, const Material& m, const Point& at) {
         strength *= along >= edge ? 0 : 1;
         //@else
         strength *= along >= edge ? power(std::min(along, 1.0), light.exponent) : 0;
+        //@if spot.soft
+        // The soft edge: from the inner angle to the cutoff.
+        const double width = std::max(std::cos(radians(light.inner_deg)) - edge, 0.001);
+        const double soft = light.inner_deg < angle ? std::clamp((along - edge) / width, 0.0, 1.0) : 1;
+        strength *= soft * soft;
+        //@end
         //@end
     }
     //@end

@@ -14,6 +14,9 @@ struct Light {
     //@if light.spot
     vec3 direction;              // unit: where a spot points
     float cutoff_deg, exponent;  // cutoff: from the axis to the edge of the cone
+    //@if spot.soft
+    float inner_deg;  // where the soft edge begins
+    //@end
     //@end
     //@if light.area
     vec3 edge_u, edge_v;  // half-edges of an area light
@@ -158,6 +161,12 @@ vec3 from_place(Light light, Material m, vec3 p, vec3 n, vec3 v) {
         strength *= along >= edge ? 0.0 : 1.0;
         //@else
         strength *= along >= edge ? power(min(along, 1.0), light.exponent) : 0.0;
+        //@if spot.soft
+        // The soft edge: from the inner angle to the cutoff.
+        float width = max(cos(radians(light.inner_deg)) - edge, 0.001);
+        float soft = light.inner_deg < angle ? clamp((along - edge) / width, 0.0, 1.0) : 1.0;
+        strength *= soft * soft;
+        //@end
         //@end
     }
     //@end

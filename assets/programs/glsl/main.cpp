@@ -12,7 +12,7 @@
 // place (libosmesa6-dev). Where it is run: its shaders and @mesh_files@
 // Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye at the origin, x to
 // the right, y up, the view along -z.
-//@can mode.phong mode.facet mode.flat flat.centroid exposure exponent.large lights.above_8 shininess.large shininess.zero
+//@can mode.phong spot.soft mode.facet mode.flat flat.centroid exposure exponent.large lights.above_8 shininess.large shininess.zero
 //@can corners.clamped interpolation.screen tone power_table two_sided transfer.srgb wrong.no_clamp_of_cosine
 //@can wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
 
@@ -218,6 +218,9 @@ void draw() {
         set(light + "direction", sources[i].direction);
         set(light + "cutoff_deg", sources[i].cutoff_deg);
         set(light + "exponent", sources[i].exponent);
+        //@if spot.soft
+        set(light + "inner_deg", sources[i].inner_deg);
+        //@end
         //@end
         //@if light.area
         set(light + "edge_u", sources[i].edge_u);

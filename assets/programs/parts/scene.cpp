@@ -54,6 +54,9 @@ struct Light {
     //@if light.spot
     vec3 direction;             // where a spot points
     double cutoff_deg, exponent;  // cutoff: from the axis to the edge of the cone
+    //@if spot.soft
+    double inner_deg;  // where the soft edge begins
+    //@end
     //@end
     //@if light.area
     vec3 edge_u, edge_v;  // half-edges of an area light

@@ -8,7 +8,7 @@
 # Needs Python 3 with numpy, and beside the program, where it is run: @mesh_files@
 # Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye at the origin, x to
 # the right, y up, the view along -z.
-#@can mode.phong wrong.no_clamp_of_cosine flat.centroid exposure exponent.large lights.above_8 lights.above_32 shininess.large shininess.zero
+#@can mode.phong spot.soft wrong.no_clamp_of_cosine flat.centroid exposure exponent.large lights.above_8 lights.above_32 shininess.large shininess.zero
 #@can wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
 from collections import namedtuple
 from types import SimpleNamespace as Named
@@ -215,6 +215,11 @@ def share_of(light, m, p, n, v):
         strength = strength * np.where(along >= edge, 0.0, 1.0)
         #@else
         strength = strength * np.where(along >= edge, power(np.minimum(along, 1.0), light.exponent), 0.0)
+        #@if spot.soft
+        if light.inner_deg < angle:  # the soft edge: from the inner angle to the cutoff
+            width = max(np.cos(np.radians(light.inner_deg)) - edge, 0.001)
+            strength = strength * np.clip((along - edge) / width, 0.0, 1.0) ** 2
+        #@end
         #@end
     #@end
     #@if uses.l_v

@@ -22,7 +22,7 @@
 namespace glint {
 namespace {
 
-using Reader = Mesh (*)(std::string_view, const std::string&);
+using Reader = Mesh (*)(std::string_view, const std::string&, const glm::dvec3&);
 struct Format {
     std::string_view extension;
     Reader read;
@@ -69,8 +69,14 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
         return Problem{path, "", "the extension is that of no mesh", ".obj, .ply, .off or .stl"};
     if (bytes.empty()) return Problem{path, "", "the file is empty", "a mesh", 0};
     return result_of(path, [&]() -> Result<Mesh> {
-        Mesh mesh = format->read(without_mark(format->extension, {bytes, 0, bytes.size()}), path);
+        const std::string_view text = without_mark(format->extension, {bytes, 0, bytes.size()});
+        Mesh mesh = format->read(text, path, {});
         if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
+        if (const glm::dvec3 offset = far_offset(bounds_of_faces(mesh)); offset != glm::dvec3(0)) {
+            mesh = format->read(text, path, offset);
+            mesh.offset = offset;
+            mesh.warnings.push_back(offset_warning(offset));
+        }
         drop_bad_normals(mesh);
         raise_colors_to_black(mesh);
         if (format->read != read_stl) find_places(mesh);  // whose positions differ already
@@ -173,6 +179,7 @@ void drop_bad_normals(Mesh& mesh) {
         n = glm::vec3(0);
         ++bad;
     }
+    mesh.bad_normals += bad;
     warn(mesh.warnings, bad, "normal is not a finite number and counts as not given",
          "normals are not finite numbers and count as not given");
 }

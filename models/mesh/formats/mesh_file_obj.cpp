@@ -21,15 +21,14 @@ struct AheadOfVertex {
 };
 
 // Grouping and display do not affect the shape.
-constexpr std::array<std::string_view, 13> silent{"vt",  "g",     "o",        "mtllib",   "usemap",     "maplib",
-                                                  "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj",
-                                                  "ctech"};
-// Free-form curves and surfaces, the superseded statements, calls, and what programs add: weights of bones, tags of
-// subdivision.
-constexpr std::array<std::string_view, 26> rare{"vp",   "cstype", "deg",  "bmat",  "step", "curv", "curv2",
-                                                "surf", "parm",   "trim", "hole",  "scrv", "sp",   "end",
-                                                "con",  "stech",  "mg",   "bsp",   "bzp",  "cdc",  "cdp",
-                                                "res",  "call",   "csh",  "vw",    "t"};
+constexpr std::array<std::string_view, 13> silent{"vt",         "g",         "o",     "mtllib",   "usemap",
+                                                  "maplib",     "lod",       "bevel", "c_interp", "d_interp",
+                                                  "shadow_obj", "trace_obj", "ctech"};
+// Free-form curves and surfaces, the superseded statements, calls, and what programs add: weights of bones,
+// tags of subdivision.
+constexpr std::array<std::string_view, 26> rare{
+    "vp",  "cstype", "deg",   "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp",
+    "end", "con",    "stech", "mg",   "bsp",  "bzp",  "cdc",   "cdp",  "res",  "call", "csh",  "vw",   "t"};
 
 template <std::size_t N> bool has(const std::array<std::string_view, N>& words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -37,7 +36,8 @@ template <std::size_t N> bool has(const std::array<std::string_view, N>& words, 
 
 class ObjReader {
   public:
-    ObjReader(std::string_view bytes, const std::string& file) : cursor_(bytes, file, true), file_(file) {
+    ObjReader(std::string_view bytes, const std::string& file, const glm::dvec3& offset)
+        : cursor_(bytes, file, true), file_(file), offset_(offset) {
         mesh_.first_corner.push_back(0);
     }
 
@@ -85,7 +85,7 @@ class ObjReader {
 
     /// x y z, then nothing, a weight, or a colour with or without alpha.
     void vertex() {
-        mesh_.positions.push_back(cursor_.three());
+        mesh_.positions.push_back(cursor_.position(offset_));
         if (cursor_.end_of_line()) return;
         glm::vec3 color(1);
         color.r = cursor_.number("a number");
@@ -197,7 +197,8 @@ class ObjReader {
         auto& groups = mesh_.smoothing;
         if (!has_groups_) return;
         groups.resize(mesh_.face_count(), group_);
-        const bool is_one = std::adjacent_find(groups.begin(), groups.end(), std::not_equal_to<>()) == groups.end();
+        const bool is_one =
+            std::adjacent_find(groups.begin(), groups.end(), std::not_equal_to<>()) == groups.end();
         if (is_one && !groups.empty() && groups[0] != 0) groups = {};
     }
 
@@ -216,6 +217,7 @@ class ObjReader {
             if (index >= mesh_.normals.size()) index = no_index;
         const bool by_position =
             mesh_.normals.size() == mesh_.positions.size() && mesh_.corner_normal == mesh_.corner_position;
+        mesh_.has_own_normal_indices = !by_position;
         if (by_position) mesh_.corner_normal = {};
     }
 
@@ -224,6 +226,7 @@ class ObjReader {
 
     TextCursor cursor_;
     const std::string& file_;
+    const glm::dvec3& offset_;
     Mesh mesh_;
     // Corners that name a vertex not read yet, each with a larger index than the one before. The first corner
     // whose vertex is never defined is always among them.
@@ -237,6 +240,8 @@ class ObjReader {
 
 }  // namespace
 
-Mesh read_obj(std::string_view bytes, const std::string& file) { return ObjReader(bytes, file).read(); }
+Mesh read_obj(std::string_view bytes, const std::string& file, const glm::dvec3& offset) {
+    return ObjReader(bytes, file, offset).read();
+}
 
 }  // namespace glint

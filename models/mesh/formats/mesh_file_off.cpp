@@ -25,7 +25,8 @@ constexpr std::array<OffKind, 5> kinds{{{"OFF", false, false},
 
 class OffReader {
   public:
-    OffReader(std::string_view bytes, const std::string& file) : cursor_(bytes, file, false), file_(file) {
+    OffReader(std::string_view bytes, const std::string& file, const glm::dvec3& offset)
+        : cursor_(bytes, file, false), file_(file), offset_(offset) {
         mesh_.first_corner.push_back(0);
     }
 
@@ -82,7 +83,7 @@ class OffReader {
 
     void read_vertex(std::size_t row) {
         next_row("vertices", row, vertex_count_);
-        mesh_.positions.push_back(cursor_.three());
+        mesh_.positions.push_back(cursor_.position(offset_));
         if (normals_)
             mesh_.normals.push_back(cursor_.normal({"a normal's x", "a normal's y", "a normal's z"}));
         if (colors_ || !cursor_.end_of_line()) {
@@ -113,8 +114,8 @@ class OffReader {
         face_colors_ += cursor_.end_of_line() ? 0 : 1;
     }
 
-    /// Colours of whole numbers, one of them above 1, range to 255; all others are fractions already. Vertices
-    /// without one are white.
+    /// Colours of whole numbers, one of them above 1, range to 255; all others are fractions already.
+    /// Vertices without one are white.
     void scale_colors() {
         if (mesh_.colors.empty()) return;
         mesh_.colors.resize(vertex_count_, no_color);
@@ -126,6 +127,7 @@ class OffReader {
 
     TextCursor cursor_;
     const std::string& file_;
+    const glm::dvec3& offset_;
     Mesh mesh_;
     bool colors_ = false, normals_ = false, whole_colors_ = true;
     float brightest_ = 0;
@@ -134,6 +136,8 @@ class OffReader {
 
 }  // namespace
 
-Mesh read_off(std::string_view bytes, const std::string& file) { return OffReader(bytes, file).read(); }
+Mesh read_off(std::string_view bytes, const std::string& file, const glm::dvec3& offset) {
+    return OffReader(bytes, file, offset).read();
+}
 
 }  // namespace glint

@@ -129,8 +129,8 @@ template <class Rows> class PlyBody {
         });
     }
 
-    /// Each vertex from the third on is a triangle with the two before it, every second one wound the other way.
-    /// -1 begins a new strip.
+    /// Each vertex from the third on is a triangle with the two before it, every second one wound the other
+    /// way. -1 begins a new strip.
     void read_strip(const PlyProperty& p) {
         std::array<std::uint32_t, 2> last{};
         std::size_t length = 0;
@@ -160,7 +160,8 @@ template <class Rows> class PlyBody {
     void skip_list(const PlyProperty& p) { rows_.skip_list(p, list_count(p)); }
 
     void skip(const PlyElement& element) {
-        warn(mesh_.warnings, element.count, fmt::format("row of the element {} is not read", in_quotes(element.name)),
+        warn(mesh_.warnings, element.count,
+             fmt::format("row of the element {} is not read", in_quotes(element.name)),
              fmt::format("rows of the element {} are not read", in_quotes(element.name)));
         if (element.properties.empty()) return;
         read_lists(element, [this](const PlyProperty& p) { skip_list(p); });
@@ -197,9 +198,10 @@ template <class Rows> class PlyBody {
 
 }  // namespace
 
-Mesh read_ply(std::string_view bytes, const std::string& file) {
+Mesh read_ply(std::string_view bytes, const std::string& file, const glm::dvec3& offset) {
     TextCursor cursor(bytes, file, false);
-    const PlyHeader header = read_ply_header(cursor);
+    PlyHeader header = read_ply_header(cursor);
+    header.offset = offset;
     constexpr bool big_machine = std::endian::native == std::endian::big;
     switch (header.format) {
     case PlyFormat::Ascii:

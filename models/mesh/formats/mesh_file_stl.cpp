@@ -18,7 +18,9 @@ namespace {
 /// Collects the facets of either kind of file.
 class Facets {
   public:
-    explicit Facets(const std::string& file) : file_(file) { mesh_.first_corner.push_back(0); }
+    Facets(const std::string& file, const glm::dvec3& offset) : file_(file), offset_(offset) {
+        mesh_.first_corner.push_back(0);
+    }
 
     void corner(const glm::vec3& place) {
         mesh_.corner_position.push_back(places_.index_of(place, mesh_.positions));
@@ -40,17 +42,19 @@ class Facets {
         }
         return std::move(mesh_);
     }
+    [[nodiscard]] const glm::dvec3& offset() const { return offset_; }
     Warnings& warnings() { return mesh_.warnings; }
 
   private:
     const std::string& file_;
+    const glm::dvec3& offset_;
     Mesh mesh_;
     Places places_;
 };
 
-Mesh read_binary(std::string_view bytes, const std::string& file) {
+Mesh read_binary(std::string_view bytes, const std::string& file, const glm::dvec3& offset) {
     const std::size_t count = binary_stl_facets(bytes);
-    Facets facets(file);
+    Facets facets(file, offset);
     ParsedBytes parsed(bytes.size());
     for (std::size_t f = 0; f < count; ++f) {
         parsed.at(f * binary_stl_facet);
@@ -63,7 +67,7 @@ Mesh read_binary(std::string_view bytes, const std::string& file) {
                     {file, "", fmt::format("facet {}: a coordinate is {}", f, x), "-1e7 to 1e7", 0});
             v[static_cast<std::size_t>(i / 3)][i % 3] = x;
         }
-        for (const std::size_t i : {1u, 2u, 3u}) facets.corner(v[i]);
+        for (const std::size_t i : {1u, 2u, 3u}) facets.corner(glm::vec3(glm::dvec3(v[i]) - offset));
         facets.close(v[0], 0);
     }
     if (bytes.size() > binary_stl_header + count * binary_stl_facet)
@@ -73,7 +77,8 @@ Mesh read_binary(std::string_view bytes, const std::string& file) {
 
 class AsciiStl {
   public:
-    AsciiStl(std::string_view bytes, const std::string& file) : cursor_(bytes, file, false), facets_(file) {}
+    AsciiStl(std::string_view bytes, const std::string& file, const glm::dvec3& offset)
+        : cursor_(bytes, file, false), facets_(file, offset) {}
 
     Mesh read() {
         while (cursor_.next_line()) {
@@ -124,7 +129,7 @@ class AsciiStl {
         expect("loop");
         for (int i = 0; i < 3; ++i) {
             expect("vertex");
-            facets_.corner(only_three(cursor_.three()));
+            facets_.corner(only_three(cursor_.position(facets_.offset())));
         }
         expect("endloop");
         expect("endfacet");
@@ -159,12 +164,12 @@ std::size_t binary_stl_size(std::string_view bytes) {
     return binary_stl_header + binary_stl_facets(bytes) * binary_stl_facet;
 }
 
-Mesh read_stl(std::string_view bytes, const std::string& file) {
+Mesh read_stl(std::string_view bytes, const std::string& file, const glm::dvec3& offset) {
     // The size decides, because some binary files have spaces instead of zeros.
     const std::size_t promised = binary_stl_size(bytes);
-    if (bytes.size() == promised) return read_binary(bytes, file);
-    if (begins_as_text_stl(bytes)) return AsciiStl(bytes, file).read();
-    if (promised > 0 && bytes.size() > promised) return read_binary(bytes, file);
+    if (bytes.size() == promised) return read_binary(bytes, file, offset);
+    if (begins_as_text_stl(bytes)) return AsciiStl(bytes, file, offset).read();
+    if (promised > 0 && bytes.size() > promised) return read_binary(bytes, file, offset);
     throw ProblemFound({file, "", "this is not an STL file, or one that ends early",
                         promised > 0
                             ? fmt::format("{} bytes for its {} facets", promised, binary_stl_facets(bytes))

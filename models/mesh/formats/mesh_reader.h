@@ -16,10 +16,11 @@
 
 namespace glint {
 
-[[nodiscard]] Mesh read_obj(std::string_view bytes, const std::string& file);
-[[nodiscard]] Mesh read_ply(std::string_view bytes, const std::string& file);
-[[nodiscard]] Mesh read_off(std::string_view bytes, const std::string& file);
-[[nodiscard]] Mesh read_stl(std::string_view bytes, const std::string& file);
+// `offset` is subtracted from positions in double, before they become floats.
+[[nodiscard]] Mesh read_obj(std::string_view bytes, const std::string& file, const glm::dvec3& offset);
+[[nodiscard]] Mesh read_ply(std::string_view bytes, const std::string& file, const glm::dvec3& offset);
+[[nodiscard]] Mesh read_off(std::string_view bytes, const std::string& file, const glm::dvec3& offset);
+[[nodiscard]] Mesh read_stl(std::string_view bytes, const std::string& file, const glm::dvec3& offset);
 
 inline constexpr std::size_t max_corners = std::numeric_limits<std::int32_t>::max();
 

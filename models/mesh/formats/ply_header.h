@@ -18,6 +18,7 @@ enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 /// Our meaning of a property.
 enum class PlyRole { Other, X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, Indices };
 inline constexpr std::size_t ply_role_count = 11;
+constexpr bool is_position(PlyRole role) { return role >= PlyRole::X && role <= PlyRole::Z; }
 constexpr bool is_normal(PlyRole role) { return role >= PlyRole::Nx && role <= PlyRole::Nz; }
 
 /// The limit of elements and properties in a header, together. Real files have a few dozen.
@@ -55,6 +56,7 @@ struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
     std::string line_end;  // of the first line: LF, CR, CR LF or LF CR
+    glm::dvec3 offset{0};  // of the reader, to subtract from positions
 };
 
 /// Reads up to and including the word "end_header", in time n log n for n names. Throws ProblemFound;

@@ -17,11 +17,16 @@
 
 namespace glint {
 
+/// The offset of a coordinate.
+inline double offset_of(const PlyHeader& header, PlyRole role) {
+    return header.offset[static_cast<int>(role) - static_cast<int>(PlyRole::X)];
+}
+
 /// Values of an ASCII body: one row per line.
 class AsciiRows {
   public:
-    AsciiRows(TextCursor& cursor, const PlyHeader& /*header*/, const std::string& /*file*/)
-        : cursor_(cursor) {}
+    AsciiRows(TextCursor& cursor, const PlyHeader& header, const std::string& /*file*/)
+        : cursor_(cursor), header_(header) {}
 
     void begin_row(const PlyElement& element, std::size_t row) {
         if (!cursor_.next_line())
@@ -31,6 +36,7 @@ class AsciiRows {
     void end_row() { cursor_.end_line("the header's properties only"); }
     float number(const PlyProperty& p) {
         if (is_normal(p.role)) return cursor_.normal_number(p.name);
+        if (is_position(p.role)) return cursor_.number_minus(offset_of(header_, p.role), p.name);
         if (p.role != PlyRole::Other) return cursor_.number(p.name);
         if (cursor_.word().empty()) cursor_.fail(fmt::format("{} is missing", p.name), "a number");
         return 0;
@@ -48,13 +54,14 @@ class AsciiRows {
 
   private:
     TextCursor& cursor_;
+    const PlyHeader& header_;
 };
 
 /// Reads the values of a binary body, with the bytes of each value reversed if `swap`.
 template <bool swap> class BinaryRows {
   public:
     BinaryRows(TextCursor& cursor, const PlyHeader& header, const std::string& file)
-        : file_(file), left_(cursor.rest()), bytes_(left_.size()), parsed_(bytes_) {
+        : file_(file), header_(header), left_(cursor.rest()), bytes_(left_.size()), parsed_(bytes_) {
         // The first byte of the body may look like part of a line end, so the header's first line determines
         // the length of its line ends. A last line that ends differently ends with CR, LF or both.
         if (left_.starts_with(header.line_end)) {
@@ -74,7 +81,7 @@ template <bool swap> class BinaryRows {
         const double value = scalar(p.type);
         if (p.role != PlyRole::Other && !is_normal(p.role) && !(std::abs(value) <= max_number))
             fail(fmt::format("{} = {} is out of range", p.name, value), "-1e7 to 1e7");
-        return static_cast<float>(value);
+        return static_cast<float>(is_position(p.role) ? value - offset_of(header_, p.role) : value);
     }
     std::int64_t integer(PlyType type, const PlyProperty& /*p*/) {
         return static_cast<std::int64_t>(scalar(type));
@@ -131,6 +138,7 @@ template <bool swap> class BinaryRows {
     }
 
     const std::string& file_;
+    const PlyHeader& header_;
     std::string_view left_;
     std::size_t bytes_;  // of the entire body
     ParsedBytes parsed_;

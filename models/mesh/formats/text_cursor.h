@@ -86,6 +86,22 @@ class TextCursor {
         return {a, b, c};
     }
 
+    /// The same minus an offset, which is subtracted in double.
+    glm::vec3 position(const glm::dvec3& offset) {
+        glm::vec3 place;
+        for (int i = 0; i < 3; ++i)
+            place[i] = number_minus(offset[i], axis_names[static_cast<std::size_t>(i)]);
+        return place;
+    }
+    float number_minus(double offset, std::string_view name) {
+        if (offset == 0) return number(name);
+        if (end_of_line()) fail_missing(name, "a number");
+        const char* first = at_ + (*at_ == '+' ? 1 : 0);
+        static_cast<void>(number(name));
+        double value = 0;
+        static_cast<void>(std::from_chars(first, at_, value));  // a number, or too small for one
+        return static_cast<float>(value - offset);
+    }
     glm::vec3 normal(const std::array<std::string_view, 3>& names = {"x", "y", "z"}) {
         const float a = normal_number(names[0]), b = normal_number(names[1]), c = normal_number(names[2]);
         return {a, b, c};
@@ -110,10 +126,13 @@ class TextCursor {
     [[noreturn]] void fail_at(int line, std::string what, std::string expected) const;
 
   private:
+    static constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
+
     static bool is_space(char c) { return c == ' ' || (c <= '\r' && c >= '\t'); }
     static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-    /// Reads the next word; false, without moving, unless it is a number within +-1e7 as from_chars() reads it.
+    /// Reads the next word; false, without moving, unless it is a number within +-1e7 as from_chars() reads
+    /// it.
     bool plain_number(std::string_view name, float& value) {
         if (end_of_line()) fail_missing(name, "a number");
         const char* first = at_ + (*at_ == '+' && !(end_ - at_ > 1 && at_[1] == '-') ? 1 : 0);
