@@ -471,6 +471,8 @@ def rasterise(number, o):
     def low(p): return np.where(before_eye, np.ceil(p.min(1) - 0.501), 0).clip(0, 99999).astype(int)
     def high(p, n): return np.where(before_eye, np.floor(p.max(1) - 0.499), n - 1).clip(-1, n - 1).astype(int)
     x0, x1, y0, y1 = low(px), high(px, width), low(py), high(py, height)
+    out_of_view = ((c[:3] < -c[3]).all(2) | (c[:3] > c[3]).all(2)).any(0)  # beyond one plane of the view
+    x1[out_of_view] = -1
     #@if wrong.culled_by_light
     if first:
         centres = np.add.reduceat(o.positions[:, o.corners[0]], o.first, axis=1) / o.sizes
