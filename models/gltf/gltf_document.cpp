@@ -212,9 +212,6 @@ void check_extensions(const Node& root) {
     root.with("extensionsRequired", [&](const Node& list) {
         list.each(1000, "names", [&](const Node& node) {
             const std::string& name = text(node);
-            if (name == "KHR_draco_mesh_compression")
-                node.fail("the meshes are compressed (Draco), which is not read",
-                          "a file without compression");
             if (!leaves_shapes(name) && std::find(read.begin(), read.end(), name) == read.end())
                 node.fail(in_quotes(name) + " is needed, and cannot be read here",
                           "a file without that extension");

@@ -10,6 +10,7 @@
 #include "models/scene_file/scene_file.h"
 #include "programs/gl_calls.h"
 #include "tests/oracle/random_scene.h"
+#include "tests/places.h"
 #include "tests/programs/same_picture.h"
 #include "tests/support/asset_scenes.h"
 #include "tests/support/catch.h"
@@ -146,6 +147,17 @@ TEST_CASE("a C++ program draws more random scenes like Glint", "[.][programs]") 
 
 TEST_CASE("a Python program draws the scenes of assets like Glint", "[programs]") {
     CHECK(compare_assets(Language::Python) == "silhouettes-and-creases");
+}
+
+TEST_CASE("programs draw a spot's soft edge like Glint", "[programs]") {
+    Scene scene = std::get<SceneDocument>(open_document(project_file("assets/scenes/spot-cone.json"))).scene;
+    for (Light& light : scene.lights) light.spot.inner_deg = light.spot.cutoff_deg / 3;
+    for (const Language language : {Language::Cpp, Language::Python, Language::Glsl}) {
+        Comparison comparison;
+        comparison.add("soft spot", scene, small, language);
+        report(comparison, language);
+    }
+    CHECK_FALSE(can(scene, Language::Gl1));
 }
 
 TEST_CASE("a Python program draws random scenes like Glint", "[programs]") {

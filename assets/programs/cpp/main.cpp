@@ -345,11 +345,9 @@ void rasterise(int object, int triangle) {
         px[i] = (c[i].x / c[i].w + 1) / 2 * width;
         py[i] = (1 - c[i].y / c[i].w) / 2 * height;
     }
-    const auto all = [&c](auto beyond) { return beyond(c[0]) && beyond(c[1]) && beyond(c[2]); };
-    if (all([](const Clip& p) { return p.z < -p.w; }) || all([](const Clip& p) { return p.z > p.w; }) ||
-        all([](const Clip& p) { return p.x < -p.w; }) || all([](const Clip& p) { return p.x > p.w; }) ||
-        all([](const Clip& p) { return p.y < -p.w; }) || all([](const Clip& p) { return p.y > p.w; }))
-        return;  // out of view
+    for (const auto axis : {&Clip::x, &Clip::y, &Clip::z})
+        for (const int side : {-1, 1})  // beyond one plane of the view
+            if (side * c[0].*axis > c[0].w && side * c[1].*axis > c[1].w && side * c[2].*axis > c[2].w) return;
     auto [left, right] = std::minmax({px[0], px[1], px[2]});
     auto [top, bottom] = std::minmax({py[0], py[1], py[2]});
     if (std::min({c[0].w, c[1].w, c[2].w}) <= 0) left = top = 0, right = width, bottom = height;

@@ -84,18 +84,23 @@ TEST_CASE("a hostile glTF file is reported in one line with the place and the er
     CHECK(error_of(std::string(100'000, '[')).starts_with("t.gltf:1: "));
 }
 
-TEST_CASE("a .glb whose header and file differ in length is reported in one line", "[gltf]") {
+TEST_CASE("a .glb whose header and file differ in length is read with a warning", "[gltf]") {
     std::string whole = triangle_glb();
     const std::size_t size = whole.size();
     const auto with_length = [&](std::size_t length) {
         for (std::size_t i = 0; i < 4; ++i) whole[8 + i] = static_cast<char>(length >> (8 * i) & 0xFF);
-        return error_of(whole, "t.glb");
+        const TemporaryDirectory folder;
+        return std::get<SceneDocument>(open_document(folder.file("t.glb", whole))).warnings;
     };
     CHECK(with_length(size).empty());
     for (const std::size_t length : {std::size_t{0}, std::size_t{5}, size - 4, size + 4})
-        CHECK(
-            with_length(length) ==
-            fmt::format("t.glb: the header says {} bytes, the file has {}; expected {}", length, size, size));
+        CHECK(with_length(length) ==
+              Warnings{fmt::format("the length in the header is {} bytes and the file has {}: it is ignored",
+                                   length, size)});
+    whole += std::string(4, '\0');
+    CHECK(with_length(size).size() == 1);
+    whole += std::string(400, '\7');
+    CHECK(with_length(size).size() == 1);
 }
 
 TEST_CASE("a truncated .glb is reported in one line, wherever it ends", "[gltf]") {

@@ -69,26 +69,28 @@ TEST_CASE("a scene that glTF can express reads back to the same picture", "[gltf
     CHECK(std::count_if(a.begin(), a.end(), [](std::uint8_t x) { return x > 100; }) > 5000);
 }
 
-TEST_CASE("a spot's exponent is written as the cone that reads back to it, if there is one", "[gltf]") {
+TEST_CASE("a spot's soft edge is written as it is, and an exponent as one with a warning", "[gltf]") {
     const TemporaryDirectory folder;
     struct Case {
-        const char* exponent;
-        bool is_said;
+        const char *exponent, *inner_deg;
+        double inner_again;  // in degrees; 180: none
     };
-    // Between the cosines 1 and cos 30 degrees 1/4 is half-way from 0.866 (exponent 9.6) to 0.933 (20).
-    for (const Case& c : {Case{"12", true}, {"19.9", true}, {"20.5", false}, {"2", false}, {"0", true}}) {
-        CAPTURE(c.exponent);
+    // Half-way between the cosines of the two angles, cos^12 and glTF's square are 1/4: cos inner = 2 *
+    // 4^(-1/12) - cos 30 degrees = 0.9157.
+    for (const Case& c : {Case{"0", "10", 10}, {"0", "180", 180}, {"12", "180", 23.70}, {"12", "10", 10}}) {
+        CAPTURE(c.exponent, c.inner_deg);
         const std::string glb = folder.path("spot.glb");
         const Ended ended = run_glint({"export", folder.file("scene.json", sayable), "-o", glb, "--set",
-                                       std::string("/lights/2/spot/exponent=") + c.exponent});
+                                       std::string("/lights/2/spot/exponent=") + c.exponent, "--set",
+                                       std::string("/lights/2/spot/inner_deg=") + c.inner_deg});
         REQUIRE(ended.status == 0);
-        CHECK(ended.err.empty() == c.is_said);
+        CHECK(ended.err.empty() == (c.exponent[0] == '0'));
         const auto again = std::get<SceneDocument>(open_document(glb));
-        const float expected = c.is_said ? std::stof(c.exponent) : 0;
         REQUIRE(again.scene.lights.size() == 3);
         for (const Light& light : again.scene.lights)
             if (light.kind == LightKind::Spot) {
-                CHECK(light.spot.exponent == Approx(expected).epsilon(1e-3));
+                CHECK(light.spot.exponent == 0);
+                CHECK(light.spot.inner_deg == Approx(c.inner_again).epsilon(1e-3));
                 CHECK(light.spot.cutoff_deg == Approx(30));
             }
     }

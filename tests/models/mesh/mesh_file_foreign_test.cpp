@@ -17,8 +17,7 @@ namespace {
 
 const std::string triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string triangle_off = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-const std::string ply_xyz =
-    "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string ply_xyz = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string ply_square = "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
 
 std::string with_line_ends(std::string text, const std::string& end) {
@@ -36,8 +35,9 @@ TEST_CASE("lines of a mesh file end in CR, LF, CR LF or LF CR", "[mesh_file]") {
         {"m.ply", "ply\nformat ascii 1.0\n" + ply_xyz +
                       "element face 1\nproperty list uchar int vertex_indices\n" + ply_square +
                       "3 0 1 2\nmore"},
-        {"m.stl", "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
-                  "endloop\nendfacet\nendsolid s\n"}};
+        {"m.stl",
+         "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+         "endloop\nendfacet\nendsolid s\n"}};
     for (const auto& [name, text] : files)
         for (const std::string end : {"\n", "\r", "\r\n", "\n\r"}) {
             CAPTURE(name, end.size(), int{end[0]});
@@ -63,11 +63,13 @@ TEST_CASE("an OBJ's vertex may have a colour with alpha", "[mesh_file][obj]") {
 }
 
 TEST_CASE("rare statements of an OBJ are named in one warning", "[mesh_file][obj]") {
-    const Mesh mesh = read_text("m.obj", triangle_obj + "vw 1 0.5\nt crease 1/1/0 1 2 4\ncall a.obj\ncsh -ls\n"
-                                                        "bzp 1 2 3\nbzp 3 2 1\ncstype bezier\nfo 1 2 3\n");
+    const Mesh mesh = read_text("m.obj", triangle_obj +
+                                             "vw 1 0.5\nt crease 1/1/0 1 2 4\ncall a.obj\ncsh -ls\n"
+                                             "bzp 1 2 3\nbzp 3 2 1\ncstype bezier\nfo 1 2 3\n");
     CHECK(mesh.face_count() == 1);
     CHECK(mesh.warnings == Warnings{"7 statements are ignored (vw, t, call, csh, bzp, cstype)"});
-    CHECK(error_of("m.obj", triangle_obj + "facet 1 2 3\n").starts_with("m.obj:4: \"facet\" is not a statement"));
+    CHECK(error_of("m.obj", triangle_obj + "facet 1 2 3\n")
+              .starts_with("m.obj:4: \"facet\" is not a statement"));
 }
 
 TEST_CASE("materials of an OBJ are ignored with one warning", "[mesh_file][obj]") {
@@ -79,14 +81,16 @@ TEST_CASE("materials of an OBJ are ignored with one warning", "[mesh_file][obj]"
 TEST_CASE("a normal that is not a finite number counts as not given, in every format", "[mesh_file]") {
     for (const std::string nan : {"nan", "NaN", "-nan", "-nan(ind)", "1.#IND", "-1.#QNAN", "inf", "1e39"}) {
         CAPTURE(nan);
-        const Mesh obj = read_text("m.obj", triangle_obj + "vn 0 0 1\nvn 0 " + nan + " 1\nf 1//1 2//2 3//1\n");
-        const Mesh off = read_text("m.off", "NOFF 3 1 0\n0 0 0 0 0 1\n1 0 0 0 " + nan +
-                                                " 1\n0 1 0 0 0 1\n3 0 1 2\n");
+        const Mesh obj =
+            read_text("m.obj", triangle_obj + "vn 0 0 1\nvn 0 " + nan + " 1\nf 1//1 2//2 3//1\n");
+        const Mesh off =
+            read_text("m.off", "NOFF 3 1 0\n0 0 0 0 0 1\n1 0 0 0 " + nan + " 1\n0 1 0 0 0 1\n3 0 1 2\n");
         const Mesh ply = read_text(
-            "m.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float nx\nproperty float ny\nproperty "
-                     "float nz\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-                     "property list uchar int vertex_indices\nend_header\n0 0 1 0 0 0\n" +
-                         nan + " 0 1 1 0 0\n0 0 1 0 1 0\n3 0 1 2\n");
+            "m.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float nx\nproperty float ny\nproperty "
+            "float nz\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+            "property list uchar int vertex_indices\nend_header\n0 0 1 0 0 0\n" +
+                nan + " 0 1 1 0 0\n0 0 1 0 1 0\n3 0 1 2\n");
         for (const Mesh* mesh : {&obj, &off, &ply}) {
             CHECK(mesh->warnings == Warnings{"1 normal is not a finite number and counts as not given"});
             CHECK(corner_normals(*mesh, {}).warnings ==
@@ -109,12 +113,12 @@ TEST_CASE("a normal that is not a finite number counts as not given, in every fo
 TEST_CASE("an OFF may lack its keyword or have its counts next to it", "[mesh_file][off]") {
     for (const std::string head : {"OFF3 1 0\n", "3 1 0\n", "OFF 3 1\n"})
         CHECK(read_text("m.off", head + triangle_off).triangles.size() == 1);
-    CHECK(read_text("m.off", "COFF3 1 0\n0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 0 0\n3 0 1 2\n").colors.size() == 3);
+    CHECK(read_text("m.off", "COFF3 1 0\n0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 1 0 0\n3 0 1 2\n").colors.size() ==
+          3);
 }
 
 TEST_CASE("an OFF's vertices may have colours that its keyword does not announce", "[mesh_file][off]") {
-    const Mesh mesh =
-        read_text("m.off", "OFF\n3 1 0\n0 0 0\n1 0 0 255 0 51 255\n0 1 0 0 0 255\n3 0 1 2\n");
+    const Mesh mesh = read_text("m.off", "OFF\n3 1 0\n0 0 0\n1 0 0 255 0 51 255\n0 1 0 0 0 255\n3 0 1 2\n");
     REQUIRE(mesh.colors.size() == 3);
     CHECK(mesh.colors[0] == glm::vec3(1));
     CHECK(mesh.colors[1].b == Approx(0.2));
@@ -159,8 +163,11 @@ TEST_CASE("smoothing groups of an OBJ limit the averaging of normals", "[mesh_fi
             CHECK(a == b);
             CHECK(a.x == Approx(0).margin(1e-6));
         }
-        for (const auto& [first, second] :
-             {std::pair{"s 1\n", "s 2\n"}, {"s off\n", ""}, {"s 0\n", ""}, {"s 1\n", "s off\n"}, {"", "s 3\n"}}) {
+        for (const auto& [first, second] : {std::pair{"s 1\n", "s 2\n"},
+                                            {"s off\n", ""},
+                                            {"s 0\n", ""},
+                                            {"s 1\n", "s off\n"},
+                                            {"", "s 3\n"}}) {
             CAPTURE(first, second);
             const auto [a, b] = normals(first, second, crease);
             CHECK(a.x == Approx(0.7071).margin(1e-3));
@@ -189,4 +196,36 @@ TEST_CASE("normals are averaged over all vertices at a position, in every format
                 CHECK(std::abs(n.normals[index[corner]].x) ==
                       Approx(crease == 60.f ? 0.7071 : 0).margin(1e-3));
         }
+}
+
+TEST_CASE("positions far from the origin keep their digits, in every format", "[mesh_file]") {
+    const std::string a = "500000.25 5400000.125 10", b = "500000.5 5400000.125 10",
+                      c = "500000.25 5400000.25 10";
+    const std::string header = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty "
+        "double z\n" +
+        header;
+    test::Bytes binary("ply\nformat binary_little_endian 1.0\n" + head.substr(head.find("element")));
+    binary.add<double>({500000.25, 5400000.125, 10, 500000.5, 5400000.125, 10, 500000.25, 5400000.25, 10});
+    const std::vector<std::pair<std::string, std::string>> files{
+        {"m.obj", "v " + a + "\nv " + b + "\nv " + c + "\nf 1 2 3\n"},
+        {"m.off", "OFF 3 1 0\n" + a + "\n" + b + "\n" + c + "\n3 0 1 2\n"},
+        {"m.ply", head + a + "\n" + b + "\n" + c + "\n3 0 1 2\n"},
+        {"m.ply", binary.u8({3}).u32({0, 1, 2}).str()},
+        {"m.stl", "solid s\nfacet normal 0 0 1\nouter loop\nvertex " + a + "\nvertex " + b + "\nvertex " + c +
+                      "\nendloop\nendfacet\nendsolid s\n"}};
+    for (const auto& [name, text] : files) {
+        CAPTURE(name);
+        const Mesh mesh = read_text(name, text);
+        CHECK(mesh.offset == glm::dvec3(500000, 5400000, 10));
+        CHECK(mesh.positions ==
+              std::vector<glm::vec3>{{0.25f, 0.125f, 0}, {0.5f, 0.125f, 0}, {0.25f, 0.25f, 0}});
+        CHECK(mesh.warnings ==
+              Warnings{"the coordinates are far from the origin: the offset (500000, 5400000, 10) "
+                       "is subtracted"});
+    }
+    const Mesh near = read_text("m.obj", "v 900 0 0\nv 910 0 0\nv 900 10 0\nf 1 2 3\n");
+    CHECK(near.offset == glm::dvec3(0));
+    CHECK(near.positions[0] == glm::vec3(900, 0, 0));
 }

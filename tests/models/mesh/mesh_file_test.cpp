@@ -39,7 +39,7 @@ TEST_CASE("an OBJ keeps its polygons, positions and order", "[mesh_file][obj]") 
     CHECK(mesh.triangles.size() == 3);
     CHECK(mesh.given_normals == GivenNormals::None);
     CHECK(mesh.colors.empty());
-    CHECK(mesh.warnings.empty());
+    CHECK(mesh.warnings == Warnings{"1 material of a .mtl file is not read"});
 }
 
 TEST_CASE("an OBJ's normals are by corner; an undefined one leaves its corner without", "[mesh_file][obj]") {
@@ -119,7 +119,7 @@ TEST_CASE("contents of an OBJ other than polygons are ignored with one warning p
                                 "f 1 2 3\nf 1 1 2\nf 1 2 2 3\n");
     CHECK(mesh.warnings == Warnings{"2 vertices have weights, which are ignored",
                                     "2 line elements are ignored", "1 point element is ignored",
-                                    "1 free-form statement is ignored",
+                                    "1 statement is ignored (cstype)",
                                     "1 degenerate face has no area and is not drawn",
                                     "1 face has a repeated corner, which was skipped"});
     CHECK(mesh.face_count() == 3);
@@ -142,8 +142,6 @@ TEST_CASE("a malformed OBJ is reported with its line and the expected input", "[
     CHECK(line_4("f 1 2 x") ==
           "m.obj:4: \"x\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f 1 2 3/") == "");  // some writers leave the slash
-    CHECK(line_4("f 1 2 3//") ==
-          "m.obj:4: \"3//\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f 1 2 3/1/1/1") ==
           "m.obj:4: \"3/1/1/1\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f 1 2 3.5") ==
@@ -167,8 +165,8 @@ TEST_CASE("a malformed OBJ is reported with its line and the expected input", "[
     CHECK(line_4("v 1 -1.1e7 3") == "m.obj:4: \"-1.1e7\" is out of range; expected -1e7 to 1e7");
     CHECK(line_4("v 1 1e400 3") == "m.obj:4: \"1e400\" is out of range; expected -1e7 to 1e7");
     CHECK(line_4("v 1 2 3 4 5") == "m.obj:4: a colour's blue is missing; expected a number");
-    CHECK(line_4("v 1 2 3 4 5 6 7") ==
-          "m.obj:4: \"7\" is one too many; expected 3, 4 or 6 numbers after \"v\"");
+    CHECK(line_4("v 1 2 3 4 5 6 7 8") ==
+          "m.obj:4: \"8\" is one too many; expected 3, 4, 6 or 7 numbers after \"v\"");
     CHECK(line_4("vn 1 2") == "m.obj:4: z is missing; expected a number");
     CHECK(line_4("vn 1 2 3 4") == "m.obj:4: \"4\" is one too many; expected 3 numbers after \"vn\"");
     CHECK(line_4("\n\nv 1 \\\n 2 \\\r\n x") == "m.obj:8: \"x\" is not a number; expected a number");

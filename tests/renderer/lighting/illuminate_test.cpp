@@ -144,6 +144,24 @@ TEST_CASE("a cone falls off as cos^exponent, includes its edge and ends there", 
     CHECK(at(30.1) == 0);
 }
 
+TEST_CASE("a spot's soft edge is that of KHR_lights_punctual", "[lighting]") {
+    LightAt<float> light;
+    light.axis = {0, 0, -1};
+    light.cos_cutoff = static_cast<float>(std::cos(0.4));
+    light.exponent = 0;
+    light.soft_edge = static_cast<float>(1 / (std::cos(0.3) - std::cos(0.4)));
+    light.has_soft_edge = true;
+    const auto at = [&light](double angle) {
+        return spot_factor(light,
+                           Vec{static_cast<float>(std::sin(angle)), 0, static_cast<float>(std::cos(angle))});
+    };
+    for (const double inside : {0.0, 0.13, 0.28, 0.2999}) CHECK(at(inside) == Approx(1));
+    CHECK(at(0.379) == Approx(0.053).epsilon(0.02));  // by the sample code of the extension
+    CHECK(at(0.4001) == 0);
+    light.exponent = 2;
+    CHECK(at(0.28) == Approx(std::pow(std::cos(0.28), 2)));
+}
+
 TEST_CASE("a light at the point itself contributes only its ambient share", "[lighting]") {
     LightAt<float> light = sun({1, 2, 3});
     light.w = 1;

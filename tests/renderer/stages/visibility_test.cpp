@@ -219,6 +219,10 @@ TEST_CASE("culling drops the named side, also of a mirrored object", "[visibilit
                 renderer.render(scene, {side, side});
                 const bool dropped = cull == (from_behind ? Cull::Back : Cull::Front);
                 CHECK(renderer.object_at(side / 2, side / 2) == (dropped ? -1 : 0));
+                scene.objects[0].double_sided = true;
+                renderer.render(scene, {side, side});
+                CHECK(renderer.object_at(side / 2, side / 2) == 0);
+                scene.objects[0].double_sided = false;
             }
         }
     }

@@ -1,0 +1,88 @@
+// What a program would draw wrong of a mesh: each finding in the smallest file that has it.
+#include <algorithm>
+
+#include "models/mesh/formats/mesh_file.h"
+#include "models/mesh/primitives/primitives.h"
+#include "tests/support/catch.h"
+#include "tests/support/mesh_file_bytes.h"
+
+using namespace glint;
+using test::read_text;
+
+namespace {
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+/// The finding of that name, or an empty one.
+MeshFinding finding(const Mesh& mesh, std::string_view name) {
+    const MeshInfo info = mesh_info(mesh);
+    const auto found = std::find_if(info.findings.begin(), info.findings.end(),
+                                    [&](const MeshFinding& f) { return f.name == name; });
+    return found == info.findings.end() ? MeshFinding{} : *found;
+}
+MeshFinding finding(const std::string& obj, std::string_view name) {
+    return finding(read_text("m.obj", obj), name);
+}
+
+}  // namespace
+
+TEST_CASE("normals that point against their face are counted by face", "[mesh_info]") {
+    const MeshFinding found = finding(square + "vn 0 0 1\nvn 0 0 -1\nf 1//1 2//1 3//1\nf 1//1 3//2 4//1\n",
+                                      "normals_against_faces");
+    CHECK(found.count == 1);
+    CHECK(found.what == "1 of 2 faces have normals that point against them");
+    REQUIRE(found.places.size() == 1);
+    CHECK(found.places[0].x == Approx(1 / 3.0));
+    CHECK(finding(square + "vn 0 0 1\nf 1//1 2//1 3//1\n", "normals_against_faces").count == 0);
+}
+
+TEST_CASE("neighbours that are wound oppositely are counted by edge", "[mesh_info]") {
+    const MeshFinding found = finding(square + "f 1 2 3\nf 1 4 3\n", "opposite_winding");
+    CHECK(found.count == 1);
+    CHECK(found.what == "1 edge joins faces that are wound oppositely");
+    CHECK(found.places == std::vector<glm::vec3>{{0.5f, 0.5f, 0}});
+    CHECK(finding(square + "f 1 2 3\nf 1 3 4\n", "opposite_winding").count == 0);
+}
+
+TEST_CASE("vertices at the position of another are counted", "[mesh_info]") {
+    const MeshFinding found = finding(square + "v 0 0 0\nf 1 2 3\nf 5 3 4\n", "unwelded_vertices");
+    CHECK(found.count == 1);
+    CHECK(found.places == std::vector<glm::vec3>{{0, 0, 0}});
+    CHECK(finding(square + "v 0 0 0\nf 1 2 3\nf 5 3 4\n", "open_edges").count ==
+          4);  // the diagonal is closed
+}
+
+TEST_CASE("zero, invalid and non-unit normals are counted apart", "[mesh_info]") {
+    const std::string obj = square + "vn 0 0 0\nvn nan 0 1\nvn 0 0 2\nvn 0 0 1.005\nf 1//1 2//2 3//3 4//4\n";
+    CHECK(finding(obj, "zero_normals").what == "2 of 4 normals are zero or not given");
+    CHECK(finding(obj, "invalid_normals").what == "1 of 4 normals are not finite numbers");
+    CHECK(finding(obj, "non_unit_normals").places == std::vector<glm::vec3>{{1, 1, 0}});
+}
+
+TEST_CASE("degenerate and duplicate faces, open and non-manifold edges are findings", "[mesh_info]") {
+    const std::string obj = square + "v 0 0 1\nf 1 2 3\nf 2 3 1\nf 1 3 4\nf 1 1 2\nf 1 3 5\n";
+    CHECK(finding(obj, "degenerate_faces").count == 1);
+    CHECK(finding(obj, "duplicate_faces").count == 1);
+    CHECK(finding(obj, "non_manifold_edges").count == 2);
+    CHECK(finding(obj, "open_edges").count == 4);
+}
+
+TEST_CASE("other indices for normals than for positions are a finding", "[mesh_info]") {
+    const MeshFinding found = finding(square + "vn 0 0 1\nf 1//1 2//1 3//1\n", "own_normal_indices");
+    CHECK(found.what == "positions and normals have different indices: 3 pairs of 4 positions and 1 normals");
+    CHECK(finding("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\nf 1//1 2//2 3//3\n",
+                  "own_normal_indices")
+              .count == 0);
+}
+
+TEST_CASE("size and distance hint at units", "[mesh_info]") {
+    CHECK(finding("v 0 0 0\nv 3000 0 0\nv 0 4000 0\nf 1 2 3\n", "size").what ==
+          "the shape is 5e+03 units large");
+    CHECK(finding("v 0 0 9\nv 1 0 9\nv 0 1 9\nf 1 2 3\n", "far_from_origin").count == 1);
+    CHECK(finding(square + "f 1 2 3\n", "size").count == 0);
+    CHECK(finding(square + "f 1 2 3\n", "far_from_origin").count == 0);
+}
+
+TEST_CASE("a closed primitive has no findings", "[mesh_info]") {
+    CHECK(mesh_info(make_primitive(Primitive::Torus, 24)).findings.empty());
+}
