@@ -74,6 +74,8 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
         if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
         if (const glm::dvec3 offset = far_offset(bounds_of_faces(mesh)); offset != glm::dvec3(0)) {
             mesh = format->read(text, path, offset);
+            for (glm::vec3& p : mesh.positions)  // those that no face uses may be elsewhere
+                p = glm::clamp(p, static_cast<float>(-max_number), static_cast<float>(max_number));
             mesh.offset = offset;
             mesh.warnings.push_back(offset_warning(offset));
         }
