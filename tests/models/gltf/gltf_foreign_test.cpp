@@ -11,7 +11,7 @@ using namespace glint::gltf_triangle;
 
 namespace {
 
-SceneDocument opened(const std::string& text) {
+SceneDocument opened_text(const std::string& text) {
     const TemporaryDirectory folder;
     Result<SceneDocument> result = open_document(folder.file("t.gltf", text));
     if (const Problem* problem = problem_of(result)) FAIL(problem->text());
@@ -28,9 +28,10 @@ constexpr const char* base_color = R"("pbrMetallicRoughness": {"baseColorFactor"
 }  // namespace
 
 TEST_CASE("an unlit glTF material shows its base colour", "[gltf]") {
-    const Scene scene = opened(with_materials(fmt::format(
-                                   "{{{}, \"extensions\": {{\"KHR_materials_unlit\": {{}}}}}}", base_color)))
-                            .scene;
+    const Scene scene =
+        opened_text(with_materials(
+                        fmt::format("{{{}, \"extensions\": {{\"KHR_materials_unlit\": {{}}}}}}", base_color)))
+            .scene;
     const Material& m = scene.objects[0].material;
     CHECK(m.emission == glm::vec3(1, 0.2f, 0));
     CHECK(m.diffuse == glm::vec3(0));
@@ -40,12 +41,13 @@ TEST_CASE("an unlit glTF material shows its base colour", "[gltf]") {
 
 TEST_CASE("a glTF emission with a texture is left out with a warning", "[gltf]") {
     const SceneDocument textured =
-        opened(with_materials(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}})"));
+        opened_text(with_materials(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}})"));
     CHECK(textured.scene.objects[0].material.emission == glm::vec3(0));
     CHECK(textured.warnings == Warnings{"1 material has textures, which are not read",
                                         "1 material has an emissive texture: its emission is left out"});
-    CHECK(opened(with_materials(R"({"emissiveFactor": [1, 0.5, 0]})")).scene.objects[0].material.emission ==
-          glm::vec3(1, 0.5f, 0));
+    CHECK(opened_text(with_materials(R"({"emissiveFactor": [1, 0.5, 0]})"))
+              .scene.objects[0]
+              .material.emission == glm::vec3(1, 0.5f, 0));
 }
 
 TEST_CASE("each glTF object is culled by its own material", "[gltf]") {
@@ -55,7 +57,7 @@ TEST_CASE("each glTF object is culled by its own material", "[gltf]") {
         const std::string primitive = "{\"attributes\": {\"POSITION\": 0}, \"material\": 0}";
         const std::size_t at = text.find(primitive);
         REQUIRE(at != std::string::npos);
-        return opened(text.insert(at, "{\"attributes\": {\"POSITION\": 0}, \"material\": 1}, ")).scene;
+        return opened_text(text.insert(at, "{\"attributes\": {\"POSITION\": 0}, \"material\": 1}, ")).scene;
     };
     const Scene mixed = scene_with("true", "false");
     REQUIRE(mixed.objects.size() == 2);
@@ -74,10 +76,10 @@ TEST_CASE("each glTF object is culled by its own material", "[gltf]") {
 TEST_CASE("every instance of a glTF mesh is an object", "[gltf]") {
     // The positions of the triangle serve as translations and as scales, too.
     const auto scene_with = [](const std::string& attributes) {
-        return opened(changed("{\"mesh\": 0}",
-                              "{\"mesh\": 0, \"translation\": [0, 0, 5], \"extensions\": "
-                              "{\"EXT_mesh_gpu_instancing\": {\"attributes\": {" +
-                                  attributes + "}}}}"))
+        return opened_text(changed("{\"mesh\": 0}",
+                                   "{\"mesh\": 0, \"translation\": [0, 0, 5], \"extensions\": "
+                                   "{\"EXT_mesh_gpu_instancing\": {\"attributes\": {" +
+                                       attributes + "}}}}"))
             .scene;
     };
     const Scene scene = scene_with("\"TRANSLATION\": 0");
@@ -128,14 +130,14 @@ TEST_CASE("a glTF normal that is not a number counts as not given", "[gltf]") {
     replace("AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA",
             "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"
             "AADAfwAAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/");
-    const SceneDocument document = opened(text);
+    const SceneDocument document = opened_text(text);
     CHECK(document.scene.objects[0].mesh->normals == std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}});
     CHECK(document.warnings == Warnings{"Object 1: 1 normal is not a finite number and counts as not given"});
 }
 
 TEST_CASE("a glTF spot's cones are its soft edge", "[gltf]") {
     const Scene scene =
-        opened(
+        opened_text(
             changed("\"nodes\": [{\"mesh\": 0}], \"scenes\": [{\"nodes\": [0]}]",
                     "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\", \"spot\": "
                     "{\"innerConeAngle\": 0.3, \"outerConeAngle\": 0.4}}]}}, \"nodes\": [{\"mesh\": 0}, "
@@ -150,10 +152,11 @@ TEST_CASE("a glTF spot's cones are its soft edge", "[gltf]") {
 
 TEST_CASE("glTF nodes far from the origin are brought near with a warning", "[gltf]") {
     const SceneDocument far =
-        opened(changed("{\"mesh\": 0}", "{\"mesh\": 0, \"translation\": [500000.25, 5400000.125, 0]}"));
-    CHECK(far.scene.objects[0].transform.translate == glm::vec3(0.25f, 0.125f, 0));
+        opened_text(changed("{\"mesh\": 0}", "{\"mesh\": 0, \"translation\": [500000.25, 5400000.125, 0]}"));
+    CHECK(far.scene.objects[0].transform.translate == glm::vec3(-0.75f, -0.875f, 0));
     CHECK(far.warnings ==
-          Warnings{"the coordinates are far from the origin: the offset (500000, 5400000, 0) is "
+          Warnings{"the coordinates are far from the origin: the offset (500001, 5400001, 0) is "
                    "subtracted"});
-    CHECK(opened(changed("{\"mesh\": 0}", "{\"mesh\": 0, \"translation\": [50, 0, 0]}")).warnings.empty());
+    CHECK(
+        opened_text(changed("{\"mesh\": 0}", "{\"mesh\": 0, \"translation\": [50, 0, 0]}")).warnings.empty());
 }

@@ -301,17 +301,3 @@ TEST_CASE("lights in candela are scaled to the brightness of a display by one fa
     CHECK(document.scene.lights[2].intensity == Approx(30).epsilon(1e-4));
     CHECK(document.scene.lights[1].intensity == Approx(1 / 576.68).epsilon(1e-3));
 }
-
-TEST_CASE("glTF that its nodes move far from the origin gets one warning", "[gltf]") {
-    const TemporaryDirectory folder;
-    const auto warnings = [&](const std::string& place) {
-        return opened(folder.file("t.gltf",
-                                  gltf_triangle::changed(R"({"mesh": 0})",
-                                                         R"({"mesh": 0, "translation": )" + place + "}")))
-            .warnings;
-    };
-    CHECK(warnings("[0, 100, 0]").empty());
-    REQUIRE(warnings("[500000, 5400000, 0]").size() == 1);
-    CHECK(warnings("[500000, 5400000, 0]")[0].starts_with(
-        "the shape is 1 across at coordinates of up to 5400001"));
-}
