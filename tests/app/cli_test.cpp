@@ -501,7 +501,7 @@ TEST_CASE("a tolerated problem in a mesh is a one-line warning, and the command 
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
-TEST_CASE("a small mesh far from the origin causes a warning about its distortion", "[cli]") {
+TEST_CASE("a small mesh far from the origin is drawn as near it, with a warning", "[cli]") {
     const TemporaryDirectory directory;
     const auto box = [&](const std::string& name, const std::string& x, const std::string& y) {
         std::string text;
@@ -517,10 +517,40 @@ TEST_CASE("a small mesh far from the origin causes a warning about its distortio
     // Between 2^22 and 2^23 floats are 0.5 apart: y is 5400000 or 5400000.5.
     const std::string far = box("far.obj", "500000.", "5400000.");
     const std::string said =
-        "the shape is 0.5 across at coordinates of up to 5400000, which are rounded to steps of 0.5: it is "
-        "drawn distorted, and may be too small to see; subtract an offset that moves it near the origin";
-    CHECK(warnings(far).find("glint: warning: far.obj: " + said + "\n") != std::string::npos);
-    CHECK(json::parse(must({"info", far}).out)["warnings"].back() == said);
+        "the coordinates are far from the origin: the offset (500000, 5400000, 0) is subtracted";
+    CHECK(warnings(far) == "glint: warning: far.obj: " + said + "\n");
+    const json info = json::parse(must({"info", far}).out);
+    CHECK(info["warnings"].back() == said);
+    CHECK(info["offset"] == json({500000, 5400000, 0}));
+    CHECK(info["bounds"]["max"][0] == Approx(0.3).epsilon(1e-6));
+}
+
+TEST_CASE("info reports what a program would draw wrong, as JSON or text", "[cli]") {
+    const TemporaryDirectory directory;
+    const std::string obj =
+        directory.file("turned.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n");
+    const json findings = json::parse(must({"info", obj}).out)["findings"];
+    REQUIRE(findings.size() == 2);
+    CHECK(findings[0]["name"] == "opposite_winding");
+    CHECK(findings[0]["count"] == 1);
+    CHECK(findings[0]["places"] == json({{0.5, 0.5, 0}}));
+    const std::string text = must({"info", obj, "--format", "text"}).out;
+    CHECK(text.find("turned.obj: 4 vertices, 2 faces, 5 edges; normals: vertex\n"
+                    "  1 edge joins faces that are wound oppositely: culling leaves holes there, ") !=
+          std::string::npos);
+    CHECK(text.find("\n    at 0.5 0.5 0\n") != std::string::npos);
+    const std::string scene = must({"info", project_file("assets/scenes/bulb.json"), "--format", "text"}).out;
+    CHECK(scene.find(" vertices, ") != std::string::npos);
+}
+
+TEST_CASE("vertex colours under a lit model are named in one warning", "[cli]") {
+    const TemporaryDirectory directory;
+    const std::string obj =
+        directory.file("red.obj", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\n");
+    const std::vector<std::string> info{"info", obj};
+    CHECK(must(info).err ==
+          "glint: warning: 1 object has vertex colours, which only the reflection \"none\" shows\n");
+    CHECK(must({"info", obj, "--set", "/shading/reflection=\"none\""}).err.empty());
 }
 
 TEST_CASE("a warning names each mesh with missing normals once, even if objects share it", "[cli]") {
