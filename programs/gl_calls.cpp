@@ -137,6 +137,8 @@ class CallWriter {
         GlCallGroup group{light.name, fmt::format("/lights/{}", i), {}};
         if (can_be_called(light)) group.calls = light_calls("light", i);
         if (light.kind == LightKind::Area) group.calls.push_back(remark("An area light needs a shader."));
+        if (light.kind == LightKind::Spot && light.spot.inner_deg < light.spot.cutoff_deg)
+            group.calls.push_back(remark("Its cone has a hard edge; a soft one needs a shader."));
         return group;
     }
 

@@ -467,19 +467,17 @@ def rasterise(number, o):
     c = o.clip[:, o.corners[0][o.triangles]]  # 4 x triangles x 3
     before_eye = (c[3] > 0).all(axis=1)
     px, py = (over(c[0], c[3]) + 1) / 2 * width, (1 - over(c[1], c[3])) / 2 * height
-    # The pixels whose middles may lie inside: most small triangles have none.
+    # The pixels whose middles may lie inside: most small triangles have none, nor those beyond a plane of the view.
     def low(p): return np.where(before_eye, np.ceil(p.min(1) - 0.501), 0).clip(0, 99999).astype(int)
     def high(p, n): return np.where(before_eye, np.floor(p.max(1) - 0.499), n - 1).clip(-1, n - 1).astype(int)
     x0, x1, y0, y1 = low(px), high(px, width), low(py), high(py, height)
-    out_of_view = ((c[:3] < -c[3]).all(2) | (c[:3] > c[3]).all(2)).any(0)  # beyond one plane of the view
-    x1[out_of_view] = -1
     #@if wrong.culled_by_light
     if first:
         centres = np.add.reduceat(o.positions[:, o.corners[0]], o.first, axis=1) / o.sizes
         to_light = first.position if first.kind == "directional" else first.position - centres
         x1[~(dot(o.facet_normals, to_light) > 0)[o.face]] = -1
     #@end
-    for t in np.flatnonzero((x0 <= x1) & (y0 <= y1)):
+    for t in np.flatnonzero((x0 <= x1) & (y0 <= y1) & ~((c[:3] < -c[3]).all(2) | (c[:3] > c[3]).all(2)).any(0)):
         box = slice(y0[t], y1[t] + 1), slice(x0[t], x1[t] + 1)
         weights, depth, back = weights_at(c[:, t, :, None, None], ndc_x[box[1]], ndc_y[box[0]][:, None])
         inside = (weights >= 0).all(0) & (weights.sum(0) > 0.5) & (depth >= -1) & (depth < depths[box] - 1e-12)

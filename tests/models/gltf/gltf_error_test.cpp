@@ -119,7 +119,10 @@ TEST_CASE("a truncated .glb is reported in one line, wherever it ends", "[gltf]"
 
 TEST_CASE("a damaged glTF file is a scene or a problem, never a crash", "[gltf][fuzz]") {
     std::size_t scenes = 0, problems = 0;
-    for (const std::string& valid : {std::string(triangle), triangle_glb()})
+    const std::string instances = changed("{\"mesh\": 0}",
+                                          "{\"mesh\": 0, \"extensions\": {\"EXT_mesh_gpu_instancing\": "
+                                          "{\"attributes\": {\"TRANSLATION\": 0}}}}");
+    for (const std::string& valid : {std::string(triangle), triangle_glb(), instances})
         for (unsigned seed = 0; seed < 1000; ++seed) {
             std::mt19937 random(seed);
             std::string bytes = valid;

@@ -82,6 +82,8 @@ void check_sound(const Mesh& mesh) {
     CHECK(mesh.first_corner.back() == mesh.corner_position.size());
     CHECK(std::is_sorted(mesh.first_corner.begin(), mesh.first_corner.end()));
     for (const std::uint32_t p : mesh.corner_position) REQUIRE(p < mesh.positions.size());
+    CHECK((mesh.smoothing.empty() || mesh.smoothing.size() == mesh.face_count()));
+    for (const std::uint32_t v : mesh.first_at_place) REQUIRE(v < mesh.positions.size());
     for (const std::uint32_t n : mesh.corner_normal) REQUIRE((n < mesh.normals.size() || n == no_index));
     for (const glm::vec3& p : mesh.positions)
         for (int i = 0; i < 3; ++i) REQUIRE(std::abs(p[i]) <= 1e7f);
@@ -127,6 +129,19 @@ TEST_CASE("a damaged mesh file is a mesh or a problem, never a crash", "[mesh_fi
         "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 2\n"
         "property list uchar int vertex_indices\nend_header\n0 0 0 1 2 3\n1 0 0 1 2 3\n1 1 0 1 2 3\n"
         "0 1 0 1 2 3\n4 0 1 2 3\n3 3 2 1\n");
+    check_damaged(
+        "m.obj",
+        "v 0 0 0 1 0 0 1\rv 1 0 0\rv 0 1 0\rv 0 1 0\rv 9 9 9\rs 1\rvn nan 0 1\rf 1// 2/1/ 3//1\rs off\r"
+        "fo 1 4 2\rusemtl red\rcall a.obj\r");
+    check_damaged("m.obj",
+                  "v 500000.25 5400000.5 0\nv 500001 5400000.5 0\nv 500000.25 5400001 1\nv -9999999 0 0\n"
+                  "f 1 2 3\n");
+    check_damaged("m.off", "OFF4 2\n0 0 0\n1 0 0 255 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 3 2 1\n");
+    check_damaged("m.ply",
+                  "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                  "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+                  "element edge 1\nproperty int a\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n"
+                  "8 0 1 2 3 -1 1 2 3\n7\n");
     check_damaged("m.ply", test::binary_ply(false));
     check_damaged("m.ply", test::binary_ply(true));
     check_damaged("m.off",
