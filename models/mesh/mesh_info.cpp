@@ -1,4 +1,4 @@
-// The statistics of a mesh, and what is wrong with it.
+// The statistics of a mesh, and its findings.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -62,6 +62,20 @@ void raise_colors_to_black(Mesh& mesh) {
          "vertices have colours with a channel below 0, which is taken as 0");
 }
 
+/// Whether a file with this beginning is entirely text.
+bool is_text_mesh(std::string_view extension, const FileBlock& first) {
+    if (extension == ".ply") return first.bytes.find("format ascii") != std::string_view::npos;
+    if (extension != ".stl") return true;
+    return begins_as_text_stl(without_mark(extension, first)) && binary_stl_size(first.bytes) != first.size;
+}
+
+/// Whether a file stores 32-bit floats, which are rounded far from the origin.
+bool stores_floats(std::string_view extension, std::string_view bytes) {
+    const std::string_view header = bytes.substr(0, bytes.find("end_header"));
+    return !is_text_mesh(extension, {bytes, 0, bytes.size()}) && header.find("double x") == header.npos &&
+           header.find("float64 x") == header.npos;
+}
+
 Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::string_view bytes,
                          const std::string& path) {
     const Format* format = format_of(path);
@@ -72,12 +86,15 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
         const std::string_view text = without_mark(format->extension, {bytes, 0, bytes.size()});
         Mesh mesh = format->read(text, path, {});
         if (mesh.face_count() == 0) return Problem{path, "", "the mesh has no faces", "at least one", 0};
-        if (const glm::dvec3 offset = far_offset(bounds_of_faces(mesh)); offset != glm::dvec3(0)) {
+        const Bounds given = bounds_of_faces(mesh);
+        if (const glm::dvec3 offset = far_offset(given); offset != glm::dvec3(0)) {
             mesh = format->read(text, path, offset);
             for (glm::vec3& p : mesh.positions)  // those that no face uses may be elsewhere
                 p = glm::clamp(p, static_cast<float>(-max_number), static_cast<float>(max_number));
             mesh.offset = offset;
             mesh.warnings.push_back(offset_warning(offset));
+            if (auto rounded = rounding_warning(given); rounded && stores_floats(format->extension, bytes))
+                mesh.warnings.push_back(std::move(*rounded));
         }
         drop_bad_normals(mesh);
         raise_colors_to_black(mesh);
@@ -99,13 +116,6 @@ bool begins_badly(std::string_view extension, const FileBlock& first) {
         return binary_stl_facets(bytes) == 0 || binary_stl_size(bytes) > first.size;
     const std::size_t word = bytes.find_first_not_of(" \t\r\n\v\f");
     return word != std::string_view::npos && bytes[word] == '\0';
-}
-
-/// Whether a file with this beginning is entirely text.
-bool is_text_mesh(std::string_view extension, const FileBlock& first) {
-    if (extension == ".ply") return first.bytes.find("format ascii") != std::string_view::npos;
-    if (extension != ".stl") return true;
-    return begins_as_text_stl(without_mark(extension, first)) && binary_stl_size(first.bytes) != first.size;
 }
 
 /// Whether the block is all zero bytes, like the holes of a file, and longer than a line of text could be.

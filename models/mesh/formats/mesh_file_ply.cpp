@@ -51,6 +51,7 @@ template <class Rows> class PlyBody {
             else
                 skip(element);
         }
+        warn(mesh_.warnings, header_.textures, "texture is not read", "textures are not read");
         if (rows_.anything_left()) mesh_.warnings.emplace_back("data after the last element is ignored");
         return std::move(mesh_);
     }

@@ -53,7 +53,8 @@ void check_elements(const TextCursor& cursor, const PlyHeader& header) {
             cursor.fail_at(element.line, "the vertices lack a coordinate", "properties x, y and z");
         const bool has_corners = element.name == "face" || element.name == "tristrips";
         if (has_corners && element.with(PlyRole::Indices) == nullptr)
-            cursor.fail_at(element.line, fmt::format("the element \"{}\" has no corners", element.name), "a property list vertex_indices");
+            cursor.fail_at(element.line, fmt::format("the element \"{}\" has no corners", element.name),
+                           "a property list vertex_indices");
     }
 }
 
@@ -80,7 +81,10 @@ class HeaderReader {
                 check_elements(cursor_, header_);
                 return std::move(header_);
             }
-            if (keyword == "comment" || keyword == "obj_info") continue;
+            if (keyword == "comment" || keyword == "obj_info") {
+                header_.textures += cursor_.word() == "TextureFile" ? 1 : 0;
+                continue;
+            }
             if (keyword == "format") {
                 format = read_format(cursor_);
                 const std::string_view version = cursor_.word();

@@ -55,8 +55,9 @@ struct PlyElement {
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    std::string line_end;  // of the first line: LF, CR, CR LF or LF CR
-    glm::dvec3 offset{0};  // of the reader, to subtract from positions
+    std::string line_end;      // of the first line: LF, CR, CR LF or LF CR
+    std::size_t textures = 0;  // that comments name, as MeshLab does
+    glm::dvec3 offset{0};      // of the reader, to subtract from positions
 };
 
 /// Reads up to and including the word "end_header", in time n log n for n names. Throws ProblemFound;

@@ -64,7 +64,8 @@ float TextCursor::unusual_number(bool of_normal) {
     const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool whole = last == digits.data() + digits.size() && error != std::errc::invalid_argument;
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    if (of_normal && ((whole && std::isnan(value)) || digits.find(".#") != std::string_view::npos)) return nan;
+    if (of_normal && ((whole && std::isnan(value)) || digits.find(".#") != std::string_view::npos))
+        return nan;
     if (!whole || std::isnan(value)) fail(fmt::format("{} is not a number", quoted_word(text)), "a number");
     if (error == std::errc() && std::abs(value) <= max_number) return static_cast<float>(value);
     const std::size_t exponent = std::min(digits.find_first_of("eE"), digits.size());

@@ -74,7 +74,7 @@ TEST_CASE("each glTF object is culled by its own material", "[gltf]") {
 }
 
 TEST_CASE("every instance of a glTF mesh is an object", "[gltf]") {
-    // The positions of the triangle serve as translations and as scales, too.
+    // The positions of the triangle also serve as translations.
     const auto scene_with = [](const std::string& attributes) {
         return opened_text(changed("{\"mesh\": 0}",
                                    "{\"mesh\": 0, \"translation\": [0, 0, 5], \"extensions\": "
@@ -108,7 +108,7 @@ TEST_CASE("required glTF extensions of images and materials are no reason to ref
 TEST_CASE("a mesh that is compressed with Draco is refused by that name", "[gltf]") {
     std::string text = changed("{\"POSITION\": 0}}",
                                "{\"POSITION\": 0}, \"extensions\": {\"KHR_draco_mesh_compression\": {}}}");
-    CHECK(error_of(text).empty());  // it has the numbers without compression, too
+    CHECK(error_of(text).empty());  // it also has the numbers without compression
     const std::string view = "\"bufferView\": 0, \"componentType\"";
     text.replace(text.find(view), view.size(), "\"componentType\"");
     CHECK(error_of(text) ==
@@ -150,7 +150,7 @@ TEST_CASE("a glTF spot's cones are its soft edge", "[gltf]") {
     CHECK(cone.exponent == 0);
 }
 
-TEST_CASE("glTF nodes far from the origin are brought near with a warning", "[gltf]") {
+TEST_CASE("glTF nodes far from the origin are moved near it with a warning", "[gltf]") {
     const SceneDocument far =
         opened_text(changed("{\"mesh\": 0}", "{\"mesh\": 0, \"translation\": [500000.25, 5400000.125, 0]}"));
     CHECK(far.scene.objects[0].transform.translate == glm::vec3(-0.75f, -0.875f, 0));

@@ -228,4 +228,23 @@ TEST_CASE("positions far from the origin keep their digits, in every format", "[
     const Mesh near = read_text("m.obj", "v 900 0 0\nv 910 0 0\nv 900 10 0\nf 1 2 3\n");
     CHECK(near.offset == glm::dvec3(0));
     CHECK(near.positions[0] == glm::vec3(900, 0, 0));
+    // Floats are rounded already.
+    std::string stl = test::binary_stl();
+    for (std::size_t corner = 0; corner < 6; ++corner) {
+        const float x = 5400000.f + static_cast<float>(corner % 3 == 1),
+                    y = 5400000.f + static_cast<float>(corner % 3);
+        std::memcpy(&stl[84 + 50 * (corner / 3) + 12 * (1 + corner % 3)], &x, sizeof x);
+        std::memcpy(&stl[84 + 50 * (corner / 3) + 12 * (1 + corner % 3) + 4], &y, sizeof y);
+    }
+    const Mesh rounded = read_text("m.stl", stl);
+    REQUIRE(rounded.warnings.size() == 2);
+    CHECK(rounded.warnings[1].starts_with(
+        "the shape is 2 across at coordinates of up to 5400002, which are rounded"));
+}
+
+TEST_CASE("a texture that a PLY names is not read, with a warning", "[mesh_file][ply]") {
+    const std::string text = "ply\nformat ascii 1.0\ncomment TextureFile wood.png\ncomment by hand\n" +
+                             ply_xyz + "element face 1\nproperty list uchar int vertex_indices\n" +
+                             ply_square + "3 0 1 2\n";
+    CHECK(read_text("m.ply", text).warnings == Warnings{"1 texture is not read"});
 }
