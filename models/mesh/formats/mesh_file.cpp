@@ -171,8 +171,9 @@ std::string numbers_of(std::size_t count, const char* things) {
 }
 
 void find_places(Mesh& mesh) {
-    Places places;
+    Places places(mesh.positions.size());
     std::vector<glm::vec3> distinct;
+    distinct.reserve(mesh.positions.size());
     std::vector<std::uint32_t> first, first_of;  // by vertex; by index into `distinct`
     first.reserve(mesh.positions.size());
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {

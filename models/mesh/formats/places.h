@@ -19,6 +19,10 @@ void find_places(Mesh& mesh);
 /// with the time, so that no file can make it slow; the numbers do not depend on the seed.
 class Places {
   public:
+    /// `expected`: the number of positions, if it is known.
+    explicit Places(std::size_t expected = 0) {
+        if (expected > 0) slots_.assign(std::bit_ceil(2 * (expected + 1)), no_index);
+    }
     std::uint32_t index_of(glm::vec3 place, std::vector<glm::vec3>& positions) {
         place += glm::vec3(0);  // -0 is 0
         if (2 * (positions.size() + 1) > slots_.size()) grow(positions);
