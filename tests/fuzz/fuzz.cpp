@@ -28,6 +28,10 @@ void check_indices(const Mesh& mesh) {
             "corners have normals, or none");
     require(mesh.corner_normal.empty() || mesh.corner_normal.size() == mesh.corner_position.size(),
             "each corner says what its normal is");
+    require(mesh.smoothing.empty() || mesh.smoothing.size() == mesh.face_count(),
+            "each face has a smoothing group");
+    require(mesh.first_at_place.empty() || mesh.first_at_place.size() == mesh.positions.size(),
+            "each position has a first one");
     require(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size(), "each position has a colour");
 }
 
