@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -14,6 +13,14 @@ namespace glint {
 // Comparing draw lists.
 
 namespace {
+
+bool same_vertex(const ImDrawVert& a, const ImDrawVert& b) {
+    return a.pos.x == b.pos.x && a.pos.y == b.pos.y && a.uv.x == b.uv.x && a.uv.y == b.uv.y && a.col == b.col;
+}
+
+bool same_rectangle(const ImVec4& a, const ImVec4& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+}
 
 /// A command with its triangles.
 struct DrawnCommand {
@@ -26,14 +33,13 @@ struct DrawnCommand {
     }
     [[nodiscard]] bool same_state(const DrawnCommand& other) const {
         const ImDrawCmd &a = command, &b = other.command;
-        return std::memcmp(&a.ClipRect, &b.ClipRect, sizeof a.ClipRect) == 0 && a.TextureId == b.TextureId &&
+        return same_rectangle(a.ClipRect, b.ClipRect) && a.TextureId == b.TextureId &&
                a.UserCallback == b.UserCallback && a.UserCallbackData == b.UserCallbackData;
     }
     [[nodiscard]] bool same_triangle(std::size_t triangle, const DrawnCommand& other,
                                      std::size_t its_triangle) const {
         for (std::size_t i = 0; i < 3; ++i)
-            if (std::memcmp(&corner(triangle, i), &other.corner(its_triangle, i), sizeof(ImDrawVert)) != 0)
-                return false;
+            if (!same_vertex(corner(triangle, i), other.corner(its_triangle, i))) return false;
         return true;
     }
     /// What the triangles from `first` to before `last` may cover.
