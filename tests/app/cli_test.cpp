@@ -186,7 +186,7 @@ TEST_CASE("eight samples per pixel change only the edges of a uniform square", "
     CHECK(odd_eighths > 5);
 }
 
-TEST_CASE("- is standard input or output in place of a file", "[cli][render]") {
+TEST_CASE("the file name - is standard input or output in place of a file", "[cli][render]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("a.png");
     must({"render", directory.file("scene.json", three_lights), "-o", out, "--size", "64x48"});

@@ -222,7 +222,7 @@ TEST_CASE("without a display the window's error names a command that needs none"
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
-TEST_CASE("--help and --version print to standard output and return status 0", "[cli]") {
+TEST_CASE("the options --help and --version print to standard output and return status 0", "[cli]") {
     const Ended help = run_glint({"--help"}), version = run_glint({"--version"});
     CHECK(help.status == 0);
     CHECK(help.err.empty());

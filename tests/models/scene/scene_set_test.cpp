@@ -34,7 +34,7 @@ std::string problem_with(const std::string& text, const std::vector<std::string>
 
 }  // namespace
 
-TEST_CASE("--set creates missing parents: objects, lists, and vectors with their defaults", "[scene_set]") {
+TEST_CASE("the option --set creates missing objects, lists, and vectors with their defaults", "[scene_set]") {
     CHECK(scene_with(smallest, {"/display/exposure=2"}).display.exposure == 2);
     CHECK(scene_with(smallest, {"/shading/terms/ambient=false"}).shading.terms.ambient == false);
     CHECK(scene_with(smallest, {"/camera/eye/0=3"}).camera.eye == glm::vec3(3, 0, 5));
@@ -48,7 +48,7 @@ TEST_CASE("--set creates missing parents: objects, lists, and vectors with their
     CHECK(std::get<PrimitiveMesh>(scene.objects[0].source) == PrimitiveMesh{Primitive::Torus, 48});
 }
 
-TEST_CASE("--set takes JSON values, and a word as a string", "[scene_set]") {
+TEST_CASE("the option --set takes JSON values, and a word as a string", "[scene_set]") {
     CHECK(scene_with(smallest, {"/shading/mode=gouraud"}).shading.mode == ShadingMode::Gouraud);
     CHECK(scene_with(smallest, {"/shading/mode=\"gouraud\""}).shading.mode == ShadingMode::Gouraud);
     CHECK(scene_with(smallest, {"/shading/reflection=blinn-phong"}).shading.reflection ==
