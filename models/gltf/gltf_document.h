@@ -47,7 +47,7 @@ struct GltfVertices {
 };
 
 struct GltfDocument {
-    GltfDocument() = default;
+    GltfDocument() noexcept(false) = default;    // maps and JSON may allocate
     GltfDocument(const GltfDocument&) = delete;  // its buffers point into it
     GltfDocument& operator=(const GltfDocument&) = delete;
 
