@@ -1,4 +1,6 @@
 // Animated scenes, and their frames as files.
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <glm/geometric.hpp>
 
