@@ -49,7 +49,7 @@ constexpr const char* frustum_of = R"(/camera/projection={{"type": "frustum", "l
 
 }  // namespace
 
-TEST_CASE("a camera far from the origin and its light read back from a .glb", "[gltf]") {
+TEST_CASE("a camera far from the origin and its light read back from a .glb", "[cli][gltf]") {
     for (const char* eye : {"1e5", "1e7"}) {
         CAPTURE(eye);
         const float z = std::stof(eye);
@@ -65,7 +65,7 @@ TEST_CASE("a camera far from the origin and its light read back from a .glb", "[
     }
 }
 
-TEST_CASE("the largest and the smallest numbers of a scene read back from a .glb", "[gltf]") {
+TEST_CASE("the largest and the smallest numbers of a scene read back from a .glb", "[cli][gltf]") {
     const Exported thin = exported({"/objects/0/transform/scale=[1, 1e-38, 1]"});
     REQUIRE(thin.ended.status == 0);
     CHECK(thin.scene.objects.at(0).transform.scale == glm::vec3(1, 1e-38f, 1));
@@ -84,7 +84,7 @@ TEST_CASE("the largest and the smallest numbers of a scene read back from a .glb
     CHECK(std::get<Perspective>(wide.scene.camera.projection).fov_y_deg == Approx(179.99).epsilon(1e-6));
 }
 
-TEST_CASE("a .glb warns once each of a frustum's mirroring and of its height limit", "[gltf]") {
+TEST_CASE("a .glb warns once each of a frustum's mirroring and of its height limit", "[cli][gltf]") {
     const std::string straight =
         "glint: warning: the frustum is written as a view whose middle is straight ahead\n";
     const std::string mirrored =
@@ -102,7 +102,7 @@ TEST_CASE("a .glb warns once each of a frustum's mirroring and of its height lim
     CHECK(std::get<Perspective>(tall.scene.camera.projection).fov_y_deg > 179.99f);
 }
 
-TEST_CASE("a spot without a cone is written to a .glb as a point light", "[gltf]") {
+TEST_CASE("a spot without a cone is written to a .glb as a point light", "[cli][gltf]") {
     const Exported out = exported({"/lights/0/type=spot", "/lights/0/spot/cutoff_deg=180"});
     CHECK(out.ended.err.empty());
     REQUIRE(out.scene.lights.size() == 1);
@@ -110,7 +110,7 @@ TEST_CASE("a spot without a cone is written to a .glb as a point light", "[gltf]
     CHECK(out.scene.lights[0].position == glm::vec4(0, 3, 3, 1));
 }
 
-TEST_CASE("a scene without light reads back without light", "[gltf]") {
+TEST_CASE("a scene without light reads back without light", "[cli][gltf]") {
     const Exported none = exported({"/lights=[]"});
     REQUIRE(none.ended.status == 0);
     CHECK(none.ended.err.empty());
@@ -122,7 +122,7 @@ TEST_CASE("a scene without light reads back without light", "[gltf]") {
     CHECK(off.scene.lights.empty());
 }
 
-TEST_CASE("colours above 1 keep their hue in a .glb", "[gltf]") {
+TEST_CASE("colours above 1 keep their hue in a .glb", "[cli][gltf]") {
     const Exported out = exported({"/lights/0/diffuse=[4, 2, 0.5]", "/lights/0/specular=[4, 2, 0.5]",
                                    "/objects/0/material/emission=[8, 1, 0]"});
     CHECK(out.ended.err.empty());
@@ -136,7 +136,7 @@ TEST_CASE("colours above 1 keep their hue in a .glb", "[gltf]") {
           "glint: warning: 1 material reflects more light than it gets: its colour is clamped to 1\n");
 }
 
-TEST_CASE("a scene that glTF cannot express is one line that names the value, and no file", "[gltf]") {
+TEST_CASE("a scene that glTF cannot express is one line that names the value, and no file", "[cli][gltf]") {
     const auto check = [](const std::string& setting, const std::string& line) {
         CAPTURE(setting);
         const Exported out = exported({setting});
@@ -155,7 +155,7 @@ TEST_CASE("a scene that glTF cannot express is one line that names the value, an
           "dimmer, or nearer to the camera's target");
 }
 
-TEST_CASE("invisible objects are left out of a .glb with a warning", "[gltf]") {
+TEST_CASE("invisible objects are left out of a .glb with a warning", "[cli][gltf]") {
     const Exported out =
         exported({"/objects/1={\"visible\": false, \"mesh\": {\"primitive\": \"sphere\", \"detail\": 8}}"});
     REQUIRE(out.ended.status == 0);

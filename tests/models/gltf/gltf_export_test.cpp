@@ -47,7 +47,7 @@ std::vector<std::uint8_t> drawn(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("a scene that glTF can express reads back to the same picture", "[gltf]") {
+TEST_CASE("a scene that glTF can express reads back to the same picture", "[cli][gltf]") {
     const TemporaryDirectory folder;
     const std::string scene = folder.file("scene.json", sayable), glb = folder.path("scene.glb");
     const Ended ended = run_glint({"export", scene, "-o", glb});
@@ -69,7 +69,7 @@ TEST_CASE("a scene that glTF can express reads back to the same picture", "[gltf
     CHECK(std::count_if(a.begin(), a.end(), [](std::uint8_t x) { return x > 100; }) > 5000);
 }
 
-TEST_CASE("a spot's soft edge is written as it is, and an exponent as one with a warning", "[gltf]") {
+TEST_CASE("a spot's soft edge is written as it is, and an exponent as one with a warning", "[cli][gltf]") {
     const TemporaryDirectory folder;
     struct Case {
         const char *exponent, *inner_deg;
@@ -96,7 +96,7 @@ TEST_CASE("a spot's soft edge is written as it is, and an exponent as one with a
     }
 }
 
-TEST_CASE("exporting glTF warns once per kind of feature that it cannot express", "[gltf]") {
+TEST_CASE("exporting glTF warns once per kind of feature that it cannot express", "[cli][gltf]") {
     const TemporaryDirectory folder;
     const std::string glb = folder.path("out.glb");
     const Ended ended = run_glint({"export", project_file("assets/scenes/default.json"), "-o", glb});
@@ -109,7 +109,7 @@ TEST_CASE("exporting glTF warns once per kind of feature that it cannot express"
     CHECK(wrong.err == "glint: error: -o: x.obj has another extension; expected .glb\n");
 }
 
-TEST_CASE("every setting that glTF cannot express is named in a warning", "[gltf]") {
+TEST_CASE("every setting that glTF cannot express is named in a warning", "[cli][gltf]") {
     const TemporaryDirectory folder;
     const std::string file = folder.file("scene.json", sayable), glb = folder.path("out.glb");
     const SceneDocument given = std::get<SceneDocument>(open_document(file));
@@ -138,7 +138,7 @@ TEST_CASE("every setting that glTF cannot express is named in a warning", "[gltf
     CHECK(quiet.front() == "/about=\"\"");
 }
 
-TEST_CASE("another program reads our glTF files", "[gltf]") {
+TEST_CASE("another program reads our glTF files", "[cli][gltf]") {
     const TemporaryDirectory folder;
     const std::string scene = folder.file("scene.json", sayable), glb = folder.path("scene.glb");
     REQUIRE(run_glint({"export", scene, "-o", glb}).status == 0);

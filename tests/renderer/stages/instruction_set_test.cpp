@@ -36,7 +36,7 @@ std::string drawn(const std::vector<std::string>& settings) {
 
 }  // namespace
 
-TEST_CASE("every instruction set draws the same bytes in every mode and model", "[renderer][isa]") {
+TEST_CASE("every instruction set draws the same bytes in every mode and model", "[cli][renderer][isa]") {
     std::vector<std::vector<std::string>> scenes;
     for (const char* model : {"lambert", "phong", "blinn-phong", "retro", "oren-nayar", "cook-torrance"})
         scenes.push_back({std::string("/shading/reflection=") + model});
