@@ -1,8 +1,21 @@
 #!/usr/bin/env bash
-# Builds multithreaded code under ThreadSanitizer and runs its tests: exit status 0 if there is no race. Further
-# arguments are passed to Catch2.
+# Runs under ThreadSanitizer (preset `tsan`) the tests of what works on several threads: the renderer's stages, the diagnosis,
+# and what the window does in the background. Exit status 0 if there is no race. Further arguments are passed to Catch2.
 set -eu
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-cmake --preset tsan >/dev/null
-cmake --build --preset tsan --target thread_tests
-TSAN_OPTIONS="halt_on_error=0 exitcode=66" build/tsan/tests/thread_tests "~[long]~[release]" "$@"
+. "$(dirname "${BASH_SOURCE[0]}")/../cmake/prepare.sh"
+cd "$glint_root"
+build tsan ON glint renderer_tests diagnose_tests ui_tests
+export TSAN_OPTIONS="halt_on_error=0 exitcode=66"
+# tests_of FILE...: the filter that selects the tests in these files.
+tests_of() { printf '%s\n' "$@" | sed -E 's|.*/(.*)\.cpp|[#\1]~[cli]~[long]~[release],|' | tr -d '\n'; }
+run() { # LAYER FILE...
+    local layer=$1
+    shift
+    "build/tsan/tests/${layer}_tests" --filenames-as-tags "$(tests_of "$@")" "${more[@]}" || failed=1
+}
+more=("$@")
+failed=0
+run renderer tests/renderer/stages/*_test.cpp
+run diagnose tests/diagnose/*_test.cpp
+run ui tests/ui/document/*_test.cpp tests/ui/inspector/{mistake_pictures,why_sensitivity}_test.cpp
+exit $failed

@@ -15,6 +15,8 @@
 #include <sstream>
 #include <utility>
 
+#include "tests/places.h"
+
 namespace glint::faults {
 namespace {
 
@@ -52,7 +54,7 @@ void send_to(int descriptor, const std::string& path) {
     for (const std::string& argument : command.arguments)
         arguments.push_back(const_cast<char*>(argument.c_str()));  // NOLINT
     arguments.push_back(nullptr);
-    ::execv(GLINT_FAILING_PROGRAM, arguments.data());
+    ::execv(glint_program, arguments.data());
     ::_exit(127);
 }
 

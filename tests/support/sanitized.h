@@ -5,7 +5,10 @@
 
 namespace glint::test {
 
-// Evaluated while the tests run: two build trees may share compiled tests (GLINT_COMPILED_TESTS).
-extern const bool sanitized;
+#ifdef GLINT_SANITIZED
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
 
 }  // namespace glint::test
