@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds Glint and runs every test, or with ./test.sh NAME those whose names contain NAME (in any case).
-# Installs missing packages first. GLINT_PRESET selects a preset of CMakePresets.json instead of `release`.
+# Builds Glint and runs every test, or with ./test.sh NAME those whose names contain NAME (in any case). Slow tests that rarely
+# fail are in tests/nightly.sh. Installs missing packages first. GLINT_PRESET selects a preset of CMakePresets.json instead of `release`.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/cmake/prepare.sh"
 
@@ -19,4 +19,4 @@ install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-te
 build "$preset" ON
 cd "$glint_root/build/$preset"
 # One more than there are processors, because tests of the window sleep.
-exec ctest --output-on-failure --no-tests=error --timeout 300 -j"$(($(nproc) + 1))" ${filter[@]+"${filter[@]}"}
+exec ctest -LE nightly --output-on-failure --no-tests=error --timeout 300 -j"$(($(nproc) + 1))" ${filter[@]+"${filter[@]}"}

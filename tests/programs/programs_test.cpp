@@ -127,8 +127,8 @@ TEST_CASE("a C++ program draws the scenes of assets like Glint", "[programs]") {
     CHECK(compare_assets(Language::Cpp) == "silhouettes-and-creases");
 }
 
-// Compiling takes longer than drawing: some random scenes by default, all on request.
-TEST_CASE("a C++ program draws random scenes like Glint", "[programs]") {
+// Compiling takes longer than drawing, so random scenes are for tests/nightly.sh.
+TEST_CASE("a C++ program draws random scenes like Glint", "[.nightly][programs]") {
     CHECK(compare_random(Language::Cpp, 0, 12) == 12);
 }
 TEST_CASE("a C++ program draws scenes without a reflection model like Glint", "[programs]") {
@@ -141,7 +141,7 @@ TEST_CASE("a C++ program draws scenes without a reflection model like Glint", "[
     }
     report(comparison, Language::Cpp);
 }
-TEST_CASE("a C++ program draws more random scenes like Glint", "[.][programs]") {
+TEST_CASE("a C++ program draws more random scenes like Glint", "[.nightly][programs]") {
     CHECK(compare_random(Language::Cpp, 12, 28) == 27);  // one would have more than 400 lines
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("programs draw a spot's soft edge like Glint", "[programs]") {
     CHECK_FALSE(can(scene, Language::Gl1));
 }
 
-TEST_CASE("a Python program draws random scenes like Glint", "[programs]") {
+TEST_CASE("a Python program draws random scenes like Glint", "[.nightly][programs]") {
     CHECK(compare_random(Language::Python, 0, 40) == 40);
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("a Python program makes every mistake like Glint", "[programs]") {
 }
 
 // Compiles 52 programs, which takes a minute; those in Python are the same text in another spelling.
-TEST_CASE("a C++ program makes every mistake like Glint", "[.][programs][every-mistake]") {
+TEST_CASE("a C++ program makes every mistake like Glint", "[.nightly][programs][every-mistake]") {
     CHECK(compare_mistakes(Language::Cpp) == "");
 }
 
@@ -229,13 +229,13 @@ TEST_CASE("an unsupported feature in OpenGL 1 is one line that names supporting 
 TEST_CASE("an OpenGL 3.3 program draws the scenes of assets like Glint", "[programs]") {
     CHECK(compare_assets(Language::Glsl) == "silhouettes-and-creases skew-quad t-junction");
 }
-TEST_CASE("an OpenGL 3.3 program draws random scenes like Glint", "[programs]") {
+TEST_CASE("an OpenGL 3.3 program draws random scenes like Glint", "[.nightly][programs]") {
     CHECK(compare_random(Language::Glsl, 0, 8) >= 7);
 }
-TEST_CASE("an OpenGL 3.3 program draws more random scenes like Glint", "[.][programs]") {
+TEST_CASE("an OpenGL 3.3 program draws more random scenes like Glint", "[.nightly][programs]") {
     CHECK(compare_random(Language::Glsl, 8, 32) > 24);
 }
-TEST_CASE("an OpenGL 3.3 program makes mistakes like Glint", "[.][programs][every-mistake]") {
+TEST_CASE("an OpenGL 3.3 program makes mistakes like Glint", "[.nightly][programs][every-mistake]") {
     CHECK(compare_mistakes(Language::Glsl) == "power_zero_is_nan culled_by_light");
 }
 
