@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# clang-tidy over the named files, or over every file of the project: tests/tidy.sh [FILE...]. A header is checked in the .cpp of
+# the same name, or else in one that includes it. Each file is compiled alone (preset `edit`), so a missing #include is found.
+# Ends with status 1 if clang-tidy found something or could not check a file.
+set -eu
+. "$(dirname "${BASH_SOURCE[0]}")/../cmake/prepare.sh"
+cd "$glint_root"
+
+# reader HEADER: a .cpp that includes it, directly or through other headers.
+reader() {
+    local own=${1%.h}.cpp seen=" $1 " queue=("$1") header includer
+    [ ! -e "$own" ] || { echo "$own" && return; }
+    while [ ${#queue[@]} -gt 0 ]; do
+        header=${queue[0]} queue=("${queue[@]:1}")
+        while read -r includer; do
+            [[ $includer != *.cpp ]] || { echo "$includer" && return; }
+            [[ $seen == *" $includer "* ]] || { seen+="$includer " && queue+=("$includer"); }
+        done < <(git grep -lF "#include \"$header\"" -- '*.cpp' '*.h' | sort)
+    done
+}
+
+# Clang reads the compilers' own options, not those of a launcher.
+cmake --preset edit -B build/tidy -DGLINT_TESTS=ON -DGLINT_CCACHE= >/dev/null
+# The templates in assets/programs are no C++ until `glint code` has filled them in.
+[ $# -gt 0 ] || mapfile -t all < <(git ls-files '*.cpp' ':!assets/programs')
+failed=0
+files=()
+for file in "$@" ${all[@]+"${all[@]}"}; do
+    [[ $file != assets/programs/* ]] || continue
+    source=$file
+    [[ $file != *.h ]] || source=$(reader "$file")
+    if [ -n "$source" ] && grep -qF "/$source\"" build/tidy/compile_commands.json; then
+        files+=("$source")
+    else
+        echo "tidy: $file is not compiled on this machine" && failed=1
+    fi
+done
+[ ${#files[@]} -gt 0 ] || exit $failed
+mapfile -t files < <(printf '%s\n' "${files[@]}" | sort -u)
+echo "tidy: ${#files[@]} files"
+# shellcheck disable=SC2016  # the inner shell expands
+printf '%s\n' "${files[@]}" | xargs -P "$(nproc)" -I{} bash -c '
+    clang-tidy -p build/tidy --quiet --warnings-as-errors="*" "$1" 2>/dev/null || { echo "tidy: the above is in $1"; exit 1; }' tidy {} ||
+    failed=1
+exit $failed
