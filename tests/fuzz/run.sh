@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the fuzzers and runs each for SECONDS, or with tests/fuzz/run.sh SECONDS TARGET only that one: from
-# its corpus and from the findings of earlier runs (build/dev/found). Failing inputs are stored in
-# build/dev/failed/TARGET-*; pass one to build/dev/tests/fuzz/fuzz_TARGET to repeat it. Exits with status 1 if
+# its corpus and from the findings of earlier runs (build/dev/found). With 0 seconds it runs only these inputs.
+# Failing inputs are stored in build/dev/failed/TARGET-*; pass one to build/dev/tests/fuzz/fuzz_TARGET to repeat it. Exits with status 1 if
 # a fuzzer failed, after all have run.
 #
 #   GLINT_FUZZ_SEED=N           the same inputs in the same order every time, within the time limit
@@ -13,7 +13,7 @@ set -eu
 here=$glint_root/tests/fuzz
 tree=$glint_root/build/dev
 
-if [ $# -lt 1 ] || [ $# -gt 2 ] || [[ ! $1 =~ ^([1-9][0-9]*|merge)$ ]]; then
+if [ $# -lt 1 ] || [ $# -gt 2 ] || [[ ! $1 =~ ^([0-9]+|merge)$ ]]; then
     echo "glint: error: tests/fuzz/run.sh: expected SECONDS [TARGET], or merge" >&2
     exit 2
 fi
@@ -46,8 +46,9 @@ fuzz() {
 }
 
 run() {
-    local log=$tree/failed/$1.log
-    if fuzz "$1" -max_total_time="$seconds" -print_final_stats=1 "$tree/found/$1" "$here/corpus/$1" >"$log" 2>&1; then
+    local log=$tree/failed/$1.log limit=-max_total_time=$seconds
+    [ "$seconds" != 0 ] || limit=-runs=0
+    if fuzz "$1" "$limit" -print_final_stats=1 "$tree/found/$1" "$here/corpus/$1" >"$log" 2>&1; then
         sed -n "s/^stat::number_of_executed_units: */fuzz: $1, runs: /p" "$log"
     else
         cat "$log"
@@ -72,9 +73,9 @@ merge() {
         done
 }
 
-install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-ci.txt"
+install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-test.txt" "$glint_root/cmake/packages-ci.txt"
 # shellcheck disable=SC2086,SC2046  # one argument a target
-build dev OFF $(printf 'fuzz_%s ' $names)
+build dev ON $(printf 'fuzz_%s ' $names)
 
 # One per processor at a time.
 seconds=$1
