@@ -365,13 +365,11 @@ void rasterise(int object, int triangle) {
     const int y0 = std::max(top - 1, 0.0), y1 = std::min(bottom + 1, height - 1.0);
     for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x) {
-            Seen s;
+            Seen s{object, triangle};
             if (!find_weights(c, 2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height, s)) continue;
             //@if sides
             s.back = s.back != o.mirrored;
             //@end
-            s.object = object;
-            s.triangle = triangle;
             //@if cull.back
             if (s.back) continue;
             //@end
@@ -624,17 +622,13 @@ int main() {
     for (std::size_t o = 0; o < placed.size(); ++o)
         for (std::size_t t = 0; t < placed[o].mesh.triangles.size(); ++t) rasterise(int(o), int(t));
     std::vector<vec3> picture(width * height, background);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const Seen& s = seen[y * width + x];
-            //@if needs.xy
-            if (s.object >= 0) picture[y * width + x] = color_of(s, x + 0.5, y + 0.5);
-            //@else
-            if (s.object >= 0) picture[y * width + x] = color_of(s);
-            //@end
-        }
-    FILE* ppm = std::fopen("picture.ppm", "wb");
-    FILE* pfm = std::fopen("picture.pfm", "wb");
+    for (int i = 0; i < width * height; ++i)
+        //@if needs.xy
+        if (seen[i].object >= 0) picture[i] = color_of(seen[i], i % width + 0.5, i / width + 0.5);
+        //@else
+        if (seen[i].object >= 0) picture[i] = color_of(seen[i]);
+        //@end
+    FILE *ppm = std::fopen("picture.ppm", "wb"), *pfm = std::fopen("picture.pfm", "wb");
     if (!ppm || !pfm) return 1;
     std::fprintf(ppm, "P6\n%d %d\n255\n", width, height);
     for (const vec3& c : picture)
