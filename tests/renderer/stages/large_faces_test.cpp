@@ -72,7 +72,7 @@ TEST_CASE("faces of many corners are culled separately by the light", "[renderer
 }
 
 TEST_CASE("drawing a face of 200,000 corners takes time linear in corners and pixels",
-          "[renderer][large-faces][release]") {
+          "[renderer][large-faces]") {
     // Not timed: an algorithm that visits the entire face for each pixel or triangle takes minutes here.
     Scene scene = discs(200'000);
     scene.shading.mistakes.culled_by_light = true;
