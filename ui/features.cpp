@@ -9,7 +9,8 @@ extern const Feature lecture_feature, wedge_feature, animation_feature, pen_feat
     lesson_feature, match_feature, scope_feature, prediction_feature, inspector_feature, probe_feature,
     compare_feature, debug_view_feature, lit_dots_feature, my_picture_feature, stored_scene_feature,
     export_feature, examples_feature, lesson_list_feature, quiz_feature, mistake_pictures_feature,
-    term_grid_feature, sensitivity_feature, outside_feature;
+    term_grid_feature, sensitivity_feature, outside_feature, light_focus_feature, find_pixel_feature,
+    recently_changed_feature, picture_menu_feature, orientation_feature;
 
 std::span<const Feature* const> features() {
     static constexpr std::array all{
@@ -27,9 +28,15 @@ std::span<const Feature* const> features() {
         &debug_view_feature,  // a quantity in place of the picture
         &lit_dots_feature,    // where the equation is evaluated
         &my_picture_feature,  // diagnoses a picture of another program
-        &stored_scene_feature,  &export_feature,      &examples_feature,
+        &stored_scene_feature,
+        &light_focus_feature,  // solo and mute
+        &find_pixel_feature,   // the brightest pixel and others
+        &export_feature,        &examples_feature,
         &lesson_list_feature,   &quiz_feature,        &mistake_pictures_feature,
         &term_grid_feature,     &sensitivity_feature, &outside_feature,
+        &recently_changed_feature,
+        &picture_menu_feature,  // on a right click
+        &orientation_feature,   // axes and grid
     };
     return all;
 }

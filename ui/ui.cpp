@@ -85,6 +85,15 @@ void take_requests(UiState& state, const UiInput& input) {
     take_dropped(state, std::exchange(state.dropped, {}));
 }
 
+/// In a narrow window an item that is selected by `act` brings its panel in place of WHY.
+template <class Act> void bring_selected(UiState& state, const Act& act) {
+    const Selection before = state.editor.selection;
+    act();
+    const Selection& now = state.editor.selection;
+    const bool is_item = now.kind == Selection::Kind::Light || now.kind == Selection::Kind::Object;
+    if (is_item && !(now == before)) state.left_shows_inspector = false;
+}
+
 /// Calls a hook of each feature that has it.
 template <class Hook, class... Arguments> void each(Hook Feature::*hook, Arguments&&... arguments) {
     for (const Feature* feature : features())
@@ -106,11 +115,13 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     state.layout.lesson = open_column(state) != nullptr;
     const Layout layout = window_layout(state);
     if (!state.layout.hides_all) toolbar(state, layout.top);
-    const bool in_hand = picture_room(state, layout, input);
-    state.left_shows_inspector |= state.viewport.asked;
+    bool in_hand = false;
+    bring_selected(state, [&] { in_hand = picture_room(state, layout, input); });
+    if (state.viewport.asked) state.left_shows_inspector = true;
+    if (state.viewport.pressed_mark) state.left_shows_inspector = false;
     left_column(state, layout, picture_view(layout.centre, state));
     shortcuts_sheet(state);
-    palette(state, input);
+    bring_selected(state, [&] { palette(state, input); });
     keep_scene_valid(state);
     follow_items(state);
     each(&Feature::settle, state);
@@ -121,7 +132,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     learn_pace(state);
     picture_overlay(state, layout);
     caption_line(state, layout);
-    inspector_columns(state, layout, view);
+    bring_selected(state, [&] { inspector_columns(state, layout, view); });
     each(&Feature::draw, state, layout);
     column_edges(state.layout, layout, px(1));
     loading_panel(state, layout.centre);

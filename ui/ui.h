@@ -70,6 +70,7 @@ struct UiState {
     bool dark = true, shows_shortcuts = false;
     bool left_shows_inspector = false, left_shows_scene = false;  // if the left column has tabs
     bool types_into_panel = false;  // requested: focus the selected item's first field
+    double letters_from = 0;  // ImGui time: a letter meant for a dialog that has just closed does nothing
     bool quits = false;
     bool close_asked = false;          // requested by the system, and not answered yet
     std::vector<std::string> dropped;  // paths of files, not opened yet

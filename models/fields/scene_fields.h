@@ -254,7 +254,7 @@ constexpr bool is_table_size(int entries) { return entries != 1; }
 template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
     visit(Row{"mode", "Mode", "Where the lighting equation is evaluated"}.undone_as("Shading mode"), OneOf{},
           s.mode);
-    visit(Row{"reflection", "Reflection", "How a surface reflects light"}.undone_as("Reflection model"),
+    visit(Row{"reflection", "Reflection", "How a surface reflects light"}.undone_as("Reflection"),
           OneOf{}, s.reflection);
     visit(Row{"interpolation", "Interpolate", "How values are interpolated between corners"}, OneOf{},
           s.interpolation);

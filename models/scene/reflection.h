@@ -63,7 +63,7 @@ constexpr ReflectionInfo row_of(Reflection reflection) {
                     "vec3 r = 2.0 * n_l * n - l\n"
                     "S = power(dot(r, v), shininess)"};
     case Reflection::BlinnPhong:
-        return {.choice = {"blinn-phong", "Blinn", "Highlight max(n·h, 0) to the shininess"},
+        return {.choice = {"blinn-phong", "Blinn–Phong", "Highlight max(n·h, 0) to the shininess"},
                 .highlight = "(n·h)",
                 .highlight_latex = "n \\cdot h",
                 .cosine = HighlightCosine::NH,

@@ -18,8 +18,8 @@ namespace glint {
 
 namespace {
 
-/// A letter or a digit alone: easily pressed by mistake.
-bool is_one_letter(KeyPress press) { return press.is_alone() && press.key <= Key::Digit4; }
+/// A letter or a digit without Ctrl: easily pressed by mistake.
+bool is_letter(KeyPress press) { return !press.ctrl && press.key <= Key::Digit4; }
 
 /// Reports what a key did, or why it did nothing: "Specular: off (S)".
 void tell(UiState& state, const WindowCommand& command, KeyPress press) {
@@ -60,6 +60,8 @@ Menu menu_of(Section section) {
     if (section <= Section::FileQuit) return Menu::File;
     if (section == Section::Edit) return Menu::Edit;
     if (section <= Section::ViewWindow) return Menu::View;
+    if (section <= Section::InspectFind) return Menu::Inspect;
+    if (section <= Section::ComparePicture) return Menu::Compare;
     if (section <= Section::LectureWedge) return Menu::Lecture;
     return section == Section::Help ? Menu::Help : Menu::None;
 }
@@ -127,6 +129,7 @@ void run_keys(UiState& state, const UiInput& input) {
         if (press.key == Key::Escape && !number_in_hand()) escape(state);
         if (busy || state.palette.open || open_dialog(state) != nullptr) continue;
         if (ImGui::GetIO().WantTextInput && is_for_text(press)) continue;
+        if (is_letter(press) && ImGui::GetTime() < state.letters_from) continue;
         const auto takes_key = [&](const Feature* feature) {
             return feature->key != nullptr && feature->key(state, press);
         };
@@ -136,19 +139,14 @@ void run_keys(UiState& state, const UiInput& input) {
         };
         const auto found = std::find_if(commands().begin(), commands().end(), has_key);
         if (found == commands().end()) continue;
-        const auto told = [&state, now = ImGui::GetFrameCount()] {
-            const auto& list = state.notifications.list;
-            return std::count_if(list.begin(), list.end(),
-                                 [now](const Notification& n) { return n.of_key && n.frame == now; });
-        };
         // Keys that are easily pressed by mistake report what they did; keys without effect report why.
-        const bool tells = is_one_letter(press) || !why_disabled(state, *found).empty();
-        const auto told_before = told();
+        const bool tells = is_letter(press) || !why_disabled(state, *found).empty();
+        const int told_before = state.notifications.told;
         const ItemCounts before = item_counts(state.editor.scene());
         run_command(state, *found);
         // An open field or colour picker refers to its item by index, which would now be another item.
         if (item_counts(state.editor.scene()) != before) let_go_of_fields();
-        if (tells && told() == told_before)
+        if (tells && state.notifications.told == told_before)
             tell(state, *found, press);  // some commands report a better text
                                          // themselves
     }

@@ -15,7 +15,7 @@ namespace glint {
 
 struct UiState;
 
-enum class Menu { None, File, Edit, View, Lecture, Help };
+enum class Menu { None, File, Edit, View, Inspect, Compare, Lecture, Help };
 
 /// A command's position in its menu, from top to bottom; within a section the core's commands come first,
 /// then those of features in the order of ui/features.cpp. Other: in no menu; only the palette lists it.
@@ -26,15 +26,17 @@ enum class Section {
     FileQuit,
     Edit,
     ViewCamera,
-    ViewScope,
-    ViewVectors,
-    ViewProbe,
-    ViewQuantity,
-    ViewPixels,
-    ViewDots,
-    ViewCompare,
-    ViewStored,
     ViewWindow,
+    InspectQuantity,
+    InspectScope,
+    InspectPixels,
+    InspectDots,
+    InspectVectors,
+    InspectProbe,
+    InspectFind,
+    Compare,
+    CompareStored,
+    ComparePicture,
     LecturePages,
     LecturePredict,
     LectureGames,

@@ -123,7 +123,7 @@ std::vector<WindowCommand> edit_commands() {
          .id = CommandId::Delete,
          .words = "remove"},
         {.name = "Add a light",
-         .keys = {{Key::L}},
+         .keys = {{Key::L, !ctrl, shift}},
          .section = Section::Edit,
          .run = add_bulb,
          .why_disabled = why_no_light,
@@ -145,6 +145,7 @@ std::vector<WindowCommand> edit_commands() {
          .run =
              [](UiState& s) {
                  s.editor.selection = {Selection::Kind::Light, light_that_matters(s)->light};
+                 s.left_shows_inspector = false;
              },
          .why_disabled =
              [](const UiState& s) {

@@ -9,7 +9,10 @@ namespace {
 
 /// Frames the object with that index, or all of them for -1.
 void frame(UiState& state, int object) {
-    if (frame_camera(state.editor.scene(), object)) return;
+    if (frame_camera(state.editor.scene(), object)) {
+        if (state.rendered != nullptr) fill_picture(state.editor.scene(), object, state.full_size);
+        return;
+    }
     state.notifications.add(Tone::Warning, "No camera can show all of it: it would have to be too far away");
 }
 
@@ -59,7 +62,7 @@ template <ShadingMode mode> WindowCommand mode_command(const char* name, Key key
 template <bool Terms::*term>
 WindowCommand term_command(const char* name, const char* noun, Key key, const char* sets) {
     return {.name = name,
-            .keys = {{key}},
+            .keys = {{key, !ctrl, shift}},
             .run = [](UiState& s) { s.editor.scene().shading.terms.*term ^= true; },
             .is_on = [](const UiState& s) { return s.editor.scene().shading.terms.*term; },
             .noun = noun,

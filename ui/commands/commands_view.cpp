@@ -43,7 +43,7 @@ std::vector<WindowCommand> looking_commands() {
     return {
         {.name = "Back to the point picked before",
          .keys = {{Key::V, !ctrl, shift}},
-         .section = Section::ViewProbe,
+         .section = Section::InspectProbe,
          .run = [](UiState& s) { ask_as_before(s.viewport); },
          .why_disabled =
              [](const UiState& s) {
@@ -51,7 +51,7 @@ std::vector<WindowCommand> looking_commands() {
              }},
         {.name = "Big pixels",
          .keys = {{Key::M}},
-         .section = Section::ViewPixels,
+         .section = Section::InspectPixels,
          .run = switch_magnifier,
          .is_on = [](const UiState& s) { return s.get<MagnifierState>().zoom > 1; },
          .id = CommandId::Magnify,

@@ -1,6 +1,7 @@
 #include "ui/commands/match.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -12,6 +13,12 @@ std::string folded(std::string_view text) {
     std::string plain = with_spaces(text);
     for (char& c : plain)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    // Both spellings of English match, also while the word is being typed.
+    constexpr std::pair<std::string_view, std::string_view> spellings[] = {
+        {"colou", "colo"}, {"grey", "gray"}, {"alis", "aliz"}, {"centre", "center"}};
+    for (const auto& [british, american] : spellings)
+        for (std::size_t at = plain.find(british); at != plain.npos; at = plain.find(british))
+            plain.replace(at, british.size(), american);
     return plain;
 }
 

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
+#include "ui/document/recently_changed.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/named_controls.h"
@@ -20,7 +22,8 @@ namespace glint {
 namespace {
 
 constexpr std::array named_menus{std::pair{Menu::File, "File"}, std::pair{Menu::Edit, "Edit"},
-                                 std::pair{Menu::View, "View"}, std::pair{Menu::Lecture, "Lecture"},
+                                 std::pair{Menu::View, "View"}, std::pair{Menu::Inspect, "Inspect"},
+                                 std::pair{Menu::Compare, "Compare"}, std::pair{Menu::Lecture, "Lecture"},
                                  std::pair{Menu::Help, "Help"}};
 
 /// Undo and redo name their step.
@@ -63,6 +66,39 @@ void recent_menu(UiState& state) {
     if (!chosen.empty()) ask_to_open(state, chosen);
 }
 
+void changed_menu(UiState& state) {
+    const std::vector<ChangedScene>& list = state.get<RecentlyChanged>().list;
+    const bool open = ImGui::BeginMenu("Recently changed", !list.empty());
+    list_control("Recently changed", "", last_item());
+    if (!open) return;
+    const ChangedScene* chosen = nullptr;
+    for (const ChangedScene& changed : list) {
+        if (ImGui::MenuItem(whole_label(changed.title).c_str())) chosen = &changed;
+        list_control(changed.title.c_str(), "", last_item());
+    }
+    ImGui::EndMenu();
+    if (chosen != nullptr) reopen_changed(state, ChangedScene(*chosen));
+}
+
+/// The newest steps; a click goes back or forward to one.
+void history_menu(UiState& state) {
+    constexpr std::size_t most = 25;
+    const History& history = state.editor.history;
+    const bool open = ImGui::BeginMenu("Undo list", history.size() > 1 && !awaits_mesh(state));
+    list_control("Undo list", "", last_item());
+    if (!open) return;
+    std::optional<std::size_t> chosen;
+    for (std::size_t i = history.size() > most ? history.size() - most : 0; i < history.size(); ++i) {
+        const std::string name = i == 0 ? "As opened" : whole_label(history.name_of(i));
+        if (ImGui::MenuItem(fmt::format("{}##{}", name, i).c_str(), "", i == history.at())) chosen = i;
+        list_control(fmt::format("Step {}: {}", i, name).c_str(), "", last_item());
+    }
+    ImGui::EndMenu();
+    if (!chosen) return;
+    while (history.at() > *chosen) undo(state.editor);
+    while (history.at() < *chosen) redo(state.editor);
+}
+
 void menu(UiState& state, Menu which, const char* name) {
     const bool open = ImGui::BeginMenu(name);
     list_control(name, "", last_item());
@@ -71,7 +107,10 @@ void menu(UiState& state, Menu which, const char* name) {
         if (menu_of(command.section) != which) continue;
         if (command.line_above) ImGui::Separator();
         menu_item(state, command);
-        if (command.id == CommandId::Open) recent_menu(state);
+        if (command.id == CommandId::Redo) history_menu(state);
+        if (command.id != CommandId::Open) continue;
+        recent_menu(state);
+        changed_menu(state);
     }
     ImGui::EndMenu();
 }

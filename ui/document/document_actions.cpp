@@ -4,13 +4,16 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <utility>
 
 #include "models/io/file.h"
 #include "models/memory_limit.h"
+#include "ui/document/recently_changed.h"
 #include "ui/feature.h"
 #include "ui/picture/magnifier.h"
 #include "ui/picture/picture_notes.h"
@@ -52,8 +55,26 @@ void take_scene_back(UiState& state) {
 
 }  // namespace
 
-void ask_first(UiState& state, std::function<void(UiState&)> then) {
-    state.pending = {std::move(then), state.editor.unsaved()};
+std::filesystem::path pictures_folder() {
+    const char *const config = std::getenv("XDG_CONFIG_HOME"), *const home = std::getenv("HOME");
+    if (home == nullptr) return {};
+    const std::filesystem::path folder =
+        config != nullptr && *config == '/' ? config : std::filesystem::path(home) / ".config";
+    constexpr std::size_t longest = 1 << 16;  // bytes
+    const Result<std::string> read = read_file((folder / "user-dirs.dirs").string(), longest);
+    const auto* const text = std::get_if<std::string>(&read);
+    constexpr std::string_view key = "XDG_PICTURES_DIR=\"";
+    const std::size_t at = text != nullptr ? text->find(key) : std::string::npos;
+    if (at == std::string::npos) return {};
+    std::string path = text->substr(at + key.size());
+    path.resize(std::min(path.find('"'), path.size()));
+    if (path.starts_with("$HOME")) path.replace(0, 5, home);
+    std::error_code failed;
+    return path.starts_with('/') && std::filesystem::is_directory(path, failed) ? path : "";
+}
+
+void ask_first(UiState& state, std::function<void(UiState&)> then, bool is_last) {
+    state.pending = {std::move(then), state.editor.unsaved() && (is_last || !drops_changes(state))};
     if (!state.pending.asking) finish_pending(state);
 }
 
@@ -150,8 +171,12 @@ const FilePurpose save_purpose{.title = "Save the scene",
 
 std::string offered_name(const UiState& state, const char* ending) {
     const std::filesystem::path path(state.editor.document.path);
-    if (path.empty() || path == "-") return std::string("scene") + ending;
-    return std::filesystem::path(path).replace_extension(ending).string();
+    const bool has_file = !path.empty() && path != "-";
+    std::filesystem::path offered = has_file ? path : std::filesystem::path("scene");
+    offered.replace_extension(ending);
+    if (has_file && !is_among_shipped(state, path.string())) return offered.string();
+    const bool is_picture = ending != std::string_view(".json");
+    return ((is_picture ? pictures_folder() : "") / offered.filename()).string();
 }
 
 bool is_among_shipped(const UiState& state, const std::string& path) {

@@ -40,6 +40,11 @@ class History {
     [[nodiscard]] std::string undo_name() const { return can_undo() ? steps_[at_].name : std::string(); }
     [[nodiscard]] std::string redo_name() const { return can_redo() ? steps_[at_ + 1].name : std::string(); }
 
+    /// The steps from the oldest, which has no name; and the present one.
+    [[nodiscard]] std::size_t size() const { return steps_.size(); }
+    [[nodiscard]] std::size_t at() const { return at_; }
+    [[nodiscard]] const std::string& name_of(std::size_t step) const { return steps_[step].name; }
+
     /// Preconditions: can_undo() and can_redo().
     const Scene& undo();
     const Scene& redo();

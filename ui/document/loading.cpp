@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <utility>
 
+#include "models/io/file.h"
 #include "ui/document/averaged_normals.h"
 #include "ui/document/document_actions.h"
+#include "ui/document/recently_changed.h"
 #include "ui/feature.h"
 #include "ui/ui.h"
 
@@ -43,6 +45,18 @@ Problem with_all_that_opens(Problem problem) {
     return problem;
 }
 
+/// A picture of another program cannot be opened, but compared with the scene.
+void offer_comparison(UiState& state) {
+    const std::string ending = lower_extension(state.loading.failed);
+    if (ending != ".png" && ending != ".pfm" && ending != ".exr") return;
+    Notification& note = state.notifications.list.back();
+    note.button = "Compare with the open scene";
+    note.press = [path = state.loading.failed](UiState& s) {
+        for (const Feature* feature : features())
+            if (feature->drop != nullptr && feature->drop(s, path)) return;
+    };
+}
+
 void poll_document(UiState& state) {
     Loading& loading = state.loading;
     // The user cancelled: the loaded document is dropped. After "save" it also waits for the name: read again
@@ -54,10 +68,12 @@ void poll_document(UiState& state) {
     loading.document.reset();
     if (const Problem* problem = problem_of(result)) {
         loading.failed = loading.path;
-        return state.notifications.add(with_all_that_opens(*problem));
+        state.notifications.add(with_all_that_opens(*problem));
+        return offer_comparison(state);
     }
     auto& document = std::get<SceneDocument>(result);
-    if (same_description(state.editor.scene(), loading.scene_then) || !state.editor.unsaved())
+    if (same_description(state.editor.scene(), loading.scene_then) || !state.editor.unsaved() ||
+        drops_changes(state))
         return take_loaded(state, std::move(document));
     // Edits were made during loading: ask before discarding them.
     loading.loaded = std::move(document);

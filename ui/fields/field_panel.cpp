@@ -96,7 +96,7 @@ bool dimmed_unless(bool applies, const std::function<bool()>& draw) {
     const bool edited = draw();
     for (int i = first; i < vertices.Size; ++i) {
         ImU32& colour = vertices[i].col;
-        colour = (colour & ~IM_COL32_A_MASK) | ((colour >> IM_COL32_A_SHIFT) / 2) << IM_COL32_A_SHIFT;
+        colour = (colour & ~IM_COL32_A_MASK) | ((colour >> IM_COL32_A_SHIFT) * 3 / 4) << IM_COL32_A_SHIFT;
     }
     return edited;
 }

@@ -2,8 +2,10 @@
 // The panels of the left column: the scene's list, and a panel for each kind of item. Each edits its value
 // and returns whether it did.
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "models/fields/choices.h"
 #include "models/scene/material.h"
@@ -53,8 +55,23 @@ struct ObjectRequests {
 [[nodiscard]] bool object_panel(Object& object, const std::string& pointer, Reflection reflection,
                                 ObjectRequests& requests);
 
+/// The lights that the picture shows, regardless of the scene's own switches: one alone, or all but some.
+struct LightFocus {
+    int solo = -1;            // in Scene::lights; -1: none
+    std::vector<int> muted;   // likewise
+    int hovered = -1;         // the row under the mouse
+    std::vector<std::string> warnings;  // per light: why it may not do what it seems to; or empty
+    std::size_t lights = 0;   // of the scene at that time: with another number, the indices are of others
+    [[nodiscard]] bool is_on() const { return solo >= 0 || !muted.empty(); }
+    [[nodiscard]] bool shows(int light) const {
+        return solo >= 0 ? light == solo : std::find(muted.begin(), muted.end(), light) == muted.end();
+    }
+    void toggle_solo(int light);
+    void toggle_muted(int light);
+};
+
 /// The list: edits the scene (adds, deletes, switches) and the selection; returns whether the scene changed.
 /// Sets `browse_mesh` to request a mesh file for a new object.
-[[nodiscard]] bool scene_panel(Scene& scene, Selection& selection, bool& browse_mesh);
+[[nodiscard]] bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& browse_mesh);
 
 }  // namespace glint

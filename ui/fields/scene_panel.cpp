@@ -8,6 +8,7 @@
 #include "ui/fields/panels.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
@@ -38,17 +39,28 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
     return clicked;
 }
 
+/// A double-click on the row drawn last types into its name, in its panel.
+void rename_on_double_click(const std::string& pointer) {
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        ask_for_field(pointer + "/name");
+}
+
 bool plain_row(Icon icon, const char* name, Selection::Kind kind, Selection& selection) {
     const bool clicked = item_row(icon, to_u32(theme().dim_text), name, selection.kind == kind, 0, 0);
     if (clicked) selection = {kind, 0};
     return clicked;
 }
 
-/// Right-click on a row: duplicate or delete its item.
-bool row_menu(Scene& scene, Selection& selection, Selection row) {
+/// Right-click on a row: duplicate or delete its item; show a light alone, or leave it out.
+bool row_menu(Scene& scene, Selection& selection, Selection row, LightFocus* focus = nullptr) {
     bool edited = false;
     if (!ImGui::BeginPopupContextItem("##menu")) return false;
     selection = row;
+    if (focus != nullptr) {
+        if (ImGui::MenuItem("Solo", "S", focus->solo == row.index)) focus->toggle_solo(row.index);
+        if (ImGui::MenuItem("Mute", "M", !focus->shows(row.index))) focus->toggle_muted(row.index);
+        ImGui::Separator();
+    }
     if (ImGui::MenuItem("Duplicate", keys_of(CommandId::Duplicate).c_str()))
         duplicate(scene, selection), edited = true;
     if (ImGui::MenuItem("Delete", keys_of(CommandId::Delete).c_str()))
@@ -64,6 +76,20 @@ bool eye_button(bool& open, const char* state, const char* what, const std::stri
     tooltip(state, what, "", pointer);
     if (pressed) open = !open;
     return pressed;
+}
+
+/// The eye of a light, closed also while another one is shown alone. A click shows the light again.
+bool light_eye(Light& light, int index, LightFocus& focus) {
+    const bool shown = focus.shows(index);
+    const char* const state = focus.solo == index ? "Solo" : !shown ? "Muted" : light.enabled ? "On" : "Off";
+    bool open = light.enabled && shown;
+    const bool pressed = eye_button(open, state, "Whether this light shines. Alt+click: this light alone",
+                                    "/lights/" + std::to_string(index) + "/enabled");
+    if (!pressed) return false;
+    if (ImGui::GetIO().KeyAlt) return focus.toggle_solo(index), false;
+    if (!shown) return focus = {}, false;
+    light.enabled = !light.enabled;
+    return true;
 }
 
 bool space_button(Light& light, const Camera& camera) {
@@ -88,22 +114,39 @@ bool space_button(Light& light, const Camera& camera) {
     return pressed;
 }
 
+/// A mark at the right end of the row drawn last.
+void warning_mark(const std::string& why) {
+    const Rect row = last_item();
+    const ImVec2 size = ImGui::CalcTextSize("!");
+    const ImVec2 at{row.high.x - size.x - px(6), row.middle().y - size.y / 2};
+    ImGui::GetWindowDrawList()->AddText(at, to_u32(theme().warning), "!");
+    const Rect area{at - px(1) * ImVec2(6, 4), at + size + px(1) * ImVec2(6, 4)};
+    if (ImGui::IsMouseHoveringRect(area.low, area.high)) tooltip("Light without effect", why.c_str());
+    list_control("Light without effect", why, area);
+}
+
 /// Draws the row of a light. True when the scene was edited; the row's menu may have changed the list.
-bool light_row(Scene& scene, int index, Selection& selection) {
+bool light_row(Scene& scene, int index, Selection& selection, LightFocus& focus) {
     Light& light = scene.lights[static_cast<std::size_t>(index)];
     const Selection row{Selection::Kind::Light, index};
     const float size = ImGui::GetFrameHeight();
     ImGui::PushID(index);
     bool edited = false;
-    if (item_row(icon_of(light.kind), to_u32(legible(colour_of(light)), light.enabled ? 1 : 0.4f),
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high = low + ImVec2(ImGui::GetContentRegionAvail().x, size);
+    if (item_row(icon_of(light.kind),
+                 to_u32(legible(colour_of(light)), light.enabled && focus.shows(index) ? 1 : 0.4f),
                  whole_label(light.name).c_str(), selection == row, px(8), 2 * size))
         selection = row;
-    const bool structural = row_menu(scene, selection, row);
+    rename_on_double_click("/lights/" + std::to_string(index));
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high)) focus.hovered = index;
+    const auto which = static_cast<std::size_t>(index);
+    if (which < focus.warnings.size() && !focus.warnings[which].empty()) 
+        warning_mark(focus.warnings[which]);
+    const bool structural = row_menu(scene, selection, row, &focus);
     if (!structural) {
         ImGui::SameLine(0, 0);
         edited |= space_button(light, scene.camera);
-        edited |= eye_button(light.enabled, light.enabled ? "On" : "Off", "Whether this light shines",
-                             "/lights/" + std::to_string(index) + "/enabled");
+        edited |= light_eye(light, index, focus);
     }
     ImGui::PopID();
     return edited || structural;
@@ -153,6 +196,7 @@ bool object_row(Scene& scene, int index, Selection& selection) {
     if (item_row(Icon::Object, to_u32(theme().dim_text, object.visible ? 1 : 0.4f),
                  whole_label(object.name).c_str(), selection == row, px(8), ImGui::GetFrameHeight()))
         selection = row;
+    rename_on_double_click("/objects/" + std::to_string(index));
     bool edited = row_menu(scene, selection, row);
     if (!edited)
         edited = eye_button(object.visible, object.visible ? "Shown" : "Hidden",
@@ -185,7 +229,17 @@ template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, D
 
 }  // namespace
 
-bool scene_panel(Scene& scene, Selection& selection, bool& browse_mesh) {
+void LightFocus::toggle_solo(int light) {
+    solo = solo == light ? -1 : light;
+    muted.clear();
+}
+
+void LightFocus::toggle_muted(int light) {
+    solo = -1;
+    if (std::erase(muted, light) == 0) muted.push_back(light);
+}
+
+bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& browse_mesh) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1)});
     bool edited = false;
     // Scrolls to an item that was selected elsewhere, in the picture or by keys.
@@ -198,8 +252,8 @@ bool scene_panel(Scene& scene, Selection& selection, bool& browse_mesh) {
     list_heading("Lights", "##add-light", scene.lights.size() >= max_lights);
     edited |= add_light_menu(scene, selection);
     if (is_other && selection.kind == Selection::Kind::Light) scroll_to_row(selection.index);
-    edited |= rows(scene.lights, [&](int i) { return light_row(scene, i, selection); });
-    if (scene.lights.empty()) dim_text("   No light yet: press + or L");
+    edited |= rows(scene.lights, [&](int i) { return light_row(scene, i, selection, focus); });
+    if (scene.lights.empty()) dim_text(("   No light yet: press + or " + keys_of(CommandId::AddLight)).c_str());
     list_heading("Objects", "##add-object", scene.objects.size() >= max_objects);
     edited |= add_object_menu(scene, selection, browse_mesh);
     if (is_other && selection.kind == Selection::Kind::Object) scroll_to_row(selection.index);

@@ -81,41 +81,65 @@ Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize 
     return Frustum{-right, right, -top, top, near, far};
 }
 
+namespace {
+
+/// The fields of the projection as it is drawn: a narrow picture shows more above and below than is written.
+bool projection_fields(Projection& written, PictureSize size) {
+    Projection drawn = fitted(written, size);
+    const bool is_fitted = !(drawn == written);
+    const bool edited =
+        std::visit([](auto& projection) { return field_rows(projection, "/camera/projection"); }, drawn);
+    if (!is_fitted) {
+        if (edited) written = drawn;
+        return edited;
+    }
+    const double share = double(size.width) / size.height / composed_aspect;  // of the drawn height
+    if (auto* p = std::get_if<Perspective>(&drawn)) {
+        const double half = std::tan(p->fov_y_deg / 2 * degree) * share;
+        const auto in_wide = static_cast<float>(2 * std::atan(half) / degree);
+        small_dim(fmt::format("{:.1f}° high in a picture of 16:9, which is as wide", in_wide));
+        p->fov_y_deg = in_wide;
+    } else if (auto* o = std::get_if<Orthographic>(&drawn)) {
+        o->height = static_cast<float>(o->height * share);
+    }
+    if (edited) written = drawn;
+    return edited;
+}
+
+}  // namespace
+
 bool camera_panel(Camera& camera, PictureSize size) {
     const Camera before = camera;
     FieldPanel panel(camera, "/camera");
-    bool edited = panel.draw({"eye", "target", "up"}).rest().edited();
-    edited |= look_from(camera);
+    panel.draw({"eye", "target"});
+    bool edited = look_from(camera);
     section_heading("Projection");
     ProjectionKind kind = kind_of(camera.projection);
     if (choice_field("Kind", kind, {"How the view volume is projected", "/camera/projection/type"})) {
         camera.projection = as_projection(camera, kind, size);
         edited = true;
     }
-    std::visit([&](auto& projection) { edited |= field_rows(projection, "/camera/projection"); },
-               camera.projection);
-    note_fitted(camera, size);
-    return edited && keep_valid(camera, before);
+    edited |= projection_fields(camera.projection, size);
+    if (fold("Advanced", camera.up != Camera{}.up, field_is_asked_below("/camera")))
+        panel.rest();
+    return (edited || panel.edited()) && keep_valid(camera, before);
 }
 
 bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
     static const Shading usual;
     FieldPanel panel(shading, "/shading");
-    panel.draw({"mode", "reflection", "interpolation"});
+    panel.draw({"mode", "reflection"});
     panel.group("terms", shading.terms, field_rows<Terms>);
     const Help help{"Ambient light from everywhere that belongs to none of the lights", "/global_ambient"};
     const bool edited = draw_asked(help.pointer, Typed::Number, [&] {
         return colour_field("Global", global_ambient, Scene{}.global_ambient, help);
     });
     const bool asked = field_is_asked_below("/shading");
-    const bool other_sides = shading.cull != usual.cull || shading.two_sided || !shading.local_viewer;
-    if (fold("Sides and viewer", other_sides, asked))
-        panel.draw({"cull", "two_sided", "local_viewer"});
-    else
-        panel.skip("cull").skip("two_sided").skip("local_viewer");
-    const bool other_rules = shading.rules != usual.rules || shading.flat_point != usual.flat_point ||
-                             shading.power_table != usual.power_table;
-    if (fold("Rules and tables", other_rules, asked)) panel.rest();
+    const bool is_usual = shading.cull == usual.cull && !shading.two_sided && shading.local_viewer &&
+                          shading.rules == usual.rules && shading.flat_point == usual.flat_point &&
+                          shading.power_table == usual.power_table &&
+                          shading.interpolation == usual.interpolation;
+    if (fold("Advanced", !is_usual, asked)) panel.rest();
     return panel.edited() || edited;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <numbers>
@@ -9,8 +10,10 @@
 
 #include "models/fields/scene_rules.h"
 #include "models/range.h"
+#include "models/scene/transform.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
+#include "ui/picture/handles/light_place.h"
 #include "ui/picture/screen.h"
 
 namespace glint {
@@ -110,6 +113,38 @@ void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, Pi
         moved.target = glm::vec3(anchor + factor * (glm::dvec3(camera.target) - anchor));
     }
     if (usable(moved) || !usable(camera)) camera = moved;
+}
+
+void fill_picture(Scene& scene, int object, PictureSize size) {
+    constexpr double share = 0.8;
+    constexpr std::size_t enough = 50'000;  // positions of a mesh
+    constexpr int steps = 6;  // perspective: the nearest parts grow faster than the others
+    const glm::dvec2 whole(size.width, size.height);
+    Camera camera = scene.camera;
+    for (int i = 0; i < steps; ++i) {
+        const ScreenMap map = screen_map(camera, size);
+        glm::dvec2 low(HUGE_VAL), high(-HUGE_VAL);
+        for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+            const Object& each = scene.objects[o];
+            if (object >= 0 ? static_cast<int>(o) != object : !each.visible) continue;
+            if (!each.mesh) continue;
+            const glm::dmat4 to_world = world_from_object(each.transform);
+            const std::vector<glm::vec3>& positions = each.mesh->positions;
+            for (std::size_t p = 0; p < positions.size(); p += positions.size() / enough + 1) {
+                const ProjectedPoint at = project(map, glm::dvec3(to_world * glm::dvec4(positions[p], 1)));
+                if (!at.in_front) return;
+                low = glm::min(low, at.pixel), high = glm::max(high, at.pixel);
+            }
+        }
+        const glm::dvec2 extent = (high - low) / whole;
+        const double factor = std::max(extent.x, extent.y) / share;
+        if (!(factor > 0) || !std::isfinite(factor)) return;
+        pan(camera, (low + high) / 2.0, whole / 2.0, target_depth(camera), size);
+        dolly(camera, whole / 2.0, target_depth(camera), factor, size);
+    }
+    if (violation_of(camera)) return;
+    keep_depth_range(camera, scene.camera, scene_bounds(scene));
+    scene.camera = camera;
 }
 
 void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds) {

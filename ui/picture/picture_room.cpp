@@ -186,7 +186,7 @@ void picture_overlay(UiState& state, const Layout& layout) {
     if (state.layout.hides_all)
         std::erase_if(state.notifications.list, [](const Notification& n) { return n.tone == Tone::Done; });
     // Next to the legend of a false colour, which is read at the same time.
-    draw_notifications(state.notifications, layout.centre.high - px(18) * ImVec2(1, 1), layout.centre.low.y,
+    draw_notifications(state, layout.centre.high - px(18) * ImVec2(1, 1), layout.centre.low.y,
                        std::max(layout.centre.size().x - px(36) - state.legend_width, px(160)));
 }
 

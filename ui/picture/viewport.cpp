@@ -48,7 +48,8 @@ int press(ViewportState& state, ViewportFrame& frame) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         begin(state, frame, Gesture::Press);
         state.pressed_grip = state.hovered_grip;
-        if (!state.hovered_grip.is_mark()) return ImGuiMouseButton_Left;
+        state.pressed_mark = state.hovered_grip.is_mark();
+        if (!state.pressed_mark) return ImGuiMouseButton_Left;
         if (state.hovered_grip.kind == GripKind::Light)
             frame.selection = {Selection::Kind::Light, state.hovered_grip.item};
         if (!state.hovered_grip.in_picture) state.gesture = Gesture::None;
@@ -200,7 +201,7 @@ void end_effect(ViewportState& state, Scene& scene) {
 bool hand_hover(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
     ViewportFrame frame = viewport_frame(tool.state, tool.view);
-    state.asked = false;
+    state.asked = state.pressed_mark = false;
     if (state.gesture == Gesture::Effect) return hover_with_effect(state, frame);
     state.hovered = tool.over;
     // With Alt only the camera can be grabbed; in a scene other than the edited one nothing can be.
@@ -238,7 +239,7 @@ int hand_press(ToolFrame& tool) {
 bool hand_drag(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
     ViewportFrame frame = viewport_frame(tool.state, tool.view);
-    state.asked = state.wheel_goes_on = false;
+    state.asked = state.pressed_mark = state.wheel_goes_on = false;
     state.hovered = ImGui::IsItemHovered();
     move(state, frame, tool.input);
     set_cursor(state);
@@ -248,6 +249,9 @@ bool hand_drag(ToolFrame& tool) {
 void hand_release(ToolFrame& tool) {
     ViewportState& state = tool.state.viewport;
     if (state.gesture == Gesture::Press) click(state, tool.view.map.size);
+    const double moved = glm::length(state.last_px - state.pressed_px) * tool.view.units_per_pixel;
+    state.wants_menu = state.gesture == Gesture::Pan && ImGui::IsMouseReleased(ImGuiMouseButton_Right) &&
+                       moved < double(px(float(drag_threshold)));
     end_gesture(state);
 }
 

@@ -37,6 +37,8 @@ struct ViewportState {
     PictureSize shares_of{0, 0};  // the picture size to which these shares, and the scope's line, refer
     bool hovered = false;         // the cursor is over the picture
     bool asked = false;           // a pixel was clicked in this frame
+    bool wants_menu = false;      // the right button was clicked in this frame
+    bool pressed_mark = false;    // a light's handle or a gizmo was pressed in this frame
     bool touched = false;         // the picture has been used: the hints disappear
     double last_wheel = -1e9;     // time
     bool wheel_goes_on = false;   // this frame's notch continues the one before: one view

@@ -147,14 +147,16 @@ std::string gesture_hint(const ViewportState& state, const Scene& scene) {
         break;
     }
     if (!state.hovered) return {};
-    if (exists(state.hovered_grip, scene)) return hint_of(state.hovered_grip, scene);
-    const std::string looks =
-        "Click: why this colour · Drag: orbit · Shift+drag or right: pan · Wheel: closer";
-    if (!state.main_light || static_cast<std::size_t>(state.main_light->light) >= scene.lights.size())
-        return looks + " · F: frame";
+    const bool is_on_grip = exists(state.hovered_grip, scene);
+    const std::string does =
+        is_on_grip ? hint_of(state.hovered_grip, scene)
+                   : "Click: why this colour · Drag: orbit · Shift+drag or right: pan · Wheel: closer";
+    if ((is_on_grip && state.hovered_grip.is_mark()) || !state.main_light ||
+        static_cast<std::size_t>(state.main_light->light) >= scene.lights.size())
+        return is_on_grip ? does : does + " · F: frame";
     return fmt::format("{}: {:.0f} % of the light here ({} selects it) · {}",
                        whole_label(scene.lights[static_cast<std::size_t>(state.main_light->light)].name),
-                       100 * state.main_light->share, keys_of(CommandId::SelectMainLight), looks);
+                       100 * state.main_light->share, keys_of(CommandId::SelectMainLight), does);
 }
 
 }  // namespace glint

@@ -84,7 +84,7 @@ void scene_column(UiState& state, const PictureView& view) {
     const float all = rows * (ImGui::GetFrameHeight() + px(1)) + px(4);
     const float room = ImGui::GetContentRegionAvail().y;
     ImGui::BeginChild("##list", {0, std::min(all, 0.45f * room)});
-    (void)scene_panel(scene, state.editor.selection, browse_mesh);
+    (void)scene_panel(scene, state.editor.selection, state.get<LightFocus>(), browse_mesh);
     ImGui::EndChild();
     if (browse_mesh) ask_mesh(state, -1);
     ImGui::Separator();
@@ -206,7 +206,7 @@ void left_tabs(UiState& state, const Layout& layout, const LeftColumn* column) {
     if (column->button != nullptr) column->button(state, right - cross - px(4));
     ImGui::SameLine(right - cross);
     if (icon_button("##leave", Icon::Close)) column->close(state);
-    tooltip("Leave", "The scene stays as it is");
+    tooltip("Leave", "Closes this column");
 }
 
 }  // namespace

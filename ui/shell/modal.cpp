@@ -146,7 +146,11 @@ bool begin_question(const char* id) {
 
 void dialogs(UiState& state, const UiInput& input) {
     const Dialog* dialog = open_dialog(state);
-    if (dialog != nullptr) dialog->draw(state, input);
+    constexpr double late = 0.3;  // seconds
+    if (dialog != nullptr) {
+        dialog->draw(state, input);
+        state.letters_from = ImGui::GetTime() + late;
+    }
     if (open_dialog(state) != dialog) redraw_within(0);  // the next one, or the one below
     // The file dialog was cancelled, or the question was left unanswered.
     if (!state.files.open && !state.asks_overwrite && !state.pending.asking) state.pending = {};

@@ -4,17 +4,19 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "models/utf8.h"
+#include "ui/ui.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
 
-constexpr std::size_t max_at_once = 5;
 constexpr double seconds_over_dialog = 10;
 constexpr int frames_to_come_back = 3;     // of a dialog that was left for a file dialog
 constexpr std::size_t longest_text = 480;  // bytes: about nine lines
@@ -45,9 +47,8 @@ std::string without_middle(const std::string& text) {
 }
 
 /// Draws it from `low_right` upwards to at most `top`; of a taller text the close button stays visible and
-/// the wheel scrolls. Returns the height used; sets `closed`.
-float draw_one(const Notification& note, int index, ImVec2 low_right, float top, float width, bool& closed) {
-    const std::string id = "##note" + std::to_string(index);
+/// the wheel scrolls. True when it is closed; `pressed`: by its own button.
+bool draw_one(const Notification& note, bool& pressed, ImVec2 low_right, float top, float width) {
     ImGui::SetNextWindowPos(low_right, ImGuiCond_Always, {1, 1});
     ImGui::SetNextWindowSize({width, 0});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(low_right.y - top, px(40))});
@@ -59,7 +60,7 @@ float draw_one(const Notification& note, int index, ImVec2 low_right, float top,
     const bool over_dialog = ImGui::GetTopMostPopupModal() != nullptr && left > 0 &&
                              note.frame + frames_to_come_back > GImGui->OpenPopupStack.front().OpenFrameCount;
     if (over_dialog) redraw_within(left);
-    ImGui::Begin(id.c_str(), nullptr,
+    ImGui::Begin("##note0", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
                      ImGuiWindowFlags_NoNav | (over_dialog ? ImGuiWindowFlags_NoInputs : 0));
@@ -77,51 +78,53 @@ float draw_one(const Notification& note, int index, ImVec2 low_right, float top,
     ImGui::PushTextWrapPos(width - px(34));
     ImGui::TextUnformatted(note.text.c_str());
     ImGui::PopTextWrapPos();
+    if (!note.button.empty()) {
+        pressed = ImGui::Button(note.button.c_str());
+        list_control(note.button.c_str(), "", last_item());
+    }
     ImGui::SetCursorPos({width - px(30), px(6)});
-    if (icon_button("##close", Icon::Close)) closed = true;
-    const float height = ImGui::GetWindowHeight();
+    const bool closed = icon_button("##close", Icon::Close) || pressed;
     ImGui::End();
     ImGui::PopStyleVar();
-    return height;
+    return closed;
 }
 
 }  // namespace
 
 void Notifications::tell(const std::string& text, Tone tone) {
-    const int now = ImGui::GetFrameCount();
-    std::erase_if(list, [now](const Notification& note) { return note.of_key && note.frame != now; });
+    ++told;
     add(tone, text);
     list.back().of_key = true;
 }
 
 void Notifications::add(Tone tone, const std::string& whole) {
-    const std::string text = without_middle(whole);
-    const double now = ImGui::GetTime(), until = now + seconds_shown(tone);
-    const auto same = [&text](const Notification& note) { return note.text == text; };
-    list.erase(std::remove_if(list.begin(), list.end(), same), list.end());
-    list.push_back({tone, text, until, false, now, ImGui::GetFrameCount()});
-    if (list.size() > max_at_once) list.erase(list.begin());
+    std::string text = without_middle(whole);
+    const double now = ImGui::GetTime();
+    const int frame = ImGui::GetFrameCount();
+    if (!list.empty() && list.back().frame == frame) {
+        const Notification& first = list.back();
+        tone = std::max(tone, first.tone);
+        text = first.text.find(text) == first.text.npos ? first.text + "\n" + text : first.text;
+    }
+    list = {{tone, text, now + seconds_shown(tone), false, now, frame}};
 }
 
 void Notifications::add(const Warnings& warnings) {
     for (const std::string& warning : warnings) add(Tone::Warning, warning);
 }
 
-void draw_notifications(Notifications& notifications, ImVec2 low_right, float top, float max_width) {
-    auto& list = notifications.list;
+void draw_notifications(UiState& state, ImVec2 low_right, float top, float max_width) {
+    auto& list = state.notifications.list;
     const double now = ImGui::GetTime();
     list.erase(
         std::remove_if(list.begin(), list.end(), [now](const Notification& n) { return n.until <= now; }),
         list.end());
-    int closed_one = -1;
-    for (int i = static_cast<int>(list.size()) - 1; i >= 0; --i) {
-        const Notification& note = list[static_cast<std::size_t>(i)];
-        bool closed = false;
-        low_right.y -= draw_one(note, i, low_right, top, std::min(px(420), max_width), closed) + px(6);
-        if (closed) closed_one = i;
-        redraw_within(note.until - now);
-    }
-    if (closed_one >= 0) list.erase(list.begin() + closed_one);
+    if (list.empty()) return;
+    redraw_within(list.back().until - now);
+    bool pressed = false;
+    if (!draw_one(list.back(), pressed, low_right, top, std::min(px(420), max_width))) return;
+    const Notification note = std::exchange(list, {}).back();
+    if (pressed) note.press(state);
 }
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,30 +11,36 @@
 
 namespace glint {
 
+struct UiState;
+
 enum class Tone { Done, Warning, Error };
 
 struct Notification {
     Tone tone = Tone::Done;
     std::string text;
     double until = 0;     // ImGui time; infinity: until closed
-    bool of_key = false;  // reports what a key did: the next key's message replaces it
+    bool of_key = false;  // reports what a key did: undo and redo remove it
     double since = 0;     // ImGui time
     int frame = 0;        // ImGui's frame count at that time
+    std::string button = {};                      // label of a button in it; empty: none
+    std::function<void(UiState&)> press = nullptr;  // when it is clicked, which also closes the notification
 };
 
 struct Notifications {
-    std::vector<Notification> list;
+    std::vector<Notification> list;  // at most one
+    int told = 0;                    // calls of tell()
 
-    /// Cuts the middle out of a text of more than about nine lines.
+    /// Replaces the notification of an earlier frame; one of this frame gets another line. Cuts the middle
+    /// out of a text of more than about nine lines.
     void add(Tone tone, const std::string& text);
-    /// Reports what a key did, replacing messages of keys from earlier frames. A refusal is a warning.
+    /// Reports what a key did. A refusal is a warning.
     void tell(const std::string& text, Tone tone = Tone::Done);
     void add(const Problem& problem) { add(Tone::Error, problem.text()); }
     void add(const Warnings& warnings);
 };
 
-/// Draws them upwards from the corner `low_right` to `top`, newest at the bottom, and drops expired ones. In
-/// front of a dialog, those added while it was open stay for some seconds.
-void draw_notifications(Notifications& notifications, ImVec2 low_right, float top, float max_width);
+/// Draws it upwards from the corner `low_right` to at most `top`, or drops it once it has expired. In front of
+/// a dialog, one added while it was open stays for some seconds.
+void draw_notifications(UiState& state, ImVec2 low_right, float top, float max_width);
 
 }  // namespace glint

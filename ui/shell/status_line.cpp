@@ -18,26 +18,14 @@ namespace {
 
 constexpr std::array<const char*, stage_count> stage_names{"geometry", "visibility", "surface", "lighting"};
 
-std::string redone_stages(const FrameStats& stats) {
-    std::string text;
-    for (std::size_t i = 0; i < stage_count; ++i)
-        if (stats.redone[i]) text.append(text.empty() ? "" : ", ").append(stage_names[i]);
-    if (stats.strokes_redone) text.append(text.empty() ? "" : ", ").append("strokes");
-    return text.empty() ? "nothing done again" : "for " + text;
+std::string stats_text(const UiState& state) {
+    const std::size_t triangles = state.renderer->stats().triangles, lights = state.rendered_scene.lights.size();
+    return fmt::format("{} {}  ·  {} {}", with_thousands(triangles), triangles == 1 ? "triangle" : "triangles",
+                       lights, lights == 1 ? "light" : "lights");
 }
 
-std::string stats_text(const UiState& state, bool roomy) {
-    const FrameStats& stats = state.renderer->stats();
-    const std::size_t lights = state.rendered_scene.lights.size();
-    std::string text = fmt::format("{} {}  ·  {} {}  ·  {:5.1f} ms", with_thousands(stats.triangles),
-                                   stats.triangles == 1 ? "triangle" : "triangles", lights,
-                                   lights == 1 ? "light" : "lights", stats.total_ms + state.parts_ms);
-    if (roomy) text += " " + redone_stages(stats);
-    return text;
-}
-
-void stats_tooltip(const FrameStats& stats) {
-    std::string lines;
+void stats_tooltip(const FrameStats& stats, double parts_ms) {
+    std::string lines = fmt::format("{:.1f} ms\n", stats.total_ms + parts_ms);
     for (std::size_t i = 0; i < stage_count; ++i)
         lines += stats.redone[i] ? fmt::format("{}: {:.2f} ms\n", stage_names[i], stats.ms[i])
                                  : fmt::format("{}: kept\n", stage_names[i]);
@@ -62,7 +50,7 @@ void status_line(UiState& state, const Rect& area) {
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     if (state.rendered != nullptr) {
-        const std::string stats = stats_text(state, area.size().x > px(1240));
+        const std::string stats = stats_text(state);
         const float width = ImGui::CalcTextSize(stats.c_str()).x;
         const ImVec2 left = ImGui::GetCursorScreenPos();
         const float right = area.high.x - width - px(10);
@@ -75,7 +63,7 @@ void status_line(UiState& state, const Rect& area) {
         ImGui::SetCursorScreenPos({right, left.y});
         dim_text(stats.c_str());
         ImGui::PopFont();
-        stats_tooltip(state.renderer->stats());
+        stats_tooltip(state.renderer->stats(), state.parts_ms);
         ImGui::PushFont(fonts().small);
     }
     ImGui::End();

@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <vector>
+
 #include "ui/commands/command.h"
 #include "ui/commands/menus.h"
 #include "ui/feature.h"
@@ -5,6 +10,7 @@
 #include "ui/shell/columns.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -24,24 +30,26 @@ void caption(const char* text) {
     ImGui::SameLine(0, px(6));
 }
 
-void mode_switch(Shading& shading) {
-    const int chosen =
-        segments("##mode", static_cast<int>(shading.mode), choices<ShadingMode>, {"", "/shading/mode"});
-    shading.mode = static_cast<ShadingMode>(chosen);
-}
-
-/// All models side by side if there is room, else a drop-down.
-void reflection_switch(Shading& shading, float room) {
-    const auto& options = choices<Reflection>;
-    int chosen = static_cast<int>(shading.reflection);
-    const Help help{"The lighting equation's highlight", "/shading/reflection"};
-    if (segments_width(options) <= room) {
-        chosen = segments("##reflection", chosen, options, help);
+/// All choices side by side if they fit into `room`, else a drop-down; without those of `advanced`, unless
+/// one is chosen.
+template <class E>
+void choice_switch(const char* name, E& value, const Help& help, float room, std::initializer_list<E> advanced) {
+    std::vector<Choice> shown;
+    std::vector<E> values;
+    for (const E each : enumerators<E>)
+        if (each == value || std::find(advanced.begin(), advanced.end(), each) == advanced.end()) {
+            shown.push_back(choice_of(each));
+            values.push_back(each);
+        }
+    caption(name);
+    int chosen = static_cast<int>(std::find(values.begin(), values.end(), value) - values.begin());
+    if (segments_width(shown) <= room) {
+        chosen = segments(name, chosen, shown, help);
     } else {
-        ImGui::SetNextItemWidth(std::max(std::min(room, px(130)), px(40)));
-        chosen = drop_down("Reflection", chosen, options, help);
+        ImGui::SetNextItemWidth(std::max(std::min(room, px(108)), px(40)));
+        chosen = drop_down(name, chosen, shown, help);
     }
-    shading.reflection = static_cast<Reflection>(chosen);
+    value = values[static_cast<std::size_t>(chosen)];
 }
 
 /// A round switch with the term's letter in its colour.
@@ -85,26 +93,47 @@ void history_button(UiState& state, CommandId id, Icon icon, const std::string& 
             keys_of(row));
 }
 
-/// The controls to the right of the menus.
-void switches(UiState& state, const Rect& area) {
-    Shading& shading = state.editor.scene().shading;
-    const float button = ImGui::GetFrameHeight(), gap = px(area.size().x > px(three_column_width) ? 16 : 10);
-    const float terms = 4 * button + 3 * px(3), history = 2 * button + px(2), right_end = area.high.x - px(8);
-    const bool roomy = area.size().x > px(1400);
-    const float y = area.low.y + (area.size().y - button) / 2;
-    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + gap, y});
-    if (roomy) caption("Shading");
-    mode_switch(shading);
-    ImGui::SameLine(0, gap);
-    if (roomy) caption("Lighting");
-    reflection_switch(shading, right_end - ImGui::GetCursorScreenPos().x - terms - history - 2 * gap);
-    ImGui::SameLine(0, gap);
-    term_switches(shading.terms);
-    if (ImGui::GetItemRectMax().x + px(2) > right_end - history) return;  // the keys and the menu do the same
-    ImGui::SetCursorScreenPos({right_end - history, y});
+/// Undo and redo.
+void history_buttons(UiState& state) {
     history_button(state, CommandId::Undo, Icon::Undo, state.editor.history.undo_name());
     ImGui::SameLine(0, px(2));
     history_button(state, CommandId::Redo, Icon::Redo, state.editor.history.redo_name());
+}
+
+float caption_width(const char* text) {
+    return fonts().small->CalcTextSizeA(small_text_height(), 1e9f, 0, text).x + px(6);
+}
+
+/// The controls to the right of the menus: what does not fit is behind "»".
+void switches(UiState& state, const Rect& area) {
+    Shading& shading = state.editor.scene().shading;
+    const float button = ImGui::GetFrameHeight(), gap = px(area.size().x > px(three_column_width) ? 16 : 8);
+    const float terms = 4 * button + 3 * px(3), history = 2 * button + px(2), right_end = area.high.x - px(8);
+    const float y = area.low.y + (area.size().y - button) / 2, more = px(24), combo = px(108);
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + gap, y});
+    const float captions = caption_width("Shading") + caption_width("Reflection");
+    const float all = right_end - ImGui::GetCursorScreenPos().x - captions - 3 * gap;  // without the captions
+    const bool fits = all >= 2 * combo + terms + history;
+    const float choices_room = all - (fits ? terms + history : more);
+    const float of_mode = segments_width(choices<ShadingMode>);
+    const float mode_room = choices_room >= of_mode + combo ? of_mode : choices_room / 2;
+    choice_switch("Shading", shading.mode, {"Where the lighting equation is evaluated", "/shading/mode"},
+                  mode_room, {});
+    ImGui::SameLine(0, gap);
+    choice_switch("Reflection", shading.reflection, {"How a surface reflects light", "/shading/reflection"},
+                  choices_room - std::min(mode_room, std::max(of_mode, combo)), {Reflection::Retro});
+    ImGui::SameLine(0, gap);
+    if (fits) {
+        term_switches(shading.terms);
+        ImGui::SetCursorScreenPos({right_end - history, y});
+        return history_buttons(state);
+    }
+    ImGui::SetCursorScreenPos({right_end - more, y});
+    overflow("##top", HUGE_VALF, [&] {
+        term_switches(shading.terms);
+        ImGui::SameLine(0, px(10));
+        history_buttons(state);
+    });
 }
 
 }  // namespace

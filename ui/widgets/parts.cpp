@@ -114,6 +114,18 @@ bool light_combo(const char* id, int& light, const std::vector<Light>& lights) {
     return false;
 }
 
+void overflow(const char* id, float width, const std::function<void()>& draw) {
+    if (width <= ImGui::GetContentRegionAvail().x) return draw();
+    ImGui::PushID(id);
+    if (ImGui::SmallButton("»")) ImGui::OpenPopup("##more");
+    tooltip("More", "Controls for which there is no room");
+    if (ImGui::BeginPopup("##more")) {
+        draw();
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+}
+
 void same_line_if_fits(float width, float gap, float right) {
     if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0, gap);
 }

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <initializer_list>
 #include <string>
@@ -46,6 +47,8 @@ bool small_chosen_button(const char* label, bool chosen);
 /// A drop-down of the lights' names, as wide as ImGui's next item; clamps `light` to the range of `lights`,
 /// which must not be empty. False while its list is open.
 bool light_combo(const char* id, int& light, const std::vector<Light>& lights);
+/// Draws controls by `draw` into the current line if `width` is free there, else behind a button "»".
+void overflow(const char* id, float width, const std::function<void()>& draw);
 /// Continues on the line of the item drawn last if `width` still fits to the left of `right`.
 void same_line_if_fits(float width, float gap, float right);
 

@@ -116,7 +116,7 @@ const Theme& light_theme() {
         .line = rgb(0xcdd2d8),
         .text = rgb(0x1b1e22),
         .dim_text = rgb(0x4d545d),
-        .disabled_text = rgb(0x747b84),
+        .disabled_text = rgb(0x646b74),
         .accent = rgb(0x1f6fc0),
         .accent_text = rgb(0xffffff),
         .warning = rgb(0x8a5a00),
@@ -147,8 +147,9 @@ void apply_theme(const Theme& chosen, float scale) {
     applied_scale = scale;
     ImGuiStyle style;
     style.WindowPadding = {10, 8};
-    style.FramePadding = {7, 3};
-    style.ItemSpacing = {6, 5};
+    style.FramePadding = {7, 5};  // with text of 15: 24 high or more, as WCAG 2.2 (2.5.8) demands
+    style.DisabledAlpha = 0.85f;
+    style.ItemSpacing = {6, 4};
     style.ItemInnerSpacing = {5, 4};
     style.CellPadding = {5, 2};
     style.IndentSpacing = 14;

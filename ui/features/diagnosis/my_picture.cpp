@@ -280,11 +280,12 @@ namespace {
 std::vector<WindowCommand> my_picture_commands() {
     return {
         {.name = "Compare my picture…",
-         .section = Section::ViewCompare,
+         .section = Section::ComparePicture,
          .run = [](UiState& s) { s.files.ask(my_picture_purpose, s.editor.document.path); },
+         .line_above = true,
          .words = "diagnose wrong mistake image"},
         {.name = "Close my picture",
-         .section = Section::ViewCompare,
+         .section = Section::ComparePicture,
          .run = put_picture_away,
          .why_disabled =
              [](const UiState& s) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -100,13 +101,16 @@ void export_buttons(UiState& state, const UiInput& input) {
     ExportState& exporting = state.get<ExportState>();
     const bool saves = state.rendered != nullptr && !exporting.job;
     ImGui::BeginDisabled(!saves);
-    if (ImGui::Button("Save here and copy its command", {-1, 0}) || (saves && answers(input, Key::S))) {
+    std::error_code failed;  // a deleted working directory has no name
+    const std::string folder = std::filesystem::absolute(pictures_folder(), failed).string();
+    const std::string label = whole_label("Save in " + folder) + "###save here";
+    if (ImGui::Button(label.c_str(), {-1, 0}) || (saves && answers(input, Key::S))) {
         exporting.open = false;
         save_with_command(state, exporting.options);
     }
     ImGui::EndDisabled();
     tooltip("Save here and copy its command",
-            "Saves to a new file in the working directory and copies the command line that writes it");
+            "Saves to a new file and copies the command line that writes it", folder);
     if (ImGui::Button("Choose a name…", {px(150), 0}) || answers(input, Key::Enter)) {
         exporting.open = false;
         ask_for_picture(state, export_purpose);
@@ -123,7 +127,7 @@ void export_buttons(UiState& state, const UiInput& input) {
     if (ImGui::Button("Cancel", {px(90), 0})) exporting.open = false;
     ImGui::Dummy({0, px(2)});
     small_dim("Tab: width and height  ·  ← →: samples");
-    small_dim("S: save here  ·  Enter: choose a name  ·  C: copy as command  ·  Esc: cancel");
+    small_dim("S: save, copy the command  ·  Enter: choose a name  ·  C: copy as command  ·  Esc: cancel");
 }
 
 }  // namespace

@@ -13,14 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An unused file name in the working directory: "scene.png", "scene-2.png".
+/// An unused file name in pictures_folder(): "scene.png", "scene-2.png".
 std::string free_name(const UiState& state) {
-    const fs::path offered = fs::path(offered_name(state, ".png")).filename();
+    const fs::path offered = pictures_folder() / fs::path(offered_name(state, ".png")).filename();
     std::error_code failed;
-    std::string name = offered.string();
+    fs::path name = offered;
     for (int i = 2; fs::exists(name, failed); ++i)
-        name = fmt::format("{}-{}.png", offered.stem().string(), i);
-    return name;
+        name.replace_filename(fmt::format("{}-{}.png", offered.stem().string(), i));
+    return name.string();
 }
 
 }  // namespace

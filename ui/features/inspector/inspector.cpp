@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/picture/handles/light_effects.h"
 #include "ui/ui.h"
 
 namespace glint {
@@ -28,7 +29,7 @@ const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& po
     if (selection.kind == Selection::Kind::Light)
         if (const auto it = find(selection.index); it != point.lights.end()) return &*it;
     const auto adds = [](const ExplainedLight& light) {
-        const glm::vec3 share = light.ambient + light.diffuse + light.specular;
+        const glm::vec3 share = added_by(light);
         return share.x + share.y + share.z;
     };
     return &*std::max_element(

@@ -70,6 +70,7 @@ struct InspectorState {
     std::string preview_name;                     // of it
     std::optional<MarkedQuantity> marked;         // highlighted in the equation for a moment
     const MistakeName* wanted_mistake = nullptr;  // the Mistakes tab scrolls to it
+    bool sorts_lights = false;                    // in the equation, largest share first
     BlocksInSight cards{10};                      // of the equation, one per light
 };
 

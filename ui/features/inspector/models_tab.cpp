@@ -107,19 +107,19 @@ void like_line(UiState& state, const Explanation& explanation) {
     const float n = explanation.material.shininess;
     if (explanation.reflection != Reflection::Phong || object >= scene.objects.size() || n <= 0) return;
     const double like = state.get<PlotsState>().blinn_like.of(n, [n] { return blinn_shininess_like(n); });
-    section_heading("Blinn against Phong");
+    section_heading("Blinn–Phong against Phong");
     wrapped_dim(fmt::format(
         "Blinn's (n·h)ˢ is closest to this Phong highlight of shininess {:.4g} with {:.4g}.", n, like));
-    if (ImGui::Button("Change to Blinn")) {
+    if (ImGui::Button("Change to Blinn–Phong")) {
         scene.shading.reflection = Reflection::BlinnPhong;
         scene.objects[object].material.shininess = static_cast<float>(like);
     }
-    tooltip("Change to Blinn", "Blinn's model with that shininess; undo restores Phong's");
+    tooltip("Change to Blinn–Phong", "With that shininess; undo restores Phong");
     if (!is_pointed_at()) return;
     Scene other = scene;
     other.shading.reflection = Reflection::BlinnPhong;
     other.objects[object].material.shininess = static_cast<float>(like);
-    show_instead(state, other, fmt::format("Blinn, shininess {:.4g}", like));
+    show_instead(state, other, fmt::format("Blinn–Phong, shininess {:.4g}", like));
 }
 
 /// Whether the scenes agree in everything that decides which face is visible at a pixel.

@@ -46,11 +46,10 @@ constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Vectors, "Vectors",
                      "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab,
                      TabScene::Asked, true},
-    InspectorTabInfo{InspectorTab::Models, "Models",
-                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab,
-                     TabScene::Edited, true},
     InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that really happen, each as a switch",
                      mistakes_tab, TabScene::Edited, true},
+    InspectorTabInfo{InspectorTab::Models, "Shadings",
+                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab},
     InspectorTabInfo{InspectorTab::MyPicture, "My picture",
                      "Mistakes in a picture of this scene that your own program drew", my_picture_tab},
     InspectorTabInfo{InspectorTab::Program, "Program",
@@ -173,7 +172,7 @@ void more_tabs(InspectorState& inspector, float right) {
     const std::string label = fmt::format("{} ▾", is_one ? shown->label : "More");
     same_line_if_fits(ImGui::CalcTextSize(label.c_str()).x + px(12), px(1), right);
     if (tab_button(label.c_str(),
-                   is_one ? shown->what : "Curves, every light's terms, what matters, matrices", is_one))
+                   is_one ? shown->what : "Shadings, curves, each light's terms, sensitivity, matrices", is_one))
         ImGui::OpenPopup("##more");
     if (!ImGui::BeginPopup("##more")) return;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(6), px(5)});
@@ -278,7 +277,7 @@ std::vector<WindowCommand> inspector_commands() {
     return {
         {.name = "Vectors at the picked point",
          .keys = {{Key::V}},
-         .section = Section::ViewVectors,
+         .section = Section::InspectVectors,
          .run = [](UiState& s) { s.get<InspectorState>().shows_vectors ^= true; },
          .is_on = [](const UiState& s) { return s.get<InspectorState>().shows_vectors; }},
     };
@@ -295,7 +294,7 @@ void add_entries(std::vector<PaletteEntry>& entries, UiState& state) {
             {fmt::format("Why: {}", info.label), "Column", "", "", [tab = info.tab](UiState& s) {
                  s.get<InspectorState>().tab = tab;
                  s.left_shows_inspector = s.layout.right = true;
-             }});
+             }, info.what});
     for (const CopyFormat& format : copy_formats())
         entries.push_back({fmt::format("Copy the explanation as {}", format.label), "Action", "",
                            why_no_copy(state), [&format](UiState& s) {

@@ -126,7 +126,7 @@ std::string unless_drawn_on(const UiState& state) {
 std::vector<WindowCommand> pen_commands() {
     return {
         {.name = "Pen",
-         .keys = {{Key::W}},
+         .keys = {{Key::W, !ctrl, shift}},
          .section = Section::LectureShow,
          .run = [](UiState& s) { s.get<PenState>().on ^= true; },
          .is_on = [](const UiState& s) { return s.get<PenState>().on; },
@@ -135,7 +135,7 @@ std::vector<WindowCommand> pen_commands() {
          .quiet = true,
          .words = "draw annotate"},
         {.name = "Erase all pen strokes",
-         .keys = {{Key::W, !ctrl, shift}},
+         .keys = {{Key::W, !ctrl, !shift, alt}},
          .section = Section::LectureShow,
          .run = [](UiState& s) { s.get<PenState>().lines.clear(); },
          .why_disabled = unless_drawn_on,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ui/document/document_actions.h"
+#include "ui/document/recently_changed.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/sensitivity.h"
@@ -118,6 +119,9 @@ void ask_in_lesson(UiState& state, const std::function<void(UiState&)>& what) {
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course) {
     LessonState& lesson = state.get<LessonState>();
     end_prediction(state);
+    if (const Editor* before = state.editor.before.get(); before != nullptr && before->source.title.empty())
+        lesson.before = SceneBefore{before->document, before->saved, before->saved_edited_camera,
+                                    before->history, before->selection};
     lesson.course = std::move(course);
     state.editor.source = {lesson.course->lesson.title, lesson.course->lesson.path};
     lesson.progress = lesson.written = recall_progress(state, *lesson.course);
@@ -135,6 +139,21 @@ void leave_lesson(UiState& state) {
     lesson.course.reset();
     lesson.watched.reset();
     state.editor.source = {};
+}
+
+void close_lesson(UiState& state) {
+    Editor& editor = state.editor;
+    const std::string title = editor.source.title;
+    std::optional<SceneBefore> before = std::exchange(state.get<LessonState>().before, std::nullopt);
+    leave_lesson(state);
+    if (!before || !editor.document.path.empty()) return;
+    if (editor.unsaved()) keep_changes(state, title);
+    put_away(state);
+    take_scene(state, std::move(before->document));
+    editor.saved = std::move(before->saved);
+    editor.saved_edited_camera = before->saved_edited_camera;
+    editor.history = std::move(before->history);
+    editor.selection = before->selection;
 }
 
 std::optional<std::size_t> open_question(const LessonState& lesson) {

@@ -30,10 +30,20 @@ struct WatchedTasks {
     std::vector<bool> done;  // in the order of the station's tasks; empty if unknown
 };
 
+/// The document that was open before the lessons.
+struct SceneBefore {
+    SceneDocument document;
+    Scene saved;
+    Camera saved_edited_camera;
+    History history;
+    Selection selection;
+};
+
 struct LessonState {
     std::string folder;                    // of the lessons that come with the program; empty: none
     std::string inventory;                 // the questions of its quiz; empty: none
     std::shared_ptr<const Course> course;  // null: no lesson is open
+    std::optional<SceneBefore> before;
     CourseProgress progress;
     bool lecturer = false;  // questions are shown without answer fields, and nothing is recorded
     bool scrolls_up = false, scrolls_down = false;  // requested: to the top, to the newest text
@@ -63,6 +73,9 @@ struct LessonState {
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course);
 /// Closes the lesson; the scene stays.
 void leave_lesson(UiState& state);
+/// Closes the lesson and returns to the document from before, unless the lesson's scene was saved under a
+/// name. Changes of it are kept in RecentlyChanged.
+void close_lesson(UiState& state);
 
 /// Returns the first open question of this station; nothing if there is none.
 [[nodiscard]] std::optional<std::size_t> open_question(const LessonState& lesson);

@@ -89,7 +89,7 @@ void highlight_section(PlotsState& plots, const PlotSubject& subject) {
     draw_reading(list, area,
                  {{phong, theme()[Symbol::R]}, {blinn, theme()[Symbol::H]}, {close, theme().text}});
     legend({{Symbol::R, fmt::format("(r·v)^{:.4g} Phong", n)},
-            {Symbol::H, fmt::format("(n·h)^{:.4g} Blinn", n)}});
+            {Symbol::H, fmt::format("(n·h)^{:.4g} Blinn–Phong", n)}});
     small_dim(fmt::format("thin: Blinn's with shininess {:.1f}, which is closest to Phong's", like));
 }
 

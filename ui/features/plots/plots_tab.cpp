@@ -91,7 +91,7 @@ int plotted_light(const UiState& state) {
 void plots_tab(UiState& state, const PictureView& view) {
     const Scene& scene = explained_scene(state);
     PlotsState& plots = state.get<PlotsState>();
-    if (scene.lights.empty()) return wrapped_dim("The curves are those of a light: add one (L).");
+    if (scene.lights.empty()) return wrapped_dim("The curves are those of a light: add one (Shift+L).");
     const int light = plotted_light(state);
     int chosen = light;
     ImGui::SetNextItemWidth(label_cell("Light"));

@@ -191,7 +191,7 @@ const std::vector<Preset>& presets() {
          {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Gouraud), variant_of(ShadingMode::Phong)}},
         {"Gouraud, Phong", {variant_of(ShadingMode::Gouraud), variant_of(ShadingMode::Phong)}},
         {"Facet, Phong", {variant_of(ShadingMode::Facet), variant_of(ShadingMode::Phong)}},
-        {"Phong's and Blinn's highlight",
+        {"Phong, Blinn–Phong",
          {variant_of(Reflection::Phong), variant_of(Reflection::BlinnPhong)}},
         {"As edited, B", {{}, {Variant::Kind::Stored, 0}}},
         {"As edited, my picture", {{}, {Variant::Kind::Mine, 0}}}};
@@ -259,13 +259,13 @@ void compare_controls(CompareState& state) {
     CompareChoice& choice = state.choice;
     if (!choice.on) return;
     presets_popup(choice);
-    if (!choice.difference) direction_buttons(choice);
     if (small_chosen_button("Difference", choice.difference)) choice.difference = !choice.difference;
     tooltip("Difference",
             (part_label(state, 0) + " against " + part_label(state, choice.parts.size() - 1)).c_str(),
             "Red, green and blue separately, of the displayed picture");
     ImGui::SameLine(0, px(4));
-    if (choice.difference) difference_controls(state);
+    const auto rest = [&] { choice.difference ? difference_controls(state) : direction_buttons(choice); };
+    overflow("##compare", px(choice.difference ? 190 : 50), rest);
 }
 
 }  // namespace glint

@@ -151,19 +151,6 @@ std::string title_of(const DebugViewState& state, const Scene& scene) {
     return "n·l of " + scene.lights[light].name;
 }
 
-/// The light whose n·l is shown, if any.
-void light_choice(DebugViewState& state, const Scene& scene) {
-    if (state.set.choice.view != DebugView::NDotL || scene.lights.empty()) return;
-    ImGui::SetNextItemWidth(px(86));
-    int& light = state.set.choice.light;  // of the edited scene, which may have more
-    int shown = std::min(light, static_cast<int>(scene.lights.size()) - 1);
-    const int before = shown;
-    (void)light_combo("##debug_view_light", shown, scene.lights);
-    if (shown != before) light = shown;
-    tooltip("Light", "Whose n·l is shown; it may be off");
-    ImGui::SameLine(0, px(4));
-}
-
 }  // namespace
 
 const DebugViewInfo& info_of(DebugView view) { return infos[static_cast<std::size_t>(view)]; }
@@ -172,7 +159,7 @@ DebugView debug_view_after(DebugView view, int steps) {
     return static_cast<DebugView>((static_cast<int>(view) + steps + debug_view_count) % debug_view_count);
 }
 
-bool debug_view_controls(DebugViewState& state, const Scene& scene) {
+bool debug_view_choice(DebugViewState& state) {
     DebugView& view = state.set.choice.view;
     bool chosen = false;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(1)});
@@ -195,9 +182,22 @@ bool debug_view_controls(DebugViewState& state, const Scene& scene) {
                 keys_of(CommandId::NextDebugView) + ", " + keys_of(CommandId::PreviousDebugView));
     }
     ImGui::SameLine(0, px(4));
-    light_choice(state, scene);
     ImGui::PopStyleVar();
     return chosen;
+}
+
+void light_choice(DebugViewState& state, const Scene& scene) {
+    if (state.set.choice.view != DebugView::NDotL || scene.lights.empty()) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(1)});
+    ImGui::SetNextItemWidth(px(86));
+    int& light = state.set.choice.light;  // of the edited scene, which may have more
+    int shown = std::min(light, static_cast<int>(scene.lights.size()) - 1);
+    const int before = shown;
+    (void)light_combo("##debug_view_light", shown, scene.lights);
+    if (shown != before) light = shown;
+    ImGui::PopStyleVar();
+    tooltip("Light", "Whose n·l is shown; it may be off");
+    ImGui::SameLine(0, px(4));
 }
 
 float legend_width(const DebugViewState& state) {

@@ -38,8 +38,10 @@ struct DebugViewInfo {
 /// The next debug view after `view`, or the one before it, cyclic.
 [[nodiscard]] DebugView debug_view_after(DebugView view, int steps);
 
-/// Draws drop-downs for the debug view and its light into the current line. True when a view was chosen.
-bool debug_view_controls(DebugViewState& state, const Scene& scene);
+/// Draws a drop-down for the debug view into the current line. True when a view was chosen.
+bool debug_view_choice(DebugViewState& state);
+/// Likewise for the light whose n·l is shown, if any.
+void light_choice(DebugViewState& state, const Scene& scene);
 
 /// The width of the legend that draw_debug_view_legend() draws at the picture's left edge; 0: none.
 [[nodiscard]] float legend_width(const DebugViewState& state);

@@ -268,11 +268,11 @@ std::string sample_text(const std::vector<ProfileSample>& samples, std::size_t a
     const ProfileSample& s = samples[at];
     std::string text = fmt::format("{},{}  I {}", s.pixel.x, s.pixel.y, significant_text(s.intensity, 4));
     if (const auto jump = slope_jump_at(samples, at)) {
-        text += fmt::format("  I′ {} → {}, jump {}", with_sign(jump->before), with_sign(jump->after),
+        text += fmt::format("  ΔI {} → {}, jump {}", with_sign(jump->before), with_sign(jump->after),
                             with_sign(jump->after - jump->before));
     } else {
-        if (s.first_difference) text += "  I′ " + with_sign(*s.first_difference);
-        if (s.second_difference) text += "  I″ " + with_sign(*s.second_difference);
+        if (s.first_difference) text += "  ΔI " + with_sign(*s.first_difference);
+        if (s.second_difference) text += "  Δ²I " + with_sign(*s.second_difference);
     }
     return text + (s.seen ? fmt::format("  face {}", s.seen->face) : std::string("  background"));
 }

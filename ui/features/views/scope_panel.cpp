@@ -113,10 +113,10 @@ std::vector<ZeroCurve> zero_curves(const ScopeState& scope) {
     const auto& samples = scope.samples;
     const ImVec4& colour = theme().accent;
     std::vector<ZeroCurve> curves{
-        {{"I′", "per pixel"},
+        {{"ΔI", "per pixel"},
          curve(samples, [&](std::size_t i) { return or_nan(samples[i].first_difference); }),
          colour},
-        {{"I″", "per pixel²"},
+        {{"Δ²I", "per pixel²"},
          curve(samples, [&](std::size_t i) { return or_nan(samples[i].second_difference); }),
          colour}};
     if (scope.eye && scope.seen.size() == samples.size())

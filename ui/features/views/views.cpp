@@ -128,36 +128,15 @@ void command_button(UiState& state, const char* label, CommandId id, const char*
     ImGui::SameLine(0, px(4));
 }
 
-/// During a comparison its controls come first: if they do not fit, buttons that are also in the menu View
-/// are left out.
+/// The quantity and the comparison always have the same place; what belongs to either follows.
 void views_bar(UiState& state) {
-    float& whole_width = state.get<ViewsState>().bar_width;
-    const float begin = ImGui::GetCursorScreenPos().x;
-    const bool is_whole =
-        !state.get<CompareState>().choice.on || whole_width <= ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(fonts().small);
-    if (debug_view_controls(state.get<DebugViewState>(), shown_scene(state)))
+    if (debug_view_choice(state.get<DebugViewState>()))
         state.get<CompareState>().choice.on = false;  // the two exclude each other
-    if (is_whole) {
-        command_button(state, "Over-range", CommandId::OverRange,
-                       "Stripes over pixels whose colour exceeds 1 in a channel and is cut off");
-        command_button(
-            state, "Scope", CommandId::Scope,
-            "Intensity along a line over the picture, with its first and second difference: Mach bands in "
-            "numbers");
-    }
     command_button(state, "Compare", CommandId::Compare,
                    "Flat, Gouraud and Phong, or any settings, side by side under draggable lines");
-    if (is_whole) {
-        command_button(state, "Pixels", CommandId::Magnify,
-                       "Each pixel as a square with its number in it: 0 to 255, red, green and blue if there "
-                       "is room. Ctrl+wheel zooms, the right button pans");
-        command_button(
-            state, "Dots", CommandId::LitDots,
-            "A dot where the equation is evaluated (some dots are left out), and the evaluations per frame");
-    }
+    light_choice(state.get<DebugViewState>(), shown_scene(state));
     compare_controls(state.get<CompareState>());
-    if (is_whole) whole_width = ImGui::GetCursorScreenPos().x - begin;
     ImGui::PopFont();
 }
 

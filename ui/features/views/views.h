@@ -78,7 +78,6 @@ struct ViewsState {
     // The inputs of the shown picture:
     ShownFrom shown_from;
     std::uint64_t shown_serial = 0;  // UiState::picture_serial at that time
-    float bar_width = 0;             // of the row of buttons when it was last complete
 };
 
 /// Shows one quantity in place of the picture. It and a comparison exclude each other.

@@ -59,14 +59,17 @@ std::optional<Light> with_effect(LightEffect effect, const Light& light, const S
     return aimed_at(moved, place, {view.map, view.dome});
 }
 
+glm::vec3 added_by(const ExplainedLight& light) {
+    glm::vec3 sum = light.share;
+    for (const ExplainedLight& sample : light.samples) sum += sample.share;
+    return sum;
+}
+
 std::optional<MainLight> main_light(const Explanation& explanation) {
     std::map<int, double> adds;  // by the light's number
     const auto add = [&adds](const ExplainedPoint& at, double weight) {
-        for (const ExplainedLight& light : at.lights) {
-            adds[light.index] += weight * sum_of(light.share);
-            for (const ExplainedLight& sample : light.samples)
-                adds[light.index] += weight * sum_of(sample.share);
-        }
+        for (const ExplainedLight& light : at.lights)
+            adds[light.index] += weight * sum_of(added_by(light));
     };
     if (!explanation.lit_per_corner) add(explanation.at, 1);
     for (const ExplainedCorner& corner : explanation.corners)

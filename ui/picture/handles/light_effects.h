@@ -32,6 +32,9 @@ inline constexpr double rim_light_deg = 75;
 [[nodiscard]] std::optional<Light> with_effect(LightEffect effect, const Light& light,
                                                const SurfaceView& view, glm::dvec2 pixel);
 
+/// What a light adds to the sum at one point, per channel: all terms together, all samples of an area light.
+[[nodiscard]] glm::vec3 added_by(const ExplainedLight& light);
+
 /// The light that contributes most to a pixel's sum.
 struct MainLight {
     int light = 0;     // in Scene::lights

@@ -60,7 +60,12 @@ bool number_menu(float& value, const NumberInput& input) {
     if (value == input.initial && !edited) tooltip("Reset to default", "It is already the default");
     if (!input.pointer.empty()) {
         ImGui::Separator();
-        if (item("Copy pointer", input.pointer)) copy(input.pointer);
+        const bool advanced = ImGui::BeginMenu("Advanced");
+        list_control("Advanced", "", last_item());
+        if (advanced) {
+            if (item("Copy pointer", input.pointer)) copy(input.pointer);
+            ImGui::EndMenu();
+        }
     }
     ImGui::PopStyleColor();
     ImGui::PopFont();

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <glm/vector_relational.hpp>
+#include <numeric>
 #include <optional>
+#include <vector>
 
 #include "models/scene/reflection.h"
 #include "renderer/explain/explain_format.h"
@@ -19,6 +21,7 @@
 #include "ui/features/inspector/tabs.h"
 #include "ui/fields/field_panel.h"
 #include "ui/picture/draw_picture.h"
+#include "ui/picture/handles/light_effects.h"
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/number_input.h"
@@ -128,14 +131,24 @@ void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint&
 
 void light_cards(UiState& state, const Explanation& explanation, const ExplainedPoint& point) {
     const auto& lights = point.lights;
-    const auto& marked = state.get<InspectorState>().marked;
-    const auto wanted = std::find_if(lights.begin(), lights.end(), [&](const ExplainedLight& light) {
-        return marked && marked->light == light.index;
+    InspectorState& inspector = state.get<InspectorState>();
+    if (lights.size() > 1) {
+        if (small_chosen_button("Largest share first", inspector.sorts_lights)) inspector.sorts_lights ^= true;
+        tooltip("Largest share first", "Sorts the lights by what they add; else in the scene's order");
+    }
+    std::vector<std::size_t> order(lights.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto adds = [&](std::size_t i) { return added_by(lights[i])[inspector.channel]; };
+    if (inspector.sorts_lights)
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return adds(a) > adds(b); });
+    const auto wanted = std::find_if(order.begin(), order.end(), [&](std::size_t i) {
+        return inspector.marked && inspector.marked->light == lights[i].index;
     });
-    state.get<InspectorState>().cards.draw(
+    inspector.cards.draw(
         static_cast<int>(lights.size()),
-        [&](int i) { light_card(state, explanation, point, static_cast<std::size_t>(i)); },
-        static_cast<int>(wanted - lights.begin()));
+        [&](int i) { light_card(state, explanation, point, order[static_cast<std::size_t>(i)]); },
+        static_cast<int>(wanted - order.begin()));
 }
 
 void mistakes_note(const Scene& scene) {

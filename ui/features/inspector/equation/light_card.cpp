@@ -21,7 +21,9 @@
 #include "ui/features/inspector/inspector.h"
 #include "ui/fields/field_panel.h"
 #include "ui/picture/draw_picture.h"
+#include "ui/picture/handles/light_effects.h"
 #include "ui/ui.h"
+#include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/named_controls.h"
 #include "ui/widgets/numbers/number_input.h"
@@ -231,16 +233,40 @@ void sample_rows(const ExplainedLight& area, int channel) {
     small_dim("The mean counts each sample by its share of form, in per cent.");
 }
 
-/// The light's icon and name; true while hovered.
-bool name_row(UiState& state, const ExplainedLight& explained, const Light& light) {
+/// The light's total in the chosen channel and its share of the sum, at the right end of its row, with a bar.
+/// Returns their left end.
+float total_text(const Rect& row, const ExplainedPoint& point, const ExplainedLight& explained, int channel) {
+    const float total = added_by(explained)[channel], sum = point.sum[channel];
+    const float share = sum > 0 ? std::clamp(total / sum, 0.0f, 1.0f) : 0;
+    const std::string text = fmt::format("{} {:3.0f} %", shown_number(total), 100 * share);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImGui::PushFont(fonts().figures);
+    const float left = row.high.x - ImGui::CalcTextSize(text.c_str()).x;
+    list.AddText({left, row.low.y}, to_u32(theme().text), text.c_str());
+    ImGui::PopFont();
+    const float bar = row.high.y + px(1);
+    list.AddRectFilled({row.low.x, bar}, {row.high.x, bar + px(2)}, to_u32(theme().field));
+    list.AddRectFilled({row.low.x, bar}, {row.low.x + share * row.size().x, bar + px(2)},
+                       to_u32(theme().accent));
+    list_control("light total", text, row);
+    return left;
+}
+
+/// The light's icon, name, total and share; true while hovered.
+bool name_row(UiState& state, const ExplainedPoint& point, const ExplainedLight& explained,
+              const Light& light) {
     ImGui::Dummy({0, px(3)});
     light_icon(light);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::Selectable("##light")) state.editor.selection = {Selection::Kind::Light, explained.index};
     const bool pointed = is_pointed_at();
     const float indent = ImGui::CalcTextSize("      ").x, right = low.x + ImGui::GetContentRegionAvail().x;
-    cut_text(*ImGui::GetWindowDrawList(), {low.x + indent, low.y}, right, whole_label(light.name));
-    tooltip("Light", is_read_only() ? "Of the shown scene" : "Hover: this light alone. Click: its panel");
+    const Rect row{low, {right, low.y + ImGui::GetTextLineHeight()}};
+    const float end = total_text(row, point, explained, state.get<InspectorState>().channel);
+    cut_text(*ImGui::GetWindowDrawList(), {low.x + indent, low.y}, end - px(8), whole_label(light.name));
+    tooltip("Light", is_read_only() ? "Of the shown scene" : "Hover: this light alone. Click: its panel",
+            "Right: what it adds in this channel, and its share of the sum");
+    ImGui::Dummy({0, px(1)});
     return pointed;
 }
 
@@ -286,7 +312,7 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     bool edited = false;
     ImGui::PushID(explained.index);
     ImGui::BeginGroup();
-    if (name_row(state, explained, before))
+    if (name_row(state, point, explained, before))
         show_instead(state, with_light_alone(scene, explained.index), before.name + " alone");
     const LightOfEquation in{scene, explanation, explained};
     const bool is_area = before.kind == LightKind::Area;

@@ -72,9 +72,11 @@ void Words::draw(ImDrawList& list) const {
         list_control("Letter of a vector", word.text, {at - size / 2, at + size / 2});
     }
     for (const Word& word : angles_)
-        if (const auto free =
-                room.place(word.wanted, ImGui::CalcTextSize(word.text.c_str()), px(label_reach)))
+        if (const ImVec2 size = ImGui::CalcTextSize(word.text.c_str()) + px(1) * ImVec2(8, 2);
+            const auto free = room.place(word.wanted, size, px(label_reach))) {
             rimmed_text(list, *free, word.colour, word.text);
+            list_control("Angle of vectors", word.text, {*free - size / 2, *free + size / 2});
+        }
 }
 
 void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look) {

@@ -1,0 +1,31 @@
+#pragma once
+// Changes of scenes that are not files of the user's, such as the examples, are dropped without a question.
+// They are kept here until the window closes.
+
+#include <string>
+#include <vector>
+
+#include "models/scene_file/scene_file.h"
+
+namespace glint {
+
+struct UiState;
+
+struct ChangedScene {
+    std::string title;
+    SceneDocument document;  // as opened
+    Scene changed;
+};
+
+struct RecentlyChanged {
+    std::vector<ChangedScene> list;  // newest first, one per title
+};
+
+/// Whether the open document's changes may be dropped without asking: it is an example.
+[[nodiscard]] bool drops_changes(const UiState& state);
+/// Keeps the open document's changes.
+void keep_changes(UiState& state, const std::string& title);
+/// Opens a changed scene again, asking first; undo leads back to the unchanged one.
+void reopen_changed(UiState& state, const ChangedScene& changed);
+
+}  // namespace glint
