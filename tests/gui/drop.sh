@@ -53,7 +53,7 @@ kill -0 "$glint_pid" 2>/dev/null || fail "the window ended with the program that
 # A scene that is saved and reopened: one light off, by the list of shortcuts only.
 drop second.json
 within 10 middle_is FF00FF || fail "the scene did not come back"
-xdotool key a # ambient off: black
+xdotool key shift+a # ambient off: black
 within 10 middle_is 000000 || fail "the ambient term is still visible"
 xdotool key ctrl+s
 saved() { grep -q '"ambient": false' "$work/second.json"; }

@@ -97,7 +97,7 @@ bool projection_fields(Projection& written, PictureSize size) {
     if (auto* p = std::get_if<Perspective>(&drawn)) {
         const double half = std::tan(p->fov_y_deg / 2 * degree) * share;
         const auto in_wide = static_cast<float>(2 * std::atan(half) / degree);
-        small_dim(fmt::format("{:.1f}° high in a picture of 16:9, which is as wide", in_wide));
+        small_dim(fmt::format("{:.1f}° in a 16:9 picture of the same width", in_wide));
         p->fov_y_deg = in_wide;
     } else if (auto* o = std::get_if<Orthographic>(&drawn)) {
         o->height = static_cast<float>(o->height * share);

@@ -123,7 +123,7 @@ double grid_step(double width) {
     return 10 * ten;
 }
 
-/// Lines on the lowest height of the scene, hidden where a surface is in front of them.
+/// Lines at ground_height(), hidden where a surface is in front of them.
 void draw_grid(ImDrawList& list, const UiState& state, const PictureView& view) {
     constexpr int lines = 12, pieces = 48;  // on either side of the middle; of a line
     const Bounds& bounds = view.bounds;
@@ -131,6 +131,7 @@ void draw_grid(ImDrawList& list, const UiState& state, const PictureView& view) 
     const double step = grid_step(std::max({high.x - low.x, high.z - low.z, 1e-6}));
     const glm::dvec2 middle{std::round((low.x + high.x) / 2 / step) * step,
                             std::round((low.z + high.z) / 2 / step) * step};
+    const double ground = ground_height(state.editor.scene());
     const Renderer* const renderer = renderer_of_open_scene(state, view.map.size);
     const auto is_hidden = [&](const ProjectedPoint& at) {
         if (renderer == nullptr || !is_inside(view.map.size, at.pixel)) return false;
@@ -142,7 +143,7 @@ void draw_grid(ImDrawList& list, const UiState& state, const PictureView& view) 
             for (int piece = 0; piece < pieces; ++piece) {
                 const auto at = [&](double along) {
                     const double a = (2 * along / pieces - 1) * lines * step, b = line * step;
-                    return project(view.map, {middle.x + (axis == 0 ? a : b), low.y,
+                    return project(view.map, {middle.x + (axis == 0 ? a : b), ground,
                                               middle.y + (axis == 0 ? b : a)});
                 };
                 const ProjectedPoint from = at(piece), to = at(piece + 1), half = at(piece + 0.5);

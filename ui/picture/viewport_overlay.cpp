@@ -154,7 +154,7 @@ std::string gesture_hint(const ViewportState& state, const Scene& scene) {
     if ((is_on_grip && state.hovered_grip.is_mark()) || !state.main_light ||
         static_cast<std::size_t>(state.main_light->light) >= scene.lights.size())
         return is_on_grip ? does : does + " · F: frame";
-    return fmt::format("{}: {:.0f} % of the light here ({} selects it) · {}",
+    return fmt::format("{}: {:.0f} % of R + G + B here ({} selects it) · {}",
                        whole_label(scene.lights[static_cast<std::size_t>(state.main_light->light)].name),
                        100 * state.main_light->share, keys_of(CommandId::SelectMainLight), does);
 }

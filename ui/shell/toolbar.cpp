@@ -46,7 +46,7 @@ void choice_switch(const char* name, E& value, const Help& help, float room, std
     if (segments_width(shown) <= room) {
         chosen = segments(name, chosen, shown, help);
     } else {
-        ImGui::SetNextItemWidth(std::max(std::min(room, px(108)), px(40)));
+        ImGui::SetNextItemWidth(std::max(std::min(room, px(128)), px(40)));
         chosen = drop_down(name, chosen, shown, help);
     }
     value = values[static_cast<std::size_t>(chosen)];
@@ -109,7 +109,7 @@ void switches(UiState& state, const Rect& area) {
     Shading& shading = state.editor.scene().shading;
     const float button = ImGui::GetFrameHeight(), gap = px(area.size().x > px(three_column_width) ? 16 : 8);
     const float terms = 4 * button + 3 * px(3), history = 2 * button + px(2), right_end = area.high.x - px(8);
-    const float y = area.low.y + (area.size().y - button) / 2, more = px(24), combo = px(108);
+    const float y = area.low.y + (area.size().y - button) / 2, more = px(26), combo = px(128);
     ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + gap, y});
     const float captions = caption_width("Shading") + caption_width("Reflection");
     const float all = right_end - ImGui::GetCursorScreenPos().x - captions - 3 * gap;  // without the captions

@@ -117,7 +117,8 @@ bool light_combo(const char* id, int& light, const std::vector<Light>& lights) {
 void overflow(const char* id, float width, const std::function<void()>& draw) {
     if (width <= ImGui::GetContentRegionAvail().x) return draw();
     ImGui::PushID(id);
-    if (ImGui::SmallButton("»")) ImGui::OpenPopup("##more");
+    const bool is_small = ImGui::GetFont() == fonts().small;
+    if (is_small ? ImGui::SmallButton("»") : ImGui::Button("»")) ImGui::OpenPopup("##more");
     tooltip("More", "Controls for which there is no room");
     if (ImGui::BeginPopup("##more")) {
         draw();

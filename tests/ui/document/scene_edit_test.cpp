@@ -29,7 +29,7 @@ TEST_CASE("a key that would exceed the limit of a scene reports it and adds noth
         const std::string why = why_disabled(bench.state, test::command_named(name));
         CHECK(why == is_full);
     }
-    bench.key(Key::L);
+    bench.key(Key::L, false, true);
     bench.key(Key::D, true);
     CHECK(bench.notes_with(is_full) == 1);  // the second has the same text
     CHECK(bench.scene().lights.size() == max_lights);

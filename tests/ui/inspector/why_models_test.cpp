@@ -82,7 +82,7 @@ TEST_CASE("the models tab finds Blinn's shininess for this Phong highlight and a
     bench.scene().shading.reflection = Reflection::Phong;
     bench.scene().objects[0].material.shininess = 10;
     test::ask(bench, InspectorTab::Models);
-    bench.click(test::in_column(bench, "Change to Blinn"));
+    bench.click(test::in_column(bench, "Change to Blinn–Phong"));
     bench.frames(1);
     CHECK(bench.scene().shading.reflection == Reflection::BlinnPhong);
     CHECK(bench.scene().objects[0].material.shininess == Approx(41.3).margin(0.1));
@@ -92,7 +92,7 @@ TEST_CASE("the first tabs are in the bar, the others behind More, which shows th
           "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);
-    for (const char* first : {"Equation", "Vectors", "Models", "Mistakes"})
+    for (const char* first : {"Equation", "Vectors", "Mistakes"})
         (void)test::in_column(bench, first);
     const auto lists = [&](std::string_view name) {
         return std::any_of(
@@ -101,6 +101,7 @@ TEST_CASE("the first tabs are in the bar, the others behind More, which shows th
             });
     };
     CHECK_FALSE(lists("Plots"));
+    CHECK_FALSE(lists("Shadings"));
     bench.click(test::in_column(bench, "More ▾"));
     bench.frames(2);
     bench.click(bench.control("Sensitivity"));

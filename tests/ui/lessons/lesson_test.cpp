@@ -665,7 +665,7 @@ TEST_CASE("each page plays its own animation after any other animation or edit",
     bench.state.notifications.list.clear();
     turn(Key::PageDown);
     CHECK_FALSE(says(bench, "any more"));
-    (void)bench.key(Key::L);
+    (void)bench.key(Key::L, false, true);
     bench.frames(2);
     bench.state.notifications.list.clear();
     turn(Key::PageUp);

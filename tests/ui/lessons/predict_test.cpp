@@ -35,7 +35,7 @@ TEST_CASE("a picked pixel is frozen while the scene changes, then shows its new 
     CHECK(bench.state.rendered_scene == before);
     // No tab of the column reveals the colour.
     CHECK(test::window_named("Equation") == nullptr);
-    CHECK(test::window_named("Models") == nullptr);
+    CHECK(test::window_named("Shadings") == nullptr);
     const Rect picker = bench.area_of("Colour to predict");
     bench.click(picker.low + ImVec2(30, 30));
     REQUIRE(bench.state.get<PredictState>().mine != Json());

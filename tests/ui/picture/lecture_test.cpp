@@ -256,7 +256,7 @@ TEST_CASE("the pen draws over the picture and leaves the scene unchanged", "[ui]
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
-    bench.key(Key::W);
+    bench.key(Key::W, false, true);
     bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({300, 200}));
     CHECK(bench.scene() == before);
     REQUIRE(bench.state.get<PenState>().lines.size() == 1);
@@ -266,7 +266,9 @@ TEST_CASE("the pen draws over the picture and leaves the scene unchanged", "[ui]
     CHECK(first.y * float(size.height) == Approx(100 - size.height / 2.0).margin(0.6));
     bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({160, 130}), 1);  // the camera still moves
     CHECK_FALSE(bench.scene().camera == before.camera);
-    bench.key(Key::W, false, true);
+    UiInput erase;
+    erase.presses = {{Key::W, false, false, true}};
+    (void)bench.frame(erase);
     CHECK(bench.state.get<PenState>().lines.empty());
     bench.key(Key::Escape);
     CHECK_FALSE(bench.state.get<PenState>().on);
@@ -293,7 +295,7 @@ TEST_CASE("the step wedge reports the lost steps", "[ui][lecture]") {
 TEST_CASE("the pen draws lines of any length, up to its limit", "[ui][lecture]") {
     HeadlessWindow bench;
     bench.frames(2);
-    bench.key(Key::W);
+    bench.key(Key::W, false, true);
     PenState& pen = bench.state.get<PenState>();
     pen.lines.push_back({});
     for (int i = 0; i < 18'000; ++i)

@@ -50,8 +50,8 @@ std::vector<Change> changes() {
          }},
         {"Off: diffuse, specular",
          [](HeadlessWindow& bench) {
-             (void)bench.key(Key::D);
-             (void)bench.key(Key::S);
+             (void)bench.key(Key::D, false, true);
+             (void)bench.key(Key::S, false, true);
          },
          true},
         {"Mistake: Reflect sign",

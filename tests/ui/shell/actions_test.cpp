@@ -42,16 +42,14 @@ TEST_CASE("each key of a frame is reported, and a rejected key is a warning", "[
     bench.frames(2);
     const auto& notes = bench.state.notifications.list;
     UiInput input;
-    input.presses = {{Key::S}, {Key::D}, {Key::B}};  // no scene is stored as B
+    input.presses = {{Key::S, false, true}, {Key::D, false, true}, {Key::B}};  // no scene is stored as B
     (void)bench.frame(input);
-    REQUIRE(notes.size() == 3);
-    CHECK((notes[0].text == "Specular: off (S)" && notes[0].tone == Tone::Done));
-    CHECK((notes[1].text == "Diffuse: off (D)" && notes[1].tone == Tone::Done));
-    CHECK(notes[2].text.starts_with("No scene is stored as B"));
-    CHECK(notes[2].tone == Tone::Warning);
-    (void)bench.key(Key::S);
-    REQUIRE(notes.size() == 1);  // it replaces the earlier ones
-    CHECK(notes[0].text == "Specular: on (S)");
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0].text.starts_with("Specular: off (Shift+S)\nDiffuse: off (Shift+D)\nNo scene is stored as B"));
+    CHECK(notes[0].tone == Tone::Warning);
+    (void)bench.key(Key::S, false, true);
+    REQUIRE(notes.size() == 1);  // it replaces the earlier one
+    CHECK(notes[0].text == "Specular: on (Shift+S)");
 }
 
 TEST_CASE("a key is shown as it is pressed", "[ui][commands]") {
@@ -142,7 +140,7 @@ TEST_CASE("a key reports the quantity that it shows, and undo removes messages o
     const auto& list = bench.state.notifications.list;
     REQUIRE(list.size() == 1);
     CHECK(list[0].text == "Normals in place of the picture (I)");
-    bench.key(Key::L);
+    bench.key(Key::L, false, true);
     bench.frames(2);
     REQUIRE(list.size() == 1);
     CHECK(list[0].text.find("(L)") != std::string::npos);

@@ -349,17 +349,17 @@ TEST_CASE("an edit that no scene file accepts is reverted and reported", "[ui][w
     CHECK(bench.scene().lights[0].intensity == 2);
 }
 
-TEST_CASE("number keys set the shading, letters switch terms", "[ui][window]") {
+TEST_CASE("number keys set the shading, Shift and a letter a term", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::Digit1);
     CHECK(bench.scene().shading.mode == ShadingMode::Flat);
     bench.key(Key::Digit3);
     CHECK(bench.scene().shading.mode == ShadingMode::Gouraud);
-    bench.key(Key::S);
+    bench.key(Key::S, false, true);
     CHECK_FALSE(bench.scene().shading.terms.specular);
     CHECK(bench.state.editor.history.undo_name() == "Terms");
-    bench.key(Key::S);
+    bench.key(Key::S, false, true);
     CHECK(bench.scene().shading.terms.specular);
 }
 

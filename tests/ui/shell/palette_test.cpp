@@ -45,6 +45,22 @@ TEST_CASE("the palette finds a field of the scene first by the beginning of its 
     }
 }
 
+TEST_CASE("both spellings of English and the names of tabs are found", "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const std::string same[][2] = {
+        {"colour", "color"}, {"colou", "colo"}, {"centre", "center"}, {"grey card", "gray card"}};
+    for (const auto& [british, american] : same) {
+        const auto a = found(bench.state, british), b = found(bench.state, american);
+        CAPTURE(british);
+        REQUIRE_FALSE(a.empty());
+        CHECK(a.size() == b.size());
+        CHECK(a[0].name == b[0].name);
+    }
+    CHECK(found(bench.state, "opengl calls").at(0).name == "Why: Program");
+    CHECK(found(bench.state, "curves").at(0).name == "Why: Plots");
+}
+
 TEST_CASE("a command is found by its topic", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -124,7 +140,7 @@ TEST_CASE("commands of the scope's card and of the pen are found", "[ui][palette
     CHECK(found(bench.state, "next colour").at(0).refused == "The pen is not active");
     CHECK(found(bench.state, "last stroke").at(0).refused == "Nothing is drawn");
     (void)bench.key(Key::P);
-    (void)bench.key(Key::W);
+    (void)bench.key(Key::W, false, true);
     bench.frames(2);
     found(bench.state, "grey card").at(0).run(bench.state);
     const ScopeState& scope = bench.state.get<ScopeState>();
@@ -437,10 +453,10 @@ TEST_CASE("a one-letter command reports what it did", "[ui][window][commands]") 
     const auto last = [&] {
         return bench.state.notifications.list.empty() ? "" : bench.state.notifications.list.back().text;
     };
-    (void)bench.key(Key::S);
-    CHECK(last() == "Specular: off (S)");
-    (void)bench.key(Key::S);
-    CHECK(last() == "Specular: on (S)");
+    (void)bench.key(Key::S, false, true);
+    CHECK(last() == "Specular: off (Shift+S)");
+    (void)bench.key(Key::S, false, true);
+    CHECK(last() == "Specular: on (Shift+S)");
     CHECK(bench.state.notifications.list.size() == 1);  // in place of the previous one
     (void)bench.key(Key::Digit1);
     CHECK(last() == "Flat shading (1)");
@@ -583,7 +599,7 @@ TEST_CASE("letters in the same frame as Ctrl+K are typed into the list", "[ui][p
     CHECK(bench.scene().shading.mode == ShadingMode::Gouraud);
     bench.frames(2);
     UiInput input;  // the letter was another command
-    input.presses = {{Key::S}, {Key::K, true}};
+    input.presses = {{Key::S, false, true}, {Key::K, true}};
     type("s");
     (void)bench.frame(input);
     bench.frames(2);

@@ -149,7 +149,7 @@ TEST_CASE("L adds a visible light, Ctrl+D copies it, Delete removes it", "[ui][w
     HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();
-    bench.key(Key::L);
+    bench.key(Key::L, false, true);
     REQUIRE(bench.scene().lights.size() == start.lights.size() + 1);
     const PictureSize size = bench.state.rendered->size;
     const int added = static_cast<int>(start.lights.size());

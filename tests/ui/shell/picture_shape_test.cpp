@@ -205,7 +205,7 @@ TEST_CASE("a frozen picture keeps its handles in place while the scene is edited
     const auto before = drawn();
     bench.scene().lights[1].position.x += 0.7f;
     bench.scene().camera.eye.x += 1;
-    bench.key(Key::L);  // adds a light and selects it
+    bench.key(Key::L, false, true);  // adds a light and selects it
     bench.frames(2);
     const auto after = drawn();
     REQUIRE(before.size() == after.size());
@@ -228,9 +228,10 @@ TEST_CASE("the copy of unsaved work is not offered during a presentation", "[ui]
     };
     CHECK(offers());
     for (const Key key : {Key::F9, Key::F10, Key::F11, Key::F8, Key::W}) {
-        bench.key(key);
+        const bool shift = key == Key::W;
+        bench.key(key, false, shift);
         CHECK_FALSE(offers());
-        bench.key(key);
+        bench.key(key, false, shift);
         CHECK(offers());
     }
     bench.state.get<AnimateState>().open = true;  // its panel is in the same place

@@ -1,7 +1,6 @@
 // Solo and mute: the picture shows one light alone, or leaves some out. The scene stays as it is.
 #include "ui/commands/command.h"
 #include "ui/feature.h"
-#include "ui/features/inspector/inspector.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/handles/light_place.h"
 #include "ui/ui.h"
@@ -24,8 +23,13 @@ std::optional<OtherScene> show_focus(const UiState& state) {
     const LightFocus& focus = state.get<LightFocus>();
     const Scene& edited = state.editor.scene();
     if (!focus.is_on() || focus.lights != edited.lights.size()) return {};
-    Scene scene = focus.solo >= 0 ? with_light_alone(edited, focus.solo) : edited;
-    for (const int light : focus.muted) scene.lights[static_cast<std::size_t>(light)].enabled = false;
+    Scene scene = edited;
+    for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i)
+        if (!focus.shows(i)) scene.lights[static_cast<std::size_t>(i)].enabled = false;
+    if (focus.solo >= 0) {  // alone: also without what belongs to no light
+        scene.global_ambient = glm::vec3(0);
+        for (Object& object : scene.objects) object.material.emission = glm::vec3(0);
+    }
     return OtherScene{.scene = std::move(scene),
                       .name = "the lights that are shown",
                       .label = note_of(focus, edited),
@@ -35,7 +39,7 @@ std::optional<OtherScene> show_focus(const UiState& state) {
                       .of_edited = true};
 }
 
-/// Whether a light shines from below `ground`, the lowest height of the scene.
+/// Whether a light shines from below `ground`.
 bool is_below_ground(const Light& light, const Scene& scene, double ground) {
     const glm::dvec4 own(light.position);
     const glm::dvec4 world = light.space == LightSpace::World ? own : world_from_view(scene.camera) * own;
@@ -45,7 +49,7 @@ bool is_below_ground(const Light& light, const Scene& scene, double ground) {
 std::vector<std::string> warnings_of(const UiState& state) {
     const Scene& scene = state.editor.scene();
     std::vector<std::string> warnings(scene.lights.size());
-    const double ground = scene_bounds(scene).min.y;
+    const double ground = ground_height(scene);
     for (std::size_t i = 0; i < warnings.size(); ++i)
         if (scene.lights[i].enabled && is_below_ground(scene.lights[i], scene, ground))
             warnings[i] = "It shines from below the ground";

@@ -48,6 +48,24 @@ Bounds scene_bounds(const Scene& scene) {
     return bounds;
 }
 
+double ground_height(const Scene& scene) {
+    constexpr float level = 1e-3f;  // of its width: the height of a level object
+    double height = scene_bounds(scene).min.y;
+    float widest = 0;
+    for (const Object& object : scene.objects) {
+        if (!object.mesh || !object.visible) continue;
+        constexpr float huge = 3e38f;
+        Bounds bounds{glm::vec3(huge), glm::vec3(-huge)};
+        widen(bounds, object);
+        const glm::vec3 size = bounds.max - bounds.min;
+        const float width = std::min(size.x, size.z);
+        if (size.y > level * width || width <= widest) continue;
+        widest = width;
+        height = bounds.max.y;
+    }
+    return height;
+}
+
 Dome sun_dome(glm::vec3 target, const Bounds& bounds, const ScreenMap& map) {
     const glm::dvec3 low(bounds.min), high(bounds.max), centre(target);
     const double scene_radius = std::max(glm::length(high - low) / 2, 1e-6);

@@ -12,6 +12,9 @@ namespace glint {
 /// A box round all visible objects, in world coordinates; a cube of edge 2 at the target if there are none.
 [[nodiscard]] Bounds scene_bounds(const Scene& scene);
 
+/// The height of the widest level object, such as a floor; without one, the lowest height of the scene.
+[[nodiscard]] double ground_height(const Scene& scene);
+
 /// A dome round the camera's target, sized to stay inside the view, so that every directional light has a
 /// visible handle; at most twice the scene.
 [[nodiscard]] Dome sun_dome(glm::vec3 target, const Bounds& bounds, const ScreenMap& map);
