@@ -12,7 +12,7 @@ namespace {
 
 const std::string scenes = project_file("assets/scenes");
 
-void open(HeadlessWindow& bench, const std::string& path) {
+void open_and_wait(HeadlessWindow& bench, const std::string& path) {
     ask_to_open(bench.state, path);
     bench.wait_for_loads();
 }
@@ -21,7 +21,7 @@ void open(HeadlessWindow& bench, const std::string& path) {
 void change_example(HeadlessWindow& bench) {
     bench.state.shipped_scenes = scenes;
     bench.frames(2);
-    open(bench, scenes + "/still-life.json");
+    open_and_wait(bench, scenes + "/still-life.json");
     bench.scene().lights[0].intensity = 0.123f;
     bench.frames(2);
     REQUIRE(bench.state.editor.unsaved());
@@ -81,9 +81,9 @@ TEST_CASE("after a lesson the scene from before returns, and the lesson's change
     HeadlessWindow bench;
     bench.state.shipped_scenes = scenes;
     bench.frames(2);
-    open(bench, scenes + "/still-life.json");
+    open_and_wait(bench, scenes + "/still-life.json");
     const Scene before = bench.scene();
-    open(bench, project_file("assets/lessons/02-lights.md"));
+    open_and_wait(bench, project_file("assets/lessons/02-lights.md"));
     bench.frames(3);
     REQUIRE(bench.state.get<LessonState>().course);
     CHECK_FALSE(bench.scene() == before);

@@ -273,3 +273,15 @@ TEST_CASE("the pixel's heading follows the cursor only over the picture", "[ui][
     CHECK_FALSE(asks_at_cursor(bench.state));
     ImGui::GetIO().KeyAlt = false;
 }
+
+TEST_CASE("labels of angles do not touch", "[ui][window][why]") {
+    HeadlessWindow bench;
+    for (const double x : {0.42, 0.48, 0.55, 0.6}) {
+        test::ask(bench, InspectorTab::Vectors, {x, 0.45});
+        std::vector<Rect> labels;
+        for (const NamedControl& control : bench.controls())
+            if (control.name == "Angle of vectors") labels.push_back(control.at);
+        for (std::size_t i = 1; i < labels.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(overlap(labels[i], labels[j]));
+    }
+}

@@ -10,7 +10,7 @@ using namespace glint::test;
 
 namespace {
 
-bool lists(const HeadlessWindow& bench, std::string_view name) {
+bool lists_control_named(const HeadlessWindow& bench, std::string_view name) {
     return std::any_of(bench.controls().begin(), bench.controls().end(),
                        [&](const NamedControl& control) { return control.name == name; });
 }
@@ -35,7 +35,7 @@ TEST_CASE("a click on an end of the axes turns the view there", "[ui][window][ca
     CHECK_FALSE(bench.state.viewport.probe);  // the click did not pick a pixel
     run_command(bench.state, command_named("Axes in the corner"));
     bench.frames(2);
-    CHECK_FALSE(lists(bench, "View from the right"));
+    CHECK_FALSE(lists_control_named(bench, "View from the right"));
 }
 
 TEST_CASE("the grid changes nothing but the drawing", "[ui][window][camera]") {
@@ -53,10 +53,10 @@ TEST_CASE("a light below the ground, or behind the picked surface, has a mark in
           "[ui][window][lights]") {
     HeadlessWindow bench;
     bench.frames(2);
-    CHECK_FALSE(lists(bench, "Light without effect"));
+    CHECK_FALSE(lists_control_named(bench, "Light without effect"));
     bench.scene().lights[0].position = {0, -1, 0.2f, 0};
     bench.frames(3);
-    REQUIRE(lists(bench, "Light without effect"));
+    REQUIRE(lists_control_named(bench, "Light without effect"));
     CHECK(bench.state.get<LightFocus>().warnings[0] == "It shines from below the ground");
     bench.scene().lights[0].position = {0, 0.1f, -1, 0};  // from behind the ball
     ask(bench, InspectorTab::Equation);
@@ -71,7 +71,7 @@ TEST_CASE("a right click on the picture opens a menu, a right drag pans", "[ui][
     bench.frames(3);
     bench.drag(bench.at_pixel({300, 300}), bench.at_pixel({340, 300}), 1);
     bench.frames(2);
-    CHECK_FALSE(lists(bench, "Copy colour"));
+    CHECK_FALSE(lists_control_named(bench, "Copy colour"));
     const ImVec2 at = bench.at_pixel({bench.state.rendered->size.width / 2.0, 350.0});
     right_click(bench, at);
     bench.click(bench.control("Copy colour"));

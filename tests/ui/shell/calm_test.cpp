@@ -3,13 +3,14 @@
 
 #include "tests/support/headless_inspector.h"
 #include "tests/support/headless_window.h"
+#include "ui/fields/field_panel.h"
 
 using namespace glint;
 using namespace glint::test;
 
 namespace {
 
-bool lists(const HeadlessWindow& bench, std::string_view name) {
+bool shows_control(const HeadlessWindow& bench, std::string_view name) {
     return std::any_of(bench.controls().begin(), bench.controls().end(),
                        [&](const NamedControl& control) { return control.name == name && control.in_sight; });
 }
@@ -49,33 +50,33 @@ TEST_CASE("the compare button keeps its place in every view", "[ui][window][shel
 TEST_CASE("controls without room are behind an overflow button", "[ui][window][shell]") {
     HeadlessWindow bench({1024, 768});
     bench.frames(2);
-    CHECK(lists(bench, "Specular"));
+    CHECK(shows_control(bench, "Specular"));
     apply_theme(dark_theme(), 1.5f);  // the projector's type
     load_fonts({}, 1.5f, 1);
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
     bench.frames(3);
-    for (const char* name : {"Shading", "Reflection"}) CHECK(lists(bench, name));
-    CHECK_FALSE(lists(bench, "Specular"));
+    for (const char* name : {"Shading", "Reflection"}) CHECK(shows_control(bench, name));
+    CHECK_FALSE(shows_control(bench, "Specular"));
     bench.click(bench.control("More"));
     bench.frames(2);
     for (const char* name : {"Emission", "Ambient", "Diffuse", "Specular", "Undo", "Redo"})
-        CHECK(lists(bench, name));
+        CHECK(shows_control(bench, name));
 }
 
 TEST_CASE("advanced fields are folded until they differ or are searched for", "[ui][window][shell]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Shading, 0};
     bench.frames(3);
-    CHECK(lists(bench, "Mode"));
-    CHECK_FALSE(lists(bench, "Interpolate"));
+    CHECK(shows_control(bench, "Mode"));
+    CHECK_FALSE(shows_control(bench, "Interpolate"));
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.frames(3);
-    CHECK_FALSE(lists(bench, "Up"));
+    CHECK_FALSE(shows_control(bench, "Up"));
     ask_for_field("/camera/up");
     bench.frames(4);
-    CHECK(lists(bench, "Up"));
+    CHECK(shows_control(bench, "Up"));
 }
 
 TEST_CASE("the letters W, A, S and D alone change nothing", "[ui][window][commands]") {

@@ -14,7 +14,7 @@ using namespace glint::test;
 
 namespace {
 
-bool lists(const HeadlessWindow& bench, std::string_view name) {
+bool shows_field(const HeadlessWindow& bench, std::string_view name) {
     return std::any_of(bench.controls().begin(), bench.controls().end(), [&](const NamedControl& control) {
         return control.in_sight && (control.name == name || control.key == name);
     });
@@ -31,13 +31,13 @@ TEST_CASE("selecting a light brings its panel in a narrow window too", "[ui][win
     bench.click(bench.at_pixel(bench.handle_pixel(1)));
     bench.frames(2);
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Light, 1});
-    CHECK(lists(bench, "/lights/1/intensity"));
+    CHECK(shows_field(bench, "/lights/1/intensity"));
     bench.click(bench.at_pixel({300, 330}));
     bench.frames(2);
     REQUIRE(bench.state.left_shows_inspector);
     bench.click(bench.at_pixel(bench.handle_pixel(1)));  // it is selected already
     bench.frames(2);
-    CHECK(lists(bench, "/lights/1/intensity"));
+    CHECK(shows_field(bench, "/lights/1/intensity"));
 }
 
 TEST_CASE("a double click in the list types into the item's name", "[ui][window][shell]") {

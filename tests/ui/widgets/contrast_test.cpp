@@ -186,3 +186,26 @@ TEST_CASE("the figures on a slider are legible for any length of its fill", "[ui
             if (control.key == "/lights/0/intensity") CHECK(check_letters(control, glyphs, "slider") >= 5);
     }
 }
+
+TEST_CASE("disabled controls keep a contrast of 3 to 1", "[ui][contrast]") {
+    HeadlessWindow bench;
+    for (const Theme* each : {&dark_theme(), &light_theme()}) {
+        apply_theme(*each, 1);
+        const float alpha = ImGui::GetStyle().DisabledAlpha;
+        const auto faded = [&](ImVec4 colour, const ImVec4& below) {
+            colour.w = alpha;
+            return over(colour, below);
+        };
+        for (const auto& [ink, ground] : {std::pair(each->text, each->field), std::pair(each->dim_text, each->panel),
+                                          std::pair(each->accent_text, each->accent)}) {
+            const ImVec4 under = faded(ground, each->panel);
+            CHECK(contrast(faded(ink, under), under) >= 3);
+        }
+        CHECK(contrast(each->disabled_text, each->field) >= 3);
+    }
+}
+
+TEST_CASE("controls are at least 24 units high with the window's text of 15", "[ui][contrast]") {
+    HeadlessWindow bench;
+    CHECK(15 + 2 * ImGui::GetStyle().FramePadding.y >= 24);
+}

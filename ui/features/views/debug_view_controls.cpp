@@ -167,7 +167,8 @@ bool debug_view_choice(DebugViewState& state) {
     ImGui::PushStyleColor(ImGuiCol_FrameBg, plain ? theme().field : theme().accent);
     ImGui::PushStyleColor(ImGuiCol_Button, plain ? theme().field : theme().accent);
     ImGui::PushStyleColor(ImGuiCol_Text, plain ? theme().text : theme().accent_text);
-    ImGui::SetNextItemWidth(px(126));
+    // Of a narrow row it leaves as much as a comparison's buttons take, so that these never vanish.
+    ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - px(215), px(50), px(126)));
     const bool open = ImGui::BeginCombo("##look", info_of(view).label, ImGuiComboFlags_HeightLargest);
     ImGui::PopStyleColor(3);
     if (open) {

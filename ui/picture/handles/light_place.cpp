@@ -50,7 +50,9 @@ Bounds scene_bounds(const Scene& scene) {
 
 double ground_height(const Scene& scene) {
     constexpr float level = 1e-3f;  // of its width: the height of a level object
-    double height = scene_bounds(scene).min.y;
+    const Bounds all = scene_bounds(scene);
+    const float middle = (all.min.y + all.max.y) / 2;  // a ceiling is above it
+    double height = all.min.y;
     float widest = 0;
     for (const Object& object : scene.objects) {
         if (!object.mesh || !object.visible) continue;
@@ -59,7 +61,7 @@ double ground_height(const Scene& scene) {
         widen(bounds, object);
         const glm::vec3 size = bounds.max - bounds.min;
         const float width = std::min(size.x, size.z);
-        if (size.y > level * width || width <= widest) continue;
+        if (size.y > level * width || width <= widest || bounds.max.y > middle) continue;
         widest = width;
         height = bounds.max.y;
     }
