@@ -31,10 +31,9 @@ std::span<const Feature* const> features() {
         &stored_scene_feature,
         &light_focus_feature,  // solo and mute
         &find_pixel_feature,   // the brightest pixel and others
-        &export_feature,        &examples_feature,
-        &lesson_list_feature,   &quiz_feature,        &mistake_pictures_feature,
-        &term_grid_feature,     &sensitivity_feature, &outside_feature,
-        &recently_changed_feature,
+        &export_feature,        &examples_feature,         &lesson_list_feature,
+        &quiz_feature,          &mistake_pictures_feature, &term_grid_feature,
+        &sensitivity_feature,   &outside_feature,          &recently_changed_feature,
         &picture_menu_feature,  // on a right click
         &orientation_feature,   // axes and grid
     };

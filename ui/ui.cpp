@@ -85,8 +85,8 @@ void take_requests(UiState& state, const UiInput& input) {
     take_dropped(state, std::exchange(state.dropped, {}));
 }
 
-/// In a narrow window an item that is selected by `act` brings its panel in place of WHY.
-template <class Act> void bring_selected(UiState& state, const Act& act) {
+/// In a narrow window the panel of an item selected by `act` replaces WHY.
+template <class Act> void show_selected(UiState& state, const Act& act) {
     const Selection before = state.editor.selection;
     act();
     const Selection& now = state.editor.selection;
@@ -116,12 +116,12 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     const Layout layout = window_layout(state);
     if (!state.layout.hides_all) toolbar(state, layout.top);
     bool in_hand = false;
-    bring_selected(state, [&] { in_hand = picture_room(state, layout, input); });
+    show_selected(state, [&] { in_hand = picture_room(state, layout, input); });
     if (state.viewport.asked) state.left_shows_inspector = true;
     if (state.viewport.pressed_mark) state.left_shows_inspector = false;
     left_column(state, layout, picture_view(layout.centre, state));
     shortcuts_sheet(state);
-    bring_selected(state, [&] { palette(state, input); });
+    show_selected(state, [&] { palette(state, input); });
     keep_scene_valid(state);
     follow_items(state);
     each(&Feature::settle, state);
@@ -132,7 +132,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     learn_pace(state);
     picture_overlay(state, layout);
     caption_line(state, layout);
-    bring_selected(state, [&] { inspector_columns(state, layout, view); });
+    show_selected(state, [&] { inspector_columns(state, layout, view); });
     each(&Feature::draw, state, layout);
     column_edges(state.layout, layout, px(1));
     loading_panel(state, layout.centre);

@@ -89,7 +89,8 @@ std::vector<WindowCommand> edit_commands() {
              },
          .why_disabled =
              [](const UiState& s) {
-                 return unless(s.editor.history.can_undo() || awaits_mesh(s), "Nothing to undo. Alt+Left returns to the previous view");
+                 return unless(s.editor.history.can_undo() || awaits_mesh(s),
+                               "Nothing to undo. Alt+Left returns to the previous view");
              },
          .id = CommandId::Undo},
         {.name = "Redo",

@@ -42,8 +42,7 @@ void go_to_view(UiState& state, Camera (ViewHistory::*step)(const Camera&)) {
 
 void keep_this_view(UiState& state) {
     keep_view(state.kept_views, state.editor.scene().camera);
-    state.notifications.add(Tone::Done,
-                            "This view is kept: " + keys_of(CommandId::NextView) + " returns to it");
+    state.notifications.tell("This view is kept: " + keys_of(CommandId::NextView) + " returns to it");
 }
 
 void show_next_view(UiState& state) {

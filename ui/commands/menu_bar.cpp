@@ -21,8 +21,8 @@
 namespace glint {
 namespace {
 
-constexpr std::array named_menus{std::pair{Menu::File, "File"}, std::pair{Menu::Edit, "Edit"},
-                                 std::pair{Menu::View, "View"}, std::pair{Menu::Inspect, "Inspect"},
+constexpr std::array named_menus{std::pair{Menu::File, "File"},       std::pair{Menu::Edit, "Edit"},
+                                 std::pair{Menu::View, "View"},       std::pair{Menu::Inspect, "Inspect"},
                                  std::pair{Menu::Compare, "Compare"}, std::pair{Menu::Lecture, "Lecture"},
                                  std::pair{Menu::Help, "Help"}};
 

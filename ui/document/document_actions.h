@@ -21,8 +21,8 @@ inline constexpr const char* only_first_of_several = "Several files were dropped
 // The purposes of the file dialog.
 extern const FilePurpose open_purpose, mesh_purpose, save_purpose;
 
-/// Does `then` now, or after the answer to "save changes?" if there are unsaved changes. Changes of an example
-/// are kept in RecentlyChanged instead, unless the window closes (`is_last`).
+/// Does `then` now, or after the answer to "save changes?" if there are unsaved changes. Changes of an
+/// example are kept in RecentlyChanged instead, unless the window closes (`is_last`).
 void ask_first(UiState& state, std::function<void(UiState&)> then, bool is_last = false);
 /// Opens the file `path`, asking first. `left_out`: number of files that were dropped with it and are not
 /// opened; reported when it is.
@@ -41,8 +41,8 @@ void ask_mesh(UiState& state, int object);
 /// The user's folder for pictures; empty, the working directory, if there is none.
 /// Source: xdg-user-dirs, user-dirs.dirs(5).
 [[nodiscard]] std::filesystem::path pictures_folder();
-/// A file name to offer: the document's own, with the matching extension. Without a file of the user's it is in
-/// pictures_folder(), or for a scene in the working directory.
+/// A file name to offer: the document's own, with the matching extension. Without a file of the user's it is
+/// in pictures_folder(), or for a scene in the working directory.
 [[nodiscard]] std::string offered_name(const UiState& state, const char* ending);
 /// Saves the document. Requests a name if there is none yet, and asks first if another program has changed
 /// the file. True if it is saved now.

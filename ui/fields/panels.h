@@ -57,11 +57,11 @@ struct ObjectRequests {
 
 /// The lights that the picture shows, regardless of the scene's own switches: one alone, or all but some.
 struct LightFocus {
-    int solo = -1;            // in Scene::lights; -1: none
-    std::vector<int> muted;   // likewise
-    int hovered = -1;         // the row under the mouse
+    int solo = -1;                      // in Scene::lights; -1: none
+    std::vector<int> muted;             // likewise
+    int hovered = -1;                   // the row under the mouse
     std::vector<std::string> warnings;  // per light: why it may not do what it seems to; or empty
-    std::size_t lights = 0;   // of the scene at that time: with another number, the indices are of others
+    std::size_t lights = 0;  // of the scene at that time: with another number, the indices are of others
     [[nodiscard]] bool is_on() const { return solo >= 0 || !muted.empty(); }
     [[nodiscard]] bool shows(int light) const {
         return solo >= 0 ? light == solo : std::find(muted.begin(), muted.end(), light) == muted.end();

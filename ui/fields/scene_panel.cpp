@@ -132,7 +132,8 @@ bool light_row(Scene& scene, int index, Selection& selection, LightFocus& focus)
     const float size = ImGui::GetFrameHeight();
     ImGui::PushID(index);
     bool edited = false;
-    const ImVec2 low = ImGui::GetCursorScreenPos(), high = low + ImVec2(ImGui::GetContentRegionAvail().x, size);
+    const ImVec2 low = ImGui::GetCursorScreenPos(),
+                 high = low + ImVec2(ImGui::GetContentRegionAvail().x, size);
     if (item_row(icon_of(light.kind),
                  to_u32(legible(colour_of(light)), light.enabled && focus.shows(index) ? 1 : 0.4f),
                  whole_label(light.name).c_str(), selection == row, px(8), 2 * size))
@@ -140,8 +141,7 @@ bool light_row(Scene& scene, int index, Selection& selection, LightFocus& focus)
     rename_on_double_click("/lights/" + std::to_string(index));
     if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high)) focus.hovered = index;
     const auto which = static_cast<std::size_t>(index);
-    if (which < focus.warnings.size() && !focus.warnings[which].empty()) 
-        warning_mark(focus.warnings[which]);
+    if (which < focus.warnings.size() && !focus.warnings[which].empty()) warning_mark(focus.warnings[which]);
     const bool structural = row_menu(scene, selection, row, &focus);
     if (!structural) {
         ImGui::SameLine(0, 0);
@@ -253,7 +253,8 @@ bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& br
     edited |= add_light_menu(scene, selection);
     if (is_other && selection.kind == Selection::Kind::Light) scroll_to_row(selection.index);
     edited |= rows(scene.lights, [&](int i) { return light_row(scene, i, selection, focus); });
-    if (scene.lights.empty()) dim_text(("   No light yet: press + or " + keys_of(CommandId::AddLight)).c_str());
+    if (scene.lights.empty())
+        dim_text(("   No light yet: press + or " + keys_of(CommandId::AddLight)).c_str());
     list_heading("Objects", "##add-object", scene.objects.size() >= max_objects);
     edited |= add_object_menu(scene, selection, browse_mesh);
     if (is_other && selection.kind == Selection::Kind::Object) scroll_to_row(selection.index);

@@ -120,8 +120,7 @@ bool camera_panel(Camera& camera, PictureSize size) {
         edited = true;
     }
     edited |= projection_fields(camera.projection, size);
-    if (fold("Advanced", camera.up != Camera{}.up, field_is_asked_below("/camera")))
-        panel.rest();
+    if (fold("Advanced", camera.up != Camera{}.up, field_is_asked_below("/camera"))) panel.rest();
     return (edited || panel.edited()) && keep_valid(camera, before);
 }
 

@@ -118,7 +118,7 @@ void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, Pi
 void fill_picture(Scene& scene, int object, PictureSize size) {
     constexpr double share = 0.8;
     constexpr std::size_t enough = 50'000;  // positions of a mesh
-    constexpr int steps = 6;  // perspective: the nearest parts grow faster than the others
+    constexpr int steps = 6;                // perspective: the nearest parts grow faster than the others
     const glm::dvec2 whole(size.width, size.height);
     Camera camera = scene.camera;
     for (int i = 0; i < steps; ++i) {

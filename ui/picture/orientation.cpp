@@ -1,4 +1,5 @@
-// Orientation in the scene: axes in the corner of the picture, which can be clicked, and a grid on the ground.
+// Orientation in the scene: axes in the corner of the picture, which can be clicked, and a grid on the
+// ground.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -68,9 +69,10 @@ bool hover_axes(ToolFrame& frame) {
     for (int i = 0; i < static_cast<int>(ends.size()); ++i) {
         const AxisEnd& end = ends[static_cast<std::size_t>(i)];
         const ImVec2 away = mouse - place_of(end, middle, frame.view.map);
-        const bool is_nearer = orientation.hovered < 0 ||
-                               depth_of(end, frame.view.map) <
-                                   depth_of(ends[static_cast<std::size_t>(orientation.hovered)], frame.view.map);
+        const bool is_nearer =
+            orientation.hovered < 0 ||
+            depth_of(end, frame.view.map) <
+                depth_of(ends[static_cast<std::size_t>(orientation.hovered)], frame.view.map);
         if (length_of(away) <= px(12) && is_nearer) orientation.hovered = i;
     }
     if (orientation.hovered >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -143,8 +145,8 @@ void draw_grid(ImDrawList& list, const UiState& state, const PictureView& view) 
             for (int piece = 0; piece < pieces; ++piece) {
                 const auto at = [&](double along) {
                     const double a = (2 * along / pieces - 1) * lines * step, b = line * step;
-                    return project(view.map, {middle.x + (axis == 0 ? a : b), ground,
-                                              middle.y + (axis == 0 ? b : a)});
+                    return project(view.map,
+                                   {middle.x + (axis == 0 ? a : b), ground, middle.y + (axis == 0 ? b : a)});
                 };
                 const ProjectedPoint from = at(piece), to = at(piece + 1), half = at(piece + 0.5);
                 if (!from.in_front || !to.in_front || is_hidden(half)) continue;

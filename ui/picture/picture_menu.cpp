@@ -42,8 +42,8 @@ void light_items(UiState& state, const PictureView& view, glm::dvec2 pixel) {
     const SurfaceView surface{scene, *renderer, view.map, view.dome};
     ImGui::Separator();
     const std::string name = whole_label(light.name);
-    for (const auto& [label, effect] :
-         {std::pair("Brightest here", LightEffect::Brightest), std::pair("Rim light here", LightEffect::Rim)}) {
+    for (const auto& [label, effect] : {std::pair("Brightest here", LightEffect::Brightest),
+                                        std::pair("Rim light here", LightEffect::Rim)}) {
         const std::optional<Light> moved = with_effect(effect, light, surface, pixel);
         if (item(fmt::format("{}: {}", label, name).c_str(), moved.has_value())) light = *moved;
     }
@@ -71,7 +71,8 @@ void draw_menu(ImDrawList&, UiState& state, const PictureView& view) {
     if (!ImGui::BeginPopup("##picture menu")) return;
     const glm::ivec2 at = nearest_pixel(view.map.size, menu.pixel);
     if (item("Why this colour?")) {
-        ask_about(state.viewport, (glm::dvec2(at) + 0.5) / glm::dvec2(view.map.size.width, view.map.size.height));
+        ask_about(state.viewport,
+                  (glm::dvec2(at) + 0.5) / glm::dvec2(view.map.size.width, view.map.size.height));
         state.left_shows_inspector = state.layout.right = true;
     }
     if (item("Copy colour")) copy_colour(state, at);

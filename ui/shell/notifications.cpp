@@ -18,6 +18,7 @@ namespace glint {
 namespace {
 
 constexpr double seconds_over_dialog = 10;
+constexpr double seconds_to_read = 2;      // a warning or an error, before another message may replace it
 constexpr int frames_to_come_back = 3;     // of a dialog that was left for a file dialog
 constexpr std::size_t longest_text = 480;  // bytes: about nine lines
 
@@ -101,10 +102,16 @@ void Notifications::add(Tone tone, const std::string& whole) {
     std::string text = without_middle(whole);
     const double now = ImGui::GetTime();
     const int frame = ImGui::GetFrameCount();
-    if (!list.empty() && list.back().frame == frame) {
+    const auto joins = [&](const Notification& first) {
+        const bool is_unread =
+            first.tone != Tone::Done && !first.of_key && now - first.since < seconds_to_read;
+        return first.frame == frame || is_unread;
+    };
+    if (!list.empty() && joins(list.back())) {
         const Notification& first = list.back();
         tone = std::max(tone, first.tone);
-        text = first.text.find(text) == first.text.npos ? first.text + "\n" + text : first.text;
+        text =
+            first.text.find(text) == first.text.npos ? without_middle(first.text + "\n" + text) : first.text;
     }
     list = {{tone, text, now + seconds_shown(tone), false, now, frame}};
 }

@@ -18,11 +18,11 @@ enum class Tone { Done, Warning, Error };
 struct Notification {
     Tone tone = Tone::Done;
     std::string text;
-    double until = 0;     // ImGui time; infinity: until closed
-    bool of_key = false;  // reports what a key did: undo and redo remove it
-    double since = 0;     // ImGui time
-    int frame = 0;        // ImGui's frame count at that time
-    std::string button = {};                      // label of a button in it; empty: none
+    double until = 0;                               // ImGui time; infinity: until closed
+    bool of_key = false;                            // reports what a key did: undo and redo remove it
+    double since = 0;                               // ImGui time
+    int frame = 0;                                  // ImGui's frame count at that time
+    std::string button = {};                        // label of a button in it; empty: none
     std::function<void(UiState&)> press = nullptr;  // when it is clicked, which also closes the notification
 };
 
@@ -30,8 +30,8 @@ struct Notifications {
     std::vector<Notification> list;  // at most one
     int told = 0;                    // calls of tell()
 
-    /// Replaces the notification of an earlier frame; one of this frame gets another line. Cuts the middle
-    /// out of a text of more than about nine lines.
+    /// Replaces the present notification; one of this frame, or a warning or an error of the last seconds,
+    /// gets another line. Cuts the middle out of a text of more than about nine lines.
     void add(Tone tone, const std::string& text);
     /// Reports what a key did. A refusal is a warning.
     void tell(const std::string& text, Tone tone = Tone::Done);
@@ -39,8 +39,8 @@ struct Notifications {
     void add(const Warnings& warnings);
 };
 
-/// Draws it upwards from the corner `low_right` to at most `top`, or drops it once it has expired. In front of
-/// a dialog, one added while it was open stays for some seconds.
+/// Draws it upwards from the corner `low_right` to at most `top`, or drops it once it has expired. In front
+/// of a dialog, one added while it was open stays for some seconds.
 void draw_notifications(UiState& state, ImVec2 low_right, float top, float max_width);
 
 }  // namespace glint

@@ -19,9 +19,10 @@ namespace {
 constexpr std::array<const char*, stage_count> stage_names{"geometry", "visibility", "surface", "lighting"};
 
 std::string stats_text(const UiState& state) {
-    const std::size_t triangles = state.renderer->stats().triangles, lights = state.rendered_scene.lights.size();
-    return fmt::format("{} {}  ·  {} {}", with_thousands(triangles), triangles == 1 ? "triangle" : "triangles",
-                       lights, lights == 1 ? "light" : "lights");
+    const std::size_t triangles = state.renderer->stats().triangles,
+                      lights = state.rendered_scene.lights.size();
+    return fmt::format("{} {}  ·  {} {}", with_thousands(triangles),
+                       triangles == 1 ? "triangle" : "triangles", lights, lights == 1 ? "light" : "lights");
 }
 
 void stats_tooltip(const FrameStats& stats, double parts_ms) {

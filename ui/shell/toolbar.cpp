@@ -33,7 +33,8 @@ void caption(const char* text) {
 /// All choices side by side if they fit into `room`, else a drop-down; without those of `advanced`, unless
 /// one is chosen.
 template <class E>
-void choice_switch(const char* name, E& value, const Help& help, float room, std::initializer_list<E> advanced) {
+void choice_switch(const char* name, E& value, const Help& help, float room,
+                   std::initializer_list<E> advanced) {
     std::vector<Choice> shown;
     std::vector<E> values;
     for (const E each : enumerators<E>)

@@ -25,7 +25,7 @@ Json odd_features() {
     return json_or_null(
         R"({"scope_from": [0.1, 0.2], "scope_to": [0.3, 0.9], "scope_channels": true, "scope_eye": true,
             "compare": {"parts": ["reflection blinn-phong", "edited", "stored"], "lines": [0.2, 0.75],
-                        "stacked": true, "difference": true, "gain": 16}})");
+                        "stacked": true, "difference": true, "gain": 16}, "axes": true})");
 }
 
 std::vector<Camera> two_views() {
@@ -257,7 +257,7 @@ TEST_CASE("settings that cannot be written are reported once", "[ui][memory]") {
     for (int i = 0; i < 2; ++i) {
         bench.key(Key::U, false, true);  // saves a view
         bench.frames(200);
-        CHECK(bench.notes_with("The settings of the window cannot be remembered: ") == 1);
+        CHECK(bench.notes_with("The settings of the window cannot be remembered: ") == (i == 0 ? 1 : 0));
         bench.scene().camera.eye.x += 1;
     }
 }

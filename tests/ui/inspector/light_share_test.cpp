@@ -2,8 +2,8 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 
-#include "tests/support/headless_window.h"
 #include "tests/support/headless_inspector.h"
+#include "tests/support/headless_window.h"
 #include "ui/features/inspector/tabs.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/on_screen.h"
@@ -110,7 +110,8 @@ TEST_CASE("the brightest, darkest and first clipped pixel are found", "[ui][wind
     bench.scene().display.exposure = 20;
     bench.frames(2);
     picked("Go to the first clipped pixel");
-    CHECK(20 * glm::max(bench.state.on_screen.explanation->sum.r, bench.state.on_screen.explanation->sum.b) > 1);
+    CHECK(20 * glm::max(bench.state.on_screen.explanation->sum.r, bench.state.on_screen.explanation->sum.b) >
+          1);
 }
 
 TEST_CASE("Alt and a click on a light's eye shows that light alone, with a badge", "[ui][window][lights]") {

@@ -92,8 +92,7 @@ TEST_CASE("the first tabs are in the bar, the others behind More, which shows th
           "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);
-    for (const char* first : {"Equation", "Vectors", "Mistakes"})
-        (void)test::in_column(bench, first);
+    for (const char* first : {"Equation", "Vectors", "Mistakes"}) (void)test::in_column(bench, first);
     const auto lists = [&](std::string_view name) {
         return std::any_of(
             bench.controls().begin(), bench.controls().end(), [&](const NamedControl& control) {

@@ -677,10 +677,11 @@ TEST_CASE("each page plays its own animation after any other animation or edit",
 
 TEST_CASE("another scene ends the lesson, as does its close button", "[ui][window][lesson]") {
     LambertWindow bench;
+    REQUIRE(bench.scene().objects.size() == 7);
     bench.click(bench.control("Leave"));
     bench.frames(2);
     CHECK_FALSE(bench.state.get<LessonState>().course);
-    CHECK(bench.scene().objects.size() == 7);
+    CHECK(bench.scene().objects.size() == 1);  // the scene from before the lesson
     test::drop(bench, test::shipped_lesson("05-lambert"));
     REQUIRE(bench.state.get<LessonState>().course);
     bench.key(Key::N, true);

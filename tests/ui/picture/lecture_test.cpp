@@ -312,7 +312,7 @@ TEST_CASE("the pen draws lines of any length, up to its limit", "[ui][lecture]")
     bench.drag(bench.at_pixel({100, 200}), bench.at_pixel({300, 300}));
     REQUIRE(pen.lines.size() == 3);
     CHECK(pen.lines[2].places.size() == 2);
-    CHECK(last() == "The pen has reached its limit for a picture: Shift+W erases everything");
+    CHECK(last() == "The pen has reached its limit for a picture: Alt+W erases everything");
     bench.drag(bench.at_pixel({100, 200}), bench.at_pixel({300, 300}));
     CHECK(pen.lines.size() == 3);
 }

@@ -45,7 +45,8 @@ TEST_CASE("each key of a frame is reported, and a rejected key is a warning", "[
     input.presses = {{Key::S, false, true}, {Key::D, false, true}, {Key::B}};  // no scene is stored as B
     (void)bench.frame(input);
     REQUIRE(notes.size() == 1);
-    CHECK(notes[0].text.starts_with("Specular: off (Shift+S)\nDiffuse: off (Shift+D)\nNo scene is stored as B"));
+    CHECK(notes[0].text.starts_with(
+        "Specular: off (Shift+S)\nDiffuse: off (Shift+D)\nNo scene is stored as B"));
     CHECK(notes[0].tone == Tone::Warning);
     (void)bench.key(Key::S, false, true);
     REQUIRE(notes.size() == 1);  // it replaces the earlier one
@@ -108,8 +109,8 @@ TEST_CASE("the keys shown by controls are those of the table of commands", "[ui]
     CHECK(shown_at("Facet") == "2");
     CHECK(shown_at("Gouraud") == "3");
     CHECK(shown_at("Phong") == "4");  // the mode; the reflection model of that name has no key
-    CHECK(shown_at("Emission") == "E");
-    CHECK(shown_at("Specular") == "S");
+    CHECK(shown_at("Emission") == "Shift+E");
+    CHECK(shown_at("Specular") == "Shift+S");
     const auto key_at = [&](const char* control) {
         for (const NamedControl& c : bench.controls())
             if (c.name == control) return c.key;
@@ -143,7 +144,7 @@ TEST_CASE("a key reports the quantity that it shows, and undo removes messages o
     bench.key(Key::L, false, true);
     bench.frames(2);
     REQUIRE(list.size() == 1);
-    CHECK(list[0].text.find("(L)") != std::string::npos);
+    CHECK(list[0].text.find("(Shift+L)") != std::string::npos);
     bench.key(Key::Z, true);
     CHECK(list.empty());
 }

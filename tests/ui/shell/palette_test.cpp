@@ -66,7 +66,7 @@ TEST_CASE("a command is found by its topic", "[ui][palette]") {
     bench.frames(2);
     const std::string about[][2] = {{"game", "Match the target"},
                                     {"screenshot", "Save picture…"},
-                                    {"dark", "Light theme"},
+                                    {"dark mode", "Light theme"},
                                     {"zebra", "Stripes over colours that are too bright"},
                                     {"fullscreen", "Picture alone"},
                                     {"gif", "Animate: turntable, numbers back and forth…"},

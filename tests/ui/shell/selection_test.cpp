@@ -1,4 +1,4 @@
-// Selecting brings the panel of the selected item; the tree renames; the undo list; the drawn field of view.
+// Selecting shows the panel of the selected item; the tree renames; the undo list; the drawn field of view.
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -22,7 +22,7 @@ bool shows_field(const HeadlessWindow& bench, std::string_view name) {
 
 }  // namespace
 
-TEST_CASE("selecting a light brings its panel in a narrow window too", "[ui][window][shell]") {
+TEST_CASE("selecting a light shows its panel in a narrow window too", "[ui][window][shell]") {
     HeadlessWindow bench({1024, 768});
     bench.frames(3);
     bench.click(bench.at_pixel({300, 330}));  // why this colour

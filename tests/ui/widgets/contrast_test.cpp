@@ -196,8 +196,9 @@ TEST_CASE("disabled controls keep a contrast of 3 to 1", "[ui][contrast]") {
             colour.w = alpha;
             return over(colour, below);
         };
-        for (const auto& [ink, ground] : {std::pair(each->text, each->field), std::pair(each->dim_text, each->panel),
-                                          std::pair(each->accent_text, each->accent)}) {
+        for (const auto& [ink, ground] :
+             {std::pair(each->text, each->field), std::pair(each->dim_text, each->panel),
+              std::pair(each->accent_text, each->accent)}) {
             const ImVec4 under = faded(ground, each->panel);
             CHECK(contrast(faded(ink, under), under) >= 3);
         }

@@ -49,13 +49,16 @@ constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that really happen, each as a switch",
                      mistakes_tab, TabScene::Edited, true},
     InspectorTabInfo{InspectorTab::Models, "Shadings",
-                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab},
+                     "The same pixel under flat, facet, Gouraud and Phong shading", models_tab,
+                     TabScene::Edited, false, "models flat gouraud phong"},
     InspectorTabInfo{InspectorTab::MyPicture, "My picture",
                      "Mistakes in a picture of this scene that your own program drew", my_picture_tab},
     InspectorTabInfo{InspectorTab::Program, "Program",
-                     "The OpenGL calls that draw this scene, with draggable numbers", program_tab},
+                     "The OpenGL calls that draw this scene, with draggable numbers", program_tab,
+                     TabScene::Edited, false, "opengl calls code gl"},
     InspectorTabInfo{InspectorTab::Plots, "Plots",
-                     "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab, TabScene::Asked},
+                     "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab, TabScene::Asked,
+                     false, "curves falloff lobes"},
     InspectorTabInfo{InspectorTab::Grid, "Light × term",
                      "Every term of every light as a small picture: alone, or left out", term_grid_tab,
                      TabScene::Shown},
@@ -63,9 +66,10 @@ constexpr std::array tabs{
                      "Every number, sorted by its effect on the pixel", sensitivity_tab},
     InspectorTabInfo{InspectorTab::Matrices, "Matrices",
                      "View, its inverse, projection, and the point through each of them", matrices_tab,
-                     TabScene::Asked},
+                     TabScene::Asked, false, "transform projection spaces"},
     InspectorTabInfo{InspectorTab::Outside, "From outside",
-                     "The eye, its view volume and the lights, seen from outside", outside_tab},
+                     "The eye, its view volume and the lights, seen from outside", outside_tab,
+                     TabScene::Edited, false, "frustum view volume"},
 };
 
 /// The position of the heading's square of colour.
@@ -172,7 +176,8 @@ void more_tabs(InspectorState& inspector, float right) {
     const std::string label = fmt::format("{} ▾", is_one ? shown->label : "More");
     same_line_if_fits(ImGui::CalcTextSize(label.c_str()).x + px(12), px(1), right);
     if (tab_button(label.c_str(),
-                   is_one ? shown->what : "Shadings, curves, each light's terms, sensitivity, matrices", is_one))
+                   is_one ? shown->what : "Shadings, curves, each light's terms, sensitivity, matrices",
+                   is_one))
         ImGui::OpenPopup("##more");
     if (!ImGui::BeginPopup("##more")) return;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(6), px(5)});
@@ -290,11 +295,12 @@ std::string why_no_copy(const UiState& state) {
 
 void add_entries(std::vector<PaletteEntry>& entries, UiState& state) {
     for (const InspectorTabInfo& info : tabs)
-        entries.push_back(
-            {fmt::format("Why: {}", info.label), "Column", "", "", [tab = info.tab](UiState& s) {
-                 s.get<InspectorState>().tab = tab;
-                 s.left_shows_inspector = s.layout.right = true;
-             }, info.what});
+        entries.push_back({fmt::format("Why: {}", info.label), "Column", "", "",
+                           [tab = info.tab](UiState& s) {
+                               s.get<InspectorState>().tab = tab;
+                               s.left_shows_inspector = s.layout.right = true;
+                           },
+                           info.words});
     for (const CopyFormat& format : copy_formats())
         entries.push_back({fmt::format("Copy the explanation as {}", format.label), "Action", "",
                            why_no_copy(state), [&format](UiState& s) {

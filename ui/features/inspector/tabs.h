@@ -36,7 +36,8 @@ struct InspectorTabInfo {
     const char* what;
     void (*draw)(UiState&, const PictureView&);
     TabScene scene = TabScene::Edited;
-    bool is_first = false;  // in the bar, not behind More
+    bool is_first = false;   // in the bar, not behind More
+    const char* words = "";  // topics: Ctrl+K also finds it by these
 };
 
 /// All tabs: first those of the bar from left to right, then those behind More. To add one: a name in

@@ -191,8 +191,7 @@ const std::vector<Preset>& presets() {
          {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Gouraud), variant_of(ShadingMode::Phong)}},
         {"Gouraud, Phong", {variant_of(ShadingMode::Gouraud), variant_of(ShadingMode::Phong)}},
         {"Facet, Phong", {variant_of(ShadingMode::Facet), variant_of(ShadingMode::Phong)}},
-        {"Phong, Blinn–Phong",
-         {variant_of(Reflection::Phong), variant_of(Reflection::BlinnPhong)}},
+        {"Phong, Blinn–Phong", {variant_of(Reflection::Phong), variant_of(Reflection::BlinnPhong)}},
         {"As edited, B", {{}, {Variant::Kind::Stored, 0}}},
         {"As edited, my picture", {{}, {Variant::Kind::Mine, 0}}}};
     return all;

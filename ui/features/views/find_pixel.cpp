@@ -35,7 +35,8 @@ std::optional<glm::ivec2> find(Sought sought, const UiState& state) {
     for (int y = 0; y < picture.size.height; ++y)
         for (int x = 0; x < picture.size.width; ++x) {
             if (state.renderer->object_at(x, y) < 0) continue;
-            const float fits = fitness(sought, picture.linear_at(x, y), state.rendered_scene.display.exposure);
+            const float fits =
+                fitness(sought, picture.linear_at(x, y), state.rendered_scene.display.exposure);
             if (fits > most) most = fits, best = glm::ivec2(x, y);
         }
     return best;
@@ -48,8 +49,8 @@ void pick_found(UiState& state) {
     const Sought wanted = std::exchange(sought, Sought::None);
     const std::optional<glm::ivec2> found = find(wanted, state);
     if (!found)
-        return state.notifications.tell(wanted == Sought::Clipped ? "No pixel is clipped" : "No surface is visible",
-                                        Tone::Warning);
+        return state.notifications.tell(
+            wanted == Sought::Clipped ? "No pixel is clipped" : "No surface is visible", Tone::Warning);
     const PictureSize size = state.rendered->size;
     ask_about(state.viewport, (glm::dvec2(*found) + 0.5) / glm::dvec2(size.width, size.height));
     state.layout.right = state.left_shows_inspector = state.viewport.touched = true;

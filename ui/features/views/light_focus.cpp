@@ -91,20 +91,19 @@ std::vector<WindowCommand> focus_commands() {
 }  // namespace
 
 extern const Feature light_focus_feature;
-const Feature light_focus_feature{
-    .begin =
-        [](UiState& s, const UiInput&) {
-            LightFocus& focus = s.get<LightFocus>();
-            focus.hovered = -1;
-            const std::size_t lights = s.editor.scene().lights.size();
-            if (focus.lights != lights) focus = {};
-            focus.lights = lights;
-            focus.warnings = warnings_of(s);
-        },
-    .shows = show_focus,
-    .commands = focus_commands,
-    .key = focus_by_key,
-    .leave_document = [](UiState& s, const SceneDocument&) { end_focus(s); },
-    .put_away = end_focus};
+const Feature light_focus_feature{.begin =
+                                      [](UiState& s, const UiInput&) {
+                                          LightFocus& focus = s.get<LightFocus>();
+                                          focus.hovered = -1;
+                                          const std::size_t lights = s.editor.scene().lights.size();
+                                          if (focus.lights != lights) focus = {};
+                                          focus.lights = lights;
+                                          focus.warnings = warnings_of(s);
+                                      },
+                                  .shows = show_focus,
+                                  .commands = focus_commands,
+                                  .key = focus_by_key,
+                                  .leave_document = [](UiState& s, const SceneDocument&) { end_focus(s); },
+                                  .put_away = end_focus};
 
 }  // namespace glint

@@ -68,8 +68,7 @@ glm::vec3 added_by(const ExplainedLight& light) {
 std::optional<MainLight> main_light(const Explanation& explanation) {
     std::map<int, double> adds;  // by the light's number
     const auto add = [&adds](const ExplainedPoint& at, double weight) {
-        for (const ExplainedLight& light : at.lights)
-            adds[light.index] += weight * sum_of(added_by(light));
+        for (const ExplainedLight& light : at.lights) adds[light.index] += weight * sum_of(added_by(light));
     };
     if (!explanation.lit_per_corner) add(explanation.at, 1);
     for (const ExplainedCorner& corner : explanation.corners)

@@ -133,7 +133,8 @@ void light_cards(UiState& state, const Explanation& explanation, const Explained
     const auto& lights = point.lights;
     InspectorState& inspector = state.get<InspectorState>();
     if (lights.size() > 1) {
-        if (small_chosen_button("Largest share first", inspector.sorts_lights)) inspector.sorts_lights ^= true;
+        if (small_chosen_button("Largest share first", inspector.sorts_lights))
+            inspector.sorts_lights ^= true;
         tooltip("Largest share first", "Sorts the lights by what they add; else in the scene's order");
     }
     std::vector<std::size_t> order(lights.size());
