@@ -254,8 +254,8 @@ constexpr bool is_table_size(int entries) { return entries != 1; }
 template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
     visit(Row{"mode", "Mode", "Where the lighting equation is evaluated"}.undone_as("Shading mode"), OneOf{},
           s.mode);
-    visit(Row{"reflection", "Reflection", "How a surface reflects light"}.undone_as("Reflection"),
-          OneOf{}, s.reflection);
+    visit(Row{"reflection", "Reflection", "How a surface reflects light"}.undone_as("Reflection"), OneOf{},
+          s.reflection);
     visit(Row{"interpolation", "Interpolate", "How values are interpolated between corners"}, OneOf{},
           s.interpolation);
     visit(Row{"flat_point", "Flat lit at", "Point of a polygon that is lit under flat"}, OneOf{},

@@ -18,7 +18,7 @@ namespace glint {
 namespace {
 
 constexpr double seconds_over_dialog = 10;
-constexpr double seconds_to_read = 2;      // a warning or an error, before another message may replace it
+constexpr double seconds_to_read = 2;      // an error, before another message may replace it
 constexpr int frames_to_come_back = 3;     // of a dialog that was left for a file dialog
 constexpr std::size_t longest_text = 480;  // bytes: about nine lines
 
@@ -103,8 +103,7 @@ void Notifications::add(Tone tone, const std::string& whole) {
     const double now = ImGui::GetTime();
     const int frame = ImGui::GetFrameCount();
     const auto joins = [&](const Notification& first) {
-        const bool is_unread =
-            first.tone != Tone::Done && !first.of_key && now - first.since < seconds_to_read;
+        const bool is_unread = first.tone == Tone::Error && now - first.since < seconds_to_read;
         return first.frame == frame || is_unread;
     };
     if (!list.empty() && joins(list.back())) {

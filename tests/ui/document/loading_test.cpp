@@ -410,8 +410,8 @@ TEST_CASE("saving a scene whose mesh file is missing warns that it will not open
     CHECK(told[0].text.ends_with("The scene opens again when \"one.obj\" exists: no such file"));
     std::filesystem::create_directory(mesh);
     const auto found = saved();
-    REQUIRE(found.size() == 2);
-    CHECK(found[1].text == "The scene opens again when \"one.obj\" exists: it is a directory");
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].text.ends_with("The scene opens again when \"one.obj\" exists: it is a directory"));
 }
 
 TEST_CASE("an unreadable mesh leaves the object unchanged and reports why", "[ui][loading]") {

@@ -119,7 +119,7 @@ TEST_CASE("a notification replaces the one before; those of one frame share it",
     HeadlessWindow bench;
     bench.frames(2);
     Notifications& notes = bench.state.notifications;
-    notes.add(Tone::Error, "first");
+    notes.add(Tone::Warning, "first");
     bench.frames(1);
     notes.add(Tone::Done, "second");
     notes.add(Tone::Warning, "third");
@@ -132,4 +132,8 @@ TEST_CASE("a notification replaces the one before; those of one frame share it",
     for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
         windows += window->WasActive && std::string(window->Name).starts_with("##note") ? 1 : 0;
     CHECK(windows == 1);
+    notes.add(Tone::Error, "lost");
+    bench.frames(2);
+    notes.add(Tone::Done, "saved");
+    CHECK(notes.list[0].text == "lost\nsaved");  // an error is not replaced before it could be read
 }
