@@ -99,11 +99,7 @@ TEST_CASE("opening one of several files is reported only if it opens", "[ui][mod
     bench.frames(2);
     UiInput drop;
     drop.dropped = {"other.json", "third.obj"};
-    const auto says_so = [&bench] {
-        const auto& list = bench.state.notifications.list;
-        return std::any_of(list.begin(), list.end(),
-                           [](const Notification& n) { return n.text == only_first_of_several; });
-    };
+    const auto says_so = [&bench] { return bench.notes_with(only_first_of_several) == 1; };
     (void)bench.frame(drop);
     bench.frames(2);
     REQUIRE(open_dialog(bench.state) == &unsaved_dialog);
