@@ -50,11 +50,7 @@ std::vector<WindowCommand> file_commands() {
         {.name = "Quit",
          .keys = {{Key::Q, ctrl}},
          .section = Section::FileQuit,
-         .run =
-             [](UiState& s) {
-                 ask_first(
-                     s, [](UiState& now) { now.quits = true; }, true);
-             },
+         .run = [](UiState& s) { ask_first(s, [](UiState& now) { now.quits = true; }); },
          .id = CommandId::Quit,
          .line_above = true,
          .words = "exit close"},

@@ -73,8 +73,8 @@ std::filesystem::path pictures_folder() {
     return path.starts_with('/') && std::filesystem::is_directory(path, failed) ? path : "";
 }
 
-void ask_first(UiState& state, std::function<void(UiState&)> then, bool is_last) {
-    state.pending = {std::move(then), state.editor.unsaved() && (is_last || !drops_changes(state))};
+void ask_first(UiState& state, std::function<void(UiState&)> then) {
+    state.pending = {std::move(then), state.editor.unsaved() && !drops_changes(state)};
     if (!state.pending.asking) finish_pending(state);
 }
 

@@ -22,8 +22,8 @@ inline constexpr const char* only_first_of_several = "Several files were dropped
 extern const FilePurpose open_purpose, mesh_purpose, save_purpose;
 
 /// Does `then` now, or after the answer to "save changes?" if there are unsaved changes. Changes of an
-/// example are kept in RecentlyChanged instead, unless the window closes (`is_last`).
-void ask_first(UiState& state, std::function<void(UiState&)> then, bool is_last = false);
+/// example are kept in RecentlyChanged instead, until the window closes.
+void ask_first(UiState& state, std::function<void(UiState&)> then);
 /// Opens the file `path`, asking first. `left_out`: number of files that were dropped with it and are not
 /// opened; reported when it is.
 void ask_to_open(UiState& state, const std::string& path, std::size_t left_out = 0);

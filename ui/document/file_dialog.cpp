@@ -1,5 +1,6 @@
 #include "ui/document/file_dialog.h"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "models/mesh/formats/mesh_file.h"
 #include "ui/shell/modal.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/text/text_field.h"
 #include "ui/widgets/theme.h"
@@ -140,11 +142,27 @@ void entry_row(FileDialog& dialog, const FolderEntry& entry, Clicked& clicked) {
               {low.x + 0.6f * line, low.y + line / 2}, 0.8f * line, to_u32(theme().dim_text));
 }
 
+/// "Save in ~/Pictures"; of a longer path its end, if it is to fit into `width`.
+std::string button_label(const FileDialog& dialog, float width) {
+    const FilePurpose& purpose = *dialog.purpose;
+    const char* const verb = dialog.asks_overwrite ? "Replace" : purpose.button;
+    if (!purpose.saves) return verb;
+    std::string folder = place_of(dialog).parent_path().string();
+    const std::string home = from_home("~");
+    if ((folder + "/").starts_with(home + "/")) folder.replace(0, home.size(), "~");
+    for (std::size_t cut = 0; cut != std::string::npos; cut = folder.find('/', cut + 1)) {
+        const char* const before = cut > 0 ? "…" : "";
+        const std::string label = whole_label(fmt::format("{} in {}{}", verb, before, folder.substr(cut)));
+        if (ImGui::CalcTextSize(label.c_str()).x <= width) return label + "###decide";
+    }
+    return fmt::format("{}###decide", verb);
+}
+
 /// Draws the list of entries. True when a file was double-clicked.
 bool entry_list(FileDialog& dialog) {
     Clicked clicked;
     const float below =
-        ImGui::GetFrameHeight() + ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().ItemSpacing.y;
+        2 * ImGui::GetFrameHeight() + ImGui::GetTextLineHeight() + 3 * ImGui::GetStyle().ItemSpacing.y;
     ImGui::BeginChild("##entries", {0, -below}, true);
     ImGuiListClipper in_sight;  // a folder may hold tens of thousands
     in_sight.Begin(static_cast<int>(dialog.entries.size()));
@@ -211,14 +229,14 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     bool decided = entry_list(dialog);
     if (std::exchange(dialog.asks_keyboard, false) || ImGui::IsWindowAppearing())
         ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-px(180));
+    ImGui::SetNextItemWidth(-1);
     // ImGui would restore the field's previous selection.
     const int selects = dialog.offers_name ? ImGuiInputTextFlags_AutoSelectAll : 0;
     if (text_field("##name", "name or path", dialog.name, selects)) dialog.asks_overwrite = false;
     if (ImGui::IsItemActive()) dialog.offers_name = false;
-    ImGui::SameLine();
-    decided |=
-        ImGui::Button(dialog.asks_overwrite ? "Replace" : say.button, {px(84), 0}) || enter_answers(enter);
+    const float width = ImGui::GetContentRegionAvail().x - px(84) - ImGui::GetStyle().ItemSpacing.x;
+    decided |= ImGui::Button(button_label(dialog, width - px(14)).c_str(), {width, 0}) || enter_answers(enter);
+    list_control(say.button, "", last_item());
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {px(84), 0})) dialog.open = false;
     const bool many = writes_many(whole_path(dialog), say);

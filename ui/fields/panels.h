@@ -55,8 +55,11 @@ struct ObjectRequests {
 [[nodiscard]] bool object_panel(Object& object, const std::string& pointer, Reflection reflection,
                                 ObjectRequests& requests);
 
-/// The lights that the picture shows, regardless of the scene's own switches: one alone, or all but some.
+/// The state of the scene's list: the lights that the picture shows, regardless of the scene's own switches:
+/// one alone, or all but some; and the item that is being renamed.
 struct LightFocus {
+    int renamed = -1;       // number_of() the item whose name is typed in its row
+    bool is_typed = false;  // its field has the keyboard
     int solo = -1;                      // in Scene::lights; -1: none
     std::vector<int> muted;             // likewise
     int hovered = -1;                   // the row under the mouse

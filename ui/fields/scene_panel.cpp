@@ -39,10 +39,33 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
     return clicked;
 }
 
-/// A double-click on the row drawn last types into its name, in its panel.
-void rename_on_double_click(const std::string& pointer) {
+/// A row whose name is typed in place, until the field loses the keyboard. True when the name was edited.
+bool typed_row(Icon icon, ImU32 colour, std::string& name, float indent, float reserve, LightFocus& focus) {
+    const float height = ImGui::GetFrameHeight();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    draw_icon(*ImGui::GetWindowDrawList(), icon, {low.x + indent + 0.5f * height, low.y + 0.5f * height},
+              0.58f * height, colour);
+    ImGui::Dummy({indent + 1.05f * height, height});
+    ImGui::SameLine(0, 0);
+    if (!focus.is_typed) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - reserve, px(20)));
+    const bool edited =
+        bare_name("##name", name, max_name_characters, ImGuiInputTextFlags_AutoSelectAll);
+    if (focus.is_typed && !ImGui::IsItemActive()) focus.renamed = -1;
+    focus.is_typed = ImGui::IsItemActive();
+    list_control("Name in the list", "", last_item());
+    return edited;
+}
+
+/// The row of a light or an object. A click selects it, a double-click types into its name; true when that
+/// was edited.
+bool named_row(Icon icon, ImU32 colour, std::string& name, Selection row, float reserve, Selection& selection,
+               LightFocus& focus) {
+    if (focus.renamed == number_of(row)) return typed_row(icon, colour, name, px(8), reserve, focus);
+    if (item_row(icon, colour, whole_label(name).c_str(), selection == row, px(8), reserve)) selection = row;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-        ask_for_field(pointer + "/name");
+        focus.renamed = number_of(row), focus.is_typed = false;
+    return false;
 }
 
 bool plain_row(Icon icon, const char* name, Selection::Kind kind, Selection& selection) {
@@ -131,14 +154,10 @@ bool light_row(Scene& scene, int index, Selection& selection, LightFocus& focus)
     const Selection row{Selection::Kind::Light, index};
     const float size = ImGui::GetFrameHeight();
     ImGui::PushID(index);
-    bool edited = false;
     const ImVec2 low = ImGui::GetCursorScreenPos(),
                  high = low + ImVec2(ImGui::GetContentRegionAvail().x, size);
-    if (item_row(icon_of(light.kind),
-                 to_u32(legible(colour_of(light)), light.enabled && focus.shows(index) ? 1 : 0.4f),
-                 whole_label(light.name).c_str(), selection == row, px(8), 2 * size))
-        selection = row;
-    rename_on_double_click("/lights/" + std::to_string(index));
+    const ImU32 colour = to_u32(legible(colour_of(light)), light.enabled && focus.shows(index) ? 1 : 0.4f);
+    bool edited = named_row(icon_of(light.kind), colour, light.name, row, 2 * size, selection, focus);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high)) focus.hovered = index;
     const auto which = static_cast<std::size_t>(index);
     if (which < focus.warnings.size() && !focus.warnings[which].empty()) warning_mark(focus.warnings[which]);
@@ -189,20 +208,18 @@ void list_heading(const char* title, const char* popup, bool full) {
     tooltip("Add", full ? is_full : "Add one to the scene");
 }
 
-bool object_row(Scene& scene, int index, Selection& selection) {
+bool object_row(Scene& scene, int index, Selection& selection, LightFocus& focus) {
     const Selection row{Selection::Kind::Object, index};
     Object& object = scene.objects[static_cast<std::size_t>(index)];
     ImGui::PushID(static_cast<int>(max_lights) + index);
-    if (item_row(Icon::Object, to_u32(theme().dim_text, object.visible ? 1 : 0.4f),
-                 whole_label(object.name).c_str(), selection == row, px(8), ImGui::GetFrameHeight()))
-        selection = row;
-    rename_on_double_click("/objects/" + std::to_string(index));
+    const bool renamed = named_row(Icon::Object, to_u32(theme().dim_text, object.visible ? 1 : 0.4f),
+                                   object.name, row, ImGui::GetFrameHeight(), selection, focus);
     bool edited = row_menu(scene, selection, row);
     if (!edited)
         edited = eye_button(object.visible, object.visible ? "Shown" : "Hidden",
                             "Whether this object is drawn", "/objects/" + std::to_string(index) + "/visible");
     ImGui::PopID();
-    return edited;
+    return edited || renamed;
 }
 
 float row_step() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
@@ -258,7 +275,7 @@ bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& br
     list_heading("Objects", "##add-object", scene.objects.size() >= max_objects);
     edited |= add_object_menu(scene, selection, browse_mesh);
     if (is_other && selection.kind == Selection::Kind::Object) scroll_to_row(selection.index);
-    edited |= rows(scene.objects, [&](int i) { return object_row(scene, i, selection); });
+    edited |= rows(scene.objects, [&](int i) { return object_row(scene, i, selection, focus); });
     if (scene.objects.empty()) dim_text("   Nothing to light yet: press +");
     ImGui::PopStyleVar();
     selection = valid_selection(selection, scene);

@@ -96,8 +96,17 @@ bool chosen_button(const char* label, bool chosen, float width) {
     return with_choice(chosen, [=] { return ImGui::Button(label, {width, 0}); });
 }
 
+ImVec2 small_padding() { return {px(6), std::max((px(24) - ImGui::GetTextLineHeight()) / 2, px(1))}; }
+
+bool small_button(const char* label) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, small_padding());
+    const bool clicked = ImGui::Button(label);
+    ImGui::PopStyleVar();
+    return clicked;
+}
+
 bool small_chosen_button(const char* label, bool chosen) {
-    return with_choice(chosen, [label] { return ImGui::SmallButton(label); });
+    return with_choice(chosen, [label] { return small_button(label); });
 }
 
 bool light_combo(const char* id, int& light, const std::vector<Light>& lights) {
@@ -118,7 +127,7 @@ void overflow(const char* id, float width, const std::function<void()>& draw) {
     if (width <= ImGui::GetContentRegionAvail().x) return draw();
     ImGui::PushID(id);
     const bool is_small = ImGui::GetFont() == fonts().small;
-    if (is_small ? ImGui::SmallButton("»") : ImGui::Button("»")) ImGui::OpenPopup("##more");
+    if (is_small ? small_button("»") : ImGui::Button("»")) ImGui::OpenPopup("##more");
     tooltip("More", "Controls for which there is no room");
     if (ImGui::BeginPopup("##more")) {
         draw();

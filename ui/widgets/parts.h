@@ -40,9 +40,12 @@ void small_dim(const std::string& text);
 
 // Choices.
 
-/// A button on the accent's background while it is chosen, `width` wide, or as wide as its label for 0. The
-/// small one is as high as a line of text.
+/// A button on the accent's background while it is chosen, `width` wide, or as wide as its label for 0.
 bool chosen_button(const char* label, bool chosen, float width = 0);
+/// Padding that makes a control of a row of small text 24 high, as WCAG 2.2 (2.5.8) demands.
+[[nodiscard]] ImVec2 small_padding();
+/// Buttons with that padding.
+bool small_button(const char* label);
 bool small_chosen_button(const char* label, bool chosen);
 /// A drop-down of the lights' names, as wide as ImGui's next item; clamps `light` to the range of `lights`,
 /// which must not be empty. False while its list is open.

@@ -130,12 +130,17 @@ bool switch_field(const char* label, bool& value, const Help& help) {
     return changed;
 }
 
+bool bare_name(const char* id, std::string& name, std::size_t max_characters, int flags) {
+    const bool changed = text_field(id, "", name, flags);
+    if (changed) name = with_invalid_replaced(name);  // a scene file is UTF-8, pasted text may not be
+    if (changed && max_characters > 0) name = first_characters(name, max_characters);
+    return changed;
+}
+
 bool name_field(const char* label, std::string& name, std::size_t max_characters, const Help& help) {
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(label_cell(label));
-    const bool changed = text_field("##name", "", name);
-    if (changed) name = with_invalid_replaced(name);  // a scene file is UTF-8, pasted text may not be
-    if (changed && max_characters > 0) name = first_characters(name, max_characters);
+    const bool changed = bare_name("##name", name, max_characters);
     const bool is_cut = ImGui::CalcTextSize(name.c_str()).x > ImGui::GetItemRectSize().x - px(12);
     tooltip(label, help.what, is_cut ? name : "", help.pointer);
     ImGui::PopID();

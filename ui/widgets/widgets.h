@@ -41,6 +41,9 @@ struct Help {
 [[nodiscard]] bool name_field(const char* label, std::string& name, std::size_t max_characters,
                               const Help& help);
 
+/// The bare text of a name, as wide as ImGui's next item; flags are ImGuiInputTextFlags.
+[[nodiscard]] bool bare_name(const char* id, std::string& name, std::size_t max_characters, int flags = 0);
+
 /// The chosen index; `chosen` if nothing changed. As a drop-down, alone or in a row, or as joined buttons.
 [[nodiscard]] int drop_down(const char* label, int chosen, std::span<const Choice> options, const Help& help);
 [[nodiscard]] int choose(const char* label, int chosen, std::span<const Choice> options, const Help& help);

@@ -40,18 +40,25 @@ TEST_CASE("selecting a light shows its panel in a narrow window too", "[ui][wind
     CHECK(shows_field(bench, "/lights/1/intensity"));
 }
 
-TEST_CASE("a double click in the list types into the item's name", "[ui][window][shell]") {
+TEST_CASE("a double click in the list replaces the item's name in place", "[ui][window][shell]") {
     HeadlessWindow bench;
     bench.frames(3);
-    const ImVec2 row = bench.control("/lights/1/enabled") - ImVec2(120, 0);
-    bench.click(row);
-    bench.click(row);
-    bench.frames(4);
-    CHECK(ImGui::GetIO().WantTextInput);
-    bench.type("!");
-    (void)bench.key(Key::Enter);
-    bench.frames(3);
-    CHECK(bench.scene().lights[1].name.find('!') != std::string::npos);
+    for (const char* const pointer : {"/lights/1/enabled", "/objects/0/visible"}) {
+        CAPTURE(pointer);
+        const ImVec2 row = bench.control(pointer) - ImVec2(120, 0);
+        bench.click(row);
+        bench.click(row);
+        bench.frames(4);
+        REQUIRE(ImGui::GetIO().WantTextInput);
+        const Rect field = bench.area_of("Name in the list");
+        CHECK(std::abs(HeadlessWindow::middle_of(field).y - row.y) < 3);
+        bench.type("Sunny");
+        bench.click(bench.at_pixel({30, 30}));  // leaves the field
+        bench.frames(3);
+        CHECK_FALSE(ImGui::GetIO().WantTextInput);
+    }
+    CHECK(bench.scene().lights[1].name == "Sunny");
+    CHECK(bench.scene().objects[0].name == "Sunny");
 }
 
 TEST_CASE("a click in the undo list goes back and forward to a step", "[ui][window][shell]") {

@@ -156,7 +156,7 @@ void heading(UiState& state) {
 bool tab_button(const char* label, const char* what, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().text : theme().dim_text);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(3)});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, small_padding());
     const bool clicked = ImGui::Button(label);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);

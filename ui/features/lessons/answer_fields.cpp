@@ -61,7 +61,7 @@ void sketch_answer(LessonState& lesson, const Prediction& question) {
     small_dim("Draw the curve with the mouse, along the line from A to B in the picture.");
     sketch_plot(lesson, question, lesson.chosen, nullptr);
     if (lesson.chosen == Json()) return;
-    const bool wipes = ImGui::SmallButton("Wipe");
+    const bool wipes = small_button("Wipe");
     tooltip("Wipe", "Removes the curve, so that you can draw it again");
     if (wipes) lesson.chosen = {};
 }
@@ -260,7 +260,7 @@ void revealed_answer(UiState& state, const StationQuestion& question, const Give
     const Reveal* reveal = state.get<LessonState>().station().reveal;
     if (reveal == nullptr || !reveal->pick) return;
     const char* const label = asks.term.empty() ? "The pixel's equation" : "Show it in the equation";
-    if (ImGui::SmallButton(label)) show_in_equation(state, asks);
+    if (small_button(label)) show_in_equation(state, asks);
     tooltip(label, asks.term.empty() ? "Of the pixel that the lesson picked"
                                      : "The picked pixel's equation, with this number marked");
 }

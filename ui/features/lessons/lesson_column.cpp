@@ -151,7 +151,7 @@ void summary(UiState& state) {
     if (score.tasks > 0) text += fmt::format("; {} of {} tasks done by hand", score.done, score.tasks);
     ImGui::Dummy({0, px(4)});
     small_dim(text + ".");
-    if (ImGui::SmallButton("Begin again")) begin_again(state);
+    if (small_button("Begin again")) begin_again(state);
     tooltip("Begin again", "From the first station, with nothing answered");
 }
 

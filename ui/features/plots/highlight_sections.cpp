@@ -49,7 +49,7 @@ void draw_by_hand(HighlightSketch& sketch, const PlotArea& area) {
 void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<HighlightFit>& fit) {
     if (!fit) return small_dim("Draw a curve over the plot to find the power that fits it best.");
     mono_text(fmt::format("best: n = {:.4g}, {:.3f} off on average", fit->shininess, fit->error));
-    if (ImGui::SmallButton("Use this n")) {
+    if (small_button("Use this n")) {
         const auto object = state.on_screen.explanation && state.on_screen.explanation->hit
                                 ? static_cast<std::size_t>(state.on_screen.explanation->object_index)
                                 : std::size_t{0};
@@ -59,7 +59,7 @@ void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<Highli
     }
     tooltip("Use this n", "As the shininess of the picked object, or of the first");
     ImGui::SameLine();
-    if (ImGui::SmallButton("Clear")) sketch = {};
+    if (small_button("Clear")) sketch = {};
 }
 
 bool raises_a_cosine(Reflection reflection) {

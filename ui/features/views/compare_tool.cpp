@@ -198,7 +198,7 @@ const std::vector<Preset>& presets() {
 }
 
 void presets_popup(CompareChoice& choice) {
-    if (ImGui::SmallButton("Parts##presets")) ImGui::OpenPopup("##presets");
+    if (small_button("Parts##presets")) ImGui::OpenPopup("##presets");
     tooltip("The compared variants", "Or click a label on the picture to choose one part");
     ImGui::SameLine(0, px(4));
     if (!ImGui::BeginPopup("##presets")) return;
@@ -222,7 +222,7 @@ void direction_buttons(CompareChoice& choice) {
 
 void difference_controls(CompareState& state) {
     CompareChoice& choice = state.choice;
-    if (ImGui::SmallButton(fmt::format("×{}###gain", choice.gain).c_str())) double_gain(choice);
+    if (small_button(fmt::format("×{}###gain", choice.gain).c_str())) double_gain(choice);
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) choice.gain = std::max(choice.gain / 2, 1);
     tooltip("Scale of the difference", "Click: double, after ×64 back to ×1 · Right click: halve");
     ImGui::SameLine(0, px(8));

@@ -162,7 +162,7 @@ DebugView debug_view_after(DebugView view, int steps) {
 bool debug_view_choice(DebugViewState& state) {
     DebugView& view = state.set.choice.view;
     bool chosen = false;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(1)});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, small_padding());
     const bool plain = view == DebugView::Picture;
     ImGui::PushStyleColor(ImGuiCol_FrameBg, plain ? theme().field : theme().accent);
     ImGui::PushStyleColor(ImGuiCol_Button, plain ? theme().field : theme().accent);
@@ -189,7 +189,7 @@ bool debug_view_choice(DebugViewState& state) {
 
 void light_choice(DebugViewState& state, const Scene& scene) {
     if (state.set.choice.view != DebugView::NDotL || scene.lights.empty()) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(6), px(1)});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, small_padding());
     ImGui::SetNextItemWidth(px(86));
     int& light = state.set.choice.light;  // of the edited scene, which may have more
     int shown = std::min(light, static_cast<int>(scene.lights.size()) - 1);

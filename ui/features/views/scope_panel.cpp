@@ -188,7 +188,7 @@ bool buttons(ScopeState& scope, PictureSize size) {
                "do not change",
                "Drag it over the picture"))
         switch_card(scope, size);
-    const bool copy = ImGui::SmallButton("Copy");
+    const bool copy = small_button("Copy");
     tooltip("Copy as command", "The command line that prints these numbers");
     return copy;
 }
@@ -197,12 +197,13 @@ bool buttons(ScopeState& scope, PictureSize size) {
 
 bool scope_panel(ScopeState& scope, const Rect& area, PictureSize size) {
     ImGui::PushFont(fonts().small);
+    ImGui::SetCursorPosY(px(3));
     const bool copy = buttons(scope, size);
     const std::string text = scope.hovered >= 0
                                  ? sample_text(scope.samples, static_cast<std::size_t>(scope.hovered))
                                  : edge_words(scope.samples);
     ImGui::SameLine(0, px(10));
-    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 at = ImGui::GetCursorScreenPos() + ImVec2(0, small_padding().y);
     ImGui::PushFont(fonts().figures);
     cut_text(*ImGui::GetWindowDrawList(), at, area.high.x - px(34), text);
     ImGui::PopFont();

@@ -131,6 +131,7 @@ void command_button(UiState& state, const char* label, CommandId id, const char*
 /// The quantity and the comparison always have the same place; what belongs to either follows.
 void views_bar(UiState& state) {
     ImGui::PushFont(fonts().small);
+    ImGui::SetCursorPosY(px(3));
     if (debug_view_choice(state.get<DebugViewState>()))
         state.get<CompareState>().choice.on = false;  // the two exclude each other
     command_button(state, "Compare", CommandId::Compare,

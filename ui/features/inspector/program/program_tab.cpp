@@ -198,7 +198,7 @@ void wrong_space_notes(UiState& state) {
         const auto row = std::find_if(names.begin(), names.end(),
                                       [](const MistakeName& m) { return m.name == "light_in_wrong_space"; });
         const std::string label = "Mistake: " + title_of(*row);
-        if (ImGui::SmallButton(label.c_str())) show_mistake(state, &*row);
+        if (small_button(label.c_str())) show_mistake(state, &*row);
         tooltip(label.c_str(), std::string(row->what).c_str(), "Click to show it in its list");
     }
 }
@@ -208,7 +208,7 @@ bool is_open_at_first(const UiState& state, const GlCallGroup& group) {
 }
 
 void copy_button(UiState& state, const std::vector<GlCallGroup>& groups) {
-    if (ImGui::SmallButton("Copy")) {
+    if (small_button("Copy")) {
         ImGui::SetClipboardText(calls_text(groups).c_str());
         state.notifications.tell("The calls are on the clipboard");
     }
