@@ -75,7 +75,7 @@ template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
     visit(Row{"name", "Name", "Name of the light"}.undone_as("Rename {}"), Text{max_name_characters}, l.name);
     visit(Row{"type", "Type", "Kind of light"}.undone_as("Type of {}"), OneOf{}, l.kind);
     visit(Row{"space", "Space", "Coordinate system of its position, direction and edges"}, OneOf{}, l.space);
-    visit(Row{"position", l.kind == LightKind::Directional ? "Towards" : "Position",
+    visit(Row{"position", l.kind == LightKind::Directional ? "Comes from" : "Position",
               "Homogeneous: the direction towards the light if w = 0, a position divided by w if w > 0"},
           Homogeneous{l.kind}, l.position);
     visit(Row{"ambient", "Ambient", "Colour for the ambient term"}.undone_as("Colour of {}"), Colour{},

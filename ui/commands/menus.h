@@ -32,6 +32,7 @@ struct PaletteState {
     std::vector<PaletteEntry> entries;
     std::vector<int> matches;          // entries that match the text
     ItemCounts made_for;               // scene that the entries' light and object numbers refer to
+    float width = 0;                   // that its entries need
     bool has_keyboard = false;         // whether the text had focus in the frame before
     std::vector<ImWchar> typed_ahead;  // until it has focus
 };

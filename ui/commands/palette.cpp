@@ -84,10 +84,10 @@ int entry_list(PaletteState& state, const UiInput& input) {
     if (state.matches.empty())
         wrapped_dim(fmt::format("Nothing is called “{}”: this finds commands, fields, scenes and lessons",
                                 shortened(state.text)));
-    const int before = state.chosen;
-    const int count = static_cast<int>(state.matches.size());
+    const int before = state.chosen, count = static_cast<int>(state.matches.size());
+    const int shown = std::clamp(count, 1, rows_shown);
     const bool entered = choose_by_keys(state.chosen, count, 1, input) && !state.takes_keyboard;
-    ImGui::BeginChild("##entries", {0, rows_shown * (ImGui::GetFrameHeight() + px(1))});
+    ImGui::BeginChild("##entries", {0, static_cast<float>(shown) * (ImGui::GetFrameHeight() + px(1))});
     const int clicked = entry_rows(state, state.chosen >= 0 && state.chosen != before);
     ImGui::EndChild();
     if (clicked >= 0 || !entered) return clicked;
@@ -138,6 +138,9 @@ void open_palette(UiState& state) {
     palette.entries = palette_entries(state);
     palette.matches = palette_matches(palette.entries, "");
     palette.made_for = item_counts(state.editor.scene());
+    const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+    for (const PaletteEntry& entry : palette.entries)
+        palette.width = std::max(palette.width, width(entry.name) + width(entry.keys) + px(60));
 }
 
 void palette(UiState& state, const UiInput& input) {
@@ -146,7 +149,7 @@ void palette(UiState& state, const UiInput& input) {
     if (item_counts(state.editor.scene()) != palette.made_for) palette.open = false;
     if (!palette.open) return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float width = std::min(px(560), window.x - px(20));
+    const float width = std::min(std::clamp(palette.width, px(380), px(560)), window.x - px(20));
     ImGui::SetNextWindowPos({(window.x - width) / 2, std::min(px(90), window.y / 8)});
     ImGui::SetNextWindowSize({width, 0});
     if (palette.takes_keyboard) ImGui::SetNextWindowFocus();

@@ -55,6 +55,9 @@ void follow_lights(UiState& state, const std::vector<Light>& before) {
     std::erase_if(grid.muted, [&](GridCell& cell) { return !follow(cell.light); });
     auto& marked = state.get<InspectorState>().marked;
     if (marked && !follow(marked->light)) marked.reset();
+    AnimateState& animate = state.get<AnimateState>();
+    if (!follow(animate.animation.light) && animate.animation.motion == Motion::Circle)
+        animate.playing = false;
     follow_number(state, "/lights/", before, after);
 }
 

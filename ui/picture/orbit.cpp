@@ -51,6 +51,47 @@ Camera shifted(Camera camera, glm::dvec3 shift) {
     return camera;
 }
 
+/// Points of the visible objects, or of the one with that index, in camera coordinates; of large meshes a
+/// part.
+std::vector<glm::dvec3> framed_points(const Scene& scene, int object, const glm::dmat4& view_from_world) {
+    constexpr std::size_t enough = 50'000;  // of a mesh
+    std::vector<glm::dvec3> points;
+    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        const Object& each = scene.objects[o];
+        if (!each.mesh || (object >= 0 ? static_cast<int>(o) != object : !each.visible)) continue;
+        const glm::dmat4 to_view = view_from_world * world_from_object(each.transform);
+        const std::vector<glm::vec3>& positions = each.mesh->positions;
+        for (std::size_t p = 0; p < positions.size(); p += positions.size() / enough + 1)
+            points.emplace_back(to_view * glm::dvec4(positions[p], 1));
+    }
+    return points;
+}
+
+/// Along one axis of the picture: a point x beside and d in front of the eye appears in the wanted part of
+/// the picture if d low <= x <= d high. For the eye moved sideways by s and forward by f that is, for all
+/// points, left <= low f - s and right <= s - high f.
+struct Extent {
+    double low = 0, high = 0, left = -HUGE_VAL, right = -HUGE_VAL;
+    /// The closest that the eye may come.
+    [[nodiscard]] double forward() const { return -size() / (high - low); }
+    /// How far to go sideways to leave the same room on both sides.
+    [[nodiscard]] double middle(double forward) const { return (right - left + (low + high) * forward) / 2; }
+    [[nodiscard]] double size() const { return left + right; }
+};
+
+Extent extent_along(int axis, const std::vector<glm::dvec3>& points, const ScreenMap& map, double share) {
+    Extent extent;
+    if (map.clip_from_view[2][3] != 0) {  // perspective
+        const double scale = map.clip_from_view[axis][axis], shift = map.clip_from_view[2][axis];
+        extent.low = (shift - share) / scale, extent.high = (shift + share) / scale;
+    }
+    for (const glm::dvec3& at : points) {
+        extent.right = std::max(extent.right, at[axis] + extent.high * at.z);
+        extent.left = std::max(extent.left, -at[axis] - extent.low * at.z);
+    }
+    return extent;
+}
+
 glm::dvec3 way_to_eye(ViewFrom from) {
     constexpr double off_pole = 2e-3;  // a tenth of a degree
     switch (from) {
@@ -117,33 +158,30 @@ void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, Pi
 
 void fill_picture(Scene& scene, int object, PictureSize size) {
     constexpr double share = 0.8;
-    constexpr std::size_t enough = 50'000;  // positions of a mesh
-    constexpr int steps = 6;                // perspective: the nearest parts grow faster than the others
-    const glm::dvec2 whole(size.width, size.height);
     Camera camera = scene.camera;
-    for (int i = 0; i < steps; ++i) {
-        const ScreenMap map = screen_map(camera, size);
-        glm::dvec2 low(HUGE_VAL), high(-HUGE_VAL);
-        for (std::size_t o = 0; o < scene.objects.size(); ++o) {
-            const Object& each = scene.objects[o];
-            if (object >= 0 ? static_cast<int>(o) != object : !each.visible) continue;
-            if (!each.mesh) continue;
-            const glm::dmat4 to_world = world_from_object(each.transform);
-            const std::vector<glm::vec3>& positions = each.mesh->positions;
-            for (std::size_t p = 0; p < positions.size(); p += positions.size() / enough + 1) {
-                const ProjectedPoint at = project(map, glm::dvec3(to_world * glm::dvec4(positions[p], 1)));
-                if (!at.in_front) return;
-                low = glm::min(low, at.pixel), high = glm::max(high, at.pixel);
-            }
-        }
-        const glm::dvec2 extent = (high - low) / whole;
-        const double factor = std::max(extent.x, extent.y) / share;
-        if (!(factor > 0) || !std::isfinite(factor)) return;
-        pan(camera, (low + high) / 2.0, whole / 2.0, target_depth(camera), size);
-        dolly(camera, whole / 2.0, target_depth(camera), factor, size);
+    const ScreenMap map = screen_map(camera, size);
+    const std::vector<glm::dvec3> seen = framed_points(scene, object, map.view_from_world);
+    if (seen.empty()) return;
+    const bool is_parallel = is_orthographic(camera.projection);
+    const Extent x = extent_along(0, seen, map, share), y = extent_along(1, seen, map, share);
+    const double forward = is_parallel ? 0 : std::min(x.forward(), y.forward());
+    const auto [far, near] =
+        std::minmax_element(seen.begin(), seen.end(), [](auto& a, auto& b) { return a.z < b.z; });
+    const auto in_world = [&](double z) {
+        return glm::vec3(map.world_from_view * glm::dvec4(x.middle(forward), y.middle(forward), z, 1));
+    };
+    camera.eye = in_world(-forward), camera.target = in_world((near->z + far->z) / 2);
+    if (auto* flat = std::get_if<Orthographic>(&camera.projection))
+        flat->height *= static_cast<float>(
+            std::max(x.size() * map.clip_from_view[0][0], y.size() * map.clip_from_view[1][1]) / 2 / share);
+    if (!usable(camera)) return;
+    Bounds framed{glm::vec3(HUGE_VALF), glm::vec3(-HUGE_VALF)};
+    for (const glm::dvec3& point : seen) {
+        const glm::vec3 at(map.world_from_view * glm::dvec4(point, 1));
+        framed = {glm::min(framed.min, at), glm::max(framed.max, at)};
     }
-    if (violation_of(camera)) return;
     keep_depth_range(camera, scene.camera, scene_bounds(scene));
+    keep_depth_range(camera, scene.camera, framed);  // also where the scene reaches behind the eye
     scene.camera = camera;
 }
 

@@ -27,7 +27,7 @@ void pan(Camera& camera, glm::dvec2 from_px, glm::dvec2 to_px, double depth, Pic
 void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, PictureSize size);
 
 /// Moves the camera along its view and sideways until the visible objects, or the one with that index, fill
-/// 80 % of a picture of that size in width or height. Does nothing if a part is behind the eye.
+/// 80 % of a picture of that size in width or height.
 void fill_picture(Scene& scene, int object, PictureSize size);
 
 /// Depth of the target in front of the camera: used by pan and dolly when the cursor is on the background.

@@ -22,6 +22,7 @@ namespace {
 struct OrientationState {
     bool axes = true, grid = false;
     int hovered = -1;  // in `ends`
+    float below = 0;   // the labels of a comparison
 };
 
 /// An end of an axis, and the view from there.
@@ -44,7 +45,7 @@ bool has_room(const Rect& picture) { return std::min(picture.size().x, picture.s
 
 ImVec2 middle_of_axes(const UiState& state) {
     const Rect picture = picture_in_sight(state);
-    return {picture.high.x - px(margin), picture.low.y + px(margin)};
+    return {picture.high.x - px(margin), picture.low.y + px(margin) + state.get<OrientationState>().below};
 }
 
 ImVec2 place_of(const AxisEnd& end, ImVec2 middle, const ScreenMap& map) {
@@ -173,6 +174,7 @@ template <bool OrientationState::*shown> WindowCommand toggle(const char* name, 
 
 extern const Feature orientation_feature;
 const Feature orientation_feature{
+    .begin = [](UiState& s, const UiInput&) { s.get<OrientationState>().below = s.label_height; },
     .tool = &axes_tool,
     .overlay = draw_orientation,
     .commands =

@@ -11,6 +11,7 @@
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "ui/features/export/animation.h"
+#include "ui/picture/handles/light_place.h"
 #include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;
@@ -98,6 +99,84 @@ TEST_CASE("a turntable starts at the scene itself and keeps distance and height"
     const glm::vec3 quarter = at(document, animation, 9).camera.eye;
     CHECK(quarter.x == Approx(start.eye.z));
     CHECK(quarter.z == Approx(-start.eye.x));
+}
+
+TEST_CASE("a light circles about the target in world coordinates, whatever its own", "[ui][animate]") {
+    SceneDocument document = busy_document();
+    Scene& scene = document.scene;
+    scene.camera.eye = {1, 2, 9}, scene.camera.target = {1, 2, 3};
+    Light spot;
+    spot.kind = LightKind::Spot;
+    spot.position = {3, 7, 3, 1};  // 2 to the right of the axis, 5 above the target
+    spot.spot.direction = {-1, 0, 0};
+    Light sun;
+    sun.kind = LightKind::Directional;
+    sun.position = {2, 5, 0, 0};
+    scene.lights = {spot, in_space(spot, LightSpace::Camera, scene.camera), sun};
+    for (const int light : {0, 1}) {
+        Animation animation{.motion = Motion::Circle, .frames = 4, .light = light};
+        CHECK(at(document, animation, 0) == scene);
+        // A quarter counter-clockwise seen from above takes +x to -z.
+        const Light quarter =
+            in_space(at(document, animation, 1).lights[std::size_t(light)], LightSpace::World, scene.camera);
+        CHECK(glm::distance(glm::vec3(quarter.position), glm::vec3(1, 7, 1)) < 1e-5f);
+        CHECK(glm::distance(quarter.spot.direction, glm::vec3(0, 0, 1)) < 1e-5f);
+        animation.axis = CircleAxis::View;    // +z: +x to +y, +y to -x
+        animation.radius = std::sqrt(116.0);  // twice as far away
+        const Light seen =
+            in_space(at(document, animation, 1).lights[std::size_t(light)], LightSpace::World, scene.camera);
+        CHECK(glm::distance(glm::vec3(seen.position), glm::vec3(1 - 10, 2 + 4, 3)) < 1e-5f);
+    }
+    const Scene turned = at(document, {.motion = Motion::Circle, .frames = 2, .light = 2}, 1);
+    CHECK(glm::distance(turned.lights[2].position, glm::vec4(-2, 5, 0, 0)) < 1e-5f);
+}
+
+TEST_CASE("an animation without a light does not play", "[ui][window][animate]") {
+    HeadlessWindow bench;
+    bench.scene().lights.clear();
+    begin_animation(bench.state, Motion::Circle);
+    switch_playing(bench.state);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.get<AnimateState>().playing);
+    CHECK(bench.state.get<AnimateState>().refused == "The scene has no light");
+}
+
+TEST_CASE("ffmpeg makes the video from every frame, or its absence is said", "[ui][window][animate]") {
+    const TemporaryDirectory folder;
+    const std::string path_before = std::getenv("PATH");
+    setenv("PATH", folder.path("").c_str(), 1);
+    HeadlessWindow bench;
+    bench.frames(2);
+    AnimateState& animate = bench.state.get<AnimateState>();
+    animate.animation.frames = 3;
+    begin_frames(bench.state, folder.path("turn.mp4"), {40, 30}, 1);
+    CHECK_FALSE(animate.job);
+    CHECK(bench.notes_with("MP4 needs the program ffmpeg") == 1);
+    begin_animation(bench.state, Motion::Turntable);
+    animate.file = AnimationFile::Mp4;
+    bench.frames(3);
+    bench.click(bench.control("Export animation"));
+    bench.frames(2);
+    CHECK_FALSE(bench.state.files.open);
+    // In place of ffmpeg: keeps what it reads, in the file that its last argument names.
+    const auto install = [&](const char* script) {
+        std::filesystem::permissions(folder.file("ffmpeg", script), std::filesystem::perms::owner_all);
+    };
+    install("#!/bin/sh\nfor last; do :; done\n/bin/cat >\"$last\"\n");
+    begin_frames(bench.state, folder.path("turn.mp4"), {40, 30}, 1);
+    while (animate.job) (void)bench.frame();
+    CHECK(bench.state.notifications.list.back().text == "Wrote turn.mp4 with 3 frames");
+    const std::string read = bytes_of(folder.path("turn.mp4"));
+    std::size_t pictures = 0;
+    for (std::size_t i = read.find("\x89PNG"); i != std::string::npos; i = read.find("\x89PNG", i + 1))
+        ++pictures;
+    CHECK(pictures == 3);
+    install("#!/bin/sh\nexit 1\n");
+    begin_frames(bench.state, folder.path("other.mp4"), {40, 30}, 1);
+    while (animate.job) (void)bench.frame();
+    CHECK(bench.notes_with("ffmpeg could not write the video") == 1);
+    CHECK(folder.names() == std::vector<std::string>{"ffmpeg", "turn.mp4"});
+    setenv("PATH", path_before.c_str(), 1);
 }
 
 TEST_CASE("a number goes linearly to the other end and back", "[ui][animate]") {
@@ -208,8 +287,8 @@ TEST_CASE("the animation can be chosen and played without a mouse", "[ui][window
     (void)bench.key(Key::Tab);
     bench.frames(4);
     REQUIRE(ImGui::GetIO().WantTextInput);
-    bench.type("12");
-    CHECK(bench.state.get<AnimateState>().animation.frames == 12);
+    bench.type("12");  // seconds
+    CHECK(bench.state.get<AnimateState>().animation.frames == 12 * 25);
     let_go_of_fields();
     bench.frames(2);
     (void)bench.key(Key::Enter);
@@ -309,7 +388,7 @@ TEST_CASE("an animation with slow meshes is not played; a message suggests writi
         CHECK_FALSE(plays(detail, from, to));
         CHECK_FALSE(animate.frame);
         REQUIRE(bench.state.notifications.list.size() == 1);
-        CHECK(bench.state.notifications.list[0].text.find("Write frames…") != std::string::npos);
+        CHECK(bench.state.notifications.list[0].text.find("Export animation…") != std::string::npos);
         CHECK(animate.refused.empty());  // they can be written
     }
     CHECK_FALSE(plays("/objects/0/mesh/decimate", 0, 100));
@@ -396,7 +475,7 @@ TEST_CASE("writing frames needs a chosen number before the file dialog opens", "
     bench.frames(2);
     begin_animation(bench.state, Motion::PingPong);
     bench.frames(3);
-    bench.click(bench.control("Write frames"));
+    bench.click(bench.control("Export animation"));
     bench.frames(2);
     CHECK_FALSE(bench.state.files.open);
     CHECK(bench.state.get<AnimateState>().refused.find("No number is chosen") == 0);

@@ -163,7 +163,7 @@ TEST_CASE("a game ends what was shown before it, and Escape ends an animation", 
     bench.frames(2);
     const auto play = [&] {
         if (!bench.state.get<AnimateState>().open)
-            run_command(bench.state, test::command_named("Animate: turntable, numbers back and forth…"));
+            run_command(bench.state, test::command_named("Animate: turntable, light, number…"));
         bench.frames(2);
         bench.state.get<AnimateState>().animation.motion = Motion::Turntable;
         bench.click(bench.control("Play"));

@@ -92,24 +92,33 @@ TEST_CASE("a right click on the picture opens a menu, a right drag pans", "[ui][
     CHECK(lights.at(1).n_dot_l == Approx(1).margin(1e-3));
 }
 
-TEST_CASE("F frames to 80 % of the picture", "[ui][window][camera]") {
-    for (const ImVec2 size : {ImVec2(1024, 768), ImVec2(1280, 800), ImVec2(1920, 1080)}) {
+TEST_CASE("F frames each object to 80 % of the picture, also on a large floor", "[ui][window][camera]") {
+    for (const auto& [size, floor] :
+         {std::pair(ImVec2(1024, 768), 40.0f), {ImVec2(1280, 800), 8.0f}, {ImVec2(1920, 1080), 400.0f}}) {
         HeadlessWindow bench(size);
         bench.frames(2);
-        bench.scene().objects[0].transform.scale = {1, 0.3f, 0.5f};
+        Scene& scene = bench.scene();
+        scene.objects[0].transform.scale = {1, 0.3f, 0.5f};
+        scene.objects.push_back(scene.objects[0]);
+        scene.objects[1].transform = {.translate = {0, -1, 0}, .scale = {floor, 0.01f, floor}};
         bench.frames(2);
-        (void)bench.key(Key::F);
-        bench.frames(3);
-        const PictureSize drawn = bench.state.rendered->size;
-        glm::ivec2 low(drawn.width, drawn.height), high(-1);
-        for (int y = 0; y < drawn.height; ++y)
-            for (int x = 0; x < drawn.width; ++x)
-                if (bench.state.renderer->object_at(x, y) >= 0)
-                    low = glm::min(low, glm::ivec2(x, y)), high = glm::max(high, glm::ivec2(x, y));
-        const double wide = double(high.x - low.x + 1) / drawn.width;
-        const double tall = double(high.y - low.y + 1) / drawn.height;
-        CAPTURE(wide, tall, drawn.width, drawn.height);
-        CHECK(std::max(wide, tall) == Approx(0.8).margin(0.02));
-        CHECK((low.x + high.x) / 2.0 == Approx(drawn.width / 2.0).margin(0.02 * drawn.width));
+        for (const int object : {0, 1}) {
+            bench.state.editor.selection = {Selection::Kind::Object, object};
+            (void)bench.key(Key::F);
+            bench.frames(3);
+            scene.objects[1].visible = object == 1;  // it hides nothing of the other
+            bench.frames(3);
+            const PictureSize drawn = bench.state.rendered->size;
+            glm::ivec2 low(drawn.width, drawn.height), high(-1);
+            for (int y = 0; y < drawn.height; ++y)
+                for (int x = 0; x < drawn.width; ++x)
+                    if (bench.state.renderer->object_at(x, y) == object)
+                        low = glm::min(low, glm::ivec2(x, y)), high = glm::max(high, glm::ivec2(x, y));
+            const double wide = double(high.x - low.x + 1) / drawn.width;
+            const double tall = double(high.y - low.y + 1) / drawn.height;
+            CAPTURE(object, wide, tall, drawn.width, drawn.height);
+            CHECK(std::max(wide, tall) == Approx(0.8).margin(0.02));
+            CHECK((low.x + high.x) / 2.0 == Approx(drawn.width / 2.0).margin(0.02 * drawn.width));
+        }
     }
 }

@@ -69,7 +69,7 @@ TEST_CASE("a command is found by its topic", "[ui][palette]") {
                                     {"dark mode", "Light theme"},
                                     {"zebra", "Stripes over colours that are too bright"},
                                     {"fullscreen", "Picture alone"},
-                                    {"gif", "Animate: turntable, numbers back and forth…"},
+                                    {"gif", "Animate: turntable, light, number…"},
                                     {"focus", "Frame the selected object, or all"}};
     for (const auto& [text, name] : about) {
         const auto entries = found(bench.state, text);
@@ -256,7 +256,7 @@ TEST_CASE("the palette plays the animation and chooses its number without a mous
           "[ui][palette][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
-    found(bench.state, "animate: back and forth").at(0).run(bench.state);
+    found(bench.state, "animate: back").at(0).run(bench.state);
     bench.frames(4);
     CHECK(bench.state.get<AnimateState>().open);
     CHECK(ImGui::GetIO().WantTextInput);
@@ -273,7 +273,7 @@ TEST_CASE("the palette plays the animation and chooses its number without a mous
     CHECK(bench.state.get<AnimateState>().playing);
     found(bench.state, "stop the animation").at(0).run(bench.state);
     CHECK_FALSE(bench.state.get<AnimateState>().playing);
-    found(bench.state, "write frames").at(0).run(bench.state);
+    found(bench.state, "export animation").at(0).run(bench.state);
     CHECK(bench.state.files.open);
     CHECK(bench.state.files.purpose == &frames_purpose);
 }

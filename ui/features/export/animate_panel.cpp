@@ -9,6 +9,7 @@
 #include "models/problem.h"
 #include "ui/commands/match.h"
 #include "ui/features/export/animation.h"
+#include "ui/features/export/clipboard.h"
 #include "ui/fields/field_panel.h"
 #include "ui/shell/layout.h"
 #include "ui/ui.h"
@@ -97,6 +98,45 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     if (number_field("To", to, ends, 0, help)) animation.to = double(to);
 }
 
+void choose_circle(Animation& animation, const Scene& scene) {
+    if (scene.lights.empty()) return wrapped_dim("The scene has no light.");
+    ImGui::SetNextItemWidth(label_cell("Light"));
+    if (light_combo("##light", animation.light, scene.lights)) tooltip("Light", "The light that moves");
+    if (segment_field("Axis", animation.axis, {"The axis of its circle, through the camera's target", ""}))
+        animation.radius = 0;
+    const Light& light = scene.lights[static_cast<std::size_t>(animation.light)];
+    if (light.position.w == 0) return wrapped_dim("A directional light has no radius: its direction turns.");
+    const auto present =
+        static_cast<float>(radius_of(light, scene.camera, axis_of(scene.camera, animation.axis)));
+    float radius = animation.radius > 0 ? static_cast<float>(animation.radius) : present;
+    const Help help{"Distance from the axis; at first where the light is", ""};
+    if (number_field("Radius", radius, Real{.range = above_zero, .step = 0.01f}, present, help))
+        animation.radius = radius == present ? 0 : double(radius);
+}
+
+/// Length and number of frames of a period, each in terms of the other.
+void time_fields(AnimateState& animate) {
+    Animation& animation = animate.animation;
+    const int rate = animate.frames_a_second;
+    const auto seconds = static_cast<float>(animation.frames) / static_cast<float>(rate);
+    const auto framed = [&](float s) {
+        return std::clamp(static_cast<int>(std::lround(s * float(animate.frames_a_second))), 1, max_frames);
+    };
+    float wanted = seconds;
+    const bool turns = animation.motion != Motion::PingPong;
+    const Real length{.range = {0.02, 2000, "0.02 to 2000"},
+                      .step = 0.02f,
+                      .format = turns ? "%.2f s per turn" : "%.2f s there and back",
+                      .usual_max = 60,
+                      .logarithmic = true};
+    if (number_field("Time", wanted, length, 1.92f, {"Length of one period; then it repeats", ""}))
+        animation.frames = framed(wanted);
+    (void)integer_field("Frames", animation.frames, Count{1, max_frames}, 48,
+                        {"Frames of one period; then it repeats", ""});
+    if (integer_field("Frames / s", animate.frames_a_second, Count{1, 50}, 25, {"Frames per second", ""}))
+        animation.frames = framed(seconds);
+}
+
 void write_buttons(UiState& state) {
     AnimateState& animate = state.get<AnimateState>();
     if (animate.job) {
@@ -114,11 +154,12 @@ void write_buttons(UiState& state) {
     if (ImGui::Button(play, {px(90), 0})) switch_playing(state);
     tooltip(play, "The scene stays as it is: only the picture is animated", "", "Enter");
     ImGui::SameLine();
-    if (ImGui::Button("Write frames…", {px(130), 0})) ask_for_frames(state);
-    tooltip("Write frames",
-            "One file (NAME.gif, NAME.webp) or one file per frame (NAME-0001.png). A GIF mixes 256 colours "
-            "by dithering; WebP and PNG keep every colour",
-            "At the size and samples of Export picture");
+    const std::string missing = animate.file == AnimationFile::Mp4 ? mp4_disabled_reason() : "";
+    ImGui::BeginDisabled(!missing.empty());
+    const std::string label = missing.empty() ? "Export animation…" : missing;
+    if (ImGui::Button((label + "###export").c_str(), {-1, 0})) ask_for_frames(state);
+    ImGui::EndDisabled();
+    tooltip("Export animation", choice_of(animate.file).meaning, "At the size and samples of Export picture");
     ImGui::EndDisabled();
 }
 
@@ -141,10 +182,11 @@ void animate_panel(UiState& state) {
         const Animation before = animate.animation;
         if (segment_field("Motion", animate.animation.motion, {"What moves", ""})) animate.takes_keys = true;
         if (animate.animation.motion == Motion::PingPong) choose_number(animate, state.editor.scene());
+        if (animate.animation.motion == Motion::Circle)
+            choose_circle(animate.animation, state.editor.scene());
         if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
-        (void)integer_field("Frames", animate.animation.frames, Count{1, max_frames}, 48,
-                            {"Frames of one period; then it repeats", ""});
-        (void)integer_field("Speed", animate.frames_a_second, Count{1, 50}, 25, {"Frames per second", ""});
+        time_fields(animate);
+        (void)segment_field("File", animate.file, {"What Export animation writes", ""});
         if (!(animate.animation == before)) animate.refused.clear();
         if (!animate.refused.empty()) {
             ImGui::PushTextWrapPos();

@@ -21,6 +21,7 @@
 #include "ui/feature.h"
 #include "ui/features/export/export_picture.h"
 #include "ui/features/inspector/equation/words.h"
+#include "ui/picture/handles/light_place.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -39,8 +40,12 @@ void forget_number_that_is_gone(UiState& state) {
     forget_number(state);
 }
 
-/// Reports a missing choice of the number to animate.
-bool refuses_no_number(AnimateState& animate) {
+/// Reports a missing light, or a missing choice of the number to animate.
+bool refuses_nothing_chosen(AnimateState& animate, const Scene& scene) {
+    if (animate.animation.motion == Motion::Circle && scene.lights.empty()) {
+        animate.refused = "The scene has no light";
+        return true;
+    }
     if (animate.animation.motion != Motion::PingPong || !animate.animation.pointer.empty()) return false;
     animate.refused = "No number is chosen: click one in the list";
     return true;
@@ -57,6 +62,31 @@ Scene turned(Scene scene, double angle) {
     const glm::dvec3 axis = glm::normalize(glm::dvec3(camera.up)), target(camera.target);
     const glm::dmat4 turn = glm::rotate(glm::dmat4(1), angle, axis);
     camera.eye = glm::vec3(target + glm::dvec3(turn * glm::dvec4(glm::dvec3(camera.eye) - target, 0)));
+    return scene;
+}
+
+/// From the target to the light, or (directional) towards it; world coordinates.
+glm::dvec3 arm_of(const Light& light, const ScreenMap& map, const Camera& camera) {
+    const double w = light.position.w == 0 ? 0 : 1;
+    const glm::dvec3 own = glm::dvec3(light.position) / (w == 0 ? 1.0 : double(light.position.w));
+    return to_world(light, own, w, map) - w * glm::dvec3(camera.target);
+}
+
+Scene circled(Scene scene, const Animation& animation, double angle) {
+    if (scene.lights.empty()) return scene;
+    const auto last = static_cast<int>(scene.lights.size()) - 1;
+    Light& light = scene.lights[static_cast<std::size_t>(std::clamp(animation.light, 0, last))];
+    const Camera& camera = scene.camera;
+    const ScreenMap map = screen_map(camera, {1, 1});
+    const glm::dvec3 axis = axis_of(camera, animation.axis), arm = arm_of(light, map, camera);
+    const double present = radius_of(light, camera, axis), w = light.position.w == 0 ? 0 : 1;
+    const bool resized = w == 1 && animation.radius > 0 && present > 0;
+    const glm::dvec3 along = glm::dot(arm, axis) * axis;
+    const glm::dvec3 sized = along + (resized ? animation.radius / present : 1.0) * (arm - along);
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1), angle, axis);
+    const glm::dvec3 world = glm::dvec3(turn * glm::dvec4(sized, 0)) + w * glm::dvec3(camera.target);
+    light.position = glm::vec4(glm::vec3(to_own(light, world, w, map)), float(w));
+    turn_shape(light, turn, map);
     return scene;
 }
 
@@ -113,11 +143,12 @@ bool animate_by_key(UiState& state, KeyPress press) {
 }
 
 void ask_for_frames(UiState& state) {
-    if (refuses_no_number(state.get<AnimateState>())) {
+    if (refuses_nothing_chosen(state.get<AnimateState>(), state.editor.scene())) {
         state.get<AnimateState>().open = true;  // it shows why
         return;
     }
-    state.files.ask(frames_purpose, offered_name(state, ".gif"));
+    const std::string ending(choice_of(state.get<AnimateState>().file).word);
+    state.files.ask(frames_purpose, offered_name(state, ending.c_str()));
 }
 
 void stop_animation(UiState& state) {
@@ -143,7 +174,7 @@ void poll_animation(UiState& state) {
     animate.frame.reset();
     if (!animate.playing) return;
     const double frame = (ImGui::GetTime() - animate.began) * animate.frames_a_second;
-    if (refuses_no_number(animate)) {
+    if (refuses_nothing_chosen(animate, state.editor.scene())) {
         animate.playing = false;
         return;
     }
@@ -151,8 +182,8 @@ void poll_animation(UiState& state) {
     if (is_held_up(document, animate.animation, static_cast<int>(frame))) {
         animate.playing = false;
         return state.notifications.add(Tone::Warning,
-                                       "Animate: making such meshes takes too long to play them; Write "
-                                       "frames… makes them in the background");
+                                       "Animate: making such meshes takes too long to play them; "
+                                       "Export animation… makes them in the background");
     }
     Result<Scene> scene = scene_at(document, animate.animation, static_cast<int>(frame));
     if (const Problem* problem = problem_of(scene)) {
@@ -165,6 +196,18 @@ void poll_animation(UiState& state) {
     redraw_within((std::floor(frame) + 1 - frame) / animate.frames_a_second);
 }
 
+double radius_of(const Light& light, const Camera& camera, const glm::dvec3& axis) {
+    const glm::dvec3 arm = arm_of(light, screen_map(camera, {1, 1}), camera);
+    return glm::length(arm - glm::dot(arm, axis) * axis);
+}
+
+glm::dvec3 axis_of(const Camera& camera, CircleAxis axis) {
+    if (axis == CircleAxis::View) return glm::normalize(glm::dvec3(camera.eye) - glm::dvec3(camera.target));
+    glm::dvec3 unit(0);
+    unit[static_cast<int>(axis)] = 1;
+    return unit;
+}
+
 double value_at(const Animation& animation, int frame) {
     const double share = double(within_period(animation, frame)) / std::max(animation.frames, 1);
     return animation.from + (animation.to - animation.from) * (1 - std::abs(1 - 2 * share));
@@ -172,9 +215,10 @@ double value_at(const Animation& animation, int frame) {
 
 Result<Scene> scene_at(const SceneDocument& document, const Animation& animation, int frame) {
     const int at = within_period(animation, frame);
-    if (animation.motion == Motion::Turntable)
-        return at == 0 ? document.scene
-                       : turned(document.scene, 2 * std::numbers::pi * at / std::max(animation.frames, 1));
+    const double angle = 2 * std::numbers::pi * at / std::max(animation.frames, 1);
+    if (animation.motion != Motion::PingPong && at == 0 && animation.radius == 0) return document.scene;
+    if (animation.motion == Motion::Turntable) return turned(document.scene, angle);
+    if (animation.motion == Motion::Circle) return circled(document.scene, animation, angle);
     Result<Scene> moved = with_number(document.scene, animation.pointer, value_at(animation, frame));
     if (auto* scene = std::get_if<Scene>(&moved)) {
         const Result<Warnings> warned = load_meshes(*scene, document.path, document.mesh_dir);
@@ -216,13 +260,13 @@ bool close_panel(UiState& state) {
 
 std::vector<WindowCommand> animation_commands() {
     return {
-        {.name = "Animate: turntable, numbers back and forth…",
+        {.name = "Animate: turntable, light, number…",
          .keys = {{Key::T, ctrl}},
          .section = Section::LectureAnimate,
          .run = switch_animate,
          .is_on = [](const UiState& s) { return s.get<AnimateState>().open; },
          .line_above = true,
-         .words = "video movie gif webp"},
+         .words = "video movie gif webp mp4 circle orbit export back and forth"},
     };
 }
 
@@ -234,7 +278,7 @@ void add_animation(std::vector<PaletteEntry>& entries, UiState& state) {
     const std::string refused = animate.job ? "Frames are being written" : animate.refused;
     entries.push_back({animate.playing ? "Stop the animation" : "Play the animation", "Animation", "",
                        refused, switch_playing});
-    entries.push_back({"Write the animation's frames…", "Animation", "", refused, ask_for_frames});
+    entries.push_back({"Export animation…", "Animation", "", refused, ask_for_frames});
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// A moving scene: the camera goes round its target, or one number of the scene goes back and forth. The
-// window edits and plays it, and writes it as PNG files, as a GIF or as a WebP.
+// A moving scene: the camera or a light goes round the target, or one number of the scene goes back and
+// forth. The window edits and plays it, and writes it as PNG files, as a GIF, as a WebP or as an MP4.
 
 #include <memory>
 #include <optional>
@@ -20,33 +20,75 @@ namespace glint {
 
 struct UiState;
 
-enum class Motion { Turntable, PingPong };
+enum class Motion { Turntable, Circle, PingPong };
 constexpr Choice choice_of(Motion motion) {
     switch (motion) {
     case Motion::Turntable:
         return {"turntable", "Turntable", "The camera once round its target"};
+    case Motion::Circle:
+        return {"circle", "Light circles", "A light once round the camera's target"};
     case Motion::PingPong:
         return {"to-and-fro", "Back and forth", "One number of the scene between two values"};
     }
     return {};
 }
 
+/// Through the camera's target.
+enum class CircleAxis { X, Y, Z, View };
+constexpr Choice choice_of(CircleAxis axis) {
+    switch (axis) {
+    case CircleAxis::X:
+        return {"x", "x", "Over the scene from the front to the back"};
+    case CircleAxis::Y:
+        return {"y", "y", "Round the scene, at the height where it is"};
+    case CircleAxis::Z:
+        return {"z", "z", "Over the scene from the left to the right"};
+    case CircleAxis::View:
+        return {"view", "View", "Round the line of sight"};
+    }
+    return {};
+}
+
+/// The file of an animation. Mp4 is made by the program ffmpeg.
+enum class AnimationFile { Gif, WebP, Mp4, Png };
+constexpr Choice choice_of(AnimationFile file) {
+    switch (file) {
+    case AnimationFile::Gif:
+        return {".gif", "GIF", "Every program shows it; 256 colours in each frame, dithered"};
+    case AnimationFile::WebP:
+        return {".webp", "WebP", "One file with every colour; browsers show it"};
+    case AnimationFile::Mp4:
+        return {".mp4", "MP4", "A video for slides, made by the program ffmpeg"};
+    case AnimationFile::Png:
+        return {".png", "PNG", "One file per frame: NAME-0001.png and so on, each with its scene"};
+    }
+    return {};
+}
+
 struct Animation {
     Motion motion = Motion::Turntable;
-    std::string pointer;      // PingPong: of a number in the scene file
+    std::string pointer{};    // PingPong: of a number in the scene file
     double from = 0, to = 1;  // PingPong: its values at both ends
     int frames = 48;          // of one period, after which it repeats; at least 1
+    int light = 0;            // Circle: in Scene::lights
+    CircleAxis axis = CircleAxis::Y;
+    double radius = 0;  // Circle: of a light with a position; 0: as far from the axis as it is
     bool operator==(const Animation&) const = default;
 };
 
 /// The scene at frame `frame` (any integer: it repeats). Turntable: eye and up turned about the axis through
 /// the target along `up`, counter-clockwise seen from above, 360 degrees over the period; frame 0 is the
-/// scene itself. PingPong: the number goes linearly from `from` to `to` and back. Problems are those of
+/// scene itself. Circle: likewise the light, with its aim and edges, about `axis`. PingPong: the number goes
+/// linearly from `from` to `to` and back. Problems are those of
 /// --set.
 [[nodiscard]] Result<Scene> scene_at(const SceneDocument& document, const Animation& animation, int frame);
 
 /// The list's text for a number that can be animated: "Bulb: intensity".
 [[nodiscard]] std::string number_words(const Scene& scene, const SceneNumber& number);
+
+/// The light's distance from the axis of its circle, and the axis, unit, in world coordinates.
+[[nodiscard]] double radius_of(const Light& light, const Camera& camera, const glm::dvec3& axis);
+[[nodiscard]] glm::dvec3 axis_of(const Camera& camera, CircleAxis axis);
 
 /// The value at a frame of a PingPong.
 [[nodiscard]] double value_at(const Animation& animation, int frame);
@@ -63,6 +105,7 @@ struct AnimateState {
     Kept<Scene, std::vector<std::string>> found;
     std::string number;  // text of Animation::pointer when it was chosen: "Bulb: intensity"; empty: none yet
     int frames_a_second = 25;  // 1 to 50: GIF counts hundredths of a second
+    AnimationFile file = AnimationFile::Gif;
     double began = 0;          // ImGui time at frame 0
     std::string refused;       // why it cannot play; empty when it can
     JobPtr<Notification> job;  // its result: the notification after writing
@@ -94,7 +137,8 @@ void forget_number(UiState& state);
 void poll_animation(UiState& state);
 
 /// Writes all frames in the background: NAME.png as NAME-0001.png, NAME-0002.png, …, each with its scene
-/// embedded; NAME.gif and NAME.webp as one file. The picture's size is `size`, with `samples` per pixel.
+/// embedded; NAME.gif, NAME.webp and NAME.mp4 as one file. The picture's size is `size`, with `samples` per
+/// pixel.
 void begin_frames(UiState& state, const std::string& path, PictureSize size, int samples);
 
 }  // namespace glint

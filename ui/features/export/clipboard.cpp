@@ -8,9 +8,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <thread>
 
 #include "models/json/json.h"
 #include "models/scene_file/scene_file.h"
@@ -27,14 +30,6 @@ bool is_set(const char* name) {
     return value != nullptr && *value != 0;
 }
 
-bool in_path(const std::string& program) {
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path != nullptr ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');)
-        if (!folder.empty() && ::access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
-    return false;
-}
-
 /// A file in memory with these bytes, positioned at its beginning; -1 without enough memory.
 int file_of(const std::string& bytes) {
     const int file = ::memfd_create("glint-picture", MFD_CLOEXEC);
@@ -49,26 +44,6 @@ int file_of(const std::string& bytes) {
     }
     ::lseek(file, 0, SEEK_SET);
     return file;
-}
-
-/// The exit status of the tool with `input` as its standard input; -1 if it did not run.
-int run_tool(const std::vector<std::string>& command, int input) {
-    std::vector<char*> words;
-    words.reserve(command.size() + 1);
-    for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
-    words.push_back(nullptr);
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-    // The tool keeps running to serve the clipboard: it must not keep our terminal or pipe open.
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    pid_t child = 0;
-    const int failed = ::posix_spawnp(&child, words[0], &files, nullptr, words.data(), environ);
-    posix_spawn_file_actions_destroy(&files);
-    int status = 0;
-    if (failed != 0 || ::waitpid(child, &status, 0) != child) return -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 /// Whether `b` has all keys of `a`: a missing key means its default, which is unknown here.
@@ -116,9 +91,43 @@ Scene with_absolute_meshes(Scene scene, const std::string& mesh_dir) {
 
 }  // namespace
 
+bool is_installed(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (!folder.empty() && ::access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
+    return false;
+}
+
+std::string mp4_disabled_reason() { return is_installed("ffmpeg") ? "" : "MP4 needs the program ffmpeg"; }
+
+int run_tool(const std::vector<std::string>& command, int input, const std::atomic<bool>* cancelled) {
+    std::vector<char*> words;
+    words.reserve(command.size() + 1);
+    for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+    // A clipboard's tool keeps running to serve it: it must not keep our terminal or pipe open.
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    pid_t child = 0;
+    const int failed = ::posix_spawnp(&child, words[0], &files, nullptr, words.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (failed != 0) return -1;
+    int status = 0;
+    pid_t ended = 0;
+    while ((ended = ::waitpid(child, &status, cancelled != nullptr ? WNOHANG : 0)) == 0) {
+        if (*cancelled) ::kill(child, SIGKILL);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return ended == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
 std::vector<std::string> clipboard_command() {
-    if (is_set("WAYLAND_DISPLAY") && in_path("wl-copy")) return {"wl-copy", "--type", "image/png"};
-    if (is_set("DISPLAY") && in_path("xclip"))
+    if (is_set("WAYLAND_DISPLAY") && is_installed("wl-copy")) return {"wl-copy", "--type", "image/png"};
+    if (is_set("DISPLAY") && is_installed("xclip"))
         return {"xclip", "-selection", "clipboard", "-t", "image/png", "-i"};
     return {};
 }

@@ -1,7 +1,8 @@
 #pragma once
-// Copies pictures and commands to the clipboard. GLFW's clipboard supports text only, so a desktop tool
-// handles pictures.
+// Copies pictures and commands to the clipboard, and runs tools of the desktop: GLFW's clipboard supports
+// text only.
 
+#include <atomic>
 #include <glm/vec2.hpp>
 #include <string>
 #include <vector>
@@ -17,6 +18,15 @@ namespace glint {
 
 /// Why there is none, as text for the user; empty if there is one.
 [[nodiscard]] std::string clipboard_disabled_reason();
+
+/// Whether $PATH has the program.
+[[nodiscard]] bool is_installed(const std::string& program);
+/// The exit status of a program with the file `input` as its standard input, ended early when `cancelled` is
+/// set; -1 if it did not run or was ended. Not for the window's thread.
+[[nodiscard]] int run_tool(const std::vector<std::string>& command, int input,
+                           const std::atomic<bool>* cancelled = nullptr);
+/// Why no MP4 can be written; empty if it can.
+[[nodiscard]] std::string mp4_disabled_reason();
 
 /// Puts PNG bytes on the clipboard and waits until the tool has read them. Not for the window's thread.
 [[nodiscard]] Result<std::monostate> copy_png(const std::string& bytes);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "models/io/file.h"
@@ -11,6 +13,7 @@
 #include "renderer/image/image_file.h"
 #include "ui/document/file_dialog.h"
 #include "ui/features/export/animation.h"
+#include "ui/features/export/clipboard.h"
 #include "ui/features/export/export_picture.h"
 #include "ui/picture/picture_notes.h"
 #include "ui/ui.h"
@@ -86,16 +89,60 @@ Result<std::string> write_animation(const FrameJob& job, LoadProgress& progress)
                        job.animation.frames);
 }
 
+/// Has ffmpeg make a video of all frames, which a file without a name keeps as PNG, so that nothing but the
+/// complete video appears in the folder.
+Result<std::string> write_video(const FrameJob& job, LoadProgress& progress) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> frames(std::tmpfile(), std::fclose);
+    const Problem full{job.path, "", "the frames do not fit into the folder for temporary files", ""};
+    if (!frames) return full;
+    const auto take = [&](int, const Scene&, const Picture& picture) -> std::optional<Problem> {
+        const std::string bytes = png_bytes(picture, "");
+        if (std::fwrite(bytes.data(), 1, bytes.size(), frames.get()) != bytes.size()) return full;
+        return {};
+    };
+    if (const auto problem = for_each_frame(job, progress, take)) return *problem;
+    if (std::fflush(frames.get()) != 0) return full;
+    std::rewind(frames.get());
+    const fs::path path = fs::absolute(job.path),
+                   part = path.parent_path() / ("." + path.filename().string() + ".part");
+    const std::string rate = std::to_string(job.frames_a_second);
+    // Of an odd number of rows or columns most players show nothing.
+    const int status = run_tool({"ffmpeg",     "-y",
+                                 "-loglevel",  "error",
+                                 "-f",         "image2pipe",
+                                 "-framerate", rate,
+                                 "-c:v",       "png",
+                                 "-i",         "-",
+                                 "-vf",        "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                 "-pix_fmt",   "yuv420p",
+                                 "-crf",       "14",
+                                 "-movflags",  "+faststart",
+                                 "-f",         "mp4",
+                                 part.string()},
+                                ::fileno(frames.get()), &progress.cancelled);
+    std::error_code failed;
+    if (status == 0) fs::rename(part, path, failed);
+    if (status == 0 && !failed)
+        return fmt::format("Wrote {} with {} frames", path.filename().string(), job.animation.frames);
+    fs::remove(part, failed);
+    return Problem{job.path, "",
+                   progress.cancelled ? "writing was cancelled" : "ffmpeg could not write the video", ""};
+}
+
+bool is_video(const std::string& path) { return lower_extension(path) == ".mp4"; }
+
 /// Why one of the output files cannot be written, the first of them; nothing if all can.
 std::optional<Problem> why_not_all_writable(const FrameJob& job) {
-    if (job.format) return why_not_writable(job.path);
+    if (is_video(job.path) && !mp4_disabled_reason().empty())
+        return Problem{job.path, "", mp4_disabled_reason(), ".gif, .webp or .png"};
+    if (job.format || is_video(job.path)) return why_not_writable(job.path);
     for (int frame = 0; frame < job.animation.frames; ++frame)
         if (auto problem = why_not_writable(frame_path(job.path, frame))) return problem;
     return {};
 }
 
 /// Whether each frame gets its own file.
-bool writes_many(const std::string& path) { return !animation_format(path); }
+bool writes_many(const std::string& path) { return !animation_format(path) && !is_video(path); }
 
 /// Whether one of the frames would replace an existing file.
 bool has_frames(const std::string& path) {
@@ -114,10 +161,10 @@ bool has_frames(const std::string& path) {
 
 }  // namespace
 
-const FilePurpose frames_purpose{.title = "Write frames",
-                                 .button = "Write",
-                                 .hint = "One file (.gif .webp), or one per frame: NAME-0001.png …",
-                                 .extensions = {".gif", ".webp", ".png"},
+const FilePurpose frames_purpose{.title = "Export animation",
+                                 .button = "Export",
+                                 .hint = "One file (.gif .webp .mp4), or one per frame: NAME-0001.png …",
+                                 .extensions = {".gif", ".webp", ".mp4", ".png"},
                                  .saves = true,
                                  .writes_many = writes_many,
                                  .may_replace_many = has_frames,
@@ -149,8 +196,9 @@ void begin_frames(UiState& state, const std::string& path, PictureSize size, int
     animate.job = state.jobs.start<Notification>(
         fs::path(path).filename().string(),
         [job, notes = notes_of_edited(state)](LoadProgress& progress) -> Result<Notification> {
-            const Result<std::string> written =
-                job.format ? write_animation(job, progress) : write_pngs(job, progress);
+            const Result<std::string> written = is_video(job.path) ? write_video(job, progress)
+                                                : job.format       ? write_animation(job, progress)
+                                                                   : write_pngs(job, progress);
             if (const Problem* problem = problem_of(written)) return *problem;
             return file_message(std::get<std::string>(written), notes);
         });
