@@ -10,7 +10,8 @@ extern const Feature lecture_feature, wedge_feature, animation_feature, pen_feat
     compare_feature, debug_view_feature, lit_dots_feature, my_picture_feature, stored_scene_feature,
     export_feature, examples_feature, lesson_list_feature, quiz_feature, mistake_pictures_feature,
     term_grid_feature, sensitivity_feature, outside_feature, light_focus_feature, find_pixel_feature,
-    recently_changed_feature, picture_menu_feature, orientation_feature;
+    recently_changed_feature, picture_menu_feature, orientation_feature, mesh_check_feature,
+    light_setups_feature;
 
 std::span<const Feature* const> features() {
     static constexpr std::array all{
@@ -35,7 +36,8 @@ std::span<const Feature* const> features() {
         &quiz_feature,          &mistake_pictures_feature, &term_grid_feature,
         &sensitivity_feature,   &outside_feature,          &recently_changed_feature,
         &picture_menu_feature,  // on a right click
-        &orientation_feature,   // axes and grid
+        &mesh_check_feature,    &light_setups_feature,
+        &orientation_feature,  // axes and grid
     };
     return all;
 }

@@ -85,8 +85,10 @@ std::string list_step(const std::vector<Item>& a, const std::vector<Item>& b, It
     const auto shorter = static_cast<std::ptrdiff_t>(std::min(a.size(), b.size()));
     const auto first = std::mismatch(a.begin(), a.begin() + shorter, b.begin()).first - a.begin();
     const auto at = static_cast<std::size_t>(first);
-    if (b.size() == a.size() + 1) return fmt::format("Add {}", b[at].name);
-    if (a.size() == b.size() + 1) return fmt::format("Delete {}", a[at].name);
+    if (b.size() == a.size() + 1 && std::equal(a.begin() + first, a.end(), b.begin() + first + 1))
+        return fmt::format("Add {}", b[at].name);
+    if (a.size() == b.size() + 1 && std::equal(b.begin() + first, b.end(), a.begin() + first + 1))
+        return fmt::format("Delete {}", a[at].name);
     if (a.size() == b.size() && std::equal(a.begin() + first + 1, a.end(), b.begin() + first + 1))
         return item_step(a[at], b[at]);
     return otherwise;

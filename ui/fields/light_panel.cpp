@@ -18,6 +18,14 @@ bool cone_fields(SpotCone& spot, const std::string& pointer) {
         (void)row;
         return open ? edited : usual() || edited;
     });
+    panel.draw_as("inner_deg", [&](const Row&, const Help& help, const auto& usual) {
+        if (spot.cutoff_deg == open_deg) return false;
+        bool soft = spot.inner_deg < spot.cutoff_deg;
+        const bool edited =
+            switch_field("Soft edge", soft, {"Fades from an inner angle to the cutoff", help.pointer});
+        if (edited) spot.inner_deg = soft ? 0.7f * spot.cutoff_deg : SpotCone{}.inner_deg;
+        return soft ? usual() || edited : edited;
+    });
     return panel.rest().edited();
 }
 

@@ -11,6 +11,7 @@
 #include "models/gltf/gltf.h"
 #include "ui/document/averaged_normals.h"
 #include "ui/fields/field_panel.h"
+#include "ui/fields/mesh_check.h"
 #include "ui/fields/panels.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
@@ -241,10 +242,11 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
                   ObjectRequests& requests) {
     const Object before = object;
     FieldPanel panel(object, pointer);
-    panel.draw({"name", "visible"});
+    panel.draw({"name", "visible", "double_sided"});
     bool edited = source_field(object, pointer, requests);
     edited |= detail_fields(object, pointer);
     mesh_facts(object, requests.about_mesh);
+    if (requests.check != nullptr) edited |= mesh_check_rows(*requests.check, object);
     const auto normals = [&] { panel.group("normals", object.normals, field_rows<NormalOptions>); };
     // If the mesh has no normals, these are the fields that users look for first.
     const bool brings_normals = !object.mesh || object.mesh->given_normals != GivenNormals::None;

@@ -16,6 +16,8 @@
 
 namespace glint {
 
+struct MeshCheck;
+
 /// Edits a light, whose JSON pointer is `pointer`: "/lights/1". A change of kind or space keeps the light
 /// where it is, as seen through `map` and `dome`.
 [[nodiscard]] bool light_panel(Light& light, const std::string& pointer, const Camera& camera,
@@ -48,6 +50,7 @@ struct ObjectRequests {
     bool browse_mesh = false;           // choose a mesh file
     GizmoMode gizmo = GizmoMode::Move;  // in the picture: the current one; the panel may change it
     std::string about_mesh;             // shown next to the mesh's numbers
+    MeshCheck* check = nullptr;         // of the mesh
 };
 
 /// Edits an object, whose JSON pointer is `pointer`: "/objects/0". A changed mesh source leaves Object::mesh
@@ -58,8 +61,9 @@ struct ObjectRequests {
 /// The state of the scene's list: the lights that the picture shows, regardless of the scene's own switches:
 /// one alone, or all but some; and the item that is being renamed.
 struct LightFocus {
-    int renamed = -1;       // number_of() the item whose name is typed in its row
-    bool is_typed = false;  // its field has the keyboard
+    int renamed = -1;                   // number_of() the item whose name is typed in its row
+    bool is_typed = false;              // its field has the keyboard
+    bool asks_setups = false;           // opens the menu of light setups
     int solo = -1;                      // in Scene::lights; -1: none
     std::vector<int> muted;             // likewise
     int hovered = -1;                   // the row under the mouse

@@ -195,11 +195,16 @@ bool add_object_menu(Scene& scene, Selection& selection, bool& browse_mesh) {
     return edited;
 }
 
-/// A heading with a plus button at its right end.
-void list_heading(const char* title, const char* popup, bool full) {
+/// A heading with a plus button at its right end, and before it one for whole sets.
+void list_heading(const char* title, const char* popup, bool full, bool* asks_sets = nullptr) {
     const float size = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
     dim_text(title);
+    if (asks_sets != nullptr) {
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2 * size);
+        if (icon_button("##sets", Icon::More)) *asks_sets = true;
+        tooltip("Light setups", "Three-point, rim and others, previewed in the picture; your own presets");
+    }
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - size);
     ImGui::BeginDisabled(full);
     if (icon_button(popup, Icon::Plus)) ImGui::OpenPopup(popup);
@@ -265,7 +270,7 @@ bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& br
     plain_row(Icon::Camera, "Camera", Selection::Kind::Camera, selection);
     plain_row(Icon::Shading, "Shading", Selection::Kind::Shading, selection);
     plain_row(Icon::Display, "Display", Selection::Kind::Display, selection);
-    list_heading("Lights", "##add-light", scene.lights.size() >= max_lights);
+    list_heading("Lights", "##add-light", scene.lights.size() >= max_lights, &focus.asks_setups);
     edited |= add_light_menu(scene, selection);
     if (is_other && selection.kind == Selection::Kind::Light) scroll_to_row(selection.index);
     edited |= rows(scene.lights, [&](int i) { return light_row(scene, i, selection, focus); });

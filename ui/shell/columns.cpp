@@ -8,6 +8,7 @@
 #include "ui/document/document_actions.h"
 #include "ui/feature.h"
 #include "ui/fields/highlight_share.h"
+#include "ui/fields/mesh_check.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
@@ -39,6 +40,7 @@ void selected_panel(UiState& state, const PictureView& view) {
         break;
     case Selection::Kind::Object:
         requests.about_mesh = highlight_words(state.get<HighlightShareState>(), scene, index, view.map.size);
+        requests.check = &state.get<MeshCheck>();
         (void)object_panel(scene.objects[index], "/objects/" + number, scene.shading.reflection, requests);
         break;
     case Selection::Kind::Shading:

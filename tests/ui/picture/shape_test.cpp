@@ -135,6 +135,29 @@ TEST_CASE("a panel's corners and edges follow the cursor, its centre stays", "[u
     }
 }
 
+TEST_CASE("the soft edge's circle follows the cursor, at most to the rim", "[ui][hands]") {
+    const LightStage stage;
+    Light light = lamp(LightSpace::World, stage);
+    light.spot.cutoff_deg = 30, light.spot.inner_deg = 12;
+    Light wanted = light;
+    wanted.spot.inner_deg = 20;
+    const auto on_ring = [&](const Light& l, float degrees) {
+        const auto cone = cone_of(l, stage.view.dome, stage.view.map);
+        return stage.pixel(cone->ring(0.6, double(degrees) * 0.017453292519943295));
+    };
+    const auto grip = shape_under(light, stage.picture, on_ring(light, 12));
+    REQUIRE(grip);
+    CHECK(grip->part == ShapePart::Inner);
+    const ShapeDrag drag{light, *grip, stage.pixel(grip->place)};
+    CHECK(dragged_shape(drag, stage.view, on_ring(light, 20), false).spot.inner_deg ==
+          Approx(20).margin(0.5));
+    CHECK(dragged_shape(drag, stage.view, on_ring(light, 60), false).spot.inner_deg == 30);
+    CHECK(dragged_shape(drag, stage.view, on_ring(light, 60), false).spot.cutoff_deg == 30);
+    light.spot.inner_deg = 180;  // no soft edge
+    for (const ShapeGrip& each : shape_grips(light, stage.view.dome, stage.view.map))
+        CHECK(each.part != ShapePart::Inner);
+}
+
 TEST_CASE("the cursor finds every mark of a shape, and the rim all round", "[ui][hands]") {
     const LightStage stage;
     for (const Light& light : {lamp(LightSpace::World, stage), panel(LightSpace::Camera, stage)})

@@ -160,7 +160,9 @@ void spot_section(const PlotSubject& subject) {
     const PlotArea area = draw_axes(list, plot_room(curve_height), {-90, 90}, {0, 1.1},
                                     {"from the axis", "degrees", true, 30}, {"spot", ""});
     for (const float side : {-1.0f, 1.0f})
-        draw_upright(list, area, double(side * light.spot.cutoff_deg), theme().dim_text);
+        for (const float angle : {light.spot.cutoff_deg, light.spot.inner_deg})
+            if (angle <= light.spot.cutoff_deg)
+                draw_upright(list, area, double(side * angle), theme().dim_text);
     draw_curve(list, area, curve, theme()[Symbol::L]);
     if (subject.point.light != nullptr) draw_mark(list, area, spot_mark(subject.point), theme()[Symbol::L]);
     draw_reading(list, area, {{curve, theme()[Symbol::L]}});

@@ -51,8 +51,8 @@ const Object& object_of(const Grip& grip, const Scene& scene) {
 }
 
 const char* text_of(ShapePart part) {
-    constexpr const char* texts[] = {"Open or close the cone", "Aim", "Size of the panel",
-                                     "Edge of the panel"};
+    constexpr const char* texts[] = {"Open or close the cone", "Where the soft edge begins", "Aim",
+                                     "Size of the panel", "Edge of the panel"};
     return texts[static_cast<int>(part)];
 }
 
@@ -89,6 +89,9 @@ HandNote shape_note(const Light& light, ShapePart part) {
     if (part == ShapePart::Rim)
         return {fmt::format("{}: cutoff, from the axis to the edge", light.name),
                 fmt::format("{:5.1f}°", light.spot.cutoff_deg)};
+    if (part == ShapePart::Inner)
+        return {fmt::format("{}: inner, from the axis to the soft edge", light.name),
+                fmt::format("{:5.1f}°", light.spot.inner_deg)};
     if (part != ShapePart::Aim)
         return {
             fmt::format("{}, half-edges", light.name),

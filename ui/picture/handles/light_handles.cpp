@@ -40,8 +40,12 @@ void draw_stem(const WorldPen& pen, glm::dvec3 place, ImU32 colour, float opacit
 void draw_cone(const WorldPen& pen, const Light& light, ImU32 colour, float opacity) {
     const auto cone = cone_of(light, pen.view.dome, pen.view.map);
     if (!cone) return;
-    const double radius = cone->slant * std::sin(cone->angle);
-    pen.circle(cone->middle(), radius * cone->u, radius * cone->v, colour, opacity);
+    const auto circle = [&](double angle, float share) {
+        const double radius = cone->slant * std::sin(angle);
+        pen.circle(cone->middle(angle), radius * cone->u, radius * cone->v, colour, share * opacity);
+    };
+    circle(cone->angle, 1);
+    if (cone->is_soft()) circle(cone->inner, 0.6f);
     for (int i = 0; i < 4; ++i) pen.cased(cone->place, cone->rim(i * pi / 2), colour, opacity);
 }
 

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,9 +66,15 @@ struct ConeShape {
     glm::dvec3 place{0}, axis{0, -1, 0}, u{1, 0, 0}, v{0, 0, 1};  // unit, perpendicular
     double slant = 1;                                             // from the apex to the rim
     double angle = 0;                                             // from the axis to the rim, radians
+    double inner = 4;                                             // to the soft edge; from `angle` on: none
 
-    [[nodiscard]] glm::dvec3 middle() const;                               // of the rim's circle
-    [[nodiscard]] glm::dvec3 rim(double azimuth) const;                    // radians from u to v
+    /// A point of the circle at `from_axis`, and its middle; radians, `azimuth` from u to v.
+    [[nodiscard]] glm::dvec3 ring(double azimuth, double from_axis) const;
+    [[nodiscard]] glm::dvec3 middle(double from_axis) const {
+        return place + slant * std::cos(from_axis) * axis;
+    }
+    [[nodiscard]] glm::dvec3 rim(double azimuth) const { return ring(azimuth, angle); }
+    [[nodiscard]] bool is_soft() const { return inner < angle; }
     [[nodiscard]] glm::dvec3 tip() const { return place + slant * axis; }  // where the aim is grabbed
 };
 /// Nothing for a light without a cone (another kind, or a cutoff of 180 degrees).
@@ -86,11 +93,11 @@ struct PanelShape {
 
 /// The parts of a shape that can be dragged. A panel's corners and edges are identified by their position on
 /// it.
-enum class ShapePart { Rim, Aim, Corner, Edge };
+enum class ShapePart { Rim, Inner, Aim, Corner, Edge };
 
 struct ShapeGrip {
     ShapePart part = ShapePart::Aim;
-    double azimuth = 0;   // of a rim: where it was grabbed
+    double azimuth = 0;   // of a rim or the inner circle: where it was grabbed
     glm::dvec2 at{0};     // of a corner or an edge: (-1, 1), (0, 1), ...
     glm::dvec3 place{0};  // world
     bool operator==(const ShapeGrip&) const = default;
@@ -100,10 +107,11 @@ struct ShapeGrip {
 [[nodiscard]] glm::dvec3 place_of(const ShapeGrip& grip, const Light& light, const Dome& dome,
                                   const ScreenMap& map);
 
-/// Returns the marks to draw: aim and four rim points for a cone; aim, corners and edges for a panel.
+/// Returns the marks to draw: aim, four rim points and two of the soft edge for a cone; aim, corners and
+/// edges for a panel.
 [[nodiscard]] std::vector<ShapeGrip> shape_grips(const Light& light, const Dome& dome, const ScreenMap& map);
 
-/// The grip under the cursor (pixels of the picture); the rim can be grabbed all round.
+/// The grip under the cursor (pixels of the picture); a cone's circles can be grabbed all round.
 [[nodiscard]] std::optional<ShapeGrip> shape_under(const Light& light, const PictureView& view,
                                                    glm::dvec2 cursor_px);
 

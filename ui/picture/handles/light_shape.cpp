@@ -25,19 +25,25 @@ Light turned_towards(Light light, glm::dvec3 aim, const DragView& view) {
     return light;
 }
 
-Light with_cutoff(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
+/// The cutoff or the inner angle follows the cursor.
+Light with_cone(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
     Light light = drag.start;
     const auto cone = cone_of(light, view.dome, view.map);
     if (!cone) return light;
+    const bool is_inner = drag.grip.part == ShapePart::Inner;
+    const double angle = is_inner ? cone->inner : cone->angle;
     const glm::dvec3 side = std::cos(drag.grip.azimuth) * cone->u + std::sin(drag.grip.azimuth) * cone->v;
-    // The rim moves on a circle round the light, in the plane of the axis and the grabbed point.
-    const glm::dvec3 hand = (cone->rim(drag.grip.azimuth) - cone->place) / cone->slant;
-    const glm::dvec2 offset = project(view.map, cone->rim(drag.grip.azimuth)).pixel - drag.grabbed_px;
+    // The circle's points move round the light, in the plane of the axis and the grabbed point.
+    const glm::dvec3 grabbed = cone->ring(drag.grip.azimuth, angle),
+                     hand = (grabbed - cone->place) / cone->slant;
+    const glm::dvec2 offset = project(view.map, grabbed).pixel - drag.grabbed_px;
     const double turn = turn_towards(view.map, {cone->place, cone->slant}, hand, glm::cross(cone->axis, side),
                                      cursor_px + offset);
-    double cutoff = std::clamp((cone->angle + turn) * 180 / pi, 0.0, 90.0);
-    if (snap) cutoff = std::round(cutoff / 5) * 5;
-    light.spot.cutoff_deg = static_cast<float>(cutoff);
+    double wanted = (angle + turn) * 180 / pi;
+    if (snap) wanted = std::round(wanted / 5) * 5;
+    const double most = is_inner ? double(light.spot.cutoff_deg) : 90;
+    (is_inner ? light.spot.inner_deg : light.spot.cutoff_deg) =
+        static_cast<float>(std::clamp(wanted, 0.0, most));
     return light;
 }
 
@@ -78,12 +84,14 @@ Light with_aim(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px
     return turned_towards(drag.start, snap ? snapped_direction(wanted) : wanted, view);
 }
 
+ShapeGrip inner_grip(const ConeShape& cone, double azimuth) {
+    return {ShapePart::Inner, azimuth, {}, cone.ring(azimuth, cone.inner)};
+}
+
 }  // namespace
 
-glm::dvec3 ConeShape::middle() const { return place + slant * std::cos(angle) * axis; }
-
-glm::dvec3 ConeShape::rim(double azimuth) const {
-    return middle() + slant * std::sin(angle) * (std::cos(azimuth) * u + std::sin(azimuth) * v);
+glm::dvec3 ConeShape::ring(double azimuth, double from_axis) const {
+    return middle(from_axis) + slant * std::sin(from_axis) * (std::cos(azimuth) * u + std::sin(azimuth) * v);
 }
 
 std::optional<ConeShape> cone_of(const Light& light, const Dome& dome, const ScreenMap& map) {
@@ -95,6 +103,7 @@ std::optional<ConeShape> cone_of(const Light& light, const Dome& dome, const Scr
     cone.u = sides.u, cone.v = sides.v;
     cone.slant = std::max(0.35 * glm::length(dome.centre - cone.place), 0.2 * dome.radius);
     cone.angle = double(light.spot.cutoff_deg) * pi / 180;
+    cone.inner = double(light.spot.inner_deg) * pi / 180;
     return cone;
 }
 
@@ -115,6 +124,7 @@ std::vector<ShapeGrip> shape_grips(const Light& light, const Dome& dome, const S
     if (const auto cone = cone_of(light, dome, map)) {
         grips.push_back({ShapePart::Aim, 0, {}, cone->tip()});
         for (int i = 0; i < 4; ++i) grips.push_back({ShapePart::Rim, i * pi / 2, {}, cone->rim(i * pi / 2)});
+        for (int i = 0; i < 2 && cone->is_soft(); ++i) grips.push_back(inner_grip(*cone, (i + 0.25) * pi));
     }
     if (const auto panel = panel_of(light, map)) {
         grips.push_back({ShapePart::Aim, 0, {}, panel->tip()});
@@ -130,7 +140,9 @@ std::vector<ShapeGrip> shape_grips(const Light& light, const Dome& dome, const S
 
 glm::dvec3 place_of(const ShapeGrip& grip, const Light& light, const Dome& dome, const ScreenMap& map) {
     if (const auto cone = cone_of(light, dome, map))
-        return grip.part == ShapePart::Rim ? cone->rim(grip.azimuth) : cone->tip();
+        return grip.part == ShapePart::Rim     ? cone->rim(grip.azimuth)
+               : grip.part == ShapePart::Inner ? cone->ring(grip.azimuth, cone->inner)
+                                               : cone->tip();
     if (const auto panel = panel_of(light, map))
         return grip.part == ShapePart::Aim ? panel->tip() : panel->point(grip.at);
     return grip.place;
@@ -149,14 +161,18 @@ std::optional<ShapeGrip> shape_under(const Light& light, const PictureView& view
     for (const ShapeGrip& grip : shape_grips(light, view.dome, view.map)) offer(grip);
     if (best) return best;
     if (const auto cone = cone_of(light, view.dome, view.map))
-        for (int i = 0; i < 180; ++i) offer({ShapePart::Rim, i * pi / 90, {}, cone->rim(i * pi / 90)});
+        for (int i = 0; i < 180; ++i) {
+            offer({ShapePart::Rim, i * pi / 90, {}, cone->rim(i * pi / 90)});
+            if (cone->is_soft()) offer(inner_grip(*cone, i * pi / 90));
+        }
     return best;
 }
 
 Light dragged_shape(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
     switch (drag.grip.part) {
     case ShapePart::Rim:
-        return with_cutoff(drag, view, cursor_px, snap);
+    case ShapePart::Inner:
+        return with_cone(drag, view, cursor_px, snap);
     case ShapePart::Aim:
         return with_aim(drag, view, cursor_px, snap);
     case ShapePart::Corner:

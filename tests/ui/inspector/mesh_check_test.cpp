@@ -1,0 +1,99 @@
+// What is wrong with an object's mesh, in its panel and in the picture.
+#include "ui/fields/mesh_check.h"
+
+#include <glm/geometric.hpp>
+
+#include "tests/support/headless_window.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+using namespace glint::test;
+
+namespace {
+
+/// A square in the plane z = 0, of two triangles whose normals point to -z.
+constexpr const char* inside_out =
+    "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 -1\n"
+    "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\n";
+
+void open_checked(HeadlessWindow& bench, const std::string& path) {
+    bench.frames(2);
+    ask_to_open(bench.state, path);
+    bench.wait_for_loads();
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    while (!bench.state.get<MeshCheck>().info) {
+        bench.frames(1);
+        std::this_thread::yield();
+    }
+    bench.frames(2);
+}
+
+}  // namespace
+
+TEST_CASE("normals that point inwards are found and flipped by one undoable click", "[ui][window][mesh]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench({1280, 1200});
+    open_checked(bench, folder.file("square.obj", inside_out));
+    const std::vector<MeshFinding>& findings = bench.state.get<MeshCheck>().info->findings;
+    REQUIRE_FALSE(findings.empty());
+    CHECK(findings[0].name == "normals_against_faces");
+    CHECK(findings[0].count == 2);
+    bench.click(bench.control("Flip"));
+    bench.frames(2);
+    CHECK(bench.scene().objects[0].normals.flip);
+    CHECK(bench.state.editor.history.undo_name().find("Normals of") == 0);
+    (void)bench.key(Key::Z, true);
+    bench.frames(2);
+    CHECK_FALSE(bench.scene().objects[0].normals.flip);
+    bench.click(bench.control("Recompute"));
+    bench.frames(2);
+    CHECK(bench.scene().objects[0].normals.source == NormalSource::Vertex);
+    bench.click(bench.control("Recompute"));
+    bench.frames(2);
+    CHECK(bench.scene().objects[0].normals.source == NormalSource::Auto);
+}
+
+TEST_CASE("the picture shows the places of a finding", "[ui][window][mesh]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench({1280, 1200});
+    open_checked(bench, folder.file("square.obj", inside_out));
+    // The amount of the warning colour that is drawn.
+    const auto marks = [&] {
+        bench.frames(2);
+        const ImU32 colour = to_u32(theme().warning);
+        std::size_t count = 0;
+        const ImDrawData* const data = ImGui::GetDrawData();
+        for (int l = 0; l < data->CmdListsCount; ++l)
+            for (const ImDrawVert& vertex : data->CmdLists[l]->VtxBuffer)
+                count += vertex.col == colour ? 1 : 0;
+        return count;
+    };
+    bench.move({2, 2});
+    const std::size_t before = marks();
+    bench.click(bench.control("Show"));
+    bench.move({2, 2});
+    const std::size_t shown = marks();
+    CHECK(shown > before + 20);
+    bench.click(bench.control("Show"));
+    bench.move({2, 2});
+    CHECK(marks() == before);
+    bench.move(bench.control("Show"));
+    CHECK(marks() >= shown);
+}
+
+TEST_CASE("a sound mesh has no findings, and a built-in one is checked on request", "[ui][window][mesh]") {
+    HeadlessWindow bench({1280, 1200});
+    bench.scene().objects[0].source = PrimitiveMesh{Primitive::Cube, 1};
+    bench.scene().objects[0].mesh = nullptr;
+    bench.state.editor.selection = {Selection::Kind::Object, 0};
+    bench.wait_for_loads();
+    bench.frames(5);
+    CHECK_FALSE(bench.state.get<MeshCheck>().job);
+    CHECK_FALSE(bench.state.get<MeshCheck>().info);
+    bench.click(bench.control("Mesh check###check"));
+    for (int i = 0; i < 1000 && !bench.state.get<MeshCheck>().info; ++i) {
+        bench.frames(1);
+        std::this_thread::yield();
+    }
+    REQUIRE(bench.state.get<MeshCheck>().info);
+}

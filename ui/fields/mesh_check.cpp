@@ -1,0 +1,80 @@
+#include "ui/fields/mesh_check.h"
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include <string_view>
+
+#include "ui/widgets/parts.h"
+#include "ui/widgets/widgets.h"
+
+namespace glint {
+namespace {
+
+/// A button for a repair that the scene can describe; true when pressed.
+bool repair(const char* name, bool done, const char* what) {
+    ImGui::SameLine(0, px(4));
+    const bool pressed = small_chosen_button(name, done);
+    tooltip(name, what);
+    return pressed;
+}
+
+/// The repairs of one finding.
+bool repairs(std::string_view finding, Object& object) {
+    bool edited = false;
+    if (finding == "normals_against_faces" &&
+        repair("Flip", object.normals.flip, "Reverses all normals: if most of them point inwards")) {
+        object.normals.flip = !object.normals.flip;
+        edited = true;
+    }
+    if (finding.find("normals") != std::string_view::npos && finding != "own_normal_indices") {
+        const bool done = object.normals.source == NormalSource::Vertex;
+        if (repair("Recompute", done, "Averages the normals of the faces in place of the file's")) {
+            object.normals.source = done ? NormalSource::Auto : NormalSource::Vertex;
+            edited = true;
+        }
+    }
+    if ((finding == "open_edges" || finding == "opposite_winding") &&
+        repair("Both sides", object.double_sided, "Draws back faces of this object too")) {
+        object.double_sided = !object.double_sided;
+        edited = true;
+    }
+    return edited;
+}
+
+}  // namespace
+
+bool mesh_check_rows(MeshCheck& check, Object& object) {
+    const bool from_file = std::holds_alternative<MeshFile>(object.source);
+    const std::size_t count = check.info ? check.info->findings.size() : 0;
+    const std::string title = count > 0 ? fmt::format("Mesh check: {}###check", count) : "Mesh check###check";
+    if (!object.mesh || !fold(title.c_str(), from_file)) return false;
+    check.is_open = true;
+    if (!check.info) return small_dim("Checking …"), false;
+    if (count == 0) return small_dim("Nothing that another program would draw wrong."), false;
+    bool edited = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const MeshFinding& finding = check.info->findings[i];
+        const int index = static_cast<int>(i);
+        ImGui::PushID(index);
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(finding.what.c_str());
+        ImGui::PopTextWrapPos();
+        small_dim(std::string(finding.effect));
+        if (!finding.places.empty()) {
+            if (small_chosen_button("Show", check.shown == index))
+                check.shown = check.shown == index ? -1 : index;
+            tooltip("Show", finding.places.size() < finding.count ? "The first places, in the picture"
+                                                                  : "The places, in the picture");
+            if (is_pointed_at()) check.hovered = index;
+        } else {
+            ImGui::Dummy({0, 0});
+        }
+        edited |= repairs(finding.name, object);
+        ImGui::PopID();
+        ImGui::Dummy({0, px(2)});
+    }
+    return edited;
+}
+
+}  // namespace glint
