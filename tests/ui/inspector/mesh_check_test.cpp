@@ -73,7 +73,7 @@ TEST_CASE("the picture shows the places of a finding", "[ui][window][mesh]") {
     bench.click(bench.control("Show"));
     bench.move({2, 2});
     const std::size_t shown = marks();
-    CHECK(shown > before + 20);
+    CHECK(shown > before + 10);
     bench.click(bench.control("Show"));
     bench.move({2, 2});
     CHECK(marks() == before);
