@@ -235,9 +235,9 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     if (text_field("##name", "name or path", dialog.name, selects)) dialog.asks_overwrite = false;
     if (ImGui::IsItemActive()) dialog.offers_name = false;
     const float width = ImGui::GetContentRegionAvail().x - px(84) - ImGui::GetStyle().ItemSpacing.x;
-    decided |=
-        ImGui::Button(button_label(dialog, width - px(14)).c_str(), {width, 0}) || enter_answers(enter);
-    list_control(say.button, "", last_item());
+    const std::string label = button_label(dialog, width - px(14));
+    decided |= ImGui::Button(label.c_str(), {width, 0}) || enter_answers(enter);
+    list_control(say.button, label, last_item());
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {px(84), 0})) dialog.open = false;
     const bool many = writes_many(whole_path(dialog), say);

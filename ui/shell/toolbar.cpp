@@ -30,6 +30,11 @@ void caption(const char* text) {
     ImGui::SameLine(0, px(6));
 }
 
+/// The width of a drop-down that shows the label completely.
+float label_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight();
+}
+
 /// All choices side by side if they fit into `room`, else a drop-down; without those of `advanced`, unless
 /// one is chosen.
 template <class E>
@@ -47,7 +52,8 @@ void choice_switch(const char* name, E& value, const Help& help, float room,
     if (segments_width(shown) <= room) {
         chosen = segments(name, chosen, shown, help);
     } else {
-        ImGui::SetNextItemWidth(std::max(std::min(room, px(128)), px(40)));
+        const float wanted = std::max(label_width(shown[static_cast<std::size_t>(chosen)].label), px(128));
+        ImGui::SetNextItemWidth(std::max(std::min(room, wanted), px(40)));
         chosen = drop_down(name, chosen, shown, help);
     }
     value = values[static_cast<std::size_t>(chosen)];
@@ -117,7 +123,11 @@ void switches(UiState& state, const Rect& area) {
     const bool fits = all >= 2 * combo + terms + history;
     const float choices_room = all - (fits ? terms + history : more);
     const float of_mode = segments_width(choices<ShadingMode>);
-    const float mode_room = choices_room >= of_mode + combo ? of_mode : choices_room / 2;
+    // Without room for both, a label that is cut off gets the other one's share.
+    const float half = choices_room / 2, least = label_width(choice_of(shading.mode).label);
+    const float left = choices_room - label_width(choice_of(shading.reflection).label);
+    const float mode_room =
+        choices_room >= of_mode + combo ? of_mode : std::min(half, std::max(left, std::min(least, half)));
     choice_switch("Shading", shading.mode, {"Where the lighting equation is evaluated", "/shading/mode"},
                   mode_room, {});
     ImGui::SameLine(0, gap);

@@ -327,3 +327,26 @@ TEST_CASE("a folder named from the home directory is entered, and no file is cre
     CHECK(bench.state.files.name.empty());
     ::setenv("HOME", before.c_str(), 1);
 }
+
+TEST_CASE("the button of a dialog that saves names the folder, of a long path its end",
+          "[ui][window][save]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto label = [&](const std::string& path) {
+        bench.state.files.ask(save_purpose, path);
+        bench.frames(3);
+        for (const NamedControl& control : bench.controls())
+            if (control.name == "Save") return control.key.substr(0, control.key.find("###"));
+        return std::string();
+    };
+    CHECK(label(folder.path("a.json")) == "Save in " + folder.path());
+    const std::string deep = folder.path(std::string(40, 'x') + "/" + std::string(40, 'y') + "/last");
+    std::filesystem::create_directories(deep);
+    CHECK(label(deep + "/a.json") == "Save in …/" + std::string(40, 'y') + "/last");
+    const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
+    setenv("HOME", folder.path().c_str(), 1);
+    CHECK(label(folder.path("a.json")) == "Save in ~");
+    home.empty() ? unsetenv("HOME") : setenv("HOME", home.c_str(), 1);
+    (void)bench.key(Key::Escape);
+}
