@@ -126,10 +126,11 @@ void time_fields(AnimateState& animate) {
     const bool turns = animation.motion != Motion::PingPong;
     const Real length{.range = {0.02, 2000, "0.02 to 2000"},
                       .step = 0.02f,
-                      .format = turns ? "%.2f s per turn" : "%.2f s there and back",
+                      .format = "%.2f s",
                       .usual_max = 60,
                       .logarithmic = true};
-    if (number_field("Time", wanted, length, 1.92f, {"Length of one period; then it repeats", ""}))
+    if (number_field(turns ? "Per turn" : "Per cycle", wanted, length, 1.92f,
+                     {"Length of one period; then it repeats", ""}))
         animation.frames = framed(wanted);
     (void)integer_field("Frames", animation.frames, Count{1, max_frames}, 48,
                         {"Frames of one period; then it repeats", ""});
