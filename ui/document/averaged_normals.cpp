@@ -23,7 +23,7 @@ void say_averaged(UiState& state, const Object& object) {
 void tell_averaged_normals(UiState& state) {
     const Scene& scene = state.editor.scene();
     const bool is_mesh = !state.editor.document.path.empty() && !state.editor.has_scene_file();
-    if (!is_mesh || scene.objects.size() != 1 || !smooths_every_edge(scene.objects.front())) return;
+    if (!is_mesh || scene.objects.size() != 1) return;
     say_averaged(state, scene.objects.front());
     state.editor.selection = {Selection::Kind::Object, 0};
 }

@@ -13,7 +13,8 @@ struct UiState;
 /// Adds a notification if smooths_every_edge() is true for the object.
 void say_averaged(UiState& state, const Object& object);
 
-/// If the open document is such a mesh, reports it and selects the object: its panel can keep the creases.
+/// If the open document is one mesh, selects it: its panel checks it and can keep creases. Reports averaged
+/// normals.
 void tell_averaged_normals(UiState& state);
 
 }  // namespace glint

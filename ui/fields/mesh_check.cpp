@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include <cctype>
 #include <string_view>
 
 #include "ui/widgets/parts.h"
@@ -60,7 +61,10 @@ bool mesh_check_rows(MeshCheck& check, Object& object) {
         ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(finding.what.c_str());
         ImGui::PopTextWrapPos();
-        small_dim(std::string(finding.effect));
+        std::string effect(finding.effect);
+        if (!effect.empty())
+            effect[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(effect[0])));
+        small_dim(effect);
         if (!finding.places.empty()) {
             if (small_chosen_button("Show", check.shown == index))
                 check.shown = check.shown == index ? -1 : index;
