@@ -181,7 +181,8 @@ void animate_panel(UiState& state) {
                          ImGuiWindowFlags_AlwaysAutoResize)) {
         animate.has_keyboard = ImGui::IsWindowFocused();
         const Animation before = animate.animation;
-        if (segment_field("Motion", animate.animation.motion, {"What moves", ""})) animate.takes_keys = true;
+        if (segment_field("Motion", animate.animation.motion, {"What moves", ""}))
+            begin_animation(state, animate.animation.motion);
         if (animate.animation.motion == Motion::PingPong) choose_number(animate, state.editor.scene());
         if (animate.animation.motion == Motion::Circle)
             choose_circle(animate.animation, state.editor.scene());

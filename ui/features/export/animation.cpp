@@ -123,6 +123,7 @@ void begin_animation(UiState& state, Motion motion) {
     AnimateState& animate = state.get<AnimateState>();
     animate.open = animate.takes_keys = true;
     animate.animation.motion = motion;
+    if (const int light = selected_light(state.editor.selection); light >= 0) animate.animation.light = light;
     animate.refused.clear();
 }
 
