@@ -46,11 +46,13 @@ bool repairs(std::string_view finding, Object& object) {
 }  // namespace
 
 bool mesh_check_rows(MeshCheck& check, Object& object) {
-    const bool from_file = std::holds_alternative<MeshFile>(object.source);
+    if (!object.mesh) return false;
     const std::size_t count = check.info ? check.info->findings.size() : 0;
-    const std::string title = count > 0 ? fmt::format("Mesh check: {}###check", count) : "Mesh check###check";
-    if (!object.mesh || !fold(title.c_str(), from_file)) return false;
-    check.is_open = true;
+    const std::string found =
+        count > 0 ? fmt::format(": {} {}", count, count == 1 ? "finding" : "findings") : "";
+    const bool is_open = fold(("Mesh check" + found + "###check").c_str(), false);
+    check.is_wanted = is_open || std::holds_alternative<MeshFile>(object.source);
+    if (!is_open) return false;
     if (!check.info) return small_dim("Checking …"), false;
     if (count == 0) return small_dim("Nothing that another program would draw wrong."), false;
     bool edited = false;

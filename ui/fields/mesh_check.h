@@ -13,7 +13,7 @@ struct MeshCheck {
     MeshPtr mesh;                  // that is or was checked
     std::optional<MeshInfo> info;  // of `mesh`, when it is known
     JobPtr<MeshInfo> job, ending;  // computes it
-    bool is_open = false;          // the selected object's panel shows it
+    bool is_wanted = false;        // by the selected object's panel: it is open, or the mesh is from a file
     int hovered = -1, shown = -1;  // findings whose places the picture shows
 };
 

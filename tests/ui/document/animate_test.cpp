@@ -114,7 +114,7 @@ TEST_CASE("a light circles about the target in world coordinates, whatever its o
     sun.position = {2, 5, 0, 0};
     scene.lights = {spot, in_space(spot, LightSpace::Camera, scene.camera), sun};
     for (const int light : {0, 1}) {
-        Animation animation{.motion = Motion::Circle, .frames = 4, .light = light};
+        Animation animation{Motion::Circle, "", 0, 1, 4, light};
         CHECK(at(document, animation, 0) == scene);
         // A quarter counter-clockwise seen from above takes +x to -z.
         const Light quarter =
@@ -127,7 +127,7 @@ TEST_CASE("a light circles about the target in world coordinates, whatever its o
             in_space(at(document, animation, 1).lights[std::size_t(light)], LightSpace::World, scene.camera);
         CHECK(glm::distance(glm::vec3(seen.position), glm::vec3(1 - 10, 2 + 4, 3)) < 1e-5f);
     }
-    const Scene turned = at(document, {.motion = Motion::Circle, .frames = 2, .light = 2}, 1);
+    const Scene turned = at(document, {Motion::Circle, "", 0, 1, 2, 2}, 1);
     CHECK(glm::distance(turned.lights[2].position, glm::vec4(-2, 5, 0, 0)) < 1e-5f);
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("ffmpeg makes the video from every frame, or its absence is said", "[u
     install("#!/bin/sh\nfor last; do :; done\n/bin/cat >\"$last\"\n");
     begin_frames(bench.state, folder.path("turn.mp4"), {40, 30}, 1);
     while (animate.job) (void)bench.frame();
-    CHECK(bench.state.notifications.list.back().text == "Wrote turn.mp4 with 3 frames");
+    CHECK(bench.notes_with("Wrote turn.mp4 with 3 frames") == 1);
     const std::string read = bytes_of(folder.path("turn.mp4"));
     std::size_t pictures = 0;
     for (std::size_t i = read.find("\x89PNG"); i != std::string::npos; i = read.find("\x89PNG", i + 1))

@@ -1,7 +1,7 @@
 // What is wrong with an object's mesh, in its panel and in the picture.
 #include "ui/fields/mesh_check.h"
 
-#include <glm/geometric.hpp>
+#include <fmt/core.h>
 
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
@@ -25,6 +25,9 @@ void open_checked(HeadlessWindow& bench, const std::string& path) {
         bench.frames(1);
         std::this_thread::yield();
     }
+    bench.frames(2);
+    const std::size_t count = bench.state.get<MeshCheck>().info->findings.size();
+    bench.click(bench.control(fmt::format("Mesh check: {} findings###check", count)));
     bench.frames(2);
 }
 

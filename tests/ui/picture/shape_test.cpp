@@ -143,14 +143,14 @@ TEST_CASE("the soft edge's circle follows the cursor, at most to the rim", "[ui]
     wanted.spot.inner_deg = 20;
     const auto on_ring = [&](const Light& l, float degrees) {
         const auto cone = cone_of(l, stage.view.dome, stage.view.map);
-        return stage.pixel(cone->ring(0.6, double(degrees) * 0.017453292519943295));
+        return stage.pixel(cone->ring(0.78539816, double(degrees) * 0.017453292519943295));
     };
     const auto grip = shape_under(light, stage.picture, on_ring(light, 12));
     REQUIRE(grip);
     CHECK(grip->part == ShapePart::Inner);
     const ShapeDrag drag{light, *grip, stage.pixel(grip->place)};
     CHECK(dragged_shape(drag, stage.view, on_ring(light, 20), false).spot.inner_deg ==
-          Approx(20).margin(0.5));
+          Approx(20).margin(0.2));
     CHECK(dragged_shape(drag, stage.view, on_ring(light, 60), false).spot.inner_deg == 30);
     CHECK(dragged_shape(drag, stage.view, on_ring(light, 60), false).spot.cutoff_deg == 30);
     light.spot.inner_deg = 180;  // no soft edge

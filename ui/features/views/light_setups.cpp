@@ -187,7 +187,7 @@ void write_own(const UiState& state, Json& settings) {
     Json list = Json::array();
     for (const OwnSetup& own : state.get<LightSetups>().own)
         list.push_back({{"name", own.name}, {"lights", text_json(own.lights)}});
-    settings["light_setups"] = list;
+    if (!list.empty()) settings["light_setups"] = list;
 }
 
 /// Own setups stay when the layout is reset.

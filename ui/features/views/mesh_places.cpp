@@ -36,11 +36,11 @@ void poll_check(UiState& state) {
             check.info = std::get<MeshInfo>(std::move(found));
         check.job.reset();
     }
-    const bool wants = check.is_open && mesh != nullptr && !check.info && !check.job;
+    const bool wants = check.is_wanted && mesh != nullptr && !check.info && !check.job;
     if (wants && has_ended(check.ending))
         check.job = state.jobs.start<MeshInfo>("mesh", [mesh](LoadProgress&) { return mesh_info(*mesh); });
     if (wants || check.job) redraw_within(0.05);
-    check.is_open = false;
+    check.is_wanted = false;
     check.hovered = -1;
 }
 
