@@ -143,7 +143,8 @@ TEST_CASE("an animation without a light does not play", "[ui][window][animate]")
 
 TEST_CASE("ffmpeg makes the video from every frame, or its absence is said", "[ui][window][animate]") {
     const TemporaryDirectory folder;
-    const std::string path_before = std::getenv("PATH");
+    const char* const path = std::getenv("PATH");
+    const std::string path_before = path != nullptr ? path : "";
     setenv("PATH", folder.path("").c_str(), 1);
     HeadlessWindow bench;
     bench.frames(2);

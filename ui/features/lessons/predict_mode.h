@@ -16,6 +16,8 @@ struct UiState;
 enum class PredictStage { Off, Pick, Change, Revealed };
 
 struct PredictState {
+    PredictState() noexcept(false) = default;  // JSON may allocate
+
     PredictStage stage = PredictStage::Off;
     std::optional<glm::dvec2> probe;           // the pixel, as a share of the picture's size
     std::array<int, 3> before{};               // its colour when the picture was frozen, 0 to 255
