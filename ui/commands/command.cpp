@@ -44,8 +44,8 @@ std::vector<WindowCommand> all_commands() {
             all.push_back(std::move(row));
         }
     };
-    for (const auto rows :
-         {file_commands, edit_commands, hand_commands, camera_commands, view_commands, shading_commands})
+    for (const auto rows : {file_commands, edit_commands, light_commands, hand_commands, camera_commands,
+                            view_commands, shading_commands})
         add(rows());
     for (const Feature* feature : features())
         if (feature->commands != nullptr) add(feature->commands());

@@ -89,6 +89,7 @@ void run_keys(UiState& state, const UiInput& input);
 
 [[nodiscard]] std::vector<WindowCommand> file_commands();
 [[nodiscard]] std::vector<WindowCommand> edit_commands();
+[[nodiscard]] std::vector<WindowCommand> light_commands();
 /// The gizmo's commands for the selected object, and the rest of the edit menu below them.
 [[nodiscard]] std::vector<WindowCommand> hand_commands();
 [[nodiscard]] std::vector<WindowCommand> camera_commands();

@@ -129,6 +129,11 @@ std::vector<WindowCommand> edit_commands() {
          .run = add_bulb,
          .why_disabled = why_no_light,
          .id = CommandId::AddLight},
+    };
+}
+
+std::vector<WindowCommand> light_commands() {
+    return {
         {.name = "Brightest here: the light follows the cursor",
          .keys = {{Key::H}},
          .section = Section::Edit,

@@ -119,7 +119,7 @@ int run_tool(const std::vector<std::string>& command, int input, const std::atom
     int status = 0;
     pid_t ended = 0;
     while ((ended = ::waitpid(child, &status, cancelled != nullptr ? WNOHANG : 0)) == 0) {
-        if (*cancelled) ::kill(child, SIGKILL);
+        if (cancelled != nullptr && *cancelled) ::kill(child, SIGKILL);
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return ended == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
