@@ -54,7 +54,7 @@ void tell_no_copy(UiState& state, const Problem& problem) {
     state.persistence.autosaved_scene.reset();  // so that the next frame tries again
     if (std::exchange(state.persistence.autosave_failed, true)) return;
     state.notifications.add(
-        Tone::Warning,
+        Tone::Error,
         fmt::format("No copy of the unsaved work can be kept: {}; save it to keep it in case of a crash",
                     problem.text()));
 }
