@@ -117,6 +117,14 @@ void add_size(Options& options, std::optional<PictureSize>& size) {
         [&size](const std::string& text) { size = read_size("--size", text); });
 }
 
+void add_timeout(Options& options, double& seconds) {
+    constexpr double most = 3600;
+    options.add_value("--timeout", "SECONDS", "stop a shader that takes longer, at most 3600; default 10",
+                      [&seconds](const std::string& text) {
+                          seconds = read_amount("--timeout", text, most);
+                      });
+}
+
 void add_samples(Options& options, std::optional<int>& samples) {
     options.add_value("--samples", "N",
                       "samples per pixel, for smooth edges: 1, 2, 4 or 8; default: those of FILE if it is a "

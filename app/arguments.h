@@ -48,6 +48,8 @@ void add_scene(Options& options, SceneArguments& arguments);
 void add_threads(Options& options, int& threads);
 void add_memory(Options& options);
 void add_size(Options& options, std::optional<PictureSize>& size);
+/// --timeout SECONDS, the time for one shader to be drawn.
+void add_timeout(Options& options, double& seconds);
 void add_samples(Options& options, std::optional<int>& samples);
 
 /// The scene with its meshes, completely checked. Throws Failure.

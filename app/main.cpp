@@ -10,14 +10,17 @@
 #include <new>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "app/commands/command.h"
 #include "app/failure.h"
+#include "models/io/child_process.h"
 #include "models/io/file.h"
 #include "models/memory_limit.h"
 #include "renderer/simd/isa/instruction_set.h"
+#include "shader/shader_process.h"
 
 namespace {
 
@@ -83,6 +86,10 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     try {
+        if (argv[0] == std::string_view(shader_worker_name)) {
+            end_with_parent();
+            return run_shader_worker();
+        }
         return run({argv + 1, argv + argc});
     } catch (...) {
         return report_exception();

@@ -176,6 +176,7 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
                             ? ""
                             : "const "},
             {"over_w", flags.contains("interpolation.screen") ? " * gl_FragCoord.w" : ""},
+            {"max_loop_runs", fmt::format("{}", max_loop_runs)},
             {"light_count", fmt::format("{}", shining(s).size())},
             {"blending", flags.contains("mode.flat") ? "flat" : "smooth"},
             {"turn", flags.contains("turned") ? "turn * " : ""},
@@ -186,9 +187,11 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
 }
 
 /// The program, with any number of lines. Precondition: the language lacks nothing that the scene needs.
-Program program_of(const ProgramOf& of, Language language) {
+Program program_of(const ProgramOf& of, Language language, bool is_measured = false) {
     const LanguageTexts texts = texts_of(language);
     Flags flags = flags_of(of.scene);
+    if (of.blank) flags.insert("blank");
+    if (is_measured) flags.insert("measured");  // by shader_stages()
     const ModelText model = model_text(of.scene.shading, flags.contains("terms.diffuse"), language, "    ");
     flags.insert(model.uses.begin(), model.uses.end());
     // A highlight requires a test for the side.
@@ -248,6 +251,13 @@ std::string ways_around(const ProgramOf& of, const Need& need) {
     return in_part.empty() ? "a scene without it: no language can" : in_part;
 }
 
+std::optional<Problem> why_not_written(const ProgramOf& of, Language language) {
+    const std::optional<Need> need = lacking_in(language, of.scene);
+    if (!need) return {};
+    return Problem{"", need->pointer, fmt::format("{}, which {} cannot do", need->what, name_of(language)),
+                   ways_around(of, *need)};
+}
+
 }  // namespace
 
 std::vector<Language> languages_for(const ProgramOf& of) {
@@ -259,10 +269,7 @@ std::vector<Language> languages_for(const ProgramOf& of) {
 }
 
 Result<Program> write_program(const ProgramOf& of, Language language) {
-    if (const std::optional<Need> need = lacking_in(language, of.scene))
-        return Problem{"", need->pointer,
-                       fmt::format("{}, which {} cannot do", need->what, name_of(language)),
-                       ways_around(of, *need)};
+    if (const std::optional<Problem> problem = why_not_written(of, language)) return *problem;
     Program program = program_of(of, language);
     if (const auto lines = too_many_lines(program, language)) {
         const std::string able = able_words(of);
@@ -271,6 +278,21 @@ Result<Program> write_program(const ProgramOf& of, Language language) {
                                    able.empty() ? "" : ", or " + able)};
     }
     return program;
+}
+
+Result<ShaderStages> shader_stages(const ProgramOf& of) {
+    if (of.scene.shading.reflection == Reflection::None)
+        return Problem{"", "/shading/reflection", "nothing is lit", "a reflection model such as phong"};
+    if (const std::optional<Problem> problem = why_not_written(of, Language::Glsl)) return *problem;
+    ShaderStages stages;
+    for (const ProgramFile& file : program_of(of, Language::Glsl, true).texts) {
+        if (file.name == "scene.vert") stages.vertex = file.text;
+        if (file.name == "scene.frag") stages.fragment = file.text;
+    }
+    stages.before = fmt::format(
+        "int loop_runs_so_far = 0;\nbool loop_runs() {{ return ++loop_runs_so_far <= {}; }}\n", max_loop_runs);
+    stages.lights_pixels = flags_of(of.scene).contains("lights_pixels");
+    return stages;
 }
 
 }  // namespace glint

@@ -51,6 +51,7 @@ struct ProgramOf {
     const Scene& scene;
     PictureSize size;
     std::string name;
+    bool blank = false;  // of GLSL: the functions of the lighting equation are left to be written
 };
 
 /// The languages in which the program can be written.
@@ -60,5 +61,20 @@ struct ProgramOf {
 /// picture of `glint render`. Problem (without a file): the language lacks a feature, or the program would be
 /// too long; `expected` names suitable languages.
 [[nodiscard]] Result<Program> write_program(const ProgramOf& of, Language language);
+
+/// The shaders of the GLSL program for any file in place of its lighting.glsl (docs/shader.md), without
+/// `#version`. `before` precedes that file, and `vertex` or `fragment` follows it in the stage that lights;
+/// the other stage is alone. The fragment stage also writes `raw`: the colour before exposure, and 1, or 2 if
+/// the file evaluated loop_runs() more than max_loop_runs times for this point. If pixels are lit, it writes
+/// `raw_p` and `raw_n`, their position and normal. The same problems as write_program(), and one if the scene
+/// has no reflection model.
+struct ShaderStages {
+    std::string before, vertex, fragment;
+    bool lights_pixels = true;  // the fragment stage lights
+};
+[[nodiscard]] Result<ShaderStages> shader_stages(const ProgramOf& of);
+
+/// Mesa's software driver silently ends all loops of a shader after 65,535 runs.
+inline constexpr int max_loop_runs = 60'000;
 
 }  // namespace glint

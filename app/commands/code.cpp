@@ -22,6 +22,7 @@ struct CodeArguments {
     std::optional<PictureSize> size;
     std::optional<Language> language;
     std::string out;  // a directory
+    bool blank = false;
 };
 
 /// A directory for only the program's files. Removes a new directory if nothing is written to it.
@@ -66,11 +67,14 @@ Outcome code(const CodeArguments& arguments) {
     if (!arguments.language)
         throw wrong_usage("--language", "is missing",
                           fmt::format("{}", fmt::join(names_of<Language>(), ", ")));
+    if (arguments.blank && *arguments.language != Language::Glsl)
+        throw wrong_usage("--blank", "is for shaders", "--language glsl");
     require_given(arguments.out, "-o", "a new or an empty directory");
     const OutDirectory out(arguments.out);
     const SceneDocument document = open_scene(arguments.scene);
     Result<Program> written = write_program(
-        {document.scene, size_to_draw(arguments.size, document), name_of_scene(arguments.scene.file)},
+        {document.scene, size_to_draw(arguments.size, document), name_of_scene(arguments.scene.file),
+         arguments.blank},
         *arguments.language);
     if (auto* problem = std::get_if<Problem>(&written)) problem->file = arguments.scene.file;
     const Program program = take(std::move(written));
@@ -90,6 +94,8 @@ Run declare_code(Options& options) {
                       });
     add_size(options, arguments->size);
     add_text(options, "-o", "DIR", "the directory to write to, new or empty", arguments->out);
+    options.add_flag("--blank", arguments->blank,
+                     "leave the functions of lighting.glsl empty, with a comment for each step to write");
     return [arguments] { return code(*arguments); };
 }
 

@@ -42,6 +42,7 @@ struct Command {
 [[nodiscard]] Command mistakes_command();
 [[nodiscard]] Command schema_command();
 [[nodiscard]] Command code_command();
+[[nodiscard]] Command shade_command();
 [[nodiscard]] Command export_command();
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command diagnose_command();

@@ -84,6 +84,22 @@ float above_zero(float x) { return x > 0.0 ? 1.0 : 0.0; }
 // What one light, or one sample of an area light, adds at a point: to_light leads from there to it, n is the
 // normal and v the direction to the eye. `strength` is what falloff, cone or emitter leave of it.
 vec3 share_of(Light light, Material m, vec3 to_light, float strength, vec3 n, vec3 v) {
+    //@if blank
+    // Step: l, the direction to the light, unit.
+    //@if terms.ambient
+    // Step: the ambient share, of light.ambient and m.ambient.
+    //@end
+    //@if terms.diffuse
+    // Step: the diffuse share, of light.diffuse, m.diffuse and the cosine between n and l. A light behind the
+    // surface gives none.
+    //@end
+    //@if uses.S
+    // Step: the highlight of the model @model_name@, of light.specular and m.specular. A light behind the surface
+    // gives none.
+    //@end
+    // Step: return their sum, times strength.
+    return vec3(0.0);
+    //@else
     vec3 l = unit(to_light);
     //@if uses.l_v
     float l_v = dot(l, v);
@@ -129,11 +145,27 @@ vec3 share_of(Light light, Material m, vec3 to_light, float strength, vec3 n, ve
     //@else
     return strength * sum;
     //@end
+    //@end
 }
 
 //@if light.place
 // Topic: bulbs and spots: places, whose light falls off.
 vec3 from_place(Light light, Material m, vec3 p, vec3 n, vec3 v) {
+    //@if blank
+    // Step: the vector from p to the light.
+    //@if light.falloff
+    // Step: the falloff with its length r, 1 / (constant + linear r + quadratic r^2).
+    //@end
+    //@if light.spot
+    // Step: of a spot (light.kind == spot), the cosine between its direction and the way from the light to p, to the
+    // power of light.exponent; 0 outside of the cone.
+    //@if spot.soft
+    // Step: of a spot, the soft edge from inner_deg to cutoff_deg: the share of the way between the cosines, squared.
+    //@end
+    //@end
+    // Step: return share_of() with that vector and that strength.
+    return vec3(0.0);
+    //@else
     vec3 to_light = light.position - p;
     float strength = 1.0;
     //@if light.falloff
@@ -171,6 +203,7 @@ vec3 from_place(Light light, Material m, vec3 p, vec3 n, vec3 v) {
     }
     //@end
     return share_of(light, m, to_light, strength, n, v);
+    //@end
 }
 //@end
 //@if light.area
@@ -199,6 +232,36 @@ uniform mat4 projection;
 //@end
 // Topic: the whole sum. The colour of a point: what shines or is lit from everywhere, and all lights.
 vec3 lit(vec3 p, vec3 n) {
+    //@if blank
+    //@if viewer.infinite
+    // Step: v, the direction to an eye that is far away: (0, 0, 1).
+    //@else
+    // Step: v, the unit direction from p to the eye, which is the origin.
+    //@end
+    //@if tone
+    // Step: the tone from cool to warm.
+    //@end
+    //@if terms.emission
+    // Step: start with material.emission.
+    //@end
+    //@if terms.ambient
+    // Step: add material.ambient times global_ambient.
+    //@end
+    //@if lights.any
+    // Step: add the light of each of the @light_count@ lights:
+    //@if light.directional
+    // of a directional one share_of(); light.position is the direction to it, and its strength is 1;
+    //@end
+    //@if light.place
+    // of a point or a spot from_place();
+    //@end
+    //@if light.area
+    // of an area from_area().
+    //@end
+    //@end
+    // Step: return the sum.
+    return vec3(0.0);
+    //@else
     //@if wrong.lit_after_projection
     vec4 clip = projection * vec4(p, 1.0);
     p = over(1.0, clip.w) * clip.xyz;
@@ -271,5 +334,6 @@ vec3 lit(vec3 p, vec3 n) {
     return clamp(sum, 0.0, 1.0);  // OpenGL's own rule for the colours of corners
     //@else
     return sum;
+    //@end
     //@end
 }

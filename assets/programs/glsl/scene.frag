@@ -9,6 +9,14 @@ smooth in vec3 n;
 //@end
 //@end
 out vec4 shown;
+//@if measured
+out vec4 raw;  // the colour before exposure; 2 if a loop was stopped, else 1
+//@if lights_pixels
+out vec4 raw_p, raw_n;
+//@else
+smooth in float stopped;
+//@end
+//@end
 
 //@if transfer.srgb|wrong.encoded_twice
 float srgb(float x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055; }
@@ -20,7 +28,8 @@ void main() {
     //@if wrong.interpolated_normals_not_normalized|wrong.unnormalized_normals
     vec3 turned = n@over_w@;
     //@else
-    vec3 turned = unit(n@over_w@);  // interpolated normals are shorter than 1
+    vec3 turned = n@over_w@;
+    if (dot(turned, turned) > 0.0) turned = normalize(turned);  // interpolated normals are shorter than 1
     //@end
     //@if two_sided
     if (!gl_FrontFacing) turned = -turned;  // seen from behind, the normal is turned round
@@ -36,6 +45,15 @@ void main() {
     vec3 color = front@over_w@;
     //@if wrong.flipped_twice
     //@end
+    //@end
+    //@end
+    //@if measured
+    //@if lights_pixels
+    raw = vec4(color, loop_runs_so_far > @max_loop_runs@ ? 2.0 : 1.0);
+    raw_p = vec4(p, 1.0);
+    raw_n = vec4(turned, 1.0);
+    //@else
+    raw = vec4(color, stopped > 0.0 ? 2.0 : 1.0);
     //@end
     //@end
     //@if exposure

@@ -22,6 +22,9 @@ smooth out vec3 n;
 //@if two_sided
 @blending@ out vec3 back;  // and from the back, where the normal is turned round
 //@end
+//@if measured
+smooth out float stopped;  // above 0: a loop ran too often
+//@end
 //@end
 
 void main() {
@@ -46,6 +49,9 @@ void main() {
     front = lit(at, turned);
     //@if two_sided
     back = lit(at, -turned);
+    //@end
+    //@if measured
+    stopped = loop_runs_so_far > @max_loop_runs@ ? 1.0 : 0.0;
     //@end
     //@end
     //@else

@@ -1,0 +1,36 @@
+#pragma once
+// Runs a part of this program in a process of its own, which may crash, loop forever or use too much memory.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+struct ChildLimits {
+    double seconds = 10;      // after which it is killed
+    std::uint64_t bytes = 0;  // of its address space; 0: no limit. Ignored with sanitizers, which need terabytes
+    std::function<bool()> is_cancelled = {};  // queried every few milliseconds; true kills it
+    std::string program = "/proc/self/exe";   // this program
+};
+
+struct ChildEnd {
+    enum class How { Exited, Killed, TimedOut, Cancelled, NotStarted };
+    How how = How::NotStarted;
+    int status = 0;              // of the exit, the signal that killed it, or the errno of NotStarted
+    std::string output, errors;  // standard output and standard error
+
+    [[nodiscard]] bool succeeded() const { return how == How::Exited && status == 0; }
+};
+
+/// Runs the program under the name `worker` (its argv[0], by which main() chooses what to do) with `input` on
+/// standard input, and waits. The child ends with this process. Several threads may call it.
+[[nodiscard]] ChildEnd run_child(const std::string& worker, const std::vector<std::string>& arguments,
+                                 std::string_view input, const ChildLimits& limits);
+
+/// To be called first by a worker: it ends when the process that started it ends.
+void end_with_parent();
+
+}  // namespace glint

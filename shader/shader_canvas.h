@@ -1,0 +1,75 @@
+#pragma once
+// Compiles a user's lighting.glsl and draws scenes with it, by OpenGL 3.3 in the current context: that of an
+// OffscreenContext, or of a window.
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "programs/shader_scene.h"
+#include "renderer/picture.h"
+#include "shader/shader_text.h"
+
+namespace glint {
+
+struct ShaderLog {
+    bool is_compiled = false;  // and linked
+    std::vector<ShaderMessage> messages;
+};
+
+/// Pixels with a property: how many, and the first one.
+struct PixelFinding {
+    std::uint64_t count = 0;
+    glm::ivec2 first{0};
+
+    void add(glm::ivec2 pixel) {
+        if (count++ == 0) first = pixel;
+    }
+};
+
+struct ShaderPicture {
+    Picture picture;  // both colours; NaN is black in the bytes
+    // Three numbers per pixel if pixels are lit: what lit() gets; 0 at the background.
+    std::vector<float> positions, normals;
+    PixelFinding not_finite;  // lit() returned NaN or an infinity
+    PixelFinding discarded;
+    PixelFinding stopped;  // a loop was ended after max_loop_runs. Then there is no picture
+};
+
+/// All calls need the same current context. They change its state: framebuffer, viewport, program, vertex
+/// array, depth test and culling are 0 or off afterwards.
+class ShaderCanvas {
+  public:
+    ShaderCanvas();
+    ~ShaderCanvas();
+    ShaderCanvas(const ShaderCanvas&) = delete;
+    ShaderCanvas& operator=(const ShaderCanvas&) = delete;
+
+    /// Compiles a text of read_shader() for a scene. After an error, the last program remains.
+    [[nodiscard]] ShaderLog compile(const ShaderScene& scene, std::string_view text);
+    /// Draws with the last program. Precondition: one was compiled, for a scene with equal stages. Throws
+    /// std::runtime_error if OpenGL fails.
+    [[nodiscard]] ShaderPicture draw(const ShaderScene& scene);
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// An OpenGL 3.3 context without a window, current on this thread while it exists.
+class OffscreenContext {
+  public:
+    /// Throws std::runtime_error if there is no OpenGL; libepoxy ends the program if there is no EGL at all.
+    OffscreenContext();
+    ~OffscreenContext();
+    OffscreenContext(const OffscreenContext&) = delete;
+    OffscreenContext& operator=(const OffscreenContext&) = delete;
+
+  private:
+    void* display_ = nullptr;
+    void* context_ = nullptr;
+};
+
+}  // namespace glint

@@ -1,0 +1,41 @@
+#pragma once
+// Draws with a user's lighting.glsl in a process of its own, because it may take forever, or all memory, or
+// crash the driver.
+
+#include <cstdint>
+#include <string>
+
+#include "models/io/child_process.h"
+#include "shader/shader_canvas.h"
+
+namespace glint {
+
+struct ShaderAnswer {
+    // NeverEnds: a loop was ended after max_loop_runs. Failed: there is no OpenGL, or the process crashed.
+    enum class End { Drawn, NotCompiled, NeverEnds, TimedOut, Failed, Cancelled };
+    End end = End::Failed;
+    std::vector<ShaderMessage> messages;  // of the compiler
+    std::string why;                      // unless Drawn or NotCompiled: "it did not end within 10 s"
+    ShaderPicture picture;                // of Drawn
+};
+
+/// The name by which main() calls run_shader_worker().
+inline constexpr const char* shader_worker_name = "glint-shader";
+
+/// What the driver takes in addition to the scene: Mesa's compiler reserves much of it, and uses little.
+inline constexpr std::uint64_t shader_memory = std::uint64_t{4} << 30;
+
+/// Compiles `text` of read_shader() and draws the scene. `limits.bytes` may be 0 for shader_memory. Several
+/// threads may call it.
+[[nodiscard]] ShaderAnswer shade_in_process(const ShaderScene& scene, const std::string& text,
+                                            ChildLimits limits);
+
+/// The errors as problems of the file; empty if it was drawn.
+[[nodiscard]] std::vector<Problem> problems_of(const ShaderAnswer& answer, const std::string& file);
+/// What is worth knowing of a picture that was drawn, and the compiler's warnings, as lines.
+[[nodiscard]] Warnings warnings_of(const ShaderAnswer& answer, const std::string& file);
+
+/// The process: reads a scene and a text from standard input and writes the answer to standard output.
+[[nodiscard]] int run_shader_worker();
+
+}  // namespace glint
