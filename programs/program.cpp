@@ -12,9 +12,11 @@
 
 #include "models/fields/choices.h"
 #include "models/gltf/gltf.h"
+#include "models/io/markup.h"
 #include "programs/model_text.h"
 #include "programs/scene_flags.h"
 #include "programs/scene_tables.h"
+#include "programs/shader_scene.h"
 #include "programs/texts.h"
 
 namespace glint {
@@ -45,6 +47,12 @@ LanguageTexts texts_of(Language language) {
         return {{{"main.cpp", cpp_main_cpp}}, "//", 400};
     case Language::Python:
         return {{{"main.py", python_main_py}}, "#", 250};
+    case Language::Webgl:
+        return {{{"index.html", webgl_main_html},
+                 {"lighting.glsl", glsl_lighting_glsl},
+                 {"scene.vert", glsl_scene_vert},
+                 {"scene.frag", glsl_scene_frag}},
+                "//"};
     }
     return {};
 }
@@ -52,6 +60,9 @@ LanguageTexts texts_of(Language language) {
 /// A language supports the flags that its texts mention. Reflection models come from their rows.
 bool can(Language language, const Need& need) {
     for (const LanguageTexts::File& file : texts_of(language).files) {
+        // The page's numbers of corners are always right, so its shaders for corners and pixels are, too.
+        if (language == Language::Webgl && need.flag.starts_with("wrong.") && file.name.starts_with("scene."))
+            continue;
         if (mentioned_flags(file.text).contains(need.flag)) return true;
         if (need.flag.starts_with("reflection.") && file.text.find("@model@") != file.text.npos) return true;
     }
@@ -135,8 +146,9 @@ std::string wrapped(const std::vector<ProgramMesh>& files, const std::string& co
 }
 
 /// The clear colour: the background in displayed colours, because it does not pass through a shader.
-std::string clear_call(const Display& display, const Flags& flags) {
-    std::string text = "glClearColor(";
+std::string clear_call(const Display& display, const Flags& flags, Language language) {
+    const bool is_page = language == Language::Webgl;
+    std::string text = is_page ? "gl.clearColor(" : "glClearColor(";
     for (int c = 0; c < 3; ++c) {
         double x =
             std::min(1.0, static_cast<double>(display.exposure) * static_cast<double>(display.background[c]));
@@ -146,16 +158,42 @@ std::string clear_call(const Display& display, const Flags& flags) {
         if (display.transfer == Transfer::Srgb) x = srgb(x);
         if (flags.contains("wrong.encoded_twice")) x = srgb(x);
         const std::string number = fmt::format("{:.7g}", x);
-        text += number + (number.find_first_of(".e") == number.npos ? ".0f, " : "f, ");
+        const char* const suffix = number.find_first_of(".e") == number.npos ? ".0f, " : "f, ";
+        text += number + (is_page ? ", " : suffix);
     }
     return text + "1);  // the background";
+}
+
+/// The scene's name and its description, for the program's first comment.
+std::string title_of(const ProgramOf& of, Language language) {
+    std::string title =
+        for_comment(of.name) + (of.scene.about.empty() ? "" : ": " + for_comment(of.scene.about));
+    if (language == Language::Webgl)  // two dashes end a comment
+        for (std::size_t at; (at = title.find("--")) != title.npos;) title.insert(at + 1, " ");
+    return title;
+}
+
+/// The numbers of each mesh's corners, as members of an object of JavaScript.
+std::string mesh_numbers(const ProgramOf& of, const std::vector<ProgramMesh>& meshes, const Flags& flags) {
+    const std::size_t used = flags.contains("lights_pixels") ? numbers_per_corner / 2 : numbers_per_corner;
+    std::string text;
+    for (const ProgramMesh& mesh : meshes) {
+        const CornerNumbers all = CornerCache().of(mesh.object, of.scene.shading);
+        std::string bytes;
+        for (std::size_t i = 0; i < all->size(); i += numbers_per_corner)
+            bytes.append(reinterpret_cast<const char*>(&(*all)[i]), used * sizeof(float));
+        text += fmt::format("\"{}\": \"{}\",\n", mesh.name, base64(bytes));
+    }
+    if (!text.empty()) text.pop_back();
+    return text;
 }
 
 /// The values that all files of the program derive from the scene and the size.
 Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
     const Scene& s = of.scene;
     const auto vector = [language](const glm::vec3& v) { return vector_in_program(v, language); };
-    return {{"title", for_comment(of.name) + (s.about.empty() ? "" : ": " + for_comment(s.about))},
+    const bool is_shader = language == Language::Glsl || language == Language::Webgl;
+    return {{"title", title_of(of, language)},
             {"width", fmt::format("{}", of.size.width)},
             {"height", fmt::format("{}", of.size.height)},
             {"background", vector(s.display.background)},
@@ -163,14 +201,12 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"exposure", number_in_program(s.display.exposure)},
             {"power_table", fmt::format("{}", s.shading.power_table)},
             {"model_name", choice_of(s.shading.reflection).label},
-            {"cool", language == Language::Glsl ? vector_in_program(s.npr.cool, Language::Python)
-                                                : vector(s.npr.cool)},
-            {"warm", language == Language::Glsl ? vector_in_program(s.npr.warm, Language::Python)
-                                                : vector(s.npr.warm)},
+            {"cool", is_shader ? vector_in_program(s.npr.cool, Language::Python) : vector(s.npr.cool)},
+            {"warm", is_shader ? vector_in_program(s.npr.warm, Language::Python) : vector(s.npr.warm)},
             {"alpha", number_in_program(s.npr.alpha)},
             {"beta", number_in_program(s.npr.beta)},
             // Factors that are 1 or never change are omitted.
-            {"clear_color", clear_call(s.display, flags)},
+            {"clear_color", clear_call(s.display, flags, language)},
             {"window_title", in_letters(of.name, "scene")},
             {"const_n", flags.contains("wrong.no_normals_given") || flags.contains("wrong.some_faces_flipped")
                             ? ""
@@ -198,7 +234,7 @@ Program program_of(const ProgramOf& of, Language language, bool is_measured = fa
     if (flags.contains("uses.S") && flags.contains("clamped_highlight") &&
         !flags.contains("wrong.specular_behind_surface"))
         flags.insert("uses.n_l");
-    if (language == Language::Glsl)
+    if (language == Language::Glsl || language == Language::Webgl)
         flags.insert("shader");  // which computes the samples of an area light itself
     for (const char* of_light : {"uses.l", "uses.n_l", "uses.l_v", "uses.S", "light.spot", "light.area"})
         if (flags.contains(of_light)) flags.insert("needs.l");
@@ -213,6 +249,14 @@ Program program_of(const ProgramOf& of, Language language, bool is_measured = fa
     values["lights"] = tables.lights;
     values["objects"] = tables.objects;
 
+    if (language == Language::Webgl) {  // the page contains the others
+        for (const auto& [name, text] : {std::pair{"lighting", glsl_lighting_glsl},
+                                         {"vertex", glsl_scene_vert},
+                                         {"fragment", glsl_scene_frag}})
+            values[name] = filled(text, flags, values);
+        values["mesh_numbers"] = mesh_numbers(of, meshes.files, flags);
+        return {{{std::string(texts.files[0].name), filled(texts.files[0].text, flags, values)}}, {}};
+    }
     Program program{{}, std::move(meshes.files)};
     for (const LanguageTexts::File& file : texts.files)
         program.texts.push_back({std::string(file.name), filled(file.text, flags, values)});
@@ -262,9 +306,12 @@ std::optional<Problem> why_not_written(const ProgramOf& of, Language language) {
 
 std::vector<Language> languages_for(const ProgramOf& of) {
     std::vector<Language> able;
-    for (const Language language : enumerators<Language>)
-        if (!lacking_in(language, of.scene) && !too_many_lines(program_of(of, language), language))
+    for (const Language language : enumerators<Language>) {
+        const bool any_length = texts_of(language).most_lines == 0;
+        if (!lacking_in(language, of.scene) &&
+            (any_length || !too_many_lines(program_of(of, language), language)))
             able.push_back(language);
+    }
     return able;
 }
 
@@ -289,8 +336,9 @@ Result<ShaderStages> shader_stages(const ProgramOf& of) {
         if (file.name == "scene.vert") stages.vertex = file.text;
         if (file.name == "scene.frag") stages.fragment = file.text;
     }
-    stages.before = fmt::format(
-        "int loop_runs_so_far = 0;\nbool loop_runs() {{ return ++loop_runs_so_far <= {}; }}\n", max_loop_runs);
+    stages.before =
+        fmt::format("int loop_runs_so_far = 0;\nbool loop_runs() {{ return ++loop_runs_so_far <= {}; }}\n",
+                    max_loop_runs);
     stages.lights_pixels = flags_of(of.scene).contains("lights_pixels");
     return stages;
 }

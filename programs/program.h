@@ -12,7 +12,7 @@
 
 namespace glint {
 
-enum class Language { Gl1, Glsl, Cpp, Python };
+enum class Language { Gl1, Glsl, Cpp, Python, Webgl };
 
 /// One row per language: its name on the command line and its title.
 constexpr Choice choice_of(Language language) {
@@ -25,6 +25,8 @@ constexpr Choice choice_of(Language language) {
         return {"cpp", "C++", "one C++17 file without any library"};
     case Language::Python:
         return {"python", "Python", "one Python file with numpy"};
+    case Language::Webgl:
+        return {"webgl", "WebGL", "one page for a browser, with the shaders of GLSL"};
     }
     return {};
 }
@@ -51,7 +53,7 @@ struct ProgramOf {
     const Scene& scene;
     PictureSize size;
     std::string name;
-    bool blank = false;  // of GLSL: the functions of the lighting equation are left to be written
+    bool blank = false;  // of GLSL and WebGL: the functions of the lighting equation are left to be written
 };
 
 /// The languages in which the program can be written.

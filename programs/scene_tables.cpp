@@ -40,15 +40,23 @@ std::string joined(const std::vector<std::string>& parts, std::size_t start, con
     return text;
 }
 
-/// A definition: `const TYPE NAME = {...};`, in Python `NAME = TYPE(...)`.
-std::string definition(const std::string& type, const std::string& name, const Row& row, Language language) {
+/// The values of a row; in JavaScript with their names.
+std::vector<std::string> values_of(const Row& row, Language language) {
     std::vector<std::string> parts;
-    for (const Column& c : row) parts.push_back(c.value);
+    for (const Column& c : row)
+        parts.push_back(language == Language::Webgl ? c.name + ": " + c.value : c.value);
+    return parts;
+}
+
+/// A definition: `const TYPE NAME = {...};`, in Python `NAME = TYPE(...)`, in JavaScript `const NAME =
+/// {...};`.
+std::string definition(const std::string& type, const std::string& name, const Row& row, Language language) {
+    const std::vector<std::string> parts = values_of(row, language);
     if (language == Language::Python) {
         const std::string start = name + " = " + type + "(";
         return start + joined(parts, start.size(), "    ") + ")\n";
     }
-    const std::string start = "const " + type + " " + name + " = {";
+    const std::string start = "const " + (language == Language::Webgl ? "" : type + " ") + name + " = {";
     return start + joined(parts, start.size(), "    ") + "};\n";
 }
 
@@ -64,6 +72,10 @@ std::string list_of(const std::string& type, const std::string& name, const std:
     if (language == Language::Python) {
         const std::string start = name + " = [";
         return start + joined(names, start.size(), "    ") + "]";
+    }
+    if (language == Language::Webgl) {
+        const std::string start = fmt::format("const {} = [", name);
+        return start + joined(names, start.size(), "    ") + "];";
     }
     if (language == Language::Gl1) {  // C has no list that knows its length
         std::vector<std::string> pointers;
@@ -88,7 +100,10 @@ std::string camera_text(const Camera& camera, Language language) {
         std::vector<std::string> parts;
         parts.reserve(all.size());
         for (const auto& [name, value] : all) parts.push_back(name + " = " + number_in_program(value));
-        const std::string start = python ? "" : "const double ", separator = python ? "; " : ", ";
+        const std::string start = python                        ? ""
+                                  : language == Language::Webgl ? "const "
+                                                                : "const double ",
+                          separator = python ? "; " : ", ";
         return start + fmt::format("{}", fmt::join(parts, separator)) + (python ? "" : ";");
     };
     std::string text;
@@ -98,6 +113,10 @@ std::string camera_text(const Camera& camera, Language language) {
     else if (language == Language::Cpp)
         text = fmt::format("const vec3 eye = {}, target = {}, up = {};  // world coordinates\n",
                            vector(camera.eye), vector(camera.target), vector(camera.up));
+    else if (language == Language::Webgl)
+        text = fmt::format(
+            "let eye = {};  // world coordinates; moves with the mouse\nconst target = {}, up = {};\n",
+            vector(camera.eye), vector(camera.target), vector(camera.up));
     else
         text = fmt::format(
             "vec3 eye = {};  // world coordinates; moves with the mouse\nconst vec3 target = {}, up = {};\n",
@@ -166,10 +185,11 @@ Row material_row(const Material& m, Language language, const Flags& flags) {
 
 /// The material as a value, on separate lines.
 std::string material_text(const Row& row, Language language) {
-    std::vector<std::string> parts;
-    for (const Column& c : row) parts.push_back(c.value);
+    const std::vector<std::string> parts = values_of(row, language);
     const bool python = language == Language::Python;
-    const std::string start = python ? "    Material(" : "    {";
+    const std::string start = python                        ? "    Material("
+                              : language == Language::Webgl ? "    material: {"
+                                                            : "    {";
     return "\n" + start + joined(parts, start.size(), "     ") + (python ? ")" : "}");
 }
 
@@ -288,9 +308,11 @@ std::string number_in_program(float x) {
 }
 
 std::string vector_in_program(const glm::vec3& v, Language language) {
-    const bool python = language == Language::Python;
-    return fmt::format("{}{}, {}, {}{}", python ? "(" : "{", number_in_program(v.x), number_in_program(v.y),
-                       number_in_program(v.z), python ? ")" : "}");
+    const char* const brackets = language == Language::Python  ? "()"
+                                 : language == Language::Webgl ? "[]"
+                                                               : "{}";
+    return fmt::format("{}{}, {}, {}{}", brackets[0], number_in_program(v.x), number_in_program(v.y),
+                       number_in_program(v.z), brackets[1]);
 }
 
 SceneTables scene_tables(const Scene& scene, Language language, const Flags& flags,

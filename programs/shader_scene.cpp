@@ -123,9 +123,9 @@ std::vector<float> corner_numbers(const Object& object, bool facets, bool centro
             const std::uint32_t position = mesh.corner_position[c];
             const glm::vec3 place = mesh.positions[position];
             const std::uint32_t normal = normals.corner.empty() ? position : normals.corner[c];
-            append(numbers, {place, side * (facets ? facet : normals.normals[normal]),
-                             centroids ? glm::vec3(centroid) : place,
-                             centroids ? glm::vec3(mean) : color(position)});
+            append(numbers,
+                   {place, side * (facets ? facet : normals.normals[normal]),
+                    centroids ? glm::vec3(centroid) : place, centroids ? glm::vec3(mean) : color(position)});
         }
     }
     return numbers;

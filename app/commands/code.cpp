@@ -67,15 +67,14 @@ Outcome code(const CodeArguments& arguments) {
     if (!arguments.language)
         throw wrong_usage("--language", "is missing",
                           fmt::format("{}", fmt::join(names_of<Language>(), ", ")));
-    if (arguments.blank && *arguments.language != Language::Glsl)
-        throw wrong_usage("--blank", "is for shaders", "--language glsl");
+    if (arguments.blank && *arguments.language != Language::Glsl && *arguments.language != Language::Webgl)
+        throw wrong_usage("--blank", "is for shaders", "--language glsl or webgl");
     require_given(arguments.out, "-o", "a new or an empty directory");
     const OutDirectory out(arguments.out);
     const SceneDocument document = open_scene(arguments.scene);
-    Result<Program> written = write_program(
-        {document.scene, size_to_draw(arguments.size, document), name_of_scene(arguments.scene.file),
-         arguments.blank},
-        *arguments.language);
+    Result<Program> written = write_program({document.scene, size_to_draw(arguments.size, document),
+                                             name_of_scene(arguments.scene.file), arguments.blank},
+                                            *arguments.language);
     if (auto* problem = std::get_if<Problem>(&written)) problem->file = arguments.scene.file;
     const Program program = take(std::move(written));
     for (const ProgramFile& file : program.texts) out.write(file.name, file.text);
@@ -87,7 +86,7 @@ Outcome code(const CodeArguments& arguments) {
 Run declare_code(Options& options) {
     auto arguments = std::make_shared<CodeArguments>();
     add_scene(options, arguments->scene);
-    options.add_value("--language", "LANGUAGE", "gl1, glsl, cpp or python",
+    options.add_value("--language", "LANGUAGE", "gl1, glsl, cpp, python or webgl",
                       [&language = arguments->language](const std::string& text) {
                           language =
                               static_cast<Language>(read_word("--language", text, names_of<Language>()));

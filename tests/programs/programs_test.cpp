@@ -209,22 +209,21 @@ TEST_CASE("an unsupported feature in OpenGL 1 is one line that names supporting 
     CHECK(refused([](Scene&) {}) == "");
     CHECK(refused([](Scene& s) { s.shading.mode = ShadingMode::Phong; }) ==
           "/shading/mode: normals are interpolated and lit at each pixel, which gl1 cannot do; expected "
-          "--language glsl "
-          "or cpp or python");
+          "--language glsl or cpp or python or webgl");
     CHECK(refused([](Scene& s) {
               s.lights[0].kind = LightKind::Area;
               s.lights[0].position.w = 1;
           }) ==
-          "/lights: an area light shines, which gl1 cannot do; expected --language glsl or cpp or python");
+          "/lights: an area light shines, which gl1 cannot do; expected --language glsl or cpp or python or webgl");
     CHECK(refused([](Scene& s) { s.shading.reflection = Reflection::Phong; }) ==
           "/shading/reflection: the model is phong, which gl1 cannot do; expected --language glsl or cpp or "
-          "python");
+          "python or webgl");
     CHECK(
         refused([](Scene& s) { s.lights.resize(9, s.lights[0]); }) ==
-        "/lights: more than 8 lights shine, which gl1 cannot do; expected --language glsl or cpp or python");
+        "/lights: more than 8 lights shine, which gl1 cannot do; expected --language glsl or cpp or python or webgl");
     CHECK(
         refused([](Scene& s) { s.objects[0].material.shininess = 200; }) ==
-        "/objects: a shininess is above 128, which gl1 cannot do; expected --language glsl or cpp or python");
+        "/objects: a shininess is above 128, which gl1 cannot do; expected --language glsl or cpp or python or webgl");
 }
 TEST_CASE("an OpenGL 3.3 program draws the scenes of assets like Glint", "[programs]") {
     CHECK(compare_assets(Language::Glsl) == "silhouettes-and-creases skew-quad t-junction");

@@ -31,7 +31,7 @@ TEST_CASE("the message about a program that is too long names a shorter language
     CHECK(refused(scene_of(60, 1), Language::Python) ==  // of which GLSL supports 32
           "at most 250: fewer lights and objects, or --language cpp");
     CHECK(refused(scene_of(1, 400), Language::Cpp) ==
-          "at most 400: fewer lights and objects, or --language glsl");
+          "at most 400: fewer lights and objects, or --language glsl or webgl");
     CHECK(refused(scene_of(60, 400), Language::Cpp) == "at most 400: fewer lights and objects");
 }
 
