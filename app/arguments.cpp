@@ -119,10 +119,9 @@ void add_size(Options& options, std::optional<PictureSize>& size) {
 
 void add_timeout(Options& options, double& seconds) {
     constexpr double most = 3600;
-    options.add_value("--timeout", "SECONDS", "stop a shader that takes longer, at most 3600; default 10",
-                      [&seconds](const std::string& text) {
-                          seconds = read_amount("--timeout", text, most);
-                      });
+    options.add_value(
+        "--timeout", "SECONDS", "stop a shader that takes longer, at most 3600; default 10",
+        [&seconds](const std::string& text) { seconds = read_amount("--timeout", text, most); });
 }
 
 void add_samples(Options& options, std::optional<int>& samples) {

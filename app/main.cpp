@@ -10,7 +10,6 @@
 #include <new>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -77,6 +76,14 @@ int run(const std::vector<std::string>& arguments) {
     return static_cast<int>(outcome.status);
 }
 
+/// Runs the process of a worker if `name` is that of one, and ends.
+void work_as(const std::string& name, const std::vector<std::string>& words) {
+    if (name != shader_worker_name && name != grade_worker_name) return;
+    end_with_parent();
+    // At once: the driver's own memory need not be returned.
+    std::_Exit(name == shader_worker_name ? run_shader_worker() : run_grade_worker(words));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -86,10 +93,7 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     try {
-        if (argv[0] == std::string_view(shader_worker_name)) {
-            end_with_parent();
-            return run_shader_worker();
-        }
+        if (argc > 0) work_as(argv[0], {argv + 1, argv + argc});
         return run({argv + 1, argv + argc});
     } catch (...) {
         return report_exception();

@@ -205,8 +205,7 @@ class Framebuffer {
 };
 
 /// The pixels whose fourth number `is` accepts.
-template <class Is>
-PixelFinding pixels_where(const std::vector<float>& raw, PictureSize size, const Is& is) {
+template <class Is> PixelFinding pixels_where(const std::vector<float>& raw, PictureSize size, const Is& is) {
     PixelFinding found;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
@@ -223,7 +222,9 @@ std::vector<float> without_fourth(const std::vector<float>& numbers) {
     return three;
 }
 
-bool is_finite(const float* color) { return std::all_of(color, color + 3, [](float c) { return std::isfinite(c); }); }
+bool is_finite(const float* color) {
+    return std::all_of(color, color + 3, [](float c) { return std::isfinite(c); });
+}
 
 }  // namespace
 
@@ -312,14 +313,16 @@ ShaderLog ShaderCanvas::compile(const ShaderScene& scene, std::string_view text)
     ShaderLog log;
     log.messages = shader_messages(lit.log(), lines);
     if (!vertex.is_compiled() || !fragment.is_compiled()) {
-        if (log.messages.empty()) log.messages.push_back({true, 0, "OpenGL does not compile it: " + lit.log()});
+        if (log.messages.empty())
+            log.messages.push_back({true, 0, "OpenGL does not compile it: " + lit.log()});
         return log;
     }
     auto program = std::make_unique<GlProgram>(vertex, fragment);
     if (!program->is_linked()) {
         for (ShaderMessage& message : shader_messages(program->log(), lines))
             log.messages.push_back(std::move(message));
-        if (log.messages.empty()) log.messages.push_back({true, 0, "OpenGL does not link it: " + program->log()});
+        if (log.messages.empty())
+            log.messages.push_back({true, 0, "OpenGL does not link it: " + program->log()});
         return log;
     }
     check_uniforms(program->name(), scene, log.messages);
@@ -349,7 +352,8 @@ ShaderPicture ShaderCanvas::draw(const ShaderScene& scene) {
     };
     // A small picture first: a loop that does not end takes its time in each pixel.
     constexpr int times_smaller = 8;
-    const PictureSize trial{std::max(1, size.width / times_smaller), std::max(1, size.height / times_smaller)};
+    const PictureSize trial{std::max(1, size.width / times_smaller),
+                            std::max(1, size.height / times_smaller)};
     out.stopped = pixels_where(draw_at(trial, *parts_->program), trial, is_stopped);
     out.stopped.first *= times_smaller;
     if (out.stopped.count > 0) return out;

@@ -79,13 +79,13 @@ class Unpacker {
 // The fields of each type, in both directions. T is const while packing.
 
 template <class A, class T>
-    requires std::is_same_v<std::remove_const_t<T>, Uniform>
+requires std::is_same_v<std::remove_const_t<T>, Uniform>
 void fields(A& a, T& u) {
     a(u.name);
     a(u.value);
 }
 template <class A, class T>
-    requires std::is_same_v<std::remove_const_t<T>, ShaderMessage>
+requires std::is_same_v<std::remove_const_t<T>, ShaderMessage>
 void fields(A& a, T& m) {
     a(m.is_error);
     a(m.line);
@@ -160,8 +160,8 @@ ShaderScene unpacked(std::string_view bytes, std::string& text) {
 }
 
 std::string pixel_text(const PixelFinding& found) {
-    return fmt::format("{} pixel{}, the first at {},{}", found.count, found.count == 1 ? "" : "s", found.first.x,
-                       found.first.y);
+    return fmt::format("{} pixel{}, the first at {},{}", found.count, found.count == 1 ? "" : "s",
+                       found.first.x, found.first.y);
 }
 
 ShaderAnswer shaded(const ShaderScene& scene, const std::string& text) {
@@ -217,7 +217,8 @@ ShaderAnswer shade_in_process(const ShaderScene& scene, const std::string& text,
     const std::string input = packed(scene, text);
     // The scene, what OpenGL copies of it, and four buffers of the picture here and there.
     constexpr std::uint64_t bytes_per_pixel = 200;
-    if (limits.bytes == 0) limits.bytes = shader_memory + 4 * input.size() + bytes_per_pixel * scene.size.pixels();
+    if (limits.bytes == 0)
+        limits.bytes = shader_memory + 4 * input.size() + bytes_per_pixel * scene.size.pixels();
     const ChildEnd end = run_child(shader_worker_name, {}, input, limits);
     if (!end.succeeded()) return without_answer(end, limits);
     ShaderAnswer answer;

@@ -115,8 +115,8 @@ Insertions loop_counters(std::string_view text) {
     return all;
 }
 
-/// A line of a log: "0:4(2): error: text" (Mesa), "0(4) : error C1008: text" (NVIDIA), "ERROR: 0:4: text" (Intel,
-/// ANGLE).
+/// A line of a log: "0:4(2): error: text" (Mesa), "0(4) : error C1008: text" (NVIDIA), "ERROR: 0:4: text"
+/// (Intel, ANGLE).
 std::optional<ShaderMessage> parsed(const std::string& line) {
     static const std::regex mesa(R"(\d+:(\d{1,7})(?:\(\d+\))?: (?:preprocessor )?(error|warning): (.*))");
     static const std::regex nvidia(R"(\d+\((\d{1,7})\) : (error|warning) \w+: (.*))");
@@ -169,6 +169,8 @@ std::string prepared_shader(std::string_view text) {
 std::vector<ShaderMessage> shader_messages(const std::string& log, int lines) {
     std::vector<ShaderMessage> all;
     const auto add = [&all](const ShaderMessage& message) {
+        // Mesa's type of an expression that has an error already.
+        if (message.text.find("type error") != message.text.npos) return;
         if (std::find(all.begin(), all.end(), message) == all.end()) all.push_back(message);
     };
     std::istringstream stream(log);

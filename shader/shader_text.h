@@ -1,6 +1,6 @@
 #pragma once
-// A user's lighting.glsl as text: reading it, preparing it for the compiler, and the compiler's messages about
-// it. Contract of the file: docs/shader.md.
+// A user's lighting.glsl as text: reading it, preparing it for the compiler, and the compiler's messages
+// about it. Contract of the file: docs/shader.md.
 
 #include <string>
 #include <string_view>
@@ -27,8 +27,8 @@ struct ShaderMessage {
     bool operator==(const ShaderMessage&) const = default;
 };
 
-/// The numbers of the first lines of the texts before and after the user's file, which begins with 1. GLSL also
-/// has numbers of texts, but Mesa reports those of expressions wrong.
+/// The numbers of the first lines of the texts before and after the user's file, which begins with 1. GLSL
+/// also has numbers of texts, but Mesa reports those of expressions wrong.
 inline constexpr int first_line_before = 2'000'000, first_line_after = 3'000'000;
 
 /// The messages of a compiler's or linker's log, in Mesa's, NVIDIA's or Intel's form. `lines`: of the user's

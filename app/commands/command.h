@@ -44,6 +44,7 @@ struct Command {
 [[nodiscard]] Command code_command();
 [[nodiscard]] Command shade_command();
 [[nodiscard]] Command export_command();
+[[nodiscard]] Command grade_command();
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command diagnose_command();
 [[nodiscard]] Command check_command();
@@ -51,6 +52,10 @@ struct Command {
 [[nodiscard]] Command lessons_command();
 [[nodiscard]] Command exercise_command();
 [[nodiscard]] Command quiz_command();
+
+/// A process of `glint grade` for one file; the name by which main() calls it.
+inline constexpr const char* grade_worker_name = "glint-grade";
+[[nodiscard]] int run_grade_worker(const std::vector<std::string>& words);
 
 /// Returns the commands that have a name, in the order of --help.
 [[nodiscard]] std::vector<Command> named_commands();

@@ -34,8 +34,9 @@ void require_drawn(const ShaderAnswer& answer, const std::string& file) {
 void write_buffers(const ShadeArguments& arguments, PictureFormat format, ShaderPicture& drawn) {
     const PictureFormat linear = is_linear(format) ? format : PictureFormat::Pfm;
     Picture buffer{drawn.picture.size, {}, {}};
-    for (auto& [name, numbers] :
-         {std::pair{"sum", &drawn.picture.linear}, {"position", &drawn.positions}, {"normal", &drawn.normals}}) {
+    for (auto& [name, numbers] : {std::pair{"sum", &drawn.picture.linear},
+                                  {"position", &drawn.positions},
+                                  {"normal", &drawn.normals}}) {
         if (numbers->empty()) continue;
         const std::string path =
             (std::filesystem::path(arguments.buffers) / (std::string(name) + extension_of(linear))).string();
@@ -48,13 +49,17 @@ void write_buffers(const ShadeArguments& arguments, PictureFormat format, Shader
 
 Outcome shade(const ShadeArguments& arguments) {
     require_file(arguments.scene);
-    require_given(arguments.shader, "--shader", "a file with vec3 lit(vec3 p, vec3 n), such as lighting.glsl");
-    require_given(arguments.out, "-o", "a file to write, .png, .pfm or .exr, or - for a PNG on standard output");
-    const PictureFormat format = takes_png(arguments.out) ? PictureFormat::Png : take(picture_format(arguments.out));
+    require_given(arguments.shader, "--shader",
+                  "a file with vec3 lit(vec3 p, vec3 n), such as lighting.glsl");
+    require_given(arguments.out, "-o",
+                  "a file to write, .png, .pfm or .exr, or - for a PNG on standard output");
+    const PictureFormat format =
+        takes_png(arguments.out) ? PictureFormat::Png : take(picture_format(arguments.out));
     require_writable(arguments.out);
     std::error_code ignored;
     if (!arguments.buffers.empty() && !std::filesystem::is_directory(arguments.buffers, ignored))
-        throw wrong_usage("--buffers", arguments.buffers + " is not a directory", "a directory that is there");
+        throw wrong_usage("--buffers", arguments.buffers + " is not a directory",
+                          "a directory that is there");
     const SceneDocument document = open_scene(arguments.scene);
     const std::string text = take(read_shader(arguments.shader));
     require_not_read(arguments.out);
@@ -64,10 +69,10 @@ Outcome shade(const ShadeArguments& arguments) {
     ShaderAnswer answer = shade_in_process(take(std::move(scene)), text, {arguments.timeout});
     require_drawn(answer, arguments.shader);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
-    for (const std::string& warning : warnings_of(answer, arguments.shader)) outcome.warnings.push_back(warning);
+    for (const std::string& warning : warnings_of(answer, arguments.shader))
+        outcome.warnings.push_back(warning);
     if (!arguments.buffers.empty()) write_buffers(arguments, format, answer.picture);
-    std::string bytes =
-        picture_bytes(answer.picture.picture, format, document.scene.display.exposure, {});
+    std::string bytes = picture_bytes(answer.picture.picture, format, document.scene.display.exposure, {});
     if (arguments.out == "-") {
         outcome.output = std::move(bytes);
     } else {
@@ -87,10 +92,11 @@ Run declare_shade(Options& options) {
              arguments->out);
     add_size(options, arguments->size);
     add_timeout(options, arguments->timeout);
-    add_text(options, "--buffers", "DIR",
-             "also write sum, position and normal of each pixel to this directory, as EXR if OUT is an EXR, else "
-             "as PFM",
-             arguments->buffers);
+    add_text(
+        options, "--buffers", "DIR",
+        "also write sum, position and normal of each pixel to this directory, as EXR if OUT is an EXR, else "
+        "as PFM",
+        arguments->buffers);
     return [arguments] { return shade(*arguments); };
 }
 

@@ -10,8 +10,9 @@
 namespace glint {
 
 struct ChildLimits {
-    double seconds = 10;      // after which it is killed
-    std::uint64_t bytes = 0;  // of its address space; 0: no limit. Ignored with sanitizers, which need terabytes
+    double seconds = 10;  // after which it is killed
+    std::uint64_t bytes =
+        0;  // of its address space; 0: no limit. Ignored with sanitizers, which need terabytes
     std::function<bool()> is_cancelled = {};  // queried every few milliseconds; true kills it
     std::string program = "/proc/self/exe";   // this program
 };

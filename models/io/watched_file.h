@@ -18,7 +18,8 @@ class WatchedFile {
     enum class Change { None, Written, Vanished };
 
     /// The state at `path` now is not reported.
-    explicit WatchedFile(std::string path) : path_(std::move(path)), known_(file_stamp(path_)), seen_(known_) {}
+    explicit WatchedFile(std::string path)
+        : path_(std::move(path)), known_(file_stamp(path_)), seen_(known_) {}
 
     [[nodiscard]] const std::string& path() const { return path_; }
     /// To be called several times per second, with the current time.

@@ -12,7 +12,7 @@ using std::string_view;
 
 /// The layers, from the bottom up; a file may include its own layer and those below. A layer is a file, a
 /// folder with all its contents, or, with a star, the files directly in a folder. The longest match counts.
-constexpr std::array<string_view, 31> layers{
+constexpr std::array<string_view, 32> layers{
     "models/*",
     "models/io/",
     "models/json/",
@@ -38,6 +38,7 @@ constexpr std::array<string_view, 31> layers{
     "renderer/debug_views/",
     "renderer/answers/",
     "programs/",
+    "shader/",
     "diagnose/search/",
     "diagnose/",
     "lessons/",
@@ -76,7 +77,9 @@ std::string complaint(string_view path, string_view name, bool quoted) {
     if (quoted && !to) return "is in no layer";
     if (to && *to > *from)
         return "points up from " + std::string(layers[*from]) + " to " + std::string(layers[*to]);
-    if (!path.starts_with("app/") && is_gl_or_window(name)) return "uses GL, GLFW or a window below app";
+    const bool is_offscreen = path.starts_with("shader/") && name.starts_with("epoxy/");
+    if (!path.starts_with("app/") && !is_offscreen && is_gl_or_window(name))
+        return "uses GL, GLFW or a window below app";
     if (!path.starts_with("app/") && !path.starts_with("ui/") && name.starts_with("imgui"))
         return "uses ImGui below ui";
     // Only the files of models/mesh/resolution share its half-edges.

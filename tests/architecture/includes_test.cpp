@@ -16,7 +16,8 @@ TEST_CASE("includes only point down, and GL, GLFW, ImGui and OpenMesh stay in th
     const fs::path root = glint::project_folder;
     std::vector<std::string> found;
     int files = 0;
-    for (const char* folder : {"app", "ui", "lessons", "diagnose", "programs", "renderer", "models"}) {
+    for (const char* folder :
+         {"app", "ui", "lessons", "diagnose", "shader", "programs", "renderer", "models"}) {
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
             const auto extension = entry.path().extension();
             if (extension != ".h" && extension != ".cpp") continue;
@@ -56,6 +57,8 @@ TEST_CASE("a layer that includes a higher one is reported", "[architecture]") {
     CHECK(reported("renderer/new_room/file.h", "renderer/renderer.h"));
     CHECK(reported("renderer/renderer.h", "programs/program.h"));
     CHECK(reported("programs/program.h", "diagnose/diagnose.h"));
+    CHECK(reported("programs/program.h", "shader/shader_text.h"));
+    CHECK(reported("shader/shader_text.h", "diagnose/diagnose.h"));
     CHECK(reported("diagnose/diagnose.h", "lessons/quiz.h"));
     CHECK_FALSE(reported("renderer/shade/lighting.h", "renderer/picture.h"));
     CHECK_FALSE(reported("renderer/renderer.cpp", "renderer/explain/explain.h"));
@@ -92,7 +95,8 @@ TEST_CASE("no two headers define a class with the same name, which the linker co
     // Ignores specializations and classes in nested namespaces, which are indented or in a .cpp.
     const std::regex definition(R"(^(?:struct|class|enum class|enum)(?: alignas\(\d+\))? (\w+)[^;<]*\{.*)");
     std::map<std::string, std::string> header_of;
-    for (const char* folder : {"app", "ui", "lessons", "diagnose", "programs", "renderer", "models"})
+    for (const char* folder :
+         {"app", "ui", "lessons", "diagnose", "shader", "programs", "renderer", "models"})
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(glint::project_folder) / folder)) {
             if (entry.path().extension() != ".h") continue;
             std::ifstream file(entry.path());
@@ -123,6 +127,9 @@ TEST_CASE("libraries of the window are reported below their layer", "[architectu
     CHECK(forbidden_includes("renderer/a.cpp", "#include <imgui.h>").size() == 1);
     CHECK(forbidden_includes("models/a.cpp", "#include <GL/gl.h>").size() == 1);
     CHECK(forbidden_includes("ui/a.cpp", "#include <GLFW/glfw3.h>").size() == 1);
+    CHECK(forbidden_includes("shader/a.cpp", "#include <GLFW/glfw3.h>").size() == 1);
+    CHECK(forbidden_includes("shader/a.cpp", "#include <epoxy/gl.h>").empty());
+    CHECK(forbidden_includes("ui/a.cpp", "#include <epoxy/gl.h>").size() == 1);
     CHECK(forbidden_includes("ui/a.cpp", "#include <imgui_impl_opengl3.h>").size() == 1);
     CHECK(forbidden_includes("models/mesh/mesh.h", "#include <OpenMesh/Core/IO/MeshIO.hh>").size() == 1);
     CHECK(forbidden_includes("renderer/a.cpp", "#include <OpenMesh/Core/IO/MeshIO.hh>").size() == 1);
