@@ -255,8 +255,9 @@ GLuint ShaderCanvas::Parts::vertices_of(const CornerNumbers& numbers) {
                  GL_STATIC_DRAW);
     for (GLuint i = 0; i < 4; ++i) {
         const auto offset = std::size_t{i} * 3 * sizeof(float);
-        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, numbers_per_corner * sizeof(float),
-                              reinterpret_cast<const void*>(offset));
+        glVertexAttribPointer(
+            i, 3, GL_FLOAT, GL_FALSE, numbers_per_corner * sizeof(float),
+            reinterpret_cast<const void*>(offset));  // NOLINT: an offset, by OpenGL's history
         glEnableVertexAttribArray(i);
     }
     return mesh.vertices;

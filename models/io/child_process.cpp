@@ -103,6 +103,7 @@ ChildEnd run_child(const std::string& worker, const std::vector<std::string>& ar
     std::vector<std::string> words{worker};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     posix_spawn_file_actions_t files;
