@@ -63,7 +63,7 @@ void add_terms(TermValues& terms, const ExplainedPoint& at, double weight) {
         if (light >= 0 && are_many) terms[{name, all_lights}] += weight * glm::dvec3(value);
     };
     add("emission", -1, at.emission);
-    add("global_ambient", -1, at.global_ambient);
+    add("global_ambient", -1, at.global_ambient + at.bounces.term);
     for (const ExplainedLight& light : at.lights) {
         add("ambient", light.index, light.ambient);
         add("diffuse", light.index, light.diffuse);

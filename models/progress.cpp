@@ -26,6 +26,10 @@ bool report_progress(LoadStage stage, std::uint64_t done, std::uint64_t total) {
 
 bool load_cancelled() { return listening != nullptr && listening->cancelled; }
 
+const std::atomic<bool>* load_cancellation() {
+    return listening != nullptr ? &listening->cancelled : nullptr;
+}
+
 void report_or_leave(LoadStage stage, std::uint64_t done, std::uint64_t total) {
     if (!report_progress(stage, done, total)) throw LoadCancelled();
 }

@@ -54,6 +54,8 @@ void report_or_leave(LoadStage stage, std::uint64_t done, std::uint64_t total = 
 
 /// True if this thread's load was cancelled; for steps without progress of their own.
 [[nodiscard]] bool load_cancelled();
+/// The flag that cancels this thread's load, for other threads that take part in it; null without one.
+[[nodiscard]] const std::atomic<bool>* load_cancellation();
 
 /// Reports the number of parsed bytes of a file after every 64 KiB: cheap enough to be called for each word.
 class ParsedBytes {

@@ -115,6 +115,8 @@ bool shows(const MistakeName& mistake, const Facts& f) {
 
 /// The features that a language may lack.
 constexpr std::array need_rows{
+    NeedRow{"transport", "/transport/model", "light is blocked or bounces off other surfaces",
+            [](const Facts& f) { return f.scene.transport.model != TransportModel::Local && f.is_lit(); }},
     NeedRow{"mode.phong", "/shading/mode", "normals are interpolated and lit at each pixel",
             [](const Facts& f) { return f.lit_in(ShadingMode::Phong); }},
     NeedRow{"mode.facet", "/shading/mode", "each pixel is lit",

@@ -35,6 +35,7 @@ struct Renderer::Kept {
     KeptStages stages;
     FrameStats stats;
     Warnings warnings;
+    PathProgress on_paths;
     bool drawn = false;
 
     /// Releases all memory; the next picture is drawn from scratch.
@@ -76,6 +77,8 @@ struct Renderer::Kept {
 
 Renderer::Renderer(int threads) : kept_(std::make_unique<Kept>(arena_threads(threads))) {}
 Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::Kept::draw(const Scene& scene, PictureSize size, bool linear, int samples) {
     KeptStages& s = stages;
@@ -92,9 +95,13 @@ void Renderer::Kept::draw(const Scene& scene, PictureSize size, bool linear, int
         const bool strokes = update_strokes(s.strokes, scene, s.geometry, s.visibility, visibility);
         stats.strokes_redone = strokes;
         stats.strokes_ms = strokes ? ms_since(strokes_start) : 0;
+        const bool transport = run(Stage::Transport, [&] {
+            return update_transport(s.transport, scene, s.geometry, s.visibility, s.surface,
+                                    visibility || surface, on_paths);
+        });
         const bool lighting = run(Stage::Lighting, [&] {
-            return update_lighting(s.lighting, scene, s.geometry, s.visibility, s.surface, s.strokes, linear,
-                                   {visibility, surface, strokes});
+            return update_lighting(s.lighting, scene, s.geometry, s.visibility, s.surface, s.strokes,
+                                   s.transport.arrivals(), linear, {visibility, surface, strokes, transport});
         });
         if (surface || lighting) collect_warnings(scene);
     });
@@ -110,7 +117,9 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     try {
         k.draw(scene, size, linear, samples);
     } catch (...) {  // some stages have this scene's results, others the previous one's
+        RayScene rays = std::move(s.transport.rays);  // complete or none
         k.forget();
+        s.transport.rays = std::move(rays);
         throw;
     }
     s.lighting.picture.samples = samples;
@@ -125,6 +134,14 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
 }
 
 void Renderer::keep_sums(bool keep) { kept_->stages.lighting.moving_light.allowed = keep; }
+void Renderer::on_paths(std::function<void(int, int)> progress) { kept_->on_paths = std::move(progress); }
+bool Renderer::has_rays() const { return kept_->stages.transport.rays.is_of(kept_->stages.scene); }
+std::vector<TracedLight> Renderer::shadow_rays(int x, int y, int corner) const {
+    return trace_lights(kept_->stages, x, y, corner);
+}
+std::vector<PathStep> Renderer::bounce_path(int x, int y, int path, int corner) const {
+    return trace_path(kept_->stages, x, y, path, corner);
+}
 const FrameStats& Renderer::stats() const { return kept_->stats; }
 const Warnings& Renderer::warnings() const { return kept_->warnings; }
 Explanation Renderer::explain(int x, int y) const { return explain_pixel(kept_->stages, x, y); }

@@ -1,22 +1,25 @@
 #pragma once
-// Scene -> pixels, and why. Each of the four stages is a function of its inputs and cached until they change:
-// geometry -> visibility -> surface -> lighting, with a small strokes stage before the last
+// Scene -> pixels, and why. Each of the five stages is a function of its inputs and cached until they change:
+// geometry -> visibility -> surface -> transport -> lighting, with a small strokes stage before transport
 // (docs/architecture.md). There are no dirty flags: the renderer compares the scene with the last one.
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "models/problem.h"
 #include "models/scene/scene.h"
 #include "renderer/explain/explanation.h"
 #include "renderer/picture.h"
+#include "renderer/transport/traced.h"
 
 namespace glint {
 
-enum class Stage { Geometry, Visibility, Surface, Lighting };
-inline constexpr int stage_count = 4;
+enum class Stage { Geometry, Visibility, Surface, Transport, Lighting };
+inline constexpr int stage_count = 5;
 
 /// Timings and counts of one frame.
 struct FrameStats {
@@ -47,8 +50,8 @@ class Renderer {
     /// `threads` = 0: all cores. The picture has the same bits for any number of threads.
     explicit Renderer(int threads = 0);
     ~Renderer();
-    Renderer(const Renderer&) = delete;
-    Renderer& operator=(const Renderer&) = delete;
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
 
     /// Draws the scene; meshes must be loaded. The picture stays valid and unchanged until the next call.
     /// `linear` also fills Picture::linear. If the scene is too_large() (models/scene/scene_cost.h), throws
@@ -61,6 +64,11 @@ class Renderer {
     /// default), it does so only if that gives the same bytes. If false, every light is added every time.
     void keep_sums(bool keep);
 
+    /// Calls `progress(done, all)` on the thread of render() while it follows paths: so many of each point's
+    /// are done. A picture refines in steps if the scene's number of paths grows from call to call: render()
+    /// then follows only the further ones, and the bytes are those of all at once.
+    void on_paths(std::function<void(int done, int all)> progress);
+
     [[nodiscard]] const FrameStats& stats() const;
 
     /// Explains the colour of pixel (x, y) of the last rendered picture. Its sum equals the pixel to the last
@@ -72,6 +80,20 @@ class Renderer {
     /// face a pixel shows (camera, meshes, transforms, `cull`; also lights if lights_cull()). Gives the same
     /// bits as render(other) and explain(), at the cost of one pixel; the picture is unchanged.
     [[nodiscard]] Explanation explain_as(const Scene& other, int x, int y) const;
+
+    /// The rays from a pixel's point to the enabled lights, in the scene's order (of an area light, to its
+    /// middle sample), and what they meet first: even in front of the surface or under the local model, for
+    /// which the first call builds the structure for rays. `corner`: for shading at corners, the start in
+    /// Explanation::corners; -1: that with the largest weight. Empty for background. Same precondition as
+    /// explain().
+    [[nodiscard]] std::vector<TracedLight> shadow_rays(int x, int y, int corner = -1) const;
+
+    /// Whether shadow_rays() and bounce_path() find that structure built.
+    [[nodiscard]] bool has_rays() const;
+
+    /// The steps of path number `path` of that point, which need not be one of those in the picture. Empty
+    /// for background. Same precondition as explain().
+    [[nodiscard]] std::vector<PathStep> bounce_path(int x, int y, int path, int corner = -1) const;
 
     /// Object index at a pixel of the last picture, or -1.
     [[nodiscard]] int object_at(int x, int y) const;

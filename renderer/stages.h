@@ -6,6 +6,7 @@
 #include "renderer/shade/lighting.h"
 #include "renderer/strokes/strokes.h"
 #include "renderer/surface/surface.h"
+#include "renderer/transport/transport_stage.h"
 #include "renderer/visibility/visibility.h"
 
 namespace glint {
@@ -16,6 +17,7 @@ struct KeptStages {
     Visibility visibility;
     Surface surface;
     Strokes strokes;
+    TransportStage transport;
     Lighting lighting;
 };
 

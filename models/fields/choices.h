@@ -100,6 +100,19 @@ constexpr Choice choice_of(Rules rules) {
     return {};
 }
 
+constexpr Choice choice_of(TransportModel model) {
+    switch (model) {
+    case TransportModel::Local:
+        return {"local", "Local", "Every light reaches every point; ambient light replaces bounced light"};
+    case TransportModel::Shadows:
+        return {"shadows", "With shadows", "A light counts only where nothing is in its way"};
+    case TransportModel::Bounces:
+        return {"bounces", "With bounces",
+                "Shadows, and light from other surfaces in place of global ambient light"};
+    }
+    return {};
+}
+
 constexpr Choice choice_of(Transfer transfer) {
     switch (transfer) {
     case Transfer::None:

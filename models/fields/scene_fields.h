@@ -280,6 +280,19 @@ template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
           Group{}, s.mistakes);
 }
 
+template <Of<Transport> T, class Visit> void fields(T& t, Visit&& visit) {
+    const bool bounces = t.model == TransportModel::Bounces;
+    visit(Row{"model", "Light paths", "How light gets to a point"}.of_lighting(), OneOf{}, t.model);
+    visit(Row{"paths", "Paths", "Random paths of each lit point: four times as many halve the noise"}
+              .of_lighting()
+              .when(bounces),
+          Count{1, 65536}, t.paths);
+    visit(Row{"bounces", "Bounces", "Surfaces that a path meets at most"}.of_lighting().when(bounces),
+          Count{0, 64}, t.bounces);
+    visit(Row{"seed", "Seed", "Another seed gives other random numbers"}.of_lighting().when(bounces),
+          Count{0, 1'000'000}, t.seed);
+}
+
 template <Of<Npr> N, class Visit> void fields(N& n, Visit&& visit) {
     const Real share{.step = 0.004f, .format = "%.2f", .usual_max = 1};
     visit(Row{"cool_to_warm", "Cool to warm",
@@ -337,6 +350,11 @@ template <Of<Scene> S, class Visit> void fields(S& s, Visit&& visit) {
     visit(Row{"shading", "Shading", "How points are lit and how the lit points fill the picture"}.undone_as(
               "Shading"),
           Group{}, s.shading);
+    visit(Row{"transport", "Light paths", "Shadows, and light from other surfaces"}
+              .undone_as("Light paths")
+              .of_lighting()
+              .omitted_by_default(),
+          Group{}, s.transport);
     visit(Row{"npr", "Strokes and tones", "Non-photorealistic: cool-to-warm tones, silhouettes, creases"}
               .undone_as("Strokes and tones"),
           Group{}, s.npr);

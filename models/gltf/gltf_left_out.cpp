@@ -21,6 +21,7 @@ void say_whole(const Scene& scene, Warnings& w) {
         w.emplace_back("glTF's pictures are encoded (sRGB): they are brighter than this scene's");
     if (scene.global_ambient != glm::vec3(0))
         w.emplace_back("the ambient light is left out, which glTF does not have");
+    if (scene.transport != Transport{}) w.emplace_back("/transport is left out, which glTF does not have");
 }
 
 /// Settings other than the model that affect how faces are drawn and lit, and that glTF cannot express.

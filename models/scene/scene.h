@@ -17,6 +17,7 @@
 #include "models/scene/material.h"
 #include "models/scene/shading.h"
 #include "models/scene/transform.h"
+#include "models/scene/transport.h"
 
 namespace glint {
 
@@ -109,6 +110,7 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<Object> objects;
     Shading shading;
+    Transport transport;
     Npr npr;
     Display display;
     bool operator==(const Scene&) const = default;
@@ -125,7 +127,7 @@ struct Scene {
     const auto same = [](const Object& x, const Object& y) { return same_description(x, y); };
     return a.about == b.about && a.global_ambient == b.global_ambient && a.lights == b.lights &&
            std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same) &&
-           a.shading == b.shading && a.npr == b.npr && a.display == b.display;
+           a.shading == b.shading && a.transport == b.transport && a.npr == b.npr && a.display == b.display;
 }
 [[nodiscard]] inline bool same_description(const Scene& a, const Scene& b) {
     return a.camera == b.camera && same_but_camera(a, b);

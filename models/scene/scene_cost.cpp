@@ -18,12 +18,24 @@ constexpr std::uint64_t bytes_a_vertex = 96, bytes_a_triangle = 44;
 // The surface point of a pixel, its light sums, its colour; and the number of the triangle in each sample.
 constexpr std::uint64_t bytes_a_pixel = 56, bytes_a_sample = 8;
 
+// For rays, per triangle: its corners and Embree's tree; per pixel and light: one bit; for paths, per pixel:
+// sums and means.
+constexpr std::uint64_t bytes_a_ray_triangle = 200, bytes_a_path_pixel = 36;
+
 template <class T> std::uint64_t bytes_of(const std::vector<T>& list) { return sizeof(T) * list.size(); }
 
 std::string size_text(std::uint64_t bytes) {
     const auto size = static_cast<double>(bytes);
     constexpr double mib = 1 << 20, gib = 1 << 30;
     return size < gib ? fmt::format("{:.1f} MiB", size / mib) : fmt::format("{:.1f} GiB", size / gib);
+}
+
+/// The points that represent the enabled lights.
+std::uint64_t light_points(const Scene& scene) {
+    std::uint64_t points = 0;
+    for (const Light& light : scene.lights)
+        if (light.enabled) points += light.kind == LightKind::Area ? std::uint64_t(light.area.samples) : 1;
+    return points;
 }
 
 std::optional<Problem> too_many_triangles(const Scene& scene) {
@@ -46,13 +58,16 @@ std::uint64_t mesh_bytes(const Mesh& mesh) {
 SceneCost scene_cost(const Scene& scene, PictureSize size, int samples) {
     SceneCost cost;
     cost.picture = size.pixels() * (bytes_a_pixel + bytes_a_sample * static_cast<std::uint64_t>(samples));
+    const bool rays = scene.transport.model != TransportModel::Local;
+    if (rays) cost.picture += size.pixels() * (bytes_a_path_pixel + light_points(scene) / 8);
+    const std::uint64_t each_triangle = bytes_a_triangle + (rays ? bytes_a_ray_triangle : 0);
     thread_local std::vector<const Mesh*> meshes;  // keeps its memory: a steady drag allocates nothing
     meshes.clear();
     for (const Object& object : scene.objects) {
         if (!object.mesh) continue;
         meshes.push_back(object.mesh.get());
         cost.objects += bytes_an_object + bytes_a_vertex * object.mesh->positions.size() +
-                        bytes_a_triangle * object.mesh->triangles.size();
+                        each_triangle * object.mesh->triangles.size();
     }
     std::sort(meshes.begin(), meshes.end());
     meshes.erase(std::unique(meshes.begin(), meshes.end()), meshes.end());

@@ -18,7 +18,7 @@ inline constexpr std::uint64_t max_picture_samples = std::uint64_t{1} << 30;
 /// Estimated bytes. Objects without a loaded mesh count as empty.
 struct SceneCost {
     std::uint64_t meshes = 0;   // each counted once
-    std::uint64_t objects = 0;  // transformed vertices, normals, triangles in tiles
+    std::uint64_t objects = 0;  // transformed vertices, normals, triangles in tiles and for rays
     std::uint64_t picture = 0;
 };
 [[nodiscard]] SceneCost scene_cost(const Scene& scene, PictureSize size, int samples);

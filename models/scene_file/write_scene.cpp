@@ -15,7 +15,7 @@ namespace {
 /// Where an object's text is broken into lines.
 struct Layout {
     std::string_view open = "{", new_line = "", close = "}";
-    std::array<std::string_view, 7> break_before = {};  // keys that start a line
+    std::array<std::string_view, 8> break_before = {};  // keys that start a line
 };
 
 // Structs not listed here are written on one line.
@@ -36,7 +36,7 @@ constexpr Layout layout_of(const Scene&) {
     return {"{\n  \"glint\": 1,\n  ",
             "\n  ",
             "\n}\n",
-            {"camera", "global_ambient", "lights", "objects", "shading", "npr", "display"}};
+            {"camera", "global_ambient", "lights", "objects", "shading", "transport", "npr", "display"}};
 }
 
 template <class T> std::string text_of(const T& value);

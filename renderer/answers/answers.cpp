@@ -83,8 +83,11 @@ Json stats_json(const Renderer& renderer, PictureSize size) {
               {"threads", s.threads},
               {"instruction_set", s.instruction_set}};
     json["ms"] = s.total_ms;
-    json["stages"] = {
-        {"geometry", s.ms[0]}, {"visibility", s.ms[1]}, {"surface", s.ms[2]}, {"lighting", s.ms[3]}};
+    json["stages"] = {{"geometry", s.ms[0]},
+                      {"visibility", s.ms[1]},
+                      {"surface", s.ms[2]},
+                      {"transport", s.ms[3]},
+                      {"lighting", s.ms[4]}};
     return json;
 }
 

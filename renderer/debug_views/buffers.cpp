@@ -85,6 +85,8 @@ void add_terms(std::vector<Buffer>& all, const Scene& scene) {
     all.push_back({"emission", of_lit_points([](const ExplainedPoint& at) { return at.emission; })});
     all.push_back(
         {"global_ambient", of_lit_points([](const ExplainedPoint& at) { return at.global_ambient; })});
+    if (scene.transport.model == TransportModel::Bounces)
+        all.push_back({"bounced", of_lit_points([](const ExplainedPoint& at) { return at.bounces.term; })});
     for_each_enabled(scene, [&all](const Light&, int i, const std::string& number) {
         all.push_back({"ambient" + number, of_light(i, ambient_of)});
         all.push_back({"diffuse" + number, of_light(i, diffuse_of)});

@@ -24,7 +24,7 @@ struct PixelBuffer {
 ///   view                      to the eye; unit unless corners are lit
 ///   l_N, n_dot_l_N            to light N of Scene::lights, unit unless corners are lit; its cosine, not
 ///                             clamped; not of area lights
-///   emission, global_ambient  terms of the sum
+///   emission, global_ambient  terms of the sum (bounced: under the model `bounces`)
 ///   ambient_N, diffuse_N, specular_N  those of light N
 ///   ambient, diffuse, specular  those of all lights together
 ///   sum                       the pixel's linear colour before exposure, background too

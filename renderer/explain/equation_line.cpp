@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/problem.h"
 #include "models/scene/reflection.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/shade/surface_material.h"
@@ -236,10 +237,11 @@ bool is_clamped(const LightOfEquation& in) {
 
 std::vector<double> sample_weights(const ExplainedLight& area) {
     double sum = 0;
-    for (const ExplainedLight& sample : area.samples) sum += double(sample.falloff);
+    for (const ExplainedLight& sample : area.samples)
+        if (sample.reached > 0) sum += double(sample.falloff);
     std::vector<double> weights;
     for (const ExplainedLight& sample : area.samples)
-        weights.push_back(sum > 0 ? double(sample.falloff) / sum : 0);
+        weights.push_back(sum > 0 && sample.reached > 0 ? double(sample.falloff) / sum : 0);
     return weights;
 }
 
@@ -263,7 +265,11 @@ std::vector<EquationLine> light_lines(const LightOfEquation& in) {
     // Factors that the model lacks have no line.
     if (info_of(in.explanation.reflection).has_highlight || in.light.specular != glm::vec3(0))
         lines.push_back(specular_line(in));
-    for (EquationLine& line : lines) add_mistake(in.scene, line);
+    for (EquationLine& line : lines) {
+        if (in.light.reached == 0 && in.light.samples.empty() && line.left_out.empty())
+            line.left_out = "in the shadow of " + on_one_line(in.light.blocked_by);
+        add_mistake(in.scene, line);
+    }
     return lines;
 }
 
@@ -279,6 +285,12 @@ std::vector<EquationLine> unlit_lines(const Scene& scene, const Explanation& exp
         {colour(Quantity::GlobalAmbient, scene.global_ambient, "/global_ambient"),
          colour(Quantity::MaterialAmbient, m.ambient, material_pointer(scene, explanation, "ambient"))},
         point.global_ambient};
+    if (point.bounces.used)
+        ambient = {Quantity::AmbientTerm,
+                   {colour(Quantity::Bounced, point.bounces.arrives, ""),
+                    colour(Quantity::MaterialDiffuse, explanation.material.diffuse,
+                           material_pointer(scene, explanation, "diffuse"))},
+                   point.bounces.term};
     if (!scene.shading.terms.emission) emission.left_out = switched_off;
     if (!scene.shading.terms.ambient) ambient.left_out = switched_off;
     add_mistake(scene, ambient);

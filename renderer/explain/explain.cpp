@@ -27,6 +27,7 @@ struct ExplainedStages {
     SurfaceInputs surface;
     const Strokes& strokes;
     const Lighting& lighting;
+    const PointTransport* transport;  // null for the local model
 };
 
 /// The lit points whose colours a pixel of `face` blends, with their weights according to surface.choice.
@@ -38,7 +39,10 @@ std::vector<ExplainedCorner> lit_corners(const ExplainedStages& stages, const Su
     for (std::size_t i = 0; i < corners.size(); ++i) {
         corners[i].weight = sample.weight[i];
         const PositionNormal place = lit_point(surface, stages.geometry, sample.point[i]);
-        corners[i].at = explain_point(stages.lighting, job, place, frames, lit);
+        PointArrivals arrivals{stages.transport};
+        if (stages.transport)
+            arrivals.point = stages.transport->points.item(surface.choice, sample.point[i], place);
+        corners[i].at = explain_point(stages.lighting, job, place, frames, lit, arrivals);
         if (!lit) corners[i].at.sum = vertex_color(surface, stages.geometry, sample.point[i]);
     }
     return corners;
@@ -153,7 +157,10 @@ Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
     const Frames frames(stages.scene.camera);
     const PositionNormal place = pixel_point(stages.surface, g, face);
     const bool lit_here = stages.surface.choice.kind == SurfaceKind::Pixels;
-    e.at = explain_point(stages.lighting, job, place, frames, lit_here);
+    PointArrivals arrivals{stages.transport};
+    if (stages.transport && lit_here)
+        arrivals.point = stages.transport->points.pixel(stages.surface, face, pixel, place);
+    e.at = explain_point(stages.lighting, job, place, frames, lit_here, arrivals);
     e.sum = e.at.sum;
     if (!lit_here) explain_corners(e, stages, face, job, frames);
     explain_display(e, stages, pixel);
@@ -163,23 +170,34 @@ Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
 }  // namespace
 
 Explanation explain_pixel(const KeptStages& kept, int x, int y) {
-    return explain_stages(
-        {kept.scene, kept.geometry, kept.visibility, kept.surface, kept.strokes, kept.lighting}, x, y);
+    const TransportStage& t = kept.transport;
+    const PointTransport transport{
+        {t.rays, kept.geometry, world_from_view(kept.scene.camera)}, t.inputs, kept.scene};
+    return explain_stages({kept.scene, kept.geometry, kept.visibility, kept.surface, kept.strokes,
+                           kept.lighting, t.any_shadow ? &transport : nullptr},
+                          x, y);
 }
 
-Explanation explain_pixel_as(const KeptStages& kept, const Scene& other, int x, int y) {
+Explanation explain_pixel_as(KeptStages& kept, const Scene& other, int x, int y) {
     const SurfaceChoice choice = surface_choice(other.shading);
     const bool same =
         choice.mistakes == kept.surface.choice.mistakes && same_normals(kept.surface.normals, other);
     std::vector<ObjectNormals> normals;
     if (!same) update_normals(normals, other, kept.geometry, choice.mistakes);
+    const bool transported = has_transport(other);
+    TransportInputs inputs;
+    if (transported) inputs = transport_inputs(other);
+    if (transported) kept.transport.rays.update(other);
+    const PointTransport transport{
+        {kept.transport.rays, kept.geometry, world_from_view(other.camera)}, inputs, other};
     const Lighting lighting = lighting_of(other, kept, choice.kind != SurfaceKind::Pixels);
     return explain_stages({other,
                            kept.geometry,
                            kept.visibility,
                            {choice, same ? kept.surface.normals : normals},
                            kept.strokes,
-                           lighting},
+                           lighting,
+                           transported ? &transport : nullptr},
                           x, y);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // Explains the colour of a pixel: reruns the picture's own functions with `float` and keeps every step.
 
+#include <vector>
+
 #include "renderer/explain/explanation.h"
 #include "renderer/stages.h"
 
@@ -13,6 +15,10 @@ namespace glint {
 /// materials, ambient light, display and shading, but not in strokes or in anything that decides which face a
 /// pixel shows (camera, meshes, transforms, `cull`). Gives the same bits as drawing and explaining `other`,
 /// at the cost of one pixel (of all normals, if they differ).
-[[nodiscard]] Explanation explain_pixel_as(const KeptStages& stages, const Scene& other, int x, int y);
+[[nodiscard]] Explanation explain_pixel_as(KeptStages& stages, const Scene& other, int x, int y);
+
+/// Renderer::shadow_rays() and Renderer::bounce_path().
+[[nodiscard]] std::vector<TracedLight> trace_lights(KeptStages& stages, int x, int y, int corner);
+[[nodiscard]] std::vector<PathStep> trace_path(KeptStages& stages, int x, int y, int path, int corner);
 
 }  // namespace glint

@@ -27,6 +27,11 @@ Json json_of(const ExplainedLight& light, const std::string& name) {
         json["diffuse_factor"] = light.diffuse_factor;
         json["specular_factor"] = json_of(light.specular_factor);
     }
+    if (light.reached < 1) {
+        json["reached"] = light.reached;
+        json["blocker"] = light.blocker;
+        json["blocked_by"] = light.blocked_by;
+    }
     json["falloff"] = light.falloff;
     json["spot"] = light.spot;
     json["ambient"] = json_of(light.ambient);
@@ -52,6 +57,11 @@ void add_terms(Json& json, const ExplainedPoint& at) {
     for (const ExplainedLight& light : at.lights) lights.push_back(json_of(light, light.name));
     json["emission"] = json_of(at.emission);
     json["global_ambient"] = json_of(at.global_ambient);
+    if (at.bounces.used)
+        json["bounces"] = {{"arrives", json_of(at.bounces.arrives)},
+                           {"standard_error", json_of(at.bounces.standard_error)},
+                           {"paths", at.bounces.paths},
+                           {"term", json_of(at.bounces.term)}};
     if (!at.cool_to_warm.used) return;
     const ExplainedTone& tone = at.cool_to_warm;
     json["cool_to_warm"] = {{"n_dot_l", tone.n_dot_l},

@@ -26,9 +26,23 @@ class Frames {
     glm::dmat4 world_from_view_;
 };
 
+/// What may be in the way of the lights of a picture. References must outlive it.
+struct PointTransport {
+    LitPointFinder points;
+    const TransportInputs& inputs;
+    const Scene& scene;
+};
+
+/// What reaches one point: everything, without a transport.
+struct PointArrivals {
+    const PointTransport* transport = nullptr;
+    TracedPoint point = {};
+};
+
 /// Evaluates the equation at one point and keeps every step; the sum is added in the picture's own order.
 /// Unless `lit`, only position, normal and view vector are filled in.
 [[nodiscard]] ExplainedPoint explain_point(const Lighting& lighting, const LightJob& job,
-                                           const PositionNormal& place, const Frames& frames, bool lit);
+                                           const PositionNormal& place, const Frames& frames, bool lit,
+                                           const PointArrivals& arrivals);
 
 }  // namespace glint

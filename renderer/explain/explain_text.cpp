@@ -155,6 +155,9 @@ class Writer {
     [[nodiscard]] std::string unlit(const ExplainedPoint& at) const {
         std::string text;
         for (const EquationLine& line : unlit_lines(scene_, e_, at)) text += term(line);
+        if (at.bounces.used)
+            text += fmt::format("  L_b is the mean of {} paths, standard error {}\n", at.bounces.paths,
+                                brief(at.bounces.standard_error));
         return text + "\n";
     }
 

@@ -16,8 +16,12 @@ namespace glint {
 /// Precondition: hit.
 [[nodiscard]] bool is_plain_front(const Explanation& explanation);
 
-/// The first reason for this light adding little or nothing at the point: "behind the surface: n·l < 0",
-/// "outside the cone by 4.2°", "hardly reaches: falloff 0.003"; empty when it shines.
+/// The first reason for this light adding little or nothing at the point: "behind the surface: n·l < 0", "in
+/// the shadow of Cube", "outside the cone by 4.2°", "hardly reaches: falloff 0.003"; empty when it shines.
 [[nodiscard]] std::string dark_reason(const ExplainedLight& explained, const Light& light);
+
+/// One sentence about why the point is dark: "Sun: in the shadow of Box; Fill: behind the surface: n·l < 0."
+/// Empty if no light is blocked there.
+[[nodiscard]] std::string shadow_sentence(const ExplainedPoint& point, const Scene& scene);
 
 }  // namespace glint

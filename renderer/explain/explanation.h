@@ -41,6 +41,12 @@ struct ExplainedLight {
     glm::vec3 ambient{0}, diffuse{0}, specular{0};  // what reaches the eye
     glm::vec3 share{0};  // added to the sum: the three terms together, rounded as in the picture;
                          // 0 for an area light, whose samples have one each
+    // Under the models `shadows` and `bounces`; the three terms and the share are 0 if something is in the
+    // way.
+    float reached = 1;  // 0 or 1; of an area light the share of the samples in front of the surface
+    int blocker = -1;   // first object in the way, in Scene::objects; of an area light, that of its first
+                        // blocked sample; -1: none
+    std::string blocked_by;               // its name
     std::vector<ExplainedLight> samples;  // of an area light; the fields above are then their sums
 };
 
@@ -53,13 +59,24 @@ struct ExplainedTone {
     glm::vec3 color{0};          // k_w warm + (1 - k_w) cool
 };
 
+/// Light that arrives from other surfaces, under the model `bounces`.
+struct ExplainedBounces {
+    bool used = false;            // it replaces global ambient light
+    glm::vec3 arrives{0};         // mean of the paths' radiance
+    glm::vec3 standard_error{0};  // of `arrives`, estimated from the paths' variance; 0 for one path
+    int paths = 0;
+    glm::vec3 term{0};  // k_d times `arrives`
+};
+
 /// The lighting equation at one point.
 struct ExplainedPoint {
     InBothFrames point, normal, view;
     std::vector<ExplainedLight> lights;  // enabled ones, in the scene's order
     glm::vec3 emission{0}, global_ambient{0};
+    ExplainedBounces bounces;
     ExplainedTone cool_to_warm;
-    /// The start of the sum: emission + global ambient light, rounded like the shares, or the tone.
+    /// The start of the sum: emission + global ambient light or bounced light, rounded like the shares, or
+    /// the tone.
     glm::vec3 base{0};
     glm::vec3 sum{0};
 };

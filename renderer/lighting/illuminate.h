@@ -112,6 +112,14 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     return illuminate(equation, light, m, colors_on(m, light), towards, attenuation(light, towards), at);
 }
 
+/// Removes the terms where something is in the light's way: where `reached` is 0, and not 1.
+template <Number F> void remove_blocked(LightTerms<F>& t, F reached) {
+    const auto lit = reached > F(0);
+    t.ambient = select<F>(lit, t.ambient, Vec3<F>{});
+    t.diffuse = select<F>(lit, t.diffuse, Vec3<F>{});
+    t.specular = select<F>(lit, t.specular, Vec3<F>{});
+}
+
 /// False if the light adds nothing in any lane: it is behind the surface and has no ambient share, or its
 /// cone points elsewhere. Checked first, because this holds for half of most pictures.
 template <Number F>

@@ -55,6 +55,22 @@ struct alignas(64) ColorBlock {
     float r[block_size], g[block_size], b[block_size];
 };
 
+/// What reaches the points of some blocks, if something may be in the way of the lights: for the scene's
+/// model of transport. A null pointer to it means that every light reaches every point.
+struct Arrivals {
+    /// Bit i of reached[l * stride + b]: light l of the job reaches point i of block b.
+    const std::uint16_t* reached = nullptr;
+    std::size_t stride = 0;
+    /// Light from other surfaces at each point, if LightJob::bounced: linear RGB, the mean of the radiance
+    /// that arrives, weighted by its cosine to the normal.
+    const ColorBlock* bounced = nullptr;
+
+    /// The same from block `first` on.
+    [[nodiscard]] Arrivals from(std::size_t first) const {
+        return {reached + first, stride, bounced ? bounced + first : nullptr};
+    }
+};
+
 /// Cool-to-warm shading (renderer/lighting/cool_to_warm.h) in place of emission, ambient and diffuse.
 struct CoolToWarm {
     bool on = false;
@@ -75,8 +91,9 @@ struct LightJob {
     CoolToWarm tone;
     Float3 eye;                    // the target of v: the origin of camera coordinates
     bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
-    float grid = 0;      // each light's share is rounded to a multiple of this power of two; 0: not rounded
-    bool clamp = false;  // to 0..1 after the sum (OpenGL's rule for colours at vertices)
+    bool bounced = false;  // light from other surfaces (Arrivals) replaces k_a I_a: k_d times it is added
+    float grid = 0;        // each light's share is rounded to a multiple of this power of two; 0: not rounded
+    bool clamp = false;    // to 0..1 after the sum (OpenGL's rule for colours at vertices)
     bool any_mistake = false;  // or a table in place of the power
     Mistakes mistakes;
     int power_table = 0;  // Shading::power_table
@@ -100,9 +117,10 @@ struct DisplayJob {
 /// The kernels of one instruction set.
 struct LightingKernels {
     /// Lights blocks of points. `partial_sums`: sums to which the job's lights are added; if null, the sums
-    /// start with the terms that need no light. It may be the same as `colors`.
+    /// start with the terms that need no light. It may be the same as `colors`. `arrivals`: what reaches
+    /// these blocks; null: everything. It must not be null if job.bounced.
     void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
-                  ColorBlock* colors, std::size_t blocks);
+                  const Arrivals* arrivals, ColorBlock* colors, std::size_t blocks);
     /// 16 pixels per block as bytes r, g, b, 255 in memory order.
     void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);
 };

@@ -72,6 +72,16 @@ template <Number F> Vec3<F> begin_sum(const LightJob& job, const PointAt<F>& at)
     return rounded(unlit<F>(job.material, job.terms), rounding_magic(job.grid));
 }
 
+/// The same with light from other surfaces (Arrivals::bounced), which replaces global ambient light if
+/// job.bounced.
+template <Number F> Vec3<F> begin_sum(const LightJob& job, const PointAt<F>& at, Vec3<F> bounced) {
+    if (!job.bounced || job.tone.on) return begin_sum(job, at);
+    Vec3<F> sum;
+    if (job.terms.emission) sum = broadcast<F>(job.material.emission);
+    if (job.terms.ambient) sum = sum + broadcast<F>(job.material.k_d) * bounced;
+    return rounded(sum, rounding_magic(job.grid));
+}
+
 /// Adds one light's share to the sum, and returns it. A light for which may_add() is false has a share of 0
 /// and may be skipped.
 template <Number F>
@@ -87,21 +97,27 @@ template <Number F> Vec3<F> end_sum(const LightJob& job, Vec3<F> sum) {
     return job.clamp ? clamped(sum) : sum;
 }
 
-/// The whole equation at one point. Calls `visit(i, terms, share)` for each light i of the job.
-template <Number F, class Visit>
-Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at, const Visit& visit) {
+/// The whole equation at one point. Calls `reaches(i)` for each light i of the job, which returns 0 if
+/// something is in its way and else 1, and `visit(i, terms, share)`. `bounced`: as for begin_sum().
+template <Number F, class Reaches, class Visit>
+Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at, Vec3<F> bounced, const Reaches& reaches,
+                    const Visit& visit) {
     const Equation equation = equation_of(job);
     const MaterialAt<F> material = material_at<F>(job.material);
-    Vec3<F> sum = begin_sum(job, at);
+    Vec3<F> sum = begin_sum(job, at, bounced);
     for (std::size_t i = 0; i < job.light_count; ++i) {
         const LightAt<F> light = light_at<F>(job.lights[i]);
-        const LightTerms<F> terms = illuminate(equation, light, material, at);
+        LightTerms<F> terms = illuminate(equation, light, material, at);
+        remove_blocked(terms, reaches(i));
         visit(i, terms, add_light(sum, equation, light, terms));
     }
     return end_sum(job, sum);
 }
+/// The same without anything in the way and without light from other surfaces.
 template <Number F> Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at) {
-    return shade_point(job, at, [](std::size_t, const LightTerms<F>&, const Vec3<F>&) {});
+    return shade_point(
+        job, at, Vec3<F>{}, [](std::size_t) { return F(1); },
+        [](std::size_t, const LightTerms<F>&, const Vec3<F>&) {});
 }
 
 }  // namespace glint::inline GLINT_ISA

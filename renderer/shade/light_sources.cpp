@@ -236,6 +236,7 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& given,
     job.tone = tone_of(scene.npr, lights);
     if (job.tone.on) job.terms.emission = job.terms.ambient = job.terms.diffuse = false;
     job.infinite_viewer = !scene.shading.local_viewer || is_orthographic(scene.camera.projection);
+    job.bounced = scene.transport.model == TransportModel::Bounces;
     job.clamp = opengl && at_corners;
     apply_job_mistakes(scene, size, job);
     job.grid = rounding_grid(job, scene.display.exposure);

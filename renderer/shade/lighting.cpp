@@ -13,11 +13,14 @@
 namespace glint {
 
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size_t first, std::size_t count,
-                  const ColorBlock* partial_sums, ColorBlock* colors) {
+                  const ColorBlock* partial_sums, const std::optional<Arrivals>& arrivals,
+                  ColorBlock* colors) {
     for (std::size_t i = 0; i < count;) {  // one call for neighbouring blocks of one object
         const std::size_t same = s.blocks_of_one_object(first + i, first + count);
+        const Arrivals here = arrivals ? arrivals->from(first + i) : Arrivals{};
         lighting_kernels().light(jobs[s.point_object[first + i]], &s.points[first + i],
-                                 partial_sums ? partial_sums + i : nullptr, colors + i, same);
+                                 partial_sums ? partial_sums + i : nullptr, arrivals ? &here : nullptr,
+                                 colors + i, same);
         i += same;
     }
 }
@@ -25,8 +28,8 @@ void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size
 void light_points(const Lighting& l, const Surface& s, std::size_t first, std::size_t count,
                   ColorBlock* colors) {
     const MovingLight& moving = l.moving_light;
-    if (!moving.is_followed()) return light_blocks(l.jobs, s, first, count, nullptr, colors);
-    light_blocks(moving.jobs(), s, first, count, moving.others(first), colors);
+    if (!moving.is_followed()) return light_blocks(l.jobs, s, first, count, nullptr, l.arrivals, colors);
+    light_blocks(moving.jobs(), s, first, count, moving.others(first), {}, colors);
 }
 
 namespace {
@@ -134,7 +137,7 @@ Unchanged compare(const Lighting& kept, const Scene& scene, const Strokes& strok
                               display_job(scene.display, scene.shading.mistakes);
     same.ground = kept.display == scene.display && same_display && kept.linear == linear && same_strokes;
     same.pixels = same.ground && !redone.visibility;
-    same.equation = !redone.surface && kept.global_ambient == scene.global_ambient &&
+    same.equation = !redone.surface && !redone.transport && kept.global_ambient == scene.global_ambient &&
                     kept.shading == scene.shading && without_strokes(kept.npr) == without_strokes(scene.npr);
     same.materials = same_materials(kept.materials, scene);
     same.lights = kept.lights == scene.lights;
@@ -182,11 +185,13 @@ DisplayJob display_job(const Display& display, const Mistakes& mistakes) {
 }
 
 bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,
-                     const Surface& surface, const Strokes& strokes, bool linear, RedoneStages redone) {
+                     const Surface& surface, const Strokes& strokes, const std::optional<Arrivals>& arrivals,
+                     bool linear, RedoneStages redone) {
     const Unchanged same = compare(kept, scene, strokes, linear, redone);
     if (same.all()) return false;
     find_objects_again(kept, scene, same.all_but_materials());
     const int moving = same.all_but_lights() ? changed_light(kept.lights, scene.lights) : -1;
+    kept.arrivals = arrivals;
     kept.lights = scene.lights;
     kept.global_ambient = scene.global_ambient;
     kept.shading = scene.shading;
@@ -195,7 +200,7 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
     kept.linear = linear;
     const bool at_corners = surface.choice.kind != SurfaceKind::Pixels;
     const bool same_grids = take_jobs(kept, scene, g.size, at_corners);
-    kept.moving_light.follow(moving, same_grids, kept.sources, kept.jobs, surface);
+    kept.moving_light.follow(arrivals ? -1 : moving, same_grids, kept.sources, kept.jobs, surface);
     const DisplayJob display = display_job(scene.display, scene.shading.mistakes);
     if (!same.pixels) {
         prepare_picture(kept, g.size, visibility, strokes, display, same.ground);

@@ -3,6 +3,7 @@
 // draws the strokes over them. Inputs: the surface, the strokes, lights, materials, the rest of `shading` and
 // of `npr`, and `display`.
 
+#include <optional>
 #include <vector>
 
 #include "renderer/picture.h"
@@ -14,6 +15,9 @@
 namespace glint {
 
 struct Lighting {
+    /// What reaches the surface's points (renderer/transport); nothing: everything does. Points into the
+    /// results of that stage.
+    std::optional<Arrivals> arrivals;
     std::vector<LightSource> sources, sources_before;
     std::vector<LightJob> jobs;             // one per object
     std::vector<ColorRecord> point_colors;  // Corners, Faces: of the lit points
@@ -42,13 +46,13 @@ struct Lighting {
 
 /// Which of the earlier stages have run again.
 struct RedoneStages {
-    bool visibility = false, surface = false, strokes = false;
+    bool visibility = false, surface = false, strokes = false, transport = false;
 };
 
-/// Runs the stage again if any of its inputs differ; returns whether it did.
+/// Runs the stage again if any of its inputs differ; returns whether it did. `arrivals`: as in Lighting.
 bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometry,
                      const Visibility& visibility, const Surface& surface, const Strokes& strokes,
-                     bool linear, RedoneStages redone);
+                     const std::optional<Arrivals>& arrivals, bool linear, RedoneStages redone);
 
 /// Colour of a lit point with reflection `none`: the mesh's vertex colour (white if it has none); for a
 /// polygon the mean of its corners.
@@ -62,9 +66,11 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& geometr
 // colour from the lit points, strokes over it, and bytes (color_pixels.cpp).
 
 /// Lights `count` blocks of points from `first` on, each with its object's job; `partial_sums`: sums to which
-/// the jobs' lights are added, one for each of these blocks, or null.
+/// the jobs' lights are added, one for each of these blocks, or null. `arrivals`: what reaches the surface's
+/// blocks, from the first on.
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& surface, std::size_t first,
-                  std::size_t count, const ColorBlock* partial_sums, ColorBlock* colors);
+                  std::size_t count, const ColorBlock* partial_sums, const std::optional<Arrivals>& arrivals,
+                  ColorBlock* colors);
 
 /// Lights `count` blocks of points from `first` on with all lights, or adds the moving one to the cached sum
 /// of the others.

@@ -86,7 +86,8 @@ float rounding_grid(const LightJob& job, float exposure) {
     constexpr std::size_t fewest_lights = 3;  // of two, a cached sum would save only the other one
     constexpr double coarsest = 0x1p-18;      // of white: a hundredth of a level where sRGB is steepest
     const bool bounded = info_of(job.model).is_bounded;
-    if (job.light_count < fewest_lights || !bounded || job.tone.on || job.power_table > 0 || job.clamp)
+    if (job.light_count < fewest_lights || !bounded || job.bounced || job.tone.on || job.power_table > 0 ||
+        job.clamp)
         return 0;
     const SurfaceMaterial& m = job.material;
     const double base = std::max({m.emission.x + m.global_ambient.x, m.emission.y + m.global_ambient.y,
@@ -129,7 +130,7 @@ void MovingLight::light_others(const std::vector<LightJob>& jobs, const Surface&
     for (LightJob& job : other_jobs) give_lights(job, other_sources_);
     others_.resize(s.points.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.points.size(), grain), [&](const auto& range) {
-        light_blocks(other_jobs, s, range.begin(), range.size(), nullptr, &others_[range.begin()]);
+        light_blocks(other_jobs, s, range.begin(), range.size(), nullptr, {}, &others_[range.begin()]);
     });
 }
 

@@ -119,5 +119,6 @@ TEST_CASE("the tables of the documentation match the rows of the fields", "[docs
     check_table("primitives", test::primitive_table());
     check_table("shading", test::field_table(Shading{}));
     check_table("npr", test::field_table(Npr{}));
+    check_table("transport", test::field_table(Transport{}));
     check_table("display", test::field_table(Display{}));
 }

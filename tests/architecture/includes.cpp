@@ -12,7 +12,7 @@ using std::string_view;
 
 /// The layers, from the bottom up; a file may include its own layer and those below. A layer is a file, a
 /// folder with all its contents, or, with a star, the files directly in a folder. The longest match counts.
-constexpr std::array<string_view, 32> layers{
+constexpr std::array<string_view, 34> layers{
     "models/*",
     "models/io/",
     "models/json/",
@@ -22,6 +22,7 @@ constexpr std::array<string_view, 32> layers{
     "models/gltf/",
     "models/scene_file/",
     "renderer/picture.h",
+    "renderer/threads.h",
     "renderer/simd/",
     "renderer/lighting/",
     "renderer/geometry/",
@@ -29,6 +30,7 @@ constexpr std::array<string_view, 32> layers{
     "renderer/surface/",
     "renderer/strokes/",
     "renderer/shade/",
+    "renderer/transport/",
     "renderer/stages.h",
     "renderer/explain/",
     "renderer/simd/isa/",

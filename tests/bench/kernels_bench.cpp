@@ -90,7 +90,7 @@ void light(benchmark::State& state, Reflection model, Reached reached) {
     const LightJob job = light_job(scene, {1920, 1080}, scene.objects.front().material, sources, false);
     std::vector<ColorBlock> colors(blocks);
     for (auto _ : state) {
-        lighting_kernels().light(job, points.data(), nullptr, colors.data(), blocks);
+        lighting_kernels().light(job, points.data(), nullptr, nullptr, colors.data(), blocks);
         benchmark::DoNotOptimize(colors.data());
         benchmark::ClobberMemory();
     }

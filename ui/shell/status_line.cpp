@@ -16,7 +16,8 @@
 namespace glint {
 namespace {
 
-constexpr std::array<const char*, stage_count> stage_names{"geometry", "visibility", "surface", "lighting"};
+constexpr std::array<const char*, stage_count> stage_names{"geometry", "visibility", "surface", "transport",
+                                                           "lighting"};
 
 std::string stats_text(const UiState& state) {
     const std::size_t triangles = state.renderer->stats().triangles,

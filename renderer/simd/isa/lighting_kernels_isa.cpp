@@ -44,16 +44,30 @@ union Slot {  // avoids zero-initialising the group
     if (partial_sums) part_of(partial_sums);
 }
 
+/// 1 where light `l` reaches a point of group i of a batch, else 0.
+[[gnu::always_inline]] static inline Wide reached_lanes(const Arrivals& arrivals, std::size_t l,
+                                                        std::size_t i) {
+    const std::size_t first = i * GLINT_LANES;
+    const unsigned bits = arrivals.reached[l * arrivals.stride + first / block_size];
+    float reached[GLINT_LANES];
+    for (std::size_t k = 0; k < GLINT_LANES; ++k)
+        reached[k] = static_cast<float>(bits >> (first % block_size + k) & 1u);
+    return load<Wide>(reached);
+}
+
 /// Lights a batch by one reflection model, a template argument so that the compiler omits what other models
 /// need; the source of the equation is the same for all. flatten: the equation is many small functions, and
 /// each call would pass its vectors through memory. The loop runs light by light over a batch of points: the
 /// light stays in registers, the branch on whether it reaches the points is predictable, and independent
 /// points hide the latency of a power. One function on purpose: split into three that are always inlined, it
-/// took 2.3 times as long.
-template <Reflection model, bool any_mistake>
+/// took 2.3 times as long. `general`: there may be mistakes or something in the way of the lights; the other
+/// copy contains no code for either.
+template <Reflection model, bool general>
 GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points,
-                                      const ColorBlock* partial_sums, ColorBlock* colors,
+                                      const ColorBlock* partial_sums,
+                                      [[maybe_unused]] const Arrivals* arrivals, ColorBlock* colors,
                                       std::size_t blocks) {
+    const bool any_mistake = general && job.any_mistake;
     const Equation equation = equation_of(job, model, any_mistake);
     const MaterialAt<Wide> material = material_at<Wide>(job.material);
     Slot slots[batch_size * block_size / GLINT_LANES];
@@ -68,6 +82,11 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
         if (partial_sums) {
             const ColorBlock& from = partial_sums[i * GLINT_LANES / block_size];
             group.sum = {load<Wide>(from.r + k), load<Wide>(from.g + k), load<Wide>(from.b + k)};
+        } else if (general && arrivals && arrivals->bounced) {
+            const ColorBlock& from = arrivals->bounced[i * GLINT_LANES / block_size];
+            group.sum =
+                begin_sum(job, group.at,
+                          Vec3<Wide>{load<Wide>(from.r + k), load<Wide>(from.g + k), load<Wide>(from.b + k)});
         } else {
             group.sum = begin_sum(job, group.at);
         }
@@ -83,9 +102,11 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
             Attenuation<Wide> attenuation_behind;
             const auto finish = [&] {
                 Group& group = slots[behind].group;
-                add_light(group.sum, equation, light,
-                          illuminate<any_mistake>(equation, light, material, reflected, towards_behind,
-                                                  attenuation_behind, group.at));
+                auto terms = illuminate<general>(equation, light, material, reflected, towards_behind,
+                                                 attenuation_behind, group.at);
+                if constexpr (general)
+                    if (arrivals) remove_blocked(terms, reached_lanes(*arrivals, l, behind));
+                add_light(group.sum, equation, light, terms);
             };
             for (std::size_t i = 0; i < count; ++i) {
                 if (l == 0) prefetch_next(points, partial_sums, i);
@@ -101,7 +122,7 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
         };
         // Three specialised copies of the loop: any light, a plain point light, a plain directional light.
         LightAt<Wide> light = light_at<Wide>(job.lights[l]);
-        if (any_mistake || light.has_cone || light.is_patch || light.has_ambient) {
+        if (general || light.has_cone || light.is_patch || light.has_ambient) {
             add(light);
         } else if (job.lights[l].w > 0) {
             light.w = Wide(1);
@@ -120,30 +141,35 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
     }
 }
 
-template <Reflection model, bool any_mistake>
+template <Reflection model, bool general>
 static void light_as(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
-                     ColorBlock* colors, std::size_t blocks) {
-    for (std::size_t i = 0; i < blocks; i += batch_size)
-        light_batch<model, any_mistake>(job, points + i, partial_sums ? partial_sums + i : nullptr,
-                                        colors + i, i + batch_size < blocks ? batch_size : blocks - i);
+                     const Arrivals* arrivals, ColorBlock* colors, std::size_t blocks) {
+    for (std::size_t i = 0; i < blocks; i += batch_size) {
+        Arrivals here;
+        if (arrivals) here = arrivals->from(i);
+        light_batch<model, general>(job, points + i, partial_sums ? partial_sums + i : nullptr,
+                                    arrivals ? &here : nullptr, colors + i,
+                                    i + batch_size < blocks ? batch_size : blocks - i);
+    }
 }
 
 /// Dispatches on the job's model, starting at model number `model`.
-template <bool any_mistake, int model = 0>
+template <bool general, int model = 0>
 static void light_with(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
-                       ColorBlock* colors, std::size_t blocks) {
+                       const Arrivals* arrivals, ColorBlock* colors, std::size_t blocks) {
     if constexpr (model < reflection_count) {
         constexpr auto candidate = static_cast<Reflection>(model);
         if (job.model == candidate)
-            return light_as<candidate, any_mistake>(job, points, partial_sums, colors, blocks);
-        light_with<any_mistake, model + 1>(job, points, partial_sums, colors, blocks);
+            return light_as<candidate, general>(job, points, partial_sums, arrivals, colors, blocks);
+        light_with<general, model + 1>(job, points, partial_sums, arrivals, colors, blocks);
     }
 }
 
 static void light(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
-                  ColorBlock* colors, std::size_t blocks) {
-    if (job.any_mistake) return light_with<true>(job, points, partial_sums, colors, blocks);
-    light_with<false>(job, points, partial_sums, colors, blocks);
+                  const Arrivals* arrivals, ColorBlock* colors, std::size_t blocks) {
+    if (job.any_mistake || arrivals)
+        return light_with<true>(job, points, partial_sums, arrivals, colors, blocks);
+    light_with<false>(job, points, partial_sums, nullptr, colors, blocks);
 }
 
 GLINT_FLATTEN static std::uint16_t find_lit(const LightSource& source, const BoundsBlock& b) {

@@ -102,7 +102,7 @@ TEST_CASE("a dragged wipe line moves the parts' border to the cursor and redraws
     const int width = bench.state.rendered->size.width;
     CHECK(first_of(bench.state.get<CompareState>().choice, 1, width) == 70);
     CHECK(bench.state.picture_serial > serial);
-    CHECK(flat->stats().redone == std::array{false, false, false, false});
+    CHECK(flat->stats().redone == std::array{false, false, false, false, false});
     check_three(bench);
     CHECK(bench.scene() == before);
     // A line stops before its neighbour.

@@ -1,0 +1,264 @@
+#include "renderer/transport/ray_scene.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/core.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <new>
+
+#include "models/memory_limit.h"
+
+namespace glint {
+namespace {
+
+constexpr double half_ulp = 0x1p-24;  // the relative error of rounding to a float
+
+void release(RTCDevice device) { rtcReleaseDevice(device); }
+void release(RTCScene scene) { rtcReleaseScene(scene); }
+template <class Handle> struct Release {
+    using pointer = Handle;
+    void operator()(Handle handle) const { release(handle); }
+};
+template <class Handle> using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<Handle>>;
+
+/// Throws if Embree has reported an error since the last call; `device` is null if it could not be made.
+void check(RTCDevice device) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_NONE) return;
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    throw LimitExceeded({"", "/transport/model",
+                         fmt::format("Embree cannot trace rays here (error {})", static_cast<int>(error)),
+                         "the model local"});
+}
+
+/// Three corners in the order of the mesh.
+using Corners = std::array<glm::dvec3, 3>;
+
+/// The weights of the corners at the point of the triangle whose weights are nearest to those of p: the
+/// perpendicular from p to the plane, clamped to the triangle.
+glm::dvec3 weights_at(const Corners& c, const glm::dvec3& p) {
+    const glm::dvec3 u = c[1] - c[0], v = c[2] - c[0], to = p - c[0], n = glm::cross(u, v);
+    const double squared = glm::dot(n, n);
+    if (!(squared > 0)) return glm::dvec3(1, 0, 0);
+    const double wv = glm::dot(glm::cross(u, to), n) / squared, wu = glm::dot(glm::cross(to, v), n) / squared;
+    const glm::dvec3 w = glm::max(glm::dvec3(1 - wu - wv, wu, wv), glm::dvec3(0));
+    return w / (w.x + w.y + w.z);
+}
+
+/// `away`: the point is the weighted mean of the corners, exact in doubles and then rounded to floats, which
+/// moves it by up to half_ulp |p| along each axis. Embree subtracts the ray's start from the corners, takes
+/// the cross product of two edges and the product of that with a corner: about 6 roundings of numbers up to
+/// (distance to the corners) x (edge) x (edge), divided by the area; 8 allows for those of p itself. Compare
+/// M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 3rd ed., 3.9 (Managing Rounding Error).
+RayStart start_at(const Corners& c, const glm::dvec3& weights) {
+    const glm::dvec3 p = weights.x * c[0] + weights.y * c[1] + weights.z * c[2];
+    const glm::dvec3 u = c[1] - c[0], v = c[2] - c[0], w = c[2] - c[1], across = glm::cross(u, v);
+    const double area = glm::length(across);
+    RayStart start;
+    start.p = glm::vec3(p);
+    if (!(area > 0)) return start;
+    const glm::dvec3 n = across / area;
+    const double longest = std::max({glm::dot(u, u), glm::dot(v, v), glm::dot(w, w)});
+    const double farthest =
+        std::max({glm::distance(p, c[0]), glm::distance(p, c[1]), glm::distance(p, c[2])});
+    start.n = glm::vec3(n);
+    start.away = static_cast<float>(
+        half_ulp * (glm::dot(glm::abs(n), glm::abs(p)) + 8 * farthest * longest / area) * 1.001);
+    return start;
+}
+
+float magnitude(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+RTCRay embree_ray(const WorldRay& ray) {
+    RTCRay r{};
+    r.org_x = ray.from.x, r.org_y = ray.from.y, r.org_z = ray.from.z;
+    r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
+    r.tnear = 0;
+    r.tfar = ray.reach;
+    r.mask = 0xFFFFFFFFu;
+    return r;
+}
+
+/// The triangles of one object in world coordinates.
+struct RayObject {
+    MeshPtr mesh;
+    Transform transform;
+    bool visible = true;
+    std::vector<glm::vec3> positions;    // #V, and one more, because Embree reads 16 bytes at once
+    std::vector<std::uint32_t> corners;  // 3 x #triangles, indices into `positions`
+
+    [[nodiscard]] bool is_of(const Object& object) const {
+        return mesh == object.mesh && transform == object.transform && visible == object.visible;
+    }
+};
+
+void place(RayObject& to, const Object& from) {
+    to.mesh = from.mesh;
+    to.transform = from.transform;
+    to.visible = from.visible;
+    if (!from.visible) return;
+    const Mesh& mesh = *from.mesh;
+    const glm::dmat4 world = world_from_object(from.transform);
+    to.positions.assign(mesh.positions.size() + 1, glm::vec3(0));
+    to.corners.resize(3 * mesh.triangles.size());
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, mesh.positions.size(), 4096), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i)
+                to.positions[i] = glm::vec3(world * glm::dvec4(glm::dvec3(mesh.positions[i]), 1));
+        });
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            to.corners[3 * t + k] = mesh.corner_position[mesh.triangles[t].corner[k]];
+}
+
+}  // namespace
+
+struct RayScene::Built {
+    Owned<RTCDevice> device;
+    Owned<RTCScene> scene;
+    std::vector<RayObject> objects;
+    bool done = false;
+
+    void add(const RayObject& object, unsigned number) const {
+        const std::size_t triangles = object.corners.size() / 3;
+        if (!object.visible || triangles == 0) return;
+        const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                   object.positions.data(), 0, sizeof(glm::vec3),
+                                   object.positions.size() - 1);
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                   object.corners.data(), 0, 3 * sizeof(std::uint32_t), triangles);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(scene.get(), geometry, number);
+        rtcReleaseGeometry(geometry);
+    }
+
+    [[nodiscard]] Corners corners(RayHit hit) const {
+        const RayObject& object = objects[hit.object];
+        const std::uint32_t* at = &object.corners[3 * std::size_t{hit.triangle}];
+        return {object.positions[at[0]], object.positions[at[1]], object.positions[at[2]]};
+    }
+};
+
+RayScene::RayScene() : built_(std::make_unique<Built>()) {}
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+bool RayScene::is_of(const Scene& scene) const {
+    return built_->done &&
+           std::equal(built_->objects.begin(), built_->objects.end(), scene.objects.begin(),
+                      scene.objects.end(), [](const RayObject& a, const Object& b) { return a.is_of(b); });
+}
+
+bool RayScene::update(const Scene& scene) {
+    if (is_of(scene)) return false;
+    built_ = std::make_unique<Built>();
+    Built& now = *built_;
+    // Without the number of threads: Embree would limit those of the whole process to it.
+    now.device.reset(rtcNewDevice(nullptr));
+    if (!now.device) check(nullptr);
+    now.scene.reset(rtcNewScene(now.device.get()));
+    check(now.device.get());
+    rtcSetSceneFlags(now.scene.get(), RTC_SCENE_FLAG_ROBUST);  // no ray passes between two triangles
+    now.objects.resize(scene.objects.size());
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        place(now.objects[i], scene.objects[i]);
+        now.add(now.objects[i], static_cast<unsigned>(i));
+    }
+    // Embree lets denormal numbers be 0 while it builds. In an arena of its own this ends with the build; the
+    // calling thread's arena would keep it, if this is its first work, and change our numbers.
+    tbb::task_arena(tbb::this_task_arena::max_concurrency()).execute([&] {
+        rtcCommitScene(now.scene.get());
+    });
+    check(now.device.get());
+    now.done = true;
+    return true;
+}
+
+bool RayScene::is_blocked(const WorldRay& ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay r = embree_ray(ray);
+    rtcOccluded1(built_->scene.get(), &context, &r);
+    return r.tfar < 0;
+}
+
+std::optional<RayHit> RayScene::first_hit(const WorldRay& ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit r{};
+    r.ray = embree_ray(ray);
+    r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(built_->scene.get(), &context, &r);
+    if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return RayHit{r.hit.geomID, r.hit.primID};
+}
+
+RayStart RayScene::on_triangle(RayHit triangle, const glm::dvec3& p) const {
+    const Corners c = built_->corners(triangle);
+    return start_at(c, weights_at(c, p));
+}
+
+RayStart RayScene::on_bulge(RayHit triangle, const glm::dvec3& p,
+                            const std::array<glm::dvec3, 3>& normals) const {
+    const Corners c = built_->corners(triangle);
+    const glm::dvec3 weights = weights_at(c, p);
+    RayStart start = start_at(c, weights);
+    glm::dvec3 lift(0);
+    for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        lift -= weights[i] * std::min(0.0, glm::dot(glm::dvec3(start.p) - c[k], normals[k])) * normals[k];
+    }
+    start.p = glm::vec3(glm::dvec3(start.p) + lift);
+    return start;
+}
+
+RayStart RayScene::at_hit(const WorldRay& ray, RayHit hit) const {
+    const Corners c = built_->corners(hit);
+    const glm::dvec3 from(ray.from), along(ray.direction), n = glm::cross(c[1] - c[0], c[2] - c[0]);
+    const double slope = glm::dot(n, along);
+    if (slope == 0) return start_at(c, weights_at(c, from));
+    return start_at(c, weights_at(c, from + glm::dot(n, c[0] - from) / slope * along));
+}
+
+RayStart RayScene::at_corner(std::uint32_t object, const glm::dvec3& p, const glm::dvec3& n) const {
+    const Bounds& box = built_->objects[object].mesh->bounds;
+    const glm::dvec3 size(glm::dvec3(box.max) - glm::dvec3(box.min));
+    const glm::dvec3 scale(built_->objects[object].transform.scale);
+    RayStart start;
+    start.p = glm::vec3(p);
+    start.n = glm::vec3(glm::normalize(n));
+    // The facets of the corner are not known here: their edges are at most as long as the object is large.
+    start.away = static_cast<float>(8 * half_ulp * (glm::length(p) + glm::length(size * scale)));
+    return start;
+}
+
+glm::vec3 RayStart::towards(const glm::vec3& direction) const {
+    const glm::vec3 offset = (glm::dot(n, direction) < 0 ? -away : away) * n;
+    glm::vec3 from = p + offset;
+    for (int i = 0; i < 3; ++i)  // rounding must not bring it back
+        if (offset[i] != 0) from[i] = std::nextafter(from[i], std::copysign(HUGE_VALF, offset[i]));
+    return from;
+}
+
+WorldRay ray_to(const RayStart& start, const glm::vec3& target) {
+    const glm::vec3 from = start.towards(target - start.p), direction = target - from;
+    const float length = magnitude(direction), size = magnitude(from) + magnitude(target);
+    if (length == 0) return {from, start.n, 0};
+    return {from, direction, std::max(0.0f, 1 - 4 * static_cast<float>(half_ulp) * size / length)};
+}
+
+WorldRay ray_along(const RayStart& start, const glm::vec3& direction) {
+    return {start.towards(direction), direction, std::numeric_limits<float>::infinity()};
+}
+
+}  // namespace glint
