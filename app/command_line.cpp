@@ -88,10 +88,12 @@ Outcome run(const Command& command, const Arguments& arguments) {
 }  // namespace
 
 std::vector<Command> named_commands() {
-    return {render_command(),      explain_command(), profile_command(),  sheet_command(),    lobe_command(),
-            microfacets_command(), info_command(),    mistakes_command(), schema_command(),   code_command(),
-            shade_command(),       export_command(),  compare_command(),  diagnose_command(), grade_command(),
-            check_command(),       bench_command(),   lessons_command(),  exercise_command(), quiz_command()};
+    return {render_command(),   explain_command(),     profile_command(),    sheet_command(),
+            lobe_command(),     microfacets_command(), formfactor_command(), info_command(),
+            mistakes_command(), schema_command(),      code_command(),       shade_command(),
+            export_command(),   compare_command(),     diagnose_command(),   grade_command(),
+            check_command(),    bench_command(),       lessons_command(),    exercise_command(),
+            quiz_command()};
 }
 
 Outcome run_command_line(const Arguments& arguments) {

@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "renderer/renderer.h"
+
 namespace glint {
 
 /// One line on standard error that is overwritten, "frame 12 of 400", and erased at the end.
@@ -24,18 +26,25 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void at(std::size_t count) {
+    /// Now at number `count`; `part`: what of it is done.
+    void at(std::size_t count, const std::string& part = {}) {
         const auto now = Clock::now();
+        count_ = count;
         if (!watched_ || now - last_ < std::chrono::seconds(1)) return;
-        fmt::print(stderr, "\r{} {} of {}", what_, count, all_);
+        fmt::print(stderr, "\r\x1b[K{} {} of {}{}", what_, count, all_, part);
         last_ = now;
         shown_ = true;
+    }
+    /// Shows how many paths of each point are followed while the renderer draws, until this object's end.
+    void show_paths(Renderer& renderer) {
+        renderer.on_paths(
+            [this](int done, int all) { at(count_, fmt::format(", path {} of {}", done, all)); });
     }
 
   private:
     using Clock = std::chrono::steady_clock;
     std::string what_;
-    std::size_t all_;
+    std::size_t all_, count_ = 1;
     bool watched_, shown_ = false;
     Clock::time_point last_ = Clock::now();
 };

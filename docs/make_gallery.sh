@@ -20,13 +20,16 @@ sheet() { # NAME SCENE OPTIONS: a labelled grid
 
 for scene in still-life sun bulb spot-cone area-light sun-and-headlight ambient-alone no-shadows inverse-square \
     cosine-law mirror-vector shininess-grid every-term classic-materials rough-to-smooth cube-normals mach-bands \
-    coarse-silhouette skew-quad t-junction cool-to-warm silhouettes-and-creases light-behind-ball; do
+    coarse-silhouette skew-quad t-junction cool-to-warm silhouettes-and-creases light-behind-ball \
+    shadow-hard shadow-soft corner-bleeding two-plates; do
     picture "$scene" "$scene"
 done
 size=640x360 picture default default
 picture projected wide-angle-balls --set /shading/mistakes/lit_after_projection=true
 picture flipped still-life --set /shading/mistakes/normals_flipped=true
 picture disc coarse-ball --set /shading/mistakes/no_normals_given=true
+
+sheet transport default --rows /transport/paths=256 --cols /transport/model=local,shadows,bounces --cell 320x180
 
 modes=/shading/mode=flat,gouraud,phong
 sheet shadings coarse-ball --rows $modes --cols /objects/0/mesh/detail=1,2,3 --cell 128x128

@@ -65,6 +65,7 @@ Times measure(Renderer& renderer, const Scene& start, const BenchArguments& argu
     Times times;
     Scene scene = start;
     Progress progress("frame", static_cast<std::size_t>(arguments.frames));
+    progress.show_paths(renderer);
     for (int frame = -warm_up_frames; frame < arguments.frames; ++frame) {
         drag_to(scene, start, drag, frame);
         const auto before = Clock::now();
@@ -128,11 +129,13 @@ Outcome bench(const BenchArguments& arguments) {
          {{"geometry", stage(Stage::Geometry)},
           {"visibility", stage(Stage::Visibility)},
           {"surface", stage(Stage::Surface)},
+          {"transport", stage(Stage::Transport)},
           {"lighting", stage(Stage::Lighting)}}},
         {"redone",
          {{"geometry", redone(Stage::Geometry)},
           {"visibility", redone(Stage::Visibility)},
           {"surface", redone(Stage::Surface)},
+          {"transport", redone(Stage::Transport)},
           {"lighting", redone(Stage::Lighting)}}},
         {"threads", stats.threads},
         {"instruction_set", stats.instruction_set},

@@ -38,6 +38,7 @@ struct Command {
 [[nodiscard]] Command sheet_command();
 [[nodiscard]] Command lobe_command();
 [[nodiscard]] Command microfacets_command();
+[[nodiscard]] Command formfactor_command();
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command mistakes_command();
 [[nodiscard]] Command schema_command();

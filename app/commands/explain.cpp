@@ -60,6 +60,8 @@ Outcome explain(const ExplainArguments& arguments) {
     require_inside("--pixel", pixel, size);
 
     Renderer renderer(arguments.scene.threads);
+    Progress drawing("picture", 1);
+    drawing.show_paths(renderer);
     (void)renderer.render(document.scene, size);
     const Explanation explanation = renderer.explain(pixel.x, pixel.y);
     Outcome outcome{formatted(explanation, document.scene, arguments.format), document.warnings,

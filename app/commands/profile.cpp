@@ -4,6 +4,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
+#include "app/progress.h"
 #include "renderer/answers/answers.h"
 
 namespace glint {
@@ -30,6 +31,8 @@ Outcome profile(const ProfileArguments& arguments) {
     require_inside("--to", last, size);
 
     Renderer renderer(arguments.scene.threads);
+    Progress progress("picture", 1);
+    progress.show_paths(renderer);
     const Picture& picture = renderer.render(document.scene, size, true);
     const std::vector<ProfileSample> samples =
         glint::profile(renderer, picture, {first.x, first.y}, {last.x, last.y});

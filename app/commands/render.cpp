@@ -127,6 +127,8 @@ Outcome render(const RenderArguments& arguments) {
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
 
     Renderer renderer(arguments.scene.threads);
+    Progress progress("picture", 1);
+    progress.show_paths(renderer);
     const Picture& picture = renderer.render(document.scene, size, is_linear(format), samples);
     outcome.warnings.insert(outcome.warnings.end(), renderer.warnings().begin(), renderer.warnings().end());
     std::string bytes = picture_bytes(

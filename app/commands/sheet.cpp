@@ -96,6 +96,7 @@ Outcome sheet(const SheetArguments& arguments) {
     const SceneVariants variants(document);
     const int samples = samples_to_draw(arguments.samples, document);
     Progress progress("picture", rows.values.size() * columns.values.size());
+    progress.show_paths(renderer);
     const Picture picture =
         make_sheet(rows, columns, arguments.cell, font, [&](std::size_t r, std::size_t c) -> const Picture& {
             progress.at(r * columns.values.size() + c + 1);

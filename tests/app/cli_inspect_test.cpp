@@ -244,7 +244,7 @@ TEST_CASE("glint render --stats counts the evaluations of each mode", "[cli][sta
     CHECK(evaluations("gouraud")["evaluations"] == 9);  // corners
     const auto phong = evaluations("phong");            // pixels
     CHECK(phong["evaluations"] == phong["shaded_pixels"]);
-    CHECK(phong["stages"].size() == 4);
+    CHECK(phong["stages"].size() == 5);
     check_wrong({"render", "-", "-o", "-", "--stats"},
                 "--stats: standard output is the picture's; expected a file after -o");
 }

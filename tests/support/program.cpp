@@ -68,11 +68,11 @@ std::string redirected(const std::vector<std::string>& words, const std::string&
 }  // namespace
 
 Ended run_glint(const std::vector<std::string>& arguments, const std::string& input,
-                const std::string& redirect) {
+                const std::string& redirect, std::vector<std::string> words) {
     const TemporaryDirectory directory;
     const std::string in = directory.file("in", input), out = directory.path("out"),
                       err = directory.path("err");
-    std::vector<std::string> words{glint_program};
+    words.emplace_back(glint_program);
     words.insert(words.end(), arguments.begin(), arguments.end());
     const int status = redirect.empty()
                            ? run(words, out, in, err)

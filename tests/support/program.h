@@ -13,9 +13,9 @@ struct Ended {
 
 /// Runs the program with these arguments, without a display and with `input` on standard input. `redirect` is
 /// shell text after the command, such as ">/dev/full" or "| head -c 1"; standard output is captured unless
-/// redirected.
+/// redirected. `runner`: a command that runs the program, such as `timeout 1`.
 [[nodiscard]] Ended run_glint(const std::vector<std::string>& arguments, const std::string& input = {},
-                              const std::string& redirect = {});
+                              const std::string& redirect = {}, std::vector<std::string> runner = {});
 
 /// A directory that is removed at the end of the test.
 class TemporaryDirectory {

@@ -1,0 +1,104 @@
+// Shadows, bounced light and form factors on the command line.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/places.h"
+#include "tests/support/catch.h"
+#include "tests/support/program.h"
+
+using namespace glint;
+
+namespace {
+
+const std::string two_plates = project_file("assets/scenes/two-plates.json");
+const std::string shadow_hard = project_file("assets/scenes/shadow-hard.json");
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
+
+/// The one line of an error; empty if standard output is not.
+std::string refusal(const std::vector<std::string>& arguments) {
+    const Ended ended = run_glint(arguments);
+    CHECK(ended.status != 0);
+    CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+    return ended.out.empty() ? ended.err : "";
+}
+
+}  // namespace
+
+TEST_CASE("numbers and words of /transport out of range are one line", "[cli][transport]") {
+    const auto with = [](const std::string& assignment) {
+        return refusal({"render", shadow_hard, "-o", "-", "--set", assignment});
+    };
+    CHECK(contains(with("/transport/model=global"), "expected local, shadows or bounces"));
+    CHECK(contains(with("/transport/paths=0"), "expected a whole number from 1 to 65536"));
+    CHECK(contains(with("/transport/paths=65537"), "65537 is out of range"));
+    CHECK(contains(with("/transport/bounces=65"), "expected a whole number from 0 to 64"));
+    CHECK(contains(with("/transport/seed=-1"), "/transport/seed"));
+}
+
+TEST_CASE("glint formfactor prints the estimate, its standard error and the rays", "[cli][transport]") {
+    const Ended text =
+        run_glint({"formfactor", two_plates, "--from", "Lower", "--to", "Upper", "--rays", "100000"});
+    CHECK(text.status == 0);
+    CHECK(text.out.starts_with("Lower to Upper: 0."));
+    CHECK(contains(text.out, "100000 rays"));
+    const Ended answer = run_glint({"formfactor", two_plates, "--from", "0", "--to", "1", "--format", "json",
+                                    "--rays", "100000", "--threads", "1"});
+    REQUIRE(answer.status == 0);
+    const auto json = nlohmann::json::parse(answer.out);
+    const double factor = json.at("form_factor"), error = json.at("standard_error");
+    CHECK(std::abs(factor - 0.199825) < 4 * error);
+    CHECK(error == Approx(std::sqrt(0.2 * 0.8 / 1e5)).epsilon(0.05));
+    CHECK(json.at("rays") == 100000);
+    CHECK(json.at("from") == "Lower");
+    const std::string unknown = refusal({"formfactor", two_plates, "--from", "Lowr", "--to", "Upper"});
+    CHECK(contains(unknown, "no object is named \"Lowr\""));
+    CHECK(contains(unknown, "Lower"));
+    CHECK(contains(refusal({"formfactor", two_plates, "--from", "Lower"}), "--to"));
+}
+
+TEST_CASE("a scene with shadows is refused by every language of glint code", "[cli][transport][programs]") {
+    for (const char* language : {"gl1", "glsl", "cpp", "python"}) {
+        const TemporaryDirectory folder;
+        const std::string refused =
+            refusal({"code", shadow_hard, "--language", language, "-o", folder.path("out")});
+        CHECK(contains(refused, "/transport/model"));
+        CHECK(contains(refused, language));
+        CHECK(contains(refused, "no language can"));
+    }
+}
+
+TEST_CASE("glint explain names the object that casts the shadow", "[cli][transport][explain]") {
+    const std::vector<std::string> at = {"explain", shadow_hard, "--size", "480x270", "--pixel", "255,150"};
+    const Ended text = run_glint(at);
+    REQUIRE(text.status == 0);
+    CHECK(contains(text.out, "in the shadow of Box"));
+    std::vector<std::string> as_json = at;
+    as_json.insert(as_json.end(), {"--format", "json"});
+    const auto light = nlohmann::json::parse(run_glint(as_json).out).at("lights").at(0);
+    CHECK(light.at("reached") == 0);
+    CHECK(light.at("blocked_by") == "Box");
+    CHECK(light.at("blocker") == 0);
+    CHECK(light.at("share") == nlohmann::json({0, 0, 0}));
+    std::vector<std::string> as_latex = at;
+    as_latex.insert(as_latex.end(), {"--format", "latex"});
+    CHECK(contains(run_glint(as_latex).out, "in the shadow of Box"));
+}
+
+TEST_CASE("Ctrl+C during paths leaves no file", "[cli][transport]") {
+    const TemporaryDirectory folder;
+    const std::string corner = project_file("assets/scenes/corner-bleeding.json");
+    // `timeout` sends the signal that a terminal sends for Ctrl+C.
+    for (const std::string command : {"render", "sheet"}) {
+        std::vector<std::string> arguments{
+            command, corner, "-o", folder.path(command + ".png"), "--set", "/transport/paths=65536"};
+        if (command == "sheet")
+            arguments.insert(arguments.end(),
+                             {"--rows", "/transport/seed=1,2", "--cols", "/lights/0/intensity=1"});
+        const Ended ended =
+            run_glint(arguments, {}, {}, {"/usr/bin/timeout", "--foreground", "--signal=INT", "1"});
+        CHECK(ended.status != 0);
+        CHECK(folder.names().empty());
+    }
+}
