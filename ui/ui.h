@@ -82,6 +82,8 @@ struct UiState {
 
     int threads;  // of each renderer
     std::unique_ptr<Renderer> renderer;
+    Refinement refinement;              // of its pictures
+    float parts_progress = 1;           // likewise of the parts of a comparison
     const Picture* rendered = nullptr;  // the last one drawn
     PictureSize full_size;              // of the picture in the window; `rendered` may be temporarily smaller
     PictureSize failed_size{0, 0};      // a picture of that size failed: the last one drawn keeps its own

@@ -123,6 +123,7 @@ void add_field_entries(Entries& entries, const UiState& state) {
     add_fields(entries, scene.camera, "/camera", {"Field · Camera", {Selection::Kind::Camera, 0}});
     const FieldOwner shading{"Field · Shading", {Selection::Kind::Shading, 0}};
     add_fields(entries, scene.shading, "/shading", shading);
+    add_fields(entries, scene.transport, "/transport", shading);
     fields(scene, [&]<class Kind>(const Row& row, const Kind&, const auto&) {  // the ambient light
         if constexpr (std::is_same_v<Kind, Colour>)
             add_field(entries, shading, row, "/" + std::string(row.key));
@@ -131,6 +132,7 @@ void add_field_entries(Entries& entries, const UiState& state) {
     add_fields(entries, scene.display, "/display", {"Field · Display", {Selection::Kind::Display, 0}});
     add_projections(entries);
     add_settings(entries, scene, &Scene::shading, "Shading");
+    add_settings(entries, scene, &Scene::transport, "Shading");
     add_settings(entries, scene, &Scene::npr, "Strokes and tones");
     add_settings(entries, scene, &Scene::display, "Display");
 }

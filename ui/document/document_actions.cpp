@@ -264,7 +264,8 @@ void draw_scene_before(UiState& state, bool previewed) {
     const PictureSize size = state.rendered->size;
     if (!previewed) take_scene_back(state);
     state.rendered = nullptr;
-    state.rendered = &state.renderer->render(state.editor.scene(), size);
+    state.refinement = {};
+    state.rendered = &state.refinement.begin(*state.renderer, state.editor.scene(), size, false, false);
     state.rendered_scene = state.editor.scene();
     state.rendered_is_edited = true;
 }

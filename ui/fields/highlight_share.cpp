@@ -21,6 +21,7 @@ Scene specular_alone(Scene scene, std::size_t object) {
     scene.global_ambient = glm::vec3(0);
     scene.display.background = glm::vec3(0);
     scene.npr = {};
+    scene.transport = {};
     scene.shading.terms = {.emission = false, .ambient = false, .diffuse = false, .specular = true};
     return scene;
 }

@@ -33,7 +33,8 @@ void apply(const MaterialPreset& preset, Material& material);
 /// Cool-to-warm tones, and strokes along silhouettes and creases. Dims numbers without effect.
 bool npr_panel(Npr& npr);
 
-[[nodiscard]] bool shading_panel(Shading& shading, glm::vec3& global_ambient);
+/// Also edits how light reaches points, and global ambient light.
+[[nodiscard]] bool shading_panel(Shading& shading, Transport& transport, glm::vec3& global_ambient);
 [[nodiscard]] bool display_panel(Display& display);
 
 /// `size` of the picture: switching to a frustum keeps the visible region.

@@ -124,10 +124,14 @@ bool camera_panel(Camera& camera, PictureSize size) {
     return (edited || panel.edited()) && keep_valid(camera, before);
 }
 
-bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
+bool shading_panel(Shading& shading, Transport& transport, glm::vec3& global_ambient) {
     static const Shading usual;
     FieldPanel panel(shading, "/shading");
     panel.draw({"mode", "reflection"});
+    FieldPanel paths(transport, "/transport");
+    paths.draw({"model"});
+    const bool bounces = transport.model == TransportModel::Bounces;
+    if (bounces || field_is_asked_below("/transport")) paths.rest();
     panel.group("terms", shading.terms, field_rows<Terms>);
     const Help help{"Ambient light from everywhere that belongs to none of the lights", "/global_ambient"};
     const bool edited = draw_asked(help.pointer, Typed::Number, [&] {
@@ -139,7 +143,7 @@ bool shading_panel(Shading& shading, glm::vec3& global_ambient) {
                           shading.power_table == usual.power_table &&
                           shading.interpolation == usual.interpolation;
     if (fold("Advanced", !is_usual, asked)) panel.rest();
-    return panel.edited() || edited;
+    return panel.edited() || paths.edited() || edited;
 }
 
 bool display_panel(Display& display) {

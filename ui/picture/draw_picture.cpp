@@ -126,7 +126,8 @@ void draw_picture(UiState& state, const PictureView& view) {
     const bool has_linear = state.rendered != nullptr && !state.rendered->linear.empty();
     if (!same_size || changed || (linear && !has_linear)) {
         try {
-            state.rendered = &state.renderer->render(shown, size, linear);
+            state.rendered = &state.refinement.begin(*state.renderer, shown, size, linear,
+                                                     state.on_screen.passing.has_value());
         } catch (const std::exception&) {
             state.failed_size = changed ? PictureSize{0, 0} : size;
             draw_scene_before(state, other != nullptr);
@@ -135,11 +136,15 @@ void draw_picture(UiState& state, const PictureView& view) {
         state.rendered_scene = shown;
         ++state.picture_serial;
         if (moves && changed) state.pace.drawn_at = size == view.map.size ? 1 : state.pace.divisor;
+    } else if (const Picture* better = state.refinement.advance(*state.renderer, state.jobs, state.threads)) {
+        state.rendered = better;
+        ++state.picture_serial;
     }
     // A frozen scene may be the edited one too: then it is not drawn again.
     if (changed || !same_size || other == nullptr)
         state.rendered_is_edited = other == nullptr && !awaits_mesh(state);
     if (!state.on_screen.explained_other && !is_explained(state)) state.on_screen.explanation.reset();
+    state.on_screen.explained_by = nullptr;
     if (state.on_screen.passing) return follow_size(state, view);
     if (other == nullptr) state.editor.before.reset();
     if (other == nullptr && !(state.edited_drawn == shown)) state.edited_drawn = shown;

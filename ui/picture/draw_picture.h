@@ -1,6 +1,7 @@
 #pragma once
 // Draws the picture when needed, as large as time permits.
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "renderer/picture.h"
 #include "renderer/renderer.h"
 #include "ui/commands/keys.h"
+#include "ui/document/job.h"
 #include "ui/picture/screen.h"
 #include "ui/shell/layout.h"
 
@@ -67,6 +69,40 @@ struct ShownPart {
 /// Whether both scenes show the same surfaces in the same pixels of a picture, with the same indices: camera,
 /// objects, meshes and transforms are equal. Lights, materials and shading may differ.
 [[nodiscard]] bool same_surfaces(const Scene& a, const Scene& b);
+
+// Bounced light is refined in the background while nothing changes: a job follows more paths in a second
+// renderer, which then replaces the first. So a picture always belongs to one number of paths, and can be
+// explained.
+
+class Refinement {
+  public:
+    /// Draws a scene that has changed: with few paths, unless more of them are kept. `passes`: it is a
+    /// preview, after which the scene before returns with all its paths.
+    const Picture& begin(Renderer& renderer, const Scene& scene, PictureSize size, bool linear, bool passes);
+    /// Starts and collects jobs, once a frame. Returns the picture if one with more paths has come.
+    const Picture* advance(Renderer& renderer, Jobs& jobs, int threads);
+    /// The share of the scene's paths that are followed, 0 to 1.
+    [[nodiscard]] float progress() const;
+
+  private:
+    struct Wanted {
+        Scene scene;
+        PictureSize size;
+        bool linear = false;
+        bool operator==(const Wanted&) const = default;
+    };
+    void exchange(Renderer& renderer);
+
+    std::optional<Wanted> wanted_, kept_;  // the picture of the renderer, and of the second one
+    int paths_ = 0, kept_paths_ = 0;       // in them
+    std::shared_ptr<Renderer> spare_;      // the second one: of the job, or idle
+    JobPtr<int> job_, ending_;
+    bool passing_ = false, failed_ = false;
+    double since_ = 0;  // time of the last change, ImGui time
+};
+
+/// A thin bar at the lower edge of the picture while `progress` is below 1.
+void draw_refinement(ImDrawList& list, const PictureView& view, float progress);
 
 /// Returns the renderer whose last picture identifies the open scene's items at each pixel. Null if that
 /// picture has another size, or shows other surfaces: keys changed the scene afterwards, or it is a preview

@@ -75,12 +75,14 @@ bool is_explained(const UiState& state) {
 void explain_picked(UiState& state, const PictureView& view) {
     OnScreen& shown = state.on_screen;
     shown.explanation.reset();
+    shown.explained_by = nullptr;
     shown.explained_other = shown.resting;
     const auto asked = asked_pixel(state, view);
     if (!asked) return;
     const PictureSize whole = view.map.size, drawn = state.rendered->size;
     const glm::ivec2 at = pixel_at_place(*asked, whole, drawn);
-    shown.explanation = state.renderer->explain(at.x, at.y);
+    shown.explained_by = state.renderer.get();
+    shown.explanation = shown.explained_by->explain(at.x, at.y);
     shown.explanation->spaces.pixel *=
         glm::vec2(whole.width, whole.height) / glm::vec2(drawn.width, drawn.height);
     shown.pixel = *asked;

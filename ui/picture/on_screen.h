@@ -8,6 +8,7 @@
 #include "models/scene/scene.h"
 #include "renderer/explain/explanation.h"
 #include "renderer/picture.h"
+#include "renderer/renderer.h"
 #include "ui/document/scene_edit.h"
 #include "ui/picture/screen.h"
 #include "ui/widgets/shortcut.h"
@@ -40,6 +41,7 @@ struct OnScreen {
     // Of the picked pixel, in the scene on the screen or in a part of a comparison:
     std::optional<Explanation> explanation;
     std::optional<OtherScene> explained_other;    // the explained scene; none: the edited one
+    const Renderer* explained_by = nullptr;       // in this frame; null during a preview
     glm::ivec2 pixel{0};                          // in the full picture
     PictureSize explained_size, explained_drawn;  // of the full picture, and of the one that was drawn
 

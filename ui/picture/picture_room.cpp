@@ -179,6 +179,7 @@ void picture_overlay(UiState& state, const Layout& layout) {
     list.PushClipRect(view.origin, view.end(), true);
     state.legend_width = state.label_height = 0;
     draw_overlays(list, state, view);
+    draw_refinement(list, view, std::min(state.refinement.progress(), state.parts_progress));
     list.PopClipRect();
     ImGui::End();
     if (!state.layout.hides_all) picture_badge(state, picture_in_sight(state));

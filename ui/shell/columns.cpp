@@ -44,7 +44,7 @@ void selected_panel(UiState& state, const PictureView& view) {
         (void)object_panel(scene.objects[index], "/objects/" + number, scene.shading.reflection, requests);
         break;
     case Selection::Kind::Shading:
-        (void)shading_panel(scene.shading, scene.global_ambient);
+        (void)shading_panel(scene.shading, scene.transport, scene.global_ambient);
         (void)npr_panel(scene.npr);
         break;
     case Selection::Kind::Display:

@@ -153,7 +153,7 @@ TEST_CASE("changing the tone only repeats the lighting", "[npr][stages]") {
     const auto redone = [&] {
         draw_as_fresh(renderer, scene, tone_size);
         const auto& r = renderer.stats().redone;
-        return std::array<bool, 4>{r[0], r[1], r[2], r[3]};
+        return std::array<bool, 4>{r[0], r[1], r[2], r[4]};
     };
     const std::array<bool, 4> lighting{false, false, false, true}, nothing{};
     redone();

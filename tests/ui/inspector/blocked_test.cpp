@@ -16,7 +16,7 @@ TEST_CASE("the inspector names the object in front of a light, and only there", 
         test::ask(bench, InspectorTab::Equation, {pixel_of_1280x720.x / 1280, pixel_of_1280x720.y / 720});
         REQUIRE(bench.state.on_screen.explanation);
         const Explanation& why = *bench.state.on_screen.explanation;
-        return blocked_words(bench.state, why, asked_point(bench.state.get<InspectorState>(), why), 0);
+        return blocked_words(bench.state, why, 0);
     };
     // The pixel of docs/lecture_map.md, row 2: on the floor, behind the objects on it.
     const std::string words = words_at({652, 558});
@@ -53,9 +53,7 @@ TEST_CASE("an object that only marks a light's position does not block it", "[ui
     REQUIRE(bench.state.on_screen.explanation);
     REQUIRE(bench.state.on_screen.explanation->hit);
     const Explanation why = *bench.state.on_screen.explanation;
-    const auto words = [&] {
-        return blocked_words(bench.state, why, asked_point(bench.state.get<InspectorState>(), why), 0);
-    };
+    const auto words = [&] { return blocked_words(bench.state, why, 0); };
     CHECK(words().empty());
     // Halfway it is an ordinary obstacle.
     bench.scene().objects.back().transform.translate = 0.5f * (light + why.spaces.world);

@@ -2,8 +2,6 @@
 // The state of the WHY column, independent of the scene, and the present selection: which pixel, which of its
 // lit points, which light.
 
-#include <cstdint>
-#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +10,8 @@
 #include "models/scene/scene.h"
 #include "renderer/explain/explanation.h"
 #include "renderer/explain/quantity.h"
+#include "renderer/transport/traced.h"
 #include "ui/features/inspector/blocks_in_sight.h"
-#include "ui/widgets/kept.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -31,15 +29,6 @@ enum class InspectorTab {
     Matrices,
     Outside,
     Program
-};
-
-/// Identifies the point whose lights were tested: the picture (UiState::picture_serial), its pixel and
-/// corner.
-struct BlockedKey {
-    std::uint64_t serial = 0;
-    glm::ivec2 pixel{-1};
-    int corner = -1;
-    bool operator==(const BlockedKey&) const = default;
 };
 
 /// A number of the equation that the user was led to.
@@ -62,7 +51,11 @@ struct InspectorState {
     // The vector hovered in the column in the last frame: its arrow is drawn thick.
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;
-    Kept<BlockedKey, std::vector<int>> blocked;  // per light of the point: the blocking object, or -1
+    // From the shown point, in the scene on the screen:
+    std::vector<TracedLight> rays;               // to each of its lights; to the middle of an area light
+    std::vector<PathStep> path;                  // empty: none is shown
+    bool shows_ray = false, shows_path = false;  // in the picture
+    int path_number = 1;                         // from 1
     // The scene that the next picture shows in place of the edited one, while a line that previews something
     // is hovered (a term alone, another model, a mistake).
     std::optional<Scene> instead;
@@ -83,6 +76,15 @@ struct PictureView;
 /// The light whose vectors are shown: the hovered one in the column, else the selected one, else the one that
 /// contributes most. Null if no light is on.
 [[nodiscard]] const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& point);
+
+// The rays behind the equation: to the lights, and one path of bounced light.
+
+/// Traces them from the shown point unless a preview is on the screen.
+void trace_shown(UiState& state);
+/// The error of bounced light, the switches, and the steps of the shown path.
+void traced_controls(UiState& state, const ExplainedPoint& point);
+/// Draws those that are switched on.
+void draw_traced(ImDrawList& list, const UiState& state, const PictureView& view);
 
 // While a line of the equation is hovered, the picture shows a scene with only that part.
 

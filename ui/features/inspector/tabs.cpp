@@ -339,10 +339,14 @@ const Feature inspector_feature{.update =
                                     [](UiState& s) {  // hovering takes effect in the next frame
                                         s.get<InspectorState>().instead.reset();
                                         s.get<InspectorState>().preview_name.clear();
+                                        trace_shown(s);
                                     },
                                 .shows = show_listed,
-                                .overlay = [](ImDrawList& list, UiState& s,
-                                              const PictureView& view) { draw_point_vectors(list, s, view); },
+                                .overlay =
+                                    [](ImDrawList& list, UiState& s, const PictureView& view) {
+                                        draw_traced(list, s, view);
+                                        draw_point_vectors(list, s, view);
+                                    },
                                 .note = note_of_mistakes,
                                 .why =
                                     [](UiState& s, const PictureView& view) {

@@ -192,6 +192,9 @@ const std::vector<Preset>& presets() {
         {"Gouraud, Phong", {variant_of(ShadingMode::Gouraud), variant_of(ShadingMode::Phong)}},
         {"Facet, Phong", {variant_of(ShadingMode::Facet), variant_of(ShadingMode::Phong)}},
         {"Phong, Blinn–Phong", {variant_of(Reflection::Phong), variant_of(Reflection::BlinnPhong)}},
+        {"Local, with shadows, with bounces",
+         {variant_of(TransportModel::Local), variant_of(TransportModel::Shadows),
+          variant_of(TransportModel::Bounces)}},
         {"As edited, B", {{}, {Variant::Kind::Stored, 0}}},
         {"As edited, my picture", {{}, {Variant::Kind::Mine, 0}}}};
     return all;

@@ -25,6 +25,7 @@ void copy_pixels(const Picture& from, Picture& to, glm::ivec2 low, glm::ivec2 hi
 void draw_parts(CompareState& state, const DrawnScene& drawn) {
     const CompareChoice& choice = state.choice;
     state.renderers.resize(choice.parts.size());
+    state.refinements.resize(choice.parts.size());
     state.pictures.assign(choice.parts.size(), &drawn.picture);
     state.drawn_by.assign(choice.parts.size(), &drawn.renderer);
     state.ms = 0;
@@ -37,8 +38,8 @@ void draw_parts(CompareState& state, const DrawnScene& drawn) {
         const Scene scene = scene_under(choice.parts[i], drawn.scene, choice.stored.get());
         if (scene == drawn.scene) continue;
         if (!state.renderers[i]) state.renderers[i] = std::make_unique<Renderer>(drawn.threads);
-        state.pictures[i] =
-            &state.renderers[i]->render(scene, drawn.picture.size, !drawn.picture.linear.empty());
+        state.pictures[i] = &state.refinements[i].begin(*state.renderers[i], scene, drawn.picture.size,
+                                                        !drawn.picture.linear.empty(), false);
         state.drawn_by[i] = state.renderers[i].get();
         state.ms += state.renderers[i]->stats().total_ms;
     }
@@ -107,7 +108,19 @@ const Picture& compose(CompareState& state, const DrawnScene& drawn) {
     return state.picture;
 }
 
+bool refine_parts(CompareState& state, Jobs& jobs, int threads, float& progress) {
+    progress = 1;
+    bool better = false;
+    for (std::size_t i = 0; i < state.drawn_by.size(); ++i) {
+        if (state.drawn_by[i] == nullptr || state.drawn_by[i] != state.renderers[i].get()) continue;
+        better |= state.refinements[i].advance(*state.renderers[i], jobs, threads) != nullptr;
+        progress = std::min(progress, state.refinements[i].progress());
+    }
+    return better;
+}
+
 void forget_parts(CompareState& state) {
+    state.refinements.clear();
     state.drawn_by.clear();
     state.pictures.clear();
     state.renderers.clear();

@@ -26,14 +26,15 @@ struct UiState;
 // changed; the stored scene; or a picture that the user opened.
 
 struct Variant {
-    enum class Kind { Edited, Mode, Reflection, Interpolation, Stored, Mine };
+    enum class Kind { Edited, Mode, Reflection, Interpolation, LightPaths, Stored, Mine };
     Kind kind = Kind::Edited;
-    int index = 0;  // in choices<ShadingMode>, choices<Reflection> or choices<Interpolation>
+    int index = 0;  // in choices<ShadingMode>, <Reflection>, <Interpolation> or <TransportModel>
     bool operator==(const Variant&) const = default;
 };
 
 [[nodiscard]] Variant variant_of(ShadingMode mode);
 [[nodiscard]] Variant variant_of(Reflection reflection);
+[[nodiscard]] Variant variant_of(TransportModel model);
 
 /// All variants, in the order of lists. Includes Stored and Mine whether or not there is such a scene or
 /// picture.
@@ -90,6 +91,7 @@ struct CompareState {
     int dragged = -1, under = -1;      // a wipe line
     int label_under = -1, asked = -1;  // a part's label; the part whose variants are listed
     std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
+    std::vector<Refinement> refinements;               // of their pictures
     std::vector<const Picture*> pictures;              // one per part, of the last composition
     std::vector<const Renderer*> drawn_by;
     Picture fitted;       // CompareChoice::mine, at the size of the others
@@ -135,6 +137,9 @@ struct DrawnScene {
 /// Draws every part and composes them: each pixel is that of its part's full picture. A difference is between
 /// the first and the last part and fills `numbers`. Linear colours are composed if `drawn` has them.
 const Picture& compose(CompareState& state, const DrawnScene& drawn);
+
+/// Refines the parts in the background, once a frame; true if one has become better. Sets `progress`.
+bool refine_parts(CompareState& state, Jobs& jobs, int threads, float& progress);
 
 /// Drops the composed picture and its renderers: no pixel belongs to a part until it is composed again.
 void forget_parts(CompareState& state);

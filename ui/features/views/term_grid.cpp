@@ -48,7 +48,8 @@ void draw_cell(TermGridState& grid, const Scene& scene, GridCell cell) {
     const int row = cell.light + 1;
     if (row >= max_rows) return;
     const PictureSize size = grid.sheet.cell;
-    const Scene alone = with_cells(scene, {cell});
+    Scene alone = with_cells(scene, {cell});
+    alone.transport.paths = std::min(alone.transport.paths, 4);  // the window waits for it
     const int gain =
         gain_of(*grid.renderer, grid.renderer->render(alone, size, true), scene.display.exposure);
     grid.gains.push_back(gain);

@@ -28,6 +28,8 @@ NamedChoice choice_in(Variant variant) {
         return {"reflection", "lighting", &choices<Reflection>[index]};
     case Variant::Kind::Interpolation:
         return {"interpolation", "interpolation", &choices<Interpolation>[index]};
+    case Variant::Kind::LightPaths:
+        return {"transport", "light", &choices<TransportModel>[index]};
     }
     return {};  // not reached
 }
@@ -40,11 +42,14 @@ Variant variant_of(Reflection reflection) {
     return {Variant::Kind::Reflection, static_cast<int>(reflection)};
 }
 
+Variant variant_of(TransportModel model) { return {Variant::Kind::LightPaths, static_cast<int>(model)}; }
+
 std::vector<Variant> all_variants() {
     std::vector<Variant> all{{}};
     add_variants<ShadingMode>(all, Variant::Kind::Mode);
     add_variants<Reflection>(all, Variant::Kind::Reflection);
     add_variants<Interpolation>(all, Variant::Kind::Interpolation);
+    add_variants<TransportModel>(all, Variant::Kind::LightPaths);
     all.push_back({Variant::Kind::Stored, 0});
     all.push_back({Variant::Kind::Mine, 0});
     return all;
@@ -70,8 +75,10 @@ std::string label_of(Variant variant) {
     if (variant.kind == Variant::Kind::Mine) return "My picture";
     const NamedChoice named = choice_in(variant);
     const std::string label = named.choice->label;
-    // "Unlit" is clear without the noun.
-    return variant == variant_of(Reflection::None) ? label : label + " " + named.noun;
+    // "Unlit" and "With shadows" are clear without the noun.
+    const bool is_clear = variant == variant_of(Reflection::None) ||
+                          (variant.kind == Variant::Kind::LightPaths && variant.index > 0);
+    return is_clear ? label : label + " " + named.noun;
 }
 
 bool lacks_stored(const CompareChoice& choice, Variant variant) {
@@ -105,6 +112,9 @@ Scene scene_under(Variant variant, const Scene& edited, const Scene* stored) {
         break;
     case Variant::Kind::Interpolation:
         scene.shading.interpolation = static_cast<Interpolation>(index);
+        break;
+    case Variant::Kind::LightPaths:
+        scene.transport.model = static_cast<TransportModel>(index);
         break;
     case Variant::Kind::Stored:
         if (stored == nullptr) break;

@@ -97,6 +97,7 @@ void ask_part(UiState& state) {
     const glm::ivec2 pixel{shown.explanation->x, shown.explanation->y};
     const Renderer* renderer = part_renderer(compare, pixel, state.displayed->size);
     if (renderer == nullptr || renderer == state.renderer.get()) return;
+    shown.explained_by = renderer;
     shown.explanation = renderer->explain(pixel.x, pixel.y);
     const int part = part_of(compare, pixel, state.displayed->size);
     compare.asked_part = compare.choice.parts[static_cast<std::size_t>(part)];
@@ -111,6 +112,10 @@ void ask_part(UiState& state) {
 void compose_views(UiState& state) {
     state.get<CompareState>().resting =
         state.on_screen.resting ? state.on_screen.resting->label : std::string();
+    state.parts_progress = 1;
+    if (state.get<CompareState>().choice.on &&
+        refine_parts(state.get<CompareState>(), state.jobs, state.threads, state.parts_progress))
+        ++state.picture_serial;
     update_shown(state);
     update_parts(state);
     ask_part(state);

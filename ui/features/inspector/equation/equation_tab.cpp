@@ -228,6 +228,11 @@ void equation_tab(UiState& state, const PictureView&) {
     sum_table(state, explanation);
     display_lines(state, explanation);
     my_pixel(state);
+    const Scene& scene = explained_scene(state);
+    if (const std::string dark =
+            shadow_sentence(asked_point(state.get<InspectorState>(), explanation), scene);
+        !dark.empty())
+        warning_text(dark);
     if (explanation.reflection != Reflection::None) {
         section_heading(section_title(state.get<InspectorState>(), explanation).c_str());
         mistakes_note(explained_scene(state));
@@ -236,6 +241,7 @@ void equation_tab(UiState& state, const PictureView&) {
         against_phong(state, explanation);
         const ExplainedPoint& point = asked_point(state.get<InspectorState>(), explanation);
         unlit(state, explanation, point);
+        traced_controls(state, point);
         light_cards(state, explanation, point);
         if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");
     }

@@ -31,11 +31,10 @@ void display_lines(const UiState& state, const Explanation& explanation);
 void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                 std::size_t which);
 
-/// "“Teapot” is between this light and the point, but …"; empty if nothing is in between, if the light is
-/// behind the surface anyway, and during a drag in a scene so large that the test would take time. `which`:
-/// index into `point.lights`.
-[[nodiscard]] std::string blocked_words(UiState& state, const Explanation& explanation,
-                                        const ExplainedPoint& point, std::size_t which);
+/// "“Teapot” is between this light and the point, but …" under the local model; empty if nothing is in
+/// between, or if the light is behind the surface anyway. `which`: index into the point's lights.
+[[nodiscard]] std::string blocked_words(const UiState& state, const Explanation& explanation,
+                                        std::size_t which);
 
 /// letter = factor × factor … = result, in one channel (0 red, 1 green, 2 blue), with as many digits as the
 /// result needs. Numbers of the scene can be dragged, the others copied. True when a number was edited.

@@ -321,7 +321,7 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     for (const EquationLine& term : light_lines(in)) edited |= light_term(state, term, explained.index);
     if (is_area) sample_rows(explained, state.get<InspectorState>().channel);
     if (const std::string reason = dark_reason(explained, before); !reason.empty()) warning_text(reason);
-    if (const std::string words = blocked_words(state, explanation, point, which); !words.empty())
+    if (const std::string words = blocked_words(state, explanation, which); !words.empty())
         wrapped_dim(words);
     ImGui::EndGroup();
     if (is_pointed_at(last_item())) state.get<InspectorState>().pointed_light = explained.index;

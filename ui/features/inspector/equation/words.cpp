@@ -19,7 +19,7 @@ namespace glint {
 namespace {
 
 TermSums sums_at(const ExplainedPoint& at) {
-    TermSums sums{at.emission, at.global_ambient, {}, {}, at.cool_to_warm.color};
+    TermSums sums{at.emission, at.global_ambient, {}, {}, at.cool_to_warm.color, at.bounces.term};
     for (const ExplainedLight& light : at.lights) {
         sums.ambient += light.ambient;
         sums.diffuse += light.diffuse;
@@ -55,6 +55,7 @@ TermSums term_sums(const Explanation& explanation) {
     for (const ExplainedCorner& corner : explanation.corners) {
         const TermSums at = sums_at(corner.at);
         sums.tone += corner.weight * at.tone;
+        sums.bounced += corner.weight * at.bounced;
         sums.emission += corner.weight * at.emission;
         sums.ambient += corner.weight * at.ambient;
         sums.diffuse += corner.weight * at.diffuse;

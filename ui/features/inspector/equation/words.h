@@ -17,7 +17,8 @@ namespace glint {
 /// The terms in the sum of one point; for corners and flat points, what enters after weighting.
 struct TermSums {
     glm::vec3 emission{0}, ambient{0}, diffuse{0}, specular{0};
-    glm::vec3 tone{0};  // cool to warm: replaces emission, ambient and diffuse
+    glm::vec3 tone{0};     // cool to warm: replaces emission, ambient and diffuse
+    glm::vec3 bounced{0};  // replaces global ambient light
 };
 [[nodiscard]] TermSums term_sums(const Explanation& explanation);
 

@@ -1,0 +1,111 @@
+// Bounced light in the window: few paths at first, all of them after a while, and numbers that agree.
+#include <chrono>
+#include <glm/geometric.hpp>
+#include <thread>
+#include <vector>
+
+#include "tests/support/headless_inspector.h"
+#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/inspector.h"
+
+using namespace glint;
+using test::HeadlessWindow;
+
+namespace {
+
+/// The default scene with bounces, in a small window.
+struct BouncingWindow : HeadlessWindow {
+    BouncingWindow() : HeadlessWindow({800, 500}) {
+        scene().transport = {TransportModel::Bounces, 16, 2, 1};
+        (void)frame();
+    }
+    void refine() {
+        for (int i = 0; i < 100'000 && (state.refinement.progress() < 1 || state.parts_progress < 1); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            (void)frame();
+        }
+        REQUIRE(state.refinement.progress() == 1);
+    }
+    [[nodiscard]] std::vector<std::uint8_t> drawn_alone() {
+        Renderer alone(1);
+        return alone.render(scene(), state.rendered->size).rgba;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("bounced light is refined in the background until it has all its paths", "[ui][transport]") {
+    BouncingWindow bench;
+    CHECK(bench.state.refinement.progress() == Approx(1.0 / 16));
+    (void)bench.area_of("Bounced light");
+    CHECK(bench.state.rendered->rgba != bench.drawn_alone());
+    const std::uint64_t serial = bench.state.picture_serial;
+    bench.refine();
+    CHECK(bench.state.picture_serial > serial);
+    CHECK(bench.state.rendered->rgba == bench.drawn_alone());
+    // A change begins again, also in the middle of the work.
+    bench.scene().lights[0].intensity *= 2;
+    bench.frames(30);
+    CHECK(bench.state.refinement.progress() < 1);
+    bench.scene().transport.seed = 2;
+    (void)bench.frame();
+    CHECK(bench.state.refinement.progress() == Approx(1.0 / 16));
+    bench.refine();
+    CHECK(bench.state.rendered->rgba == bench.drawn_alone());
+    bench.scene().transport.model = TransportModel::Local;
+    (void)bench.frame();
+    CHECK(bench.state.refinement.progress() == 1);
+    CHECK(bench.state.rendered->rgba == bench.drawn_alone());
+}
+
+TEST_CASE("the picture returns with all its paths after a preview", "[ui][transport]") {
+    BouncingWindow bench;
+    bench.refine();
+    const std::vector<std::uint8_t> complete = bench.state.rendered->rgba;
+    Scene other = bench.scene();
+    other.lights[0].enabled = false;
+    show_instead(bench.state, other, "Preview");
+    (void)bench.frame();
+    CHECK(bench.state.rendered->rgba != complete);
+    (void)bench.frame();
+    CHECK(bench.state.rendered->rgba == complete);
+    CHECK(bench.state.refinement.progress() == 1);
+}
+
+TEST_CASE("terms and pixel agree at every number of paths, in parts of a comparison too", "[ui][transport]") {
+    BouncingWindow bench;
+    bench.compare({variant_of(TransportModel::Local), variant_of(TransportModel::Bounces)});
+    test::ask(bench, InspectorTab::Equation, {0.75, 0.7});
+    const auto check = [&bench] {
+        REQUIRE(bench.state.on_screen.explanation);
+        const Explanation& e = *bench.state.on_screen.explanation;
+        const TermSums sums = term_sums(e);
+        const glm::vec3 sum = sums.emission + sums.ambient + sums.diffuse + sums.specular + sums.bounced;
+        CHECK(glm::distance(sum, e.sum) < 1e-5f);
+        CHECK(sums.bounced != glm::vec3(0));
+        const std::size_t at = 4 * bench.state.displayed->pixel(e.x, e.y);
+        for (std::size_t i = 0; i < 3; ++i) CHECK(int(bench.state.displayed->rgba[at + i]) == e.byte[i]);
+        return e.at.bounces.paths;
+    };
+    bench.refine();
+    CHECK(check() == 16);
+    bench.scene().lights[0].intensity *= 1.5f;
+    bench.frames(2);
+    CHECK(check() < 16);
+}
+
+TEST_CASE("a path of the picked pixel is drawn and listed step by step", "[ui][transport][why]") {
+    BouncingWindow bench;
+    bench.refine();
+    test::ask(bench, InspectorTab::Equation, {0.5, 0.6});
+    InspectorState& inspector = bench.state.get<InspectorState>();
+    CHECK(inspector.rays.size() == bench.state.on_screen.explanation->at.lights.size());
+    CHECK(inspector.path.empty());
+    bench.click(bench.control("Show a path"));
+    bench.frames(2);
+    CHECK_FALSE(inspector.path.empty());
+    CHECK(inspector.path.front().throughput == glm::vec3(1));
+    bench.click(bench.control("Show the ray"));
+    CHECK(inspector.shows_ray);
+    bench.frames(2);
+}
