@@ -14,38 +14,52 @@ namespace {
 /// Nothing if it holds, else the reason why it does not.
 using Shortfall = std::optional<std::string>;
 
-Shortfall text_of(const Problem* problem) {
-    if (problem == nullptr) return {};
-    return with_expected(problem->what, problem->expected);
-}
+std::string text_of(const Problem& problem) { return with_expected(problem.what, problem.expected); }
 
+/// A problem that a check throws is the reason why it does not hold.
 class Checker {
   public:
-    Checker(LessonRunner& runner, const Lesson& lesson, SceneDocument document)
-        : runner_(runner), lesson_(lesson), document_(document), tried_on_(std::move(document)) {}
+    Checker(LessonRunner& runner, const Lesson& lesson, StudentPage page)
+        : runner_(runner),
+          lesson_(lesson),
+          page_(std::move(page)),
+          document_(page_.document),
+          tried_on_(document_) {}
 
     Shortfall operator()(const Claim& claim) {
-        const Result<NamedValues> run = runner_.answers(document_, lesson_, claim.runs);
-        if (const Problem* problem = problem_of(run)) return text_of(problem);
+        const NamedValues run = value_or_throw(runner_.answers(document_, lesson_, claim.runs));
         for (const Expression& check : claim.checks)
-            if (Shortfall shortfall = unless_holds(check, std::get<NamedValues>(run))) return shortfall;
+            if (Shortfall shortfall = unless_holds(check, run)) return shortfall;
         return {};
+    }
+
+    /// Adds to the page, or begins the next one: a question after a reveal is on a page of its own. Text
+    /// after a question belongs to the answer.
+    void read(const std::vector<ProseBlock>& text) {
+        if (answered_) return;
+        for (const ProseBlock& block : text) page_.text += plain_text(block) + '\n';
+    }
+    void read(const Prediction& question, const Reveal* reveal) {
+        if (std::exchange(answered_, false)) page_.text.clear();
+        page_.text += question.question + '\n';
+        page_.reveal = reveal;
     }
 
     /// A task after a reveal starts with the reveal's scene, as in the window.
     void follow(const Reveal& reveal) {
+        answered_ = true;
         Result<SceneDocument> shown = LessonRunner::with(document_, reveal.set, lesson_, reveal.line);
         if (problem_of(shown) == nullptr) tried_on_ = std::get<SceneDocument>(std::move(shown));
     }
 
     Shortfall operator()(const Prediction& p) {
         tried_on_ = document_;
-        const Result<RightAnswer> right = right_answer(runner_, document_, lesson_, p);
-        if (const Problem* problem = problem_of(right)) return text_of(problem);
-        const double tolerance = std::get<RightAnswer>(right).tolerance;
-        if (p.kind == PredictionKind::Choice) return wrong_mistake(p);
-        if (Shortfall wrong = wrong_tolerance(tolerance)) return wrong;
-        return wrong_term(p);
+        const RightAnswer right = value_or_throw(right_answer(runner_, document_, lesson_, p));
+        Shortfall wrong =
+            p.kind == PredictionKind::Choice ? wrong_mistake(p) : wrong_tolerance(right.tolerance);
+        if (!wrong) wrong = wrong_term(p);
+        if (!wrong) wrong = wrong_answers(p, right);
+        return wrong ? wrong : value_or_throw(answer_shown(runner_, lesson_, p, right, page_));
     }
 
     Shortfall operator()(const Task& task) {
@@ -53,16 +67,13 @@ class Checker {
         if (Shortfall wrong = wrong_control(task, tried_on_.scene)) return wrong;
         Shortfall before = done(task, tried_on_, false);
         if (before) return before;
-        const Result<SceneDocument> solved = LessonRunner::with(tried_on_, task.solution, lesson_, task.line);
-        if (const Problem* problem = problem_of(solved)) return text_of(problem);
-        return done(task, std::get<SceneDocument>(solved), true);
+        return done(task, value_or_throw(LessonRunner::with(tried_on_, task.solution, lesson_, task.line)),
+                    true);
     }
 
     Shortfall operator()(const Exercise& exercise) {
         for (const std::vector<double>& values : values_to_try(exercise, most_tries(exercise))) {
-            const Result<PosedQuestion> posed = pose_with(runner_, document_, lesson_, exercise, values);
-            if (const Problem* problem = problem_of(posed)) return text_of(problem);
-            const auto& q = std::get<PosedQuestion>(posed);
+            const PosedQuestion q = value_or_throw(pose_with(runner_, document_, lesson_, exercise, values));
             if (Shortfall wrong = wrong_tolerance(q.tolerance)) return wrong;
             if (!agrees(q))
                 return fmt::format("{}: the engine says {}, the formula {}", q.question, q.answer, *q.closed);
@@ -97,19 +108,15 @@ class Checker {
     }
 
     Shortfall unless_holds(const Expression& condition, const NamedValues& values) const {
-        const Result<bool> holds = condition.holds(values);
-        if (const Problem* problem = problem_of(holds)) return text_of(problem);
-        if (std::get<bool>(holds)) return {};
+        if (value_or_throw(condition.holds(values))) return {};
         return condition.text() + " is false: " + condition.with_values(values);
     }
 
     Shortfall done(const Task& task, const SceneDocument& document, bool expected) {
-        const Result<NamedValues> run = runner_.answers(document, lesson_, task.runs);
-        if (const Problem* problem = problem_of(run)) return text_of(problem);
-        if (expected) return unless_holds(task.done, std::get<NamedValues>(run));
-        const Result<bool> holds = task.done.holds(std::get<NamedValues>(run));
-        if (const Problem* problem = problem_of(holds)) return text_of(problem);
-        if (std::get<bool>(holds)) return "it is done before anything is dragged: " + task.done.text();
+        const NamedValues run = value_or_throw(runner_.answers(document, lesson_, task.runs));
+        if (expected) return unless_holds(task.done, run);
+        if (value_or_throw(task.done.holds(run)))
+            return "it is done before anything is dragged: " + task.done.text();
         return {};
     }
 
@@ -120,11 +127,19 @@ class Checker {
             std::vector<LessonRun> mistaken = p.runs;
             for (LessonRun& run : mistaken)
                 run.set.push_back({"/shading/mistakes/" + option.mistake, "true"});
-            const Result<NamedValues> run = runner_.answers(document_, lesson_, mistaken);
-            if (const Problem* problem = problem_of(run)) return text_of(problem);
-            if (Shortfall why = unless_holds(option.is_right, std::get<NamedValues>(run)))
+            const NamedValues run = value_or_throw(runner_.answers(document_, lesson_, mistaken));
+            if (Shortfall why = unless_holds(option.is_right, run))
                 return option.mistake + " does not show \"" + option.text + "\": " + *why;
         }
+        return {};
+    }
+
+    /// Checks that each typical wrong answer counts as wrong, and only its own misconception is shown.
+    static Shortfall wrong_answers(const Prediction& p, const RightAnswer& right) {
+        for (std::size_t i = 0; i < right.wrong.size(); ++i)
+            if (thought_behind(p, right, right.wrong[i]) != p.wrong[i].thinks)
+                return "wrong: " + json_line(right.wrong[i]) +
+                       " counts as the right answer or as another wrong one";
         return {};
     }
 
@@ -135,11 +150,10 @@ class Checker {
         if (p.term.empty()) return {};
         if (run == p.runs.end()) return "term: no run explains a pixel; expected e = explain --pixel X,Y";
         const Result<Expression> field = Expression::parse(run->name + "." + p.term);
-        if (const Problem* problem = problem_of(field)) return "term: " + *text_of(problem);
-        const Result<NamedValues> values = runner_.answers(document_, lesson_, {*run});
-        if (const Problem* problem = problem_of(values)) return text_of(problem);
-        const Result<Json> value = std::get<Expression>(field).value(std::get<NamedValues>(values));
-        if (const Problem* problem = problem_of(value)) return "term: " + *text_of(problem);
+        if (const Problem* problem = problem_of(field)) return "term: " + text_of(*problem);
+        const NamedValues values = value_or_throw(runner_.answers(document_, lesson_, {*run}));
+        const Result<Json> value = std::get<Expression>(field).value(values);
+        if (const Problem* problem = problem_of(value)) return "term: " + text_of(*problem);
         return {};
     }
 
@@ -156,8 +170,27 @@ class Checker {
 
     LessonRunner& runner_;
     const Lesson& lesson_;
+    StudentPage page_;
     SceneDocument document_, tried_on_;
+    bool answered_ = false;  // what follows is seen after the answer
 };
+
+/// The scenes of a lesson's pictures on a student's paper.
+std::vector<SceneDocument> on_paper(const Lesson& lesson, const SceneDocument& opened) {
+    std::vector<SceneDocument> scenes;
+    for (const LessonStep& step : lesson.steps) {
+        const SceneDocument set = value_or_throw(LessonRunner::with(opened, step.set, lesson, step.line));
+        scenes.push_back(value_or_throw(LessonRunner::for_paper(set, step, lesson, false)));
+    }
+    return scenes;
+}
+
+/// The next reveal of the step's parts from `at` on, or null.
+const Reveal* reveal_after(const std::vector<LessonPart>& parts, const LessonPart& at) {
+    for (const LessonPart* part = &at; part != parts.data() + parts.size(); ++part)
+        if (const auto* reveal = std::get_if<Reveal>(part)) return reveal;
+    return nullptr;
+}
 
 /// The kind, the line and the text of a part that is checked. Nothing for text and reveals.
 std::optional<Checked> described(const LessonPart& part) {
@@ -172,9 +205,8 @@ std::optional<Checked> described(const LessonPart& part) {
     return {};
 }
 
-/// The assignments of a reveal must be valid.
-std::optional<Problem> wrong_reveal(const Lesson& lesson, const LessonStep& step,
-                                    const SceneDocument& document) {
+/// Throws if an assignment of a reveal is invalid.
+void require_reveals(const Lesson& lesson, const LessonStep& step, const SceneDocument& document) {
     for (const LessonPart& part : step.parts) {
         const auto* reveal = std::get_if<Reveal>(&part);
         if (reveal == nullptr) continue;
@@ -182,10 +214,21 @@ std::optional<Problem> wrong_reveal(const Lesson& lesson, const LessonStep& step
         if (!reveal->play.empty())
             for (const double end : {reveal->play_from, reveal->play_to})
                 set.push_back({reveal->play, fmt::format("{}", end)});
-        const Result<SceneDocument> changed = LessonRunner::with(document, set, lesson, reveal->line);
-        if (const Problem* problem = problem_of(changed)) return *problem;
+        (void)value_or_throw(LessonRunner::with(document, set, lesson, reveal->line));
     }
-    return {};
+}
+
+Shortfall shortfall_of(Checker& checker, const LessonPart& part) {
+    try {
+        return std::visit(
+            [&checker](const auto& p) -> Shortfall {
+                if constexpr (std::is_invocable_v<Checker&, decltype(p)>) return checker(p);
+                return {};
+            },
+            part);
+    } catch (const ProblemFound& found) {
+        return text_of(found.problem);
+    }
 }
 
 }  // namespace
@@ -205,34 +248,32 @@ const char* name_of(CheckedKind kind) {
 }
 
 Result<std::vector<Checked>> check_lesson(LessonRunner& runner, const Lesson& lesson, bool claims_only) {
-    const Result<SceneDocument> opened = runner.open(lesson);
-    if (const Problem* problem = problem_of(opened)) return *problem;
-    std::vector<Checked> all;
-    for (const LessonStep& step : lesson.steps) {
-        const Result<SceneDocument> set =
-            LessonRunner::with(std::get<SceneDocument>(opened), step.set, lesson, step.line);
-        if (const Problem* problem = problem_of(set)) return *problem;
-        const auto& document = std::get<SceneDocument>(set);
-        const Result<SceneDocument> shown = LessonRunner::for_paper(document, step, lesson, false);
-        if (const Problem* problem = problem_of(shown)) return *problem;
-        if (std::optional<Problem> problem = wrong_reveal(lesson, step, document)) return *problem;
-        Checker checker(runner, lesson, document);
-        for (const LessonPart& part : step.parts) {
-            if (const auto* reveal = std::get_if<Reveal>(&part)) checker.follow(*reveal);
-            std::optional<Checked> checked = described(part);
-            if (!checked || (claims_only && checked->kind != CheckedKind::Claim)) continue;
-            const Shortfall shortfall = std::visit(
-                [&checker](const auto& p) -> Shortfall {
-                    if constexpr (std::is_invocable_v<Checker&, decltype(p)>) return checker(p);
-                    return {};
-                },
-                part);
-            checked->holds = !shortfall;
-            checked->why = shortfall.value_or("");
-            all.push_back(std::move(*checked));
+    return result_of(lesson.path, [&] {
+        const SceneDocument opened = value_or_throw(runner.open(lesson));
+        const std::vector<SceneDocument> paper = on_paper(lesson, opened);
+        std::vector<Checked> all;
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            const LessonStep& step = lesson.steps[i];
+            const SceneDocument document =
+                value_or_throw(LessonRunner::with(opened, step.set, lesson, step.line));
+            require_reveals(lesson, step, document);
+            Checker checker(runner, lesson,
+                            {lesson.title + '\n' + step.title + '\n', document, paper[i], paper, nullptr});
+            for (const LessonPart& part : step.parts) {
+                if (const auto* text = std::get_if<std::vector<ProseBlock>>(&part)) checker.read(*text);
+                if (const auto* p = std::get_if<Prediction>(&part))
+                    checker.read(*p, reveal_after(step.parts, part));
+                if (const auto* reveal = std::get_if<Reveal>(&part)) checker.follow(*reveal);
+                std::optional<Checked> checked = described(part);
+                if (!checked || (claims_only && checked->kind != CheckedKind::Claim)) continue;
+                const Shortfall shortfall = shortfall_of(checker, part);
+                checked->holds = !shortfall;
+                checked->why = shortfall.value_or("");
+                all.push_back(std::move(*checked));
+            }
         }
-    }
-    return all;
+        return all;
+    });
 }
 
 }  // namespace glint

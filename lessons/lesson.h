@@ -35,6 +35,12 @@ struct ProseBlock {
     bool operator==(const ProseBlock&) const = default;
 };
 
+[[nodiscard]] inline std::string plain_text(const ProseBlock& block) {
+    std::string text;
+    for (const ProseSpan& span : block.spans) text += span.text;
+    return text;
+}
+
 enum class RunKind { Explain, Render, Profile, Info, Lobe, Microfacets, Compare };
 /// One command whose output expressions read: `e = explain --pixel 640,360 --set /shading/mode=flat`.
 struct LessonRun {
@@ -60,6 +66,12 @@ struct LessonOption {
     std::string mistake = {};  // a mistake with which a program shows this; or empty
     int line = 0;
 };
+/// A wrong answer that students give, with the misconception behind it.
+struct TypicalWrong {
+    Expression answer;  // of the same form as the right one
+    std::string thinks;
+    int line = 0;
+};
 /// A question to be answered before anything moves.
 struct Prediction {
     PredictionKind kind = PredictionKind::Number;
@@ -70,6 +82,7 @@ struct Prediction {
     std::string unit;      // of a number
     std::string term;  // the field of an explanation with the answer, such as "lights[0].n_dot_l"; or none
     std::vector<LessonOption> options;  // of a choice
+    std::vector<TypicalWrong> wrong;    // of all other kinds
     glm::ivec2 from{0}, to{0};          // ends of a sketch's line, pixels
     int line = 0;
 };
@@ -130,12 +143,21 @@ struct ExerciseInstance {
 
 using LessonPart = std::variant<std::vector<ProseBlock>, Prediction, Reveal, Task, Claim, Exercise>;
 
+/// Notes for the lecturer.
+struct Teaching {
+    int minutes = 0;                 // in a lecture; 0: unknown
+    std::vector<std::string> goals;  // what a student can do afterwards
+    std::string belief, source;      // the misconception that the lesson meets; who described it
+    std::vector<std::string> says;   // what to say or ask next
+};
+
 /// The part of a lesson from one second-level heading to the next. It starts with the lesson's scene and the
 /// assignments in `set`, independent of earlier steps.
 struct LessonStep {
     std::string title;  // empty for the part before the first such heading
     std::vector<Assignment> set;
     std::vector<Assignment> picture;  // after `set`, for a picture on paper that must not show the answer
+    std::string shows;                // describes that picture to those who cannot see it; or empty
     int line = 0;                     // of its block `scene`, or 0
     std::vector<LessonPart> parts;    // in the order of the file; no two consecutive texts
 };
@@ -148,6 +170,9 @@ struct Lesson {
     PictureSize size;            // of the pictures to which its pixels refer
     std::vector<int> rows;       // of docs/lecture_map.md that it covers, from 1
     std::vector<int> questions;  // of the lecture that it answers, from 1
+    Teaching teaching;
+    std::string form;  // of a quiz that has parallel forms: "A"; or empty
+    int plain = 0;     // so many first questions are in plain language, for before and after; 0: all
     std::vector<LessonStep> steps;
 };
 
@@ -156,6 +181,9 @@ inline constexpr std::size_t max_lesson_bytes = std::size_t{256} << 10;
 inline constexpr std::size_t max_lesson_parts = 1000;
 /// The maximum width and height of a lesson's pictures, in pixels.
 inline constexpr int max_lesson_side = 2048;
+/// Maximum angles between the normal and the light (of `lobe`), or light and viewer (of `microfacets`), in
+/// degrees. At 90 a surface receives no light.
+inline constexpr double max_lobe_deg = 89.9, max_microfacets_deg = 89;
 
 /// Text -> lesson. `path` is for messages, and the scene's path is relative to its folder. Does not check
 /// that the scene exists. A problem has a line number.

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "lessons/lesson_source.h"
-#include "lessons/run_limits.h"
 #include "models/problem.h"
 
 namespace glint {

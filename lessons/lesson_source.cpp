@@ -71,8 +71,8 @@ std::vector<BlockLine> block_lines(const std::vector<std::string>& texts, int li
 }
 
 const std::vector<std::string>& lesson_block_words() {
-    static const std::vector<std::string> words{"lesson", "scene", "predict", "reveal",
-                                                "try",    "claim", "exercise"};
+    static const std::vector<std::string> words{"lesson", "scene", "predict",  "reveal",
+                                                "try",    "claim", "exercise", "instructor"};
     return words;
 }
 

@@ -65,9 +65,25 @@ void read_options(const SourceBlock& block, Prediction& p) {
         fail_at(block.line, "a choice lacks options", "two at least, each with a line if: after it");
 }
 
+/// Reads wrong answers, each followed by the misconception behind it.
+void read_wrong(const SourceBlock& block, Prediction& p) {
+    for (const BlockLine& line : block.lines) {
+        if (line.is_run || (line.key != "wrong" && line.key != "thinks")) continue;
+        const bool waits = !p.wrong.empty() && p.wrong.back().thinks.empty();
+        if (waits != (line.key == "thinks"))
+            fail_at(line.line, in_quotes(line.key) + " is out of order", "wrong: and after it thinks:");
+        if (waits)
+            p.wrong.back().thinks = line.value;
+        else
+            p.wrong.push_back({read_expression(line, p.runs), "", line.line});
+    }
+    if (!p.wrong.empty() && p.wrong.back().thinks.empty())
+        fail_at(p.wrong.back().line, "the wrong answer has no misconception", "a line thinks: after it");
+}
+
 std::vector<std::string> keys_of(PredictionKind kind) {
     if (kind == PredictionKind::Choice) return {"question", "option", "if", "thinks", "mistake"};
-    std::vector<std::string> keys{"question", "answer", "tolerance", "term"};
+    std::vector<std::string> keys{"question", "answer", "tolerance", "term", "wrong", "thinks"};
     if (kind == PredictionKind::Number) keys.emplace_back("unit");
     if (kind == PredictionKind::Sketch) keys.emplace_back("along");
     return keys;
@@ -106,6 +122,7 @@ Prediction read_prediction(const SourceBlock& block, PictureSize picture) {
     }
     p.answer = read_expression(block.require("answer"), p.runs);
     p.tolerance = read_expression(block.require("tolerance"), p.runs);
+    read_wrong(block, p);
     if (const BlockLine* unit = block.find("unit")) p.unit = unit->value;
     if (const BlockLine* term = block.find("term")) p.term = term->value;
     if (p.kind == PredictionKind::Sketch) std::tie(p.from, p.to) = read_ends(block.require("along"), picture);

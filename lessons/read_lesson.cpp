@@ -24,14 +24,30 @@ std::vector<int> read_numbers(const BlockLine& line) {
 }
 
 void read_head(const SourceBlock& block, Lesson& lesson) {
-    block.allow({"topic", "scene", "size", "rows", "answers"}, false);
+    block.allow({"topic", "scene", "size", "rows", "answers", "form", "plain"}, false);
     lesson.topic = block.require("topic").value;
     lesson.scene = (fs::path(lesson.path).parent_path() / block.require("scene").value)
                        .lexically_normal()
                        .generic_string();
     if (const BlockLine* size = block.find("size")) lesson.size = read_lesson_size(size->value, size->line);
+    if (const BlockLine* form = block.find("form")) lesson.form = form->value;
+    if (const BlockLine* plain = block.find("plain"))
+        lesson.plain = read_whole(plain->value, plain->line, 1, static_cast<int>(max_lesson_parts));
     if (const BlockLine* rows = block.find("rows")) lesson.rows = read_numbers(*rows);
     if (const BlockLine* answers = block.find("answers")) lesson.questions = read_numbers(*answers);
+}
+
+Teaching read_teaching(const SourceBlock& block) {
+    block.allow({"minutes", "goal", "belief", "source", "say"}, false);
+    Teaching teaching;
+    constexpr int longest = 180;
+    const BlockLine& minutes = block.require("minutes");
+    teaching.minutes = read_whole(minutes.value, minutes.line, 1, longest);
+    teaching.belief = block.require("belief").value;
+    teaching.source = block.require("source").value;
+    for (const BlockLine* goal : block.all("goal")) teaching.goals.push_back(goal->value);
+    for (const BlockLine* say : block.all("say")) teaching.says.push_back(say->value);
+    return teaching;
 }
 
 /// Builds a lesson from the parts of its file.
@@ -66,13 +82,19 @@ class Builder {
             return;
         }
         require_head(block.line);
+        if (block.word == "instructor") {
+            if (lesson_.teaching.minutes != 0) fail_at(block.line, "a second block \"instructor\"", "one");
+            lesson_.teaching = read_teaching(block);
+            return;
+        }
         if (block.word != "predict" && !block.kind.empty())
             fail_at(block.line, in_quotes(block.kind) + " does not belong there", in_quotes(block.word));
         count(block.line);
         if (block.word == "scene") {
             if (std::exchange(has_scene_, true))
                 fail_at(block.line, "a second block \"scene\" in one step", "a heading ## before it");
-            block.allow({"set", "picture"}, false);
+            block.allow({"set", "picture", "shows"}, false);
+            if (const BlockLine* shows = block.find("shows")) lesson_.steps.back().shows = shows->value;
             lesson_.steps.back().set = read_sets(block, "set");
             lesson_.steps.back().picture = read_sets(block, "picture");
             lesson_.steps.back().line = block.line;

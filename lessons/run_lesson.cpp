@@ -188,29 +188,51 @@ std::optional<std::string> form_missed(const Prediction& p, const Json& value, P
 
 Result<RightAnswer> right_answer(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
                                  const Prediction& p) {
-    const Result<NamedValues> run = runner.answers(document, lesson, p.runs);
-    if (const Problem* problem = problem_of(run)) return *problem;
-    const auto& values = std::get<NamedValues>(run);
-    if (p.kind != PredictionKind::Choice) {
-        Result<Json> value = p.answer.value(values);
-        const Result<double> tolerance = p.tolerance.number(values);
-        if (const Problem* problem = problem_of(value)) return in_lesson(*problem, lesson, p.line);
-        if (const Problem* problem = problem_of(tolerance)) return in_lesson(*problem, lesson, p.line);
-        const auto& found = std::get<Json>(value);
-        if (const auto form = form_missed(p, found, lesson.size))
-            return problem_at(lesson, p.line, "the answer is " + shortened(json_line(found)), *form);
-        return RightAnswer{found, std::get<double>(tolerance)};
-    }
-    std::optional<std::size_t> right;
-    for (std::size_t i = 0; i < p.options.size(); ++i) {
-        const Result<bool> holds = p.options[i].is_right.holds(values);
-        if (const Problem* problem = problem_of(holds)) return in_lesson(*problem, lesson, p.options[i].line);
-        if (!std::get<bool>(holds)) continue;
-        if (right) return problem_at(lesson, p.options[i].line, "a second option is right", "one");
-        right = i;
-    }
-    if (!right) return problem_at(lesson, p.line, "no option is right", "one whose condition holds");
-    return RightAnswer{Json(*right), 0};
+    return result_of("", [&] {
+        const NamedValues values = value_or_throw(runner.answers(document, lesson, p.runs));
+        const auto found = [&](auto result, int line) {
+            if (const Problem* problem = problem_of(result))
+                throw ProblemFound(in_lesson(*problem, lesson, line));
+            return std::get<0>(std::move(result));
+        };
+        const auto answer = [&](const Expression& expression, int line) {
+            const Json value = found(expression.value(values), line);
+            if (const auto form = form_missed(p, value, lesson.size))
+                throw ProblemFound(
+                    problem_at(lesson, line, "the answer is " + shortened(json_line(value)), *form));
+            return value;
+        };
+        if (p.kind != PredictionKind::Choice) {
+            RightAnswer right{answer(p.answer, p.line), found(p.tolerance.number(values), p.line), {}};
+            for (const TypicalWrong& wrong : p.wrong) right.wrong.push_back(answer(wrong.answer, wrong.line));
+            return right;
+        }
+        std::optional<std::size_t> right;
+        for (std::size_t i = 0; i < p.options.size(); ++i) {
+            if (!found(p.options[i].is_right.holds(values), p.options[i].line)) continue;
+            if (right)
+                throw ProblemFound(problem_at(lesson, p.options[i].line, "a second option is right", "one"));
+            right = i;
+        }
+        if (!right)
+            throw ProblemFound(problem_at(lesson, p.line, "no option is right", "one whose condition holds"));
+        return RightAnswer{Json(*right), 0, {}};
+    });
+}
+
+std::string thought_behind(const Prediction& question, const RightAnswer& right, const Json& given) {
+    if (question.kind == PredictionKind::Choice)
+        return given == right.value ? ""
+                                    : question.options[static_cast<std::size_t>(given.get<double>())].thinks;
+    if (how_far(question.kind, given, right.value) <= right.tolerance) return {};
+    // A click or a colour that means the same may be farther off than a number.
+    const double reach = question.kind == PredictionKind::Click    ? 2
+                         : question.kind == PredictionKind::Colour ? 4
+                                                                   : 1;
+    for (std::size_t i = 0; i < right.wrong.size(); ++i)
+        if (how_far(question.kind, given, right.wrong[i]) <= reach * right.tolerance)
+            return question.wrong[i].thinks;
+    return {};
 }
 
 double how_far(PredictionKind kind, const Json& given, const Json& right) {

@@ -67,7 +67,8 @@ class LessonRunner {
 /// list; a colour.
 struct RightAnswer {
     Json value;
-    double tolerance = 0;  // 0 for a choice
+    double tolerance = 0;     // 0 for a choice
+    std::vector<Json> wrong;  // the values of Prediction::wrong
 };
 [[nodiscard]] Result<RightAnswer> right_answer(LessonRunner& runner, const SceneDocument& document,
                                                const Lesson& lesson, const Prediction& prediction);
@@ -77,5 +78,9 @@ struct RightAnswer {
 /// a channel for a colour. An answer is right if this is at most the tolerance.
 /// Precondition: lists of equal length.
 [[nodiscard]] double how_far(PredictionKind kind, const Json& given, const Json& right);
+
+/// The misconception behind a given answer; empty if it is right, or if none is known.
+[[nodiscard]] std::string thought_behind(const Prediction& question, const RightAnswer& right,
+                                         const Json& given);
 
 }  // namespace glint

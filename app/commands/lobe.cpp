@@ -3,7 +3,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "lessons/run_limits.h"
+#include "lessons/lesson.h"
 #include "renderer/answers/reflectance_answers.h"
 
 namespace glint {

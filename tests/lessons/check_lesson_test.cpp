@@ -87,3 +87,64 @@ TEST_CASE("an exercise with a tolerance that is not positive fails the check", "
         CHECK_FALSE(checked.holds);
     }
 }
+
+TEST_CASE("a reader's numbers are found in text, but not coordinates, bounds and names", "[lesson]") {
+    using Numbers = std::vector<double>;
+    CHECK(numbers_in("from 2.5 to −3 units", false) == Numbers{2.5, -3});
+    CHECK(numbers_in("a quarter, 1/8 or 20 %", false) == Numbers{0.25, 0.125, 20, 0.2});
+    CHECK(numbers_in("tilted by 60 degrees or 45°, half of 7", false) == Numbers{7});
+    CHECK(numbers_in("tilted by 60 degrees or 45°, half of 7", true) == Numbers{60, 45});
+    CHECK(numbers_in("n = (0, 1, 0), levels (0–255), x25 and k_d where n·l = 0", false).empty());
+}
+
+namespace {
+
+const std::string how_bright =
+    "```predict number\nquestion: How bright is it?\na = explain --pixel 16,16\nanswer: a.sum[0]\n"
+    "tolerance: 0.02\n";
+
+}  // namespace
+
+TEST_CASE("an answer in the text before its question is reported, one after it is not", "[lesson]") {
+    const std::string hidden = "```scene\npicture: /lights/0/enabled=false\n```\n\n";
+    CHECK(last_checked(hidden + how_bright + "```\n\nIt is 0.5.\n").holds);
+    CHECK(last_checked(hidden + "It is 0.5.\n\n" + how_bright + "```\n")
+              .why.starts_with("the text says 0.5, and the answer is"));
+    CHECK_FALSE(last_checked("## Half of it: 1/2\n\n" + hidden + how_bright + "```\n").holds);
+}
+
+TEST_CASE("an answer in the picture before its question is reported", "[lesson]") {
+    CHECK(last_checked(how_bright + "```\n").why.starts_with("the pictures show the answer"));
+    // A later step shows the same things in the same light.
+    CHECK(last_checked("## Later\n\nLook.\n\n## Now\n\n```scene\npicture: /lights/0/enabled=false\n```\n\n" +
+                       how_bright + "```\n")
+              .why.starts_with("the pictures show the answer"));
+    const std::string dark = "```scene\npicture: /lights/0/enabled=false\n```\n\n";
+    const std::string colour =
+        "```predict colour\nquestion: Which?\na = explain --pixel 16,16\nanswer: a.displayed\ntolerance: "
+        "0.02\n```\n";
+    CHECK(last_checked(dark + colour).holds);
+    CHECK(last_checked(colour).why == "the picture shows the colour at 16,16");
+    const std::string curve =
+        "```predict sketch\nquestion: Draw.\nalong: 16,16 30,16\np = profile --from 16,16 --to 30,16\n"
+        "answer: p.intensity\ntolerance: 0.05\n```\n";
+    CHECK(last_checked(dark + curve).holds);
+    // A picture that is dimmer shows the same curve.
+    CHECK(last_checked("```scene\npicture: /lights/0/intensity=0.5\n```\n\n" + curve)
+              .why.starts_with("the picture shows the curve"));
+    const std::string click =
+        "```predict click\nquestion: Where?\nanswer: [16, 16]\ntolerance: 3\n```\n\n```reveal\nset: "
+        "/lights/0/intensity=0.5\n```\n";
+    CHECK(last_checked(click).holds);
+    const std::string same = click.substr(0, click.find("set:")) + "pick: 16,16\n```\n";
+    CHECK(last_checked(same).why.starts_with("the picture shows the position"));
+}
+
+TEST_CASE("a typical wrong answer must count as wrong and not as another one", "[lesson]") {
+    const std::string dark = "```scene\npicture: /lights/0/enabled=false\n```\n\n";
+    CHECK(last_checked(dark + how_bright + "wrong: 1\nthinks: All light comes back.\n```\n").holds);
+    CHECK(last_checked(dark + how_bright + "wrong: 0.51\nthinks: Nearly.\n```\n")
+              .why.starts_with("wrong: 0.51 counts"));
+    CHECK(last_checked(dark + how_bright + "wrong: 1\nthinks: All.\nwrong: 1.01\nthinks: More.\n```\n")
+              .why.starts_with("wrong: 1.01"));
+}
