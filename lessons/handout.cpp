@@ -18,16 +18,16 @@ constexpr int samples = 4;
 /// A number for people.
 std::string four_digits(double value) { return fmt::format("{:.4g}", std::abs(value) < 5e-13 ? 0.0 : value); }
 
-std::string answer_text(const Prediction& p, const RightAnswer& right) {
+std::string answer_text(const Prediction& p, const Json& value) {
     switch (p.kind) {
     case PredictionKind::Number:
-        return four_digits(right.value.get<double>()) + (p.unit.empty() ? "" : " " + p.unit);
+        return four_digits(value.get<double>()) + (p.unit.empty() ? "" : " " + p.unit);
     case PredictionKind::Choice:
-        return p.options[static_cast<std::size_t>(right.value.get<double>())].text;
+        return p.options[static_cast<std::size_t>(value.get<double>())].text;
     case PredictionKind::Click:
     case PredictionKind::Colour: {
         std::vector<std::string> numbers;
-        for (const Json& v : elements_of(right.value)) numbers.push_back(four_digits(v.get<double>()));
+        for (const Json& v : elements_of(value)) numbers.push_back(four_digits(v.get<double>()));
         return fmt::format("({})", fmt::join(numbers, ", "));
     }
     case PredictionKind::Sketch:
@@ -36,141 +36,189 @@ std::string answer_text(const Prediction& p, const RightAnswer& right) {
     return {};  // not reached
 }
 
-/// Empty axes, 600 x 160; with `values`, their curve.
-std::string axes_svg(const Json::array_t& values) {
-    std::string svg =
-        "<svg width=\"620\" height=\"170\" viewBox=\"0 0 620 170\"><path d=\"M10 5V160H615\" fill=\"none\" "
-        "stroke=\"#666\"/>";
-    double low = 0, high = 0;
-    for (const Json& v : values) {
-        low = std::min(low, v.get<double>());
-        high = std::max(high, v.get<double>());
-    }
-    if (values.size() > 1 && high > low) {
-        std::string points;
-        for (std::size_t i = 0; i < values.size(); ++i)
-            points +=
-                fmt::format("{:.1f},{:.1f} ",
-                            10 + 600.0 * static_cast<double>(i) / static_cast<double>(values.size() - 1),
-                            158 - 150 * (values[i].get<double>() - low) / (high - low));
-        svg += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"#b4632a\" stroke-width=\"2\"/>",
-                           points);
-    }
+/// Axes from A to B and from 0 to 1 or to the largest value; with `values`, their curve and a band of the
+/// tolerance.
+std::string axes_svg(const Json::array_t& values, double tolerance) {
+    constexpr double left = 30, width = 580, bottom = 158, height = 150;
+    double high = 1;
+    for (const Json& v : values) high = std::max(high, v.get<double>());
+    std::string svg = fmt::format(
+        "<svg role=\"img\" aria-label=\"Axes for the sketch\" width=\"620\" height=\"180\" viewBox=\"0 0 620 "
+        "180\">"
+        "<path d=\"M30 5V158H612\" fill=\"none\" stroke=\"#666\"/><text x=\"28\" y=\"176\">A</text><text "
+        "x=\"600\" y=\"176\">B</text><text x=\"8\" y=\"160\">0</text><text x=\"0\" y=\"14\">{:.2g}</text>",
+        high);
+    std::string points;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        points += fmt::format("{:.1f},{:.1f} ",
+                              left + width * static_cast<double>(i) / static_cast<double>(values.size() - 1),
+                              bottom - height * values[i].get<double>() / high);
+    for (const double thick : {2 * tolerance * height / high, 2.0})
+        if (values.size() > 1)
+            svg += fmt::format(
+                "<polyline points=\"{}\" fill=\"none\" stroke=\"#b4632a\" stroke-width=\"{:.1f}\" "
+                "stroke-opacity=\"{}\"/>",
+                points, thick, thick > 2 ? 0.2 : 1.0);
     return svg + "</svg>\n";
 }
 
 class Handout {
   public:
-    Handout(LessonRunner& runner, const Lesson& lesson, bool key)
-        : runner_(runner), lesson_(lesson), key_(key) {}
+    Handout(LessonRunner& runner, const Lesson& lesson, PageKind kind)
+        : runner_(runner), lesson_(lesson), kind_(kind), key_(kind != PageKind::Student) {}
 
-    Result<std::string> made() {
-        const Result<SceneDocument> opened = runner_.open(lesson_);
-        if (const Problem* problem = problem_of(opened)) return *problem;
-        html_ += fmt::format("<p class=\"topic\">{}</p>\n<h1>{}</h1>\n", html_escaped(lesson_.topic),
-                             html_escaped(lesson_.title));
-        for (const LessonStep& step : lesson_.steps)
-            if (!add_step(step, std::get<SceneDocument>(opened))) return *problem_;
-        return page_html(lesson_.title, html_);
+    std::string made() {
+        const SceneDocument opened = value_or_throw(runner_.open(lesson_));
+        begin_slide();
+        html_ += fmt::format("<p class=\"topic\">{}</p>\n<h1>{}</h1>\n", lesson_html(lesson_.topic),
+                             lesson_html(lesson_.title));
+        if (kind_ == PageKind::Student) html_ += "<p class=\"name\">Name:</p>\n";
+        if (kind_ == PageKind::Instructor) add(lesson_.teaching);
+        for (const LessonStep& step : lesson_.steps) add_step(step, opened);
+        if (kind_ != PageKind::Slides) return page_html(lesson_.title, html_);
+        return page_html(lesson_.title, html_ + "</section>\n" + std::string(turning));
     }
 
   private:
-    /// False if there is a problem.
-    template <class T> bool had(const Result<T>& result) {
-        if (const Problem* problem = problem_of(result)) problem_ = *problem;
-        return !problem_;
+    /// Turns slides by key or click.
+    static constexpr std::string_view turning = R"JS(<script>
+const slides = [...document.querySelectorAll(".slide")];
+let shown = 0;
+const turn = n => {
+  shown = Math.min(Math.max(n, 0), slides.length - 1);
+  slides.forEach((s, i) => s.hidden = i !== shown);
+};
+addEventListener("keydown", e => {
+  if (["ArrowRight", "ArrowDown", "PageDown", " ", "Enter"].includes(e.key)) turn(shown + 1);
+  if (["ArrowLeft", "ArrowUp", "PageUp"].includes(e.key)) turn(shown - 1);
+  if (e.key === "Home") turn(0);
+});
+addEventListener("click", () => turn(shown + 1));
+addEventListener("beforeprint", () => slides.forEach(s => s.hidden = false));
+turn(0);
+</script>
+)JS";
+
+    void begin_slide(const std::string& title = {}) {
+        if (kind_ != PageKind::Slides) return;
+        html_ += fmt::format("{}<section class=\"slide\">\n", html_.empty() ? "" : "</section>\n");
+        if (!title.empty()) html_ += fmt::format("<h2>{}</h2>\n", lesson_html(title));
+        shown_.reset();
     }
 
-    bool add_step(const LessonStep& step, const SceneDocument& opened) {
-        if (!step.title.empty()) html_ += fmt::format("<h2>{}</h2>\n", html_escaped(step.title));
-        const Result<SceneDocument> set = LessonRunner::with(opened, step.set, lesson_, step.line);
-        if (!had(set)) return false;
-        document_ = std::get<SceneDocument>(set);
-        const Result<SceneDocument> shown = LessonRunner::for_paper(document_, step, lesson_, key_);
-        if (!had(shown) || !add_picture(std::get<SceneDocument>(shown), "The scene of this step"))
-            return false;
-        told_ = true;
-        for (const LessonPart& part : step.parts)
-            if (!std::visit([this](const auto& p) { return add(p); }, part)) return false;
-        return true;
+    void add_step(const LessonStep& step, const SceneDocument& opened) {
+        step_ = &step;
+        if (!step.title.empty() && kind_ == PageKind::Slides) begin_slide(step.title);
+        if (!step.title.empty() && kind_ != PageKind::Slides)
+            html_ += fmt::format("<h2>{}</h2>\n", lesson_html(step.title));
+        document_ = value_or_throw(LessonRunner::with(opened, step.set, lesson_, step.line));
+        asked_ = value_or_throw(LessonRunner::for_paper(document_, step, lesson_, kind_ == PageKind::Key));
+        add_picture(asked_);
+        told_ = fresh_ = true;
+        for (const LessonPart& part : step.parts) std::visit([this](const auto& p) { add(p); }, part);
     }
 
-    bool add_picture(const SceneDocument& document, std::string_view alt) {
-        if (shown_ && *shown_ == document.scene) return true;
-        const Result<Picture> picture = runner_.picture(document, lesson_, handout_size(lesson_), samples);
-        if (!had(picture)) return false;
-        html_ += html_image(std::get<Picture>(picture), alt) + "\n";
+    void add_picture(const SceneDocument& document) {
+        if (kind_ == PageKind::Instructor || (shown_ && *shown_ == document.scene)) return;
+        const Picture picture =
+            value_or_throw(runner_.picture(document, lesson_, handout_size(lesson_), samples));
+        html_ += html_image(picture, alternative_text(*step_, document.scene)) + "\n";
         shown_ = document.scene;
-        return true;
     }
 
-    bool add(const std::vector<ProseBlock>& prose) {
-        if (told_ || key_) html_ += prose_html(prose);
-        return true;
-    }
-
-    bool add(const Prediction& p) {
-        told_ = true;
-        RightAnswer right;
-        if (key_) {
-            const Result<RightAnswer> found = right_answer(runner_, document_, lesson_, p);
-            if (!had(found)) return false;
-            right = std::get<RightAnswer>(found);
-        }
-        html_ += fmt::format("<div class=\"box\"><h3>Predict</h3><p>{}</p>\n", html_escaped(p.question));
-        if (p.kind == PredictionKind::Choice) {
-            html_ += "<ul class=\"options\">\n";
-            for (std::size_t i = 0; i < p.options.size(); ++i) {
-                const bool is_right = key_ && right.value == Json(i);
-                html_ += fmt::format("<li{}>{} {}</li>\n", is_right ? " class=\"right\"" : "",
-                                     is_right ? "☑" : "☐", html_escaped(p.options[i].text));
-            }
+    void add(const Teaching& teaching) {
+        const auto list = [this](const char* title, const std::vector<std::string>& items) {
+            html_ += fmt::format("<h2>{}</h2>\n<ul>\n", title);
+            for (const std::string& item : items) html_ += fmt::format("<li>{}</li>\n", lesson_html(item));
             html_ += "</ul>\n";
-        } else if (p.kind == PredictionKind::Sketch) {
-            html_ += axes_svg(elements_of(right.value));
-        } else if (key_) {
-            html_ += fmt::format("<p class=\"right\">{}</p>\n", html_escaped(answer_text(p, right)));
-        } else {
-            html_ += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(p.unit));
-        }
-        html_ += "</div>\n";
-        return true;
+        };
+        if (teaching.minutes > 0) html_ += fmt::format("<p>{} minutes in a lecture.</p>\n", teaching.minutes);
+        list("Afterwards a student can", teaching.goals);
+        html_ += fmt::format("<h2>What students believe</h2>\n<p>{}</p>\n<p>Source: {}</p>\n",
+                             lesson_html(teaching.belief), lesson_html(teaching.source));
+        list("What to say or ask next", teaching.says);
     }
 
-    bool add(const Reveal& reveal) {
-        told_ = false;
-        if (!key_) {
-            html_ += "<div class=\"lines\"></div>\n";
-            return true;
-        }
-        const Result<SceneDocument> set = LessonRunner::with(document_, reveal.set, lesson_, reveal.line);
-        return had(set) && add_picture(std::get<SceneDocument>(set), "What is revealed");
+    void add(const std::vector<ProseBlock>& prose) {
+        if ((told_ || key_) && kind_ != PageKind::Instructor) html_ += prose_html(prose);
     }
 
-    bool add(const Task& task) {
+    /// The options or the number, with the right answer and, for the lecturer, what students say instead.
+    void add_answer(const Prediction& p, const RightAnswer& right) {
+        const bool told = kind_ == PageKind::Key || kind_ == PageKind::Instructor;
+        const auto belief = [told](const std::string& thinks) {
+            return told && !thinks.empty() ? "<br><small>" + lesson_html(thinks) + "</small>" : "";
+        };
+        html_ += "<ul class=\"options\">\n";
+        for (std::size_t i = 0; i < p.options.size(); ++i)
+            html_ += fmt::format("<li{}>{} {}{}</li>\n", right.value == Json(i) ? " class=\"right\"" : "",
+                                 static_cast<char>('A' + i), lesson_html(p.options[i].text),
+                                 belief(p.options[i].thinks));
+        if (p.kind != PredictionKind::Choice && p.kind != PredictionKind::Sketch && right.value != Json())
+            html_ += fmt::format("<li class=\"right\">{}</li>\n", lesson_html(answer_text(p, right.value)));
+        for (std::size_t i = 0; told && i < right.wrong.size(); ++i)
+            html_ += fmt::format("<li>{}{}</li>\n",
+                                 lesson_html("If it was " + answer_text(p, right.wrong[i]) + ":"),
+                                 belief(p.wrong[i].thinks));
+        html_ += "</ul>\n";
+        if (p.kind == PredictionKind::Sketch) html_ += axes_svg(elements_of(right.value), right.tolerance);
+    }
+
+    void add(const Prediction& p) {
         told_ = true;
-        html_ += fmt::format("<div class=\"box try\"><h3>Try</h3><p>Drag {}.</p></div>\n",
-                             html_escaped(task.drag));
-        return true;
+        const bool asks = kind_ == PageKind::Slides;
+        if (!std::exchange(fresh_, false)) begin_slide(step_->title);
+        if (asks) add_picture(asked_);
+        const RightAnswer right =
+            key_ ? value_or_throw(right_answer(runner_, document_, lesson_, p)) : RightAnswer{};
+        html_ += fmt::format("<div class=\"box\"><h3>Predict</h3><p>{}</p>\n", lesson_html(p.question));
+        add_answer(p, asks ? RightAnswer{} : right);
+        if (kind_ == PageKind::Student && p.kind != PredictionKind::Choice &&
+            p.kind != PredictionKind::Sketch)
+            html_ += fmt::format("<p class=\"answer\">{}</p>\n", lesson_html(p.unit));
+        if (kind_ == PageKind::Student) html_ += "<p>Why do you think so?</p><div class=\"lines\"></div>\n";
+        html_ += "</div>\n";
+        questions_.emplace_back(&p, right);
     }
 
-    bool add(const Claim& claim) {
-        if (key_)
+    void add(const Reveal& reveal) {
+        told_ = fresh_ = false;
+        if (!key_) return;
+        if (kind_ == PageKind::Slides) begin_slide(step_->title);
+        add_picture(value_or_throw(LessonRunner::with(document_, reveal.set, lesson_, reveal.line)));
+        if (kind_ == PageKind::Slides)
+            for (const auto& [question, right] : questions_) {
+                html_ += fmt::format("<p>{}</p>\n", lesson_html(question->question));
+                add_answer(*question, right);
+            }
+        questions_.clear();
+    }
+
+    void add(const Task& task) {
+        told_ = true;
+        html_ += fmt::format("<div class=\"box try window\"><h3>Try</h3><p>Drag {}.</p></div>\n",
+                             lesson_html(task.drag));
+    }
+
+    void add(const Claim& claim) {
+        if (kind_ == PageKind::Key)
             html_ += fmt::format("<div class=\"box key\"><h3>Checked</h3><p>{}</p></div>\n",
-                                 html_escaped(claim.says));
-        return true;
+                                 lesson_html(claim.says));
     }
 
-    bool add(const Exercise&) { return true; }  // glint exercise prints them
+    void add(const Exercise&) {}  // glint exercise prints them
 
     LessonRunner& runner_;
     const Lesson& lesson_;
-    bool key_;
-    bool told_ = true;  // whether the next text may be read before the answer
+    PageKind kind_;
+    bool key_;           // whether answers may be on the page
+    bool told_ = true;   // whether the next text may be read before the answer
+    bool fresh_ = true;  // whether no question is on the slide yet
     std::string html_;
-    SceneDocument document_;
+    const LessonStep* step_ = nullptr;
+    SceneDocument document_, asked_;  // the step's scene; with its answer hidden
     std::optional<Scene> shown_;
-    std::optional<Problem> problem_;
+    std::vector<std::pair<const Prediction*, RightAnswer>> questions_;  // since the last reveal
 };
 
 }  // namespace
@@ -183,8 +231,21 @@ PictureSize handout_size(const Lesson& lesson) {
     return {lesson.size.width * scale, lesson.size.height * scale};
 }
 
-Result<std::string> handout_html(LessonRunner& runner, const Lesson& lesson, bool key) {
-    return Handout(runner, lesson, key).made();
+Result<std::string> handout_html(LessonRunner& runner, const Lesson& lesson, PageKind kind) {
+    return result_of(lesson.path, [&] { return Handout(runner, lesson, kind).made(); });
+}
+
+std::string alternative_text(const LessonStep& step, const Scene& scene) {
+    if (!step.shows.empty()) return step.shows;
+    std::vector<std::string> objects, lights;
+    for (const Object& object : scene.objects)
+        if (object.visible && object.name != Object{}.name) objects.push_back(object.name);
+    for (const Light& light : scene.lights)
+        if (light.enabled && light.name != Light{}.name) lights.push_back(light.name);
+    const bool lit = !lights.empty() && scene.shading.reflection != Reflection::None;
+    if (objects.empty()) return "A drawing for the question";
+    return fmt::format("The picture shows: {}; {}{}", fmt::join(objects, ", "), lit ? "lit by: " : "unlit",
+                       fmt::join(lit ? lights : std::vector<std::string>{}, ", "));
 }
 
 }  // namespace glint

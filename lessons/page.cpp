@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "models/io/markup.h"
 
@@ -15,16 +16,24 @@ constexpr std::string_view style =
     "h2{font-size:1.25em;margin:1.6em 0 .5em}img{display:block;max-width:100%;height:auto;margin:1em 0;"
     "border-radius:4px}code{font-size:.92em;background:#0001;padding:0 .2em;border-radius:3px}"
     "pre{background:#0001;padding:.6em .9em;overflow-x:auto}pre code{background:none}"
-    ".topic{color:#666;margin:0}.box{border:1px solid #bbb;border-left:5px solid #2a6fb0;border-radius:4px;"
+    ".topic{color:#595959;margin:0}.box{border:1px solid #bbb;border-left:5px solid "
+    "#2a6fb0;border-radius:4px;"
     "padding:.5em 1em;margin:1em 0;break-inside:avoid}.box.try{border-left-color:#2b8a4b}"
     ".box.key{border-left-color:#b4632a}.box h3{margin:.1em 0 .4em;font-size:.85em;letter-spacing:.04em;"
-    "text-transform:uppercase;color:#666}.box ul.options{list-style:none;padding-left:.2em}"
+    "text-transform:uppercase;color:#595959}.box ul.options{list-style:none;padding-left:.2em}"
     ".answer{border-bottom:1px solid #888;min-width:12em;width:40%;text-align:right;margin:.8em 0 1.2em;"
-    "min-height:1.6em;color:#666}.lines{height:5em}.right{font-weight:600}.name{border-bottom:1px solid #888;"
+    "min-height:1.6em;color:#595959}.lines{height:4em;background:repeating-linear-gradient(#0000 0 "
+    "1.9em,#888 1.9em 2em)}blockquote{margin:1em 0;"
+    "border-left:5px solid #888;padding:.1em "
+    "1em}.slide{font-size:28px;line-height:1.35;min-height:94vh}.slide[hidden]{display:none}"
+    ".slide img{max-height:48vh;width:auto}body:has(.slide){max-width:60em;margin:0 "
+    "auto}.right{font-weight:600}.room{height:4.5em}.name{border-bottom:1px solid #888;"
     "width:60%}table{border-collapse:collapse}td,th{text-align:left;vertical-align:top;padding:.3em .9em "
     ".3em 0;"
     "border-bottom:1px solid #ddd}td ol{margin:0}svg{display:block;margin:.6em 0;max-width:100%;height:auto}"
-    "@media print{body{margin:0;max-width:none;font-size:11pt}h2,h3{break-after:avoid}img{max-height:7.5cm;"
+    "@media "
+    "print{.window,button{display:none}.slide{break-after:page}body{margin:0;max-width:none;font-size:11pt}"
+    "h2,h3{break-after:avoid}img{max-height:7.5cm;"
     "width:auto}.paper{break-after:page}}";
 
 std::string span_html(const ProseSpan& span) {
@@ -32,7 +41,7 @@ std::string span_html(const ProseSpan& span) {
     std::string_view rest = span.text;
     while (true) {  // a deliberate line break
         const std::size_t end = std::min(rest.find('\n'), rest.size());
-        html += html_escaped(rest.substr(0, end));
+        html += span.code ? html_escaped(rest.substr(0, end)) : lesson_html(rest.substr(0, end));
         if (end == rest.size()) break;
         html += "<br>";
         rest.remove_prefix(end + 1);
@@ -55,8 +64,7 @@ std::string spans_html(const ProseBlock& block) {
 /// The lines of a code block, each escaped.
 std::string code_html(const ProseBlock& block) {
     std::string html;
-    std::string whole;
-    for (const ProseSpan& span : block.spans) whole += span.text;
+    const std::string whole = plain_text(block);
     for (std::size_t at = 0; at < whole.size();) {
         const std::size_t end = std::min(whole.find('\n', at), whole.size());
         html += html_escaped(std::string_view(whole).substr(at, end - at)) + "\n";
@@ -92,6 +100,27 @@ class Lists {
 
 }  // namespace
 
+std::string with_indices(std::string_view text, std::string_view underline, const std::string& form) {
+    const auto is_of_name = [&text](std::size_t i) {
+        return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+    };
+    std::string set;
+    std::size_t done = 0;
+    for (std::size_t at = text.find(underline); at != text.npos; at = text.find(underline, at + 1)) {
+        const std::size_t after = at + underline.size();
+        const bool one_before = at > 0 && is_of_name(at - 1) && !(at > 1 && is_of_name(at - 2));
+        if (at <= done || !one_before || !is_of_name(after) || is_of_name(after + 1)) continue;
+        set += text.substr(done, at - 1 - done);
+        set += fmt::format(fmt::runtime(form), text[at - 1], text[after]);
+        done = after + 1;
+    }
+    return set += text.substr(done);
+}
+
+std::string lesson_html(std::string_view text) {
+    return with_indices(html_escaped(text), "_", "{0}<sub>{1}</sub>");
+}
+
 std::string page_html(std::string_view title, std::string_view body) {
     constexpr std::string_view end = "</body></html>\n";
     std::string page = fmt::format(
@@ -120,7 +149,9 @@ std::string prose_html(const std::vector<ProseBlock>& blocks) {
             html += fmt::format("<h{0}>{1}</h{0}>\n", block.level, spans_html(block));
             break;
         case ProseKind::Quote:
-            html += "<blockquote><p>" + spans_html(block) + "</p></blockquote>\n";
+            html += fmt::format("<blockquote{}><p>{}</p></blockquote>\n",
+                                plain_text(block).starts_with("In the window") ? " class=\"window\"" : "",
+                                spans_html(block));
             break;
         case ProseKind::Code:
             html += code_html(block);

@@ -1,7 +1,9 @@
 // glint lessons: lists lessons, checks their claims, or prints one.
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
+#include <utility>
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
@@ -19,7 +21,7 @@ struct LessonsArguments {
     std::vector<std::string> names;
     std::string out;
     int threads = 0;
-    bool check = false, key = false, as_json = false;
+    bool check = false, key = false, slides = false, instructor = false, as_json = false;
 };
 
 std::vector<Lesson> lessons_of(const LessonsArguments& arguments) {
@@ -117,7 +119,11 @@ Outcome hand_out(const LessonsArguments& arguments) {
     if (arguments.out != "-") require_writable(arguments.out);
     const Lesson lesson = open_lesson(arguments.names[0]);
     LessonRunner runner(arguments.threads);
-    const std::string page = take(handout_html(runner, lesson, arguments.key));
+    const PageKind kind = arguments.instructor ? PageKind::Instructor
+                          : arguments.slides   ? PageKind::Slides
+                          : arguments.key      ? PageKind::Key
+                                               : PageKind::Student;
+    const std::string page = take(handout_html(runner, lesson, kind));
     write_output(arguments.out, page);
     return {};
 }
@@ -127,7 +133,16 @@ Outcome lessons(const LessonsArguments& arguments) {
         throw wrong_usage("--check", "cannot be combined with -o", "one of the two");
     if (arguments.as_json && !arguments.out.empty())
         throw wrong_usage("--format", "is json, but -o writes a page", "one of the two");
-    if (arguments.key && arguments.out.empty()) throw wrong_usage("--key", "is without -o", "-o OUT.html");
+    const std::array<std::pair<const char*, bool>, 3> kinds{
+        {{"--key", arguments.key}, {"--slides", arguments.slides}, {"--instructor", arguments.instructor}}};
+    const char* first = nullptr;
+    for (const auto& [option, given] : kinds) {
+        if (!given) continue;
+        if (arguments.out.empty()) throw wrong_usage(option, "is without -o", "-o OUT.html");
+        if (first != nullptr)
+            throw wrong_usage(option, std::string("cannot be combined with ") + first, "one of the two");
+        first = option;
+    }
     if (arguments.check) return check(arguments);
     if (!arguments.out.empty()) return hand_out(arguments);
     const std::vector<Lesson> all = lessons_of(arguments);
@@ -145,6 +160,9 @@ Run declare_lessons(Options& options) {
     add_text(options, "-o", "OUT.html", "write one lesson as a page with its pictures; - is standard output",
              arguments->out);
     options.add_flag("--key", arguments->key, "include the answers");
+    options.add_flag("--slides", arguments->slides, "write slides: each question and its answer apart");
+    options.add_flag("--instructor", arguments->instructor,
+                     "write notes for the lecturer: goals, answers, what students believe");
     options.add_value("--format", "FORMAT", "text (default) or json",
                       [&as_json = arguments->as_json](const std::string& text) {
                           as_json = read_word("--format", text, {"text", "json"}) == 1;
