@@ -10,6 +10,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t max_values = 1000;
+constexpr double max_combinations = 1e9;
 
 /// `angle = 10 to 80 step 5`, or `n = 5, 10, 20`.
 Exercise::Variable read_variable(const BlockLine& line) {
@@ -114,6 +115,11 @@ Exercise read_exercise(const SourceBlock& block) {
         exercise.variables.push_back(std::move(variable));
         first.push_back(exercise.variables.back().values.front());
     }
+    double combinations = 1;
+    for (const Exercise::Variable& variable : exercise.variables)
+        combinations *= static_cast<double>(variable.values.size());
+    if (combinations > max_combinations)
+        fail_at(block.line, "the exercise varies too much", "at most 10^9 combinations");
     if (first.empty()) fail_at(block.line, "the exercise varies nothing", "a line vary:");
     for (const BlockLine& l : block.lines)
         if (l.is_run || l.key != "vary") exercise.lines.push_back({l.key, l.value, l.line, l.is_run});

@@ -1,6 +1,7 @@
 #include "lessons/exercise_sheet.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,9 +12,11 @@
 #include <string_view>
 #include <utility>
 
+#include "lessons/handout.h"
 #include "lessons/page.h"
 #include "models/io/markup.h"
 #include "models/utf8.h"
+#include "renderer/image/html_image.h"
 
 namespace glint {
 namespace {
@@ -31,79 +34,81 @@ std::string answer_text(const PosedQuestion& q) {
     return agrees(q) ? text : text + " by the formula, but " + number_of(q, q.answer) + " by the engine";
 }
 
-/// Escapes a name such as k_d and subscripts the index (one letter each).
-std::string with_indices(std::string_view text) {
-    constexpr std::string_view underline = "\\_";
-    const auto is_letter = [&text](std::size_t i) {
-        return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
-    };
-    std::string set;
-    std::size_t done = 0;
-    for (std::size_t at = text.find(underline); at != text.npos; at = text.find(underline, at + 1)) {
-        const std::size_t after = at + underline.size();
-        const bool one_before = at > 0 && is_letter(at - 1) && !(at > 1 && is_letter(at - 2));
-        if (!one_before || !is_letter(after) || is_letter(after + 1)) continue;
-        set += text.substr(done, at - done);
-        set += fmt::format("\\textsubscript{{{}}}", text[after]);
-        done = after + 1;
+std::string accepted_text(const PosedQuestion& q) {
+    const double right = q.closed.value_or(q.answer);
+    return number_of(q, right - q.tolerance) + " to " + number_of(q, right + q.tolerance);
+}
+
+constexpr float paper_grey = 0.9f;  // behind a printed picture: hardly any toner
+
+/// The factor of the exposure with which what is in front of the background prints as a middle grey: 1 to 4.
+float print_exposure(const Picture& picture) {
+    constexpr double wanted = 0.45, most = 4;
+    constexpr int paper_level = 225;
+    double sum = 0, count = 0;
+    for (std::size_t p = 0; p + 3 < picture.rgba.size(); p += 4) {
+        const auto* const pixel = &picture.rgba[p];
+        if (pixel[0] == pixel[1] && pixel[1] == pixel[2] && pixel[0] >= paper_level) continue;
+        sum += (picture.rgba[p] + picture.rgba[p + 1] + picture.rgba[p + 2]) / 765.0;
+        ++count;
     }
-    return set += text.substr(done);
+    return count == 0 || sum == 0 ? 1 : static_cast<float>(std::clamp(wanted * count / sum, 1.0, most));
 }
 
 /// Letters and signs that LaTeX's T1 encoding lacks.
 std::string latex_text(std::string_view text) {
-    constexpr std::array<std::array<std::string_view, 2>, 45> signs{{{"°", "\\textdegree{}"},
-                                                                     {"·", "\\textperiodcentered{}"},
-                                                                     {"√", "\\ensuremath{\\surd}"},
-                                                                     {"²", "\\ensuremath{^2}"},
-                                                                     {"ⁿ", "\\ensuremath{^n}"},
-                                                                     {"ˢ", "\\ensuremath{^s}"},
-                                                                     {"α", "\\ensuremath{\\alpha}"},
-                                                                     {"β", "\\ensuremath{\\beta}"},
-                                                                     {"γ", "\\ensuremath{\\gamma}"},
-                                                                     {"δ", "\\ensuremath{\\delta}"},
-                                                                     {"ε", "\\ensuremath{\\varepsilon}"},
-                                                                     {"η", "\\ensuremath{\\eta}"},
-                                                                     {"λ", "\\ensuremath{\\lambda}"},
-                                                                     {"μ", "\\ensuremath{\\mu}"},
-                                                                     {"ρ", "\\ensuremath{\\rho}"},
-                                                                     {"τ", "\\ensuremath{\\tau}"},
-                                                                     {"φ", "\\ensuremath{\\varphi}"},
-                                                                     {"ψ", "\\ensuremath{\\psi}"},
-                                                                     {"ω", "\\ensuremath{\\omega}"},
-                                                                     {"Δ", "\\ensuremath{\\Delta}"},
-                                                                     {"Σ", "\\ensuremath{\\Sigma}"},
-                                                                     {"Φ", "\\ensuremath{\\Phi}"},
-                                                                     {"Ω", "\\ensuremath{\\Omega}"},
-                                                                     {"₀", "\\ensuremath{_0}"},
-                                                                     {"₁", "\\ensuremath{_1}"},
-                                                                     {"₂", "\\ensuremath{_2}"},
-                                                                     {"³", "\\ensuremath{^3}"},
-                                                                     {"⁴", "\\ensuremath{^4}"},
-                                                                     {"∞", "\\ensuremath{\\infty}"},
-                                                                     {"→", "\\ensuremath{\\to}"},
-                                                                     {"≈", "\\ensuremath{\\approx}"},
-                                                                     {"≠", "\\ensuremath{\\ne}"},
-                                                                     {"∠", "\\ensuremath{\\angle}"},
-                                                                     {"∥", "\\ensuremath{\\parallel}"},
-                                                                     {"±", "\\ensuremath{\\pm}"},
-                                                                     {"π", "\\ensuremath{\\pi}"},
-                                                                     {"θ", "\\ensuremath{\\theta}"},
-                                                                     {"σ", "\\ensuremath{\\sigma}"},
-                                                                     {"−", "\\ensuremath{-}"},
-                                                                     {"×", "\\ensuremath{\\times}"},
-                                                                     {"≤", "\\ensuremath{\\le}"},
-                                                                     {"≥", "\\ensuremath{\\ge}"},
-                                                                     {"…", "\\dots{}"},
-                                                                     {"–", "--"},
-                                                                     {"½", "\\ensuremath{\\frac12}"}}};
-    const std::string escaped = with_indices(latex_escaped(text));
+    // A sign, and its command.
+    constexpr std::string_view signs[]{"°", "\\textdegree{}",
+                                       "·", "\\textperiodcentered{}",
+                                       "√", "\\ensuremath{\\surd}",
+                                       "²", "\\ensuremath{^2}",
+                                       "ⁿ", "\\ensuremath{^n}",
+                                       "ˢ", "\\ensuremath{^s}",
+                                       "α", "\\ensuremath{\\alpha}",
+                                       "β", "\\ensuremath{\\beta}",
+                                       "γ", "\\ensuremath{\\gamma}",
+                                       "δ", "\\ensuremath{\\delta}",
+                                       "ε", "\\ensuremath{\\varepsilon}",
+                                       "η", "\\ensuremath{\\eta}",
+                                       "λ", "\\ensuremath{\\lambda}",
+                                       "μ", "\\ensuremath{\\mu}",
+                                       "ρ", "\\ensuremath{\\rho}",
+                                       "τ", "\\ensuremath{\\tau}",
+                                       "φ", "\\ensuremath{\\varphi}",
+                                       "ψ", "\\ensuremath{\\psi}",
+                                       "ω", "\\ensuremath{\\omega}",
+                                       "Δ", "\\ensuremath{\\Delta}",
+                                       "Σ", "\\ensuremath{\\Sigma}",
+                                       "Φ", "\\ensuremath{\\Phi}",
+                                       "Ω", "\\ensuremath{\\Omega}",
+                                       "₀", "\\ensuremath{_0}",
+                                       "₁", "\\ensuremath{_1}",
+                                       "₂", "\\ensuremath{_2}",
+                                       "³", "\\ensuremath{^3}",
+                                       "⁴", "\\ensuremath{^4}",
+                                       "∞", "\\ensuremath{\\infty}",
+                                       "→", "\\ensuremath{\\to}",
+                                       "≈", "\\ensuremath{\\approx}",
+                                       "≠", "\\ensuremath{\\ne}",
+                                       "∠", "\\ensuremath{\\angle}",
+                                       "∥", "\\ensuremath{\\parallel}",
+                                       "±", "\\ensuremath{\\pm}",
+                                       "π", "\\ensuremath{\\pi}",
+                                       "θ", "\\ensuremath{\\theta}",
+                                       "σ", "\\ensuremath{\\sigma}",
+                                       "−", "\\ensuremath{-}",
+                                       "×", "\\ensuremath{\\times}",
+                                       "≤", "\\ensuremath{\\le}",
+                                       "≥", "\\ensuremath{\\ge}",
+                                       "…", "\\dots{}",
+                                       "–", "--",
+                                       "½", "\\ensuremath{\\frac12}"};
+    const std::string escaped = with_indices(latex_escaped(text), "\\_", "{0}\\textsubscript{{{1}}}");
     std::string set;
     for (std::size_t at = 0; at < escaped.size();) {
         const std::string_view letter = first_characters(std::string_view(escaped).substr(at), 1);
-        const auto* const found =
-            std::find_if(signs.begin(), signs.end(), [&](const auto& sign) { return sign[0] == letter; });
-        set += letter.size() == 1 || found == signs.end() ? letter : (*found)[1];
+        const auto* const found = std::find(std::begin(signs), std::end(signs), letter);
+        set += letter.size() == 1 || found == std::end(signs) ? letter : *(found + 1);
         at += letter.size();
     }
     return set;
@@ -113,29 +118,25 @@ std::string latex_text(std::string_view text) {
 
 Result<std::vector<ExerciseSheet>> exercise_sheets(LessonRunner& runner, const Lesson& lesson,
                                                    std::uint64_t seed, int count) {
-    const Result<SceneDocument> opened = runner.open(lesson);
-    if (const Problem* problem = problem_of(opened)) return *problem;
-    std::vector<ExerciseSheet> sheets;
-    for (int i = 0; i < count; ++i) {
-        ExerciseSheet sheet{seed + static_cast<std::uint64_t>(i), {}};
-        for (const LessonStep& step : lesson.steps) {
-            const Result<SceneDocument> set =
-                LessonRunner::with(std::get<SceneDocument>(opened), step.set, lesson, step.line);
-            if (const Problem* problem = problem_of(set)) return *problem;
-            for (const LessonPart& part : step.parts) {
-                const auto* exercise = std::get_if<Exercise>(&part);
-                if (exercise == nullptr) continue;
-                Result<PosedQuestion> posed =
-                    pose(runner, std::get<SceneDocument>(set), lesson, *exercise, sheet.seed);
-                if (const Problem* problem = problem_of(posed)) return *problem;
-                sheet.questions.push_back(std::get<PosedQuestion>(std::move(posed)));
+    return result_of(lesson.path, [&] {
+        const SceneDocument opened = value_or_throw(runner.open(lesson));
+        std::vector<ExerciseSheet> sheets;
+        for (int i = 0; i < count; ++i) {
+            ExerciseSheet sheet{seed + static_cast<std::uint64_t>(i), {}};
+            for (const LessonStep& step : lesson.steps) {
+                const SceneDocument set =
+                    value_or_throw(LessonRunner::with(opened, step.set, lesson, step.line));
+                for (const LessonPart& part : step.parts)
+                    if (const auto* exercise = std::get_if<Exercise>(&part))
+                        sheet.questions.push_back(value_or_throw(
+                            pose_with(runner, set, lesson, *exercise, drawn_values(*exercise, sheet.seed))));
             }
+            if (sheet.questions.empty())
+                throw ProblemFound({lesson.path, "", "the lesson has no exercises", "a block \"exercise\""});
+            sheets.push_back(std::move(sheet));
         }
-        if (sheet.questions.empty())
-            return Problem{lesson.path, "", "the lesson has no exercises", "a block \"exercise\""};
-        sheets.push_back(std::move(sheet));
-    }
-    return sheets;
+        return sheets;
+    });
 }
 
 Warnings key_warnings(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets) {
@@ -153,6 +154,17 @@ Warnings key_warnings(const Lesson& lesson, const std::vector<ExerciseSheet>& sh
                                         *q.closed, q.answer);
         }
     Warnings warnings;
+    for (const LessonStep& step : lesson.steps)
+        for (const LessonPart& part : step.parts) {
+            const auto* exercise = std::get_if<Exercise>(&part);
+            if (exercise == nullptr) continue;
+            std::size_t variants = 1;
+            for (const Exercise::Variable& variable : exercise->variables) variants *= variable.values.size();
+            if (variants < sheets.size())
+                warnings.push_back(
+                    fmt::format("{}:{}: the exercise has {} variants for {} sheets: some sheets repeat it",
+                                on_one_line(lesson.path), exercise->line, variants, sheets.size()));
+        }
     for (const auto& [line, one] : missed)
         warnings.push_back(
             fmt::format("{}:{}: the formula misses the engine's answer on {} of {} sheets, first on {}",
@@ -167,52 +179,103 @@ std::string exercises_html(const Lesson& lesson, const std::vector<ExerciseSheet
         body += fmt::format(
             "<section class=\"paper\"><p class=\"topic\">Sheet {} · {}</p>\n<h1>{}</h1>\n"
             "<p class=\"name\">Name:</p>\n{}\n<ol>\n",
-            sheet.seed, html_escaped(lesson.topic), html_escaped(lesson.title), picture);
+            sheet.seed, lesson_html(lesson.topic), lesson_html(lesson.title), picture);
         for (const PosedQuestion& q : sheet.questions)
-            body += fmt::format("<li>{}<p class=\"answer\">{}</p></li>\n", html_escaped(q.question),
-                                html_escaped(q.unit));
+            body += fmt::format(
+                "<li>{}<div class=\"room\"></div><p class=\"answer\">{} <small>(within "
+                "{:.2g})</small></p></li>\n",
+                lesson_html(q.question), lesson_html(q.unit), q.tolerance);
         body += "</ol></section>\n";
     }
-    body += fmt::format(
-        "<section class=\"paper\"><h1>Keys: {}</h1>\n<table><tr><th>Sheet</th><th>Answers</th></tr>\n",
-        html_escaped(lesson.title));
-    for (const ExerciseSheet& sheet : sheets) {
-        body += fmt::format("<tr><td>{}</td><td><ol>", sheet.seed);
-        for (const PosedQuestion& q : sheet.questions)
-            body += fmt::format("<li>{}</li>", html_escaped(answer_text(q)));
-        body += "</ol></td></tr>\n";
-    }
-    body += "</table></section>\n";
     return page_html("Exercises: " + lesson.title, body);
 }
 
+std::string exercise_keys_html(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets) {
+    std::string body = fmt::format("<h1>Keys: {}</h1>\n", lesson_html(lesson.title));
+    for (const ExerciseSheet& sheet : sheets) {
+        body += fmt::format("<h2>Sheet {}</h2>\n<ol>\n", sheet.seed);
+        for (const PosedQuestion& q : sheet.questions) {
+            body += fmt::format("<li>{}<br>{}", lesson_html(q.question),
+                                lesson_html(fmt::format("{}", fmt::join(q.working, " = "))));
+            body += fmt::format("<br><strong>{}</strong> <small>(accept {})</small></li>\n",
+                                lesson_html(answer_text(q)), accepted_text(q));
+        }
+        body += "</ol>\n";
+    }
+    return page_html("Keys: " + lesson.title, body);
+}
+
+namespace {
+
+std::string tex_document(const std::string& body) {
+    return "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n"
+           "\\usepackage{amsmath,textcomp}\n\\setlength{\\parindent}{0pt}\n\\begin{document}\n" +
+           body + "\\end{document}\n";
+}
+
+}  // namespace
+
 std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets) {
     std::string tex;
-    tex +=
-        "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n"
-        "\\usepackage{amsmath,textcomp}\n\\setlength{\\parindent}{0pt}\n\\begin{document}\n";
-    const std::string title = latex_text(lesson.title);
     for (const ExerciseSheet& sheet : sheets) {
         tex += fmt::format(
             "\\section*{{{}}}\nSheet {}\\hfill Name: \\underline{{\\hspace{{6cm}}}}\n"
             "\\begin{{enumerate}}\n",
-            title, sheet.seed);
+            latex_text(lesson.title), sheet.seed);
         for (const PosedQuestion& q : sheet.questions)
             // Without the empty group {}, LaTeX would take a question that begins with "[" as a label instead
             // of its number.
-            tex += fmt::format("\\item {{}}{}\\par\\vspace{{2cm}}Answer: \\underline{{\\hspace{{4cm}}}} {}\n",
-                               latex_text(q.question), latex_text(q.unit));
+            tex += fmt::format(
+                "\\item {{}}{}\\par\\vspace{{2cm}}Answer: \\underline{{\\hspace{{4cm}}}} {} (within "
+                "{:.2g})\n",
+                latex_text(q.question), latex_text(q.unit), q.tolerance);
         tex += "\\end{enumerate}\n\\newpage\n";
     }
-    tex += fmt::format("\\section*{{Keys: {}}}\n", title);
+    return tex_document(tex);
+}
+
+std::string exercise_keys_tex(const Lesson& lesson, const std::vector<ExerciseSheet>& sheets) {
+    std::string tex = fmt::format("\\section*{{Keys: {}}}\n", latex_text(lesson.title));
     for (const ExerciseSheet& sheet : sheets) {
-        tex += fmt::format("Sheet {}:", sheet.seed);
-        for (std::size_t i = 0; i < sheet.questions.size(); ++i)
-            tex += fmt::format("\\quad {}. {}", i + 1, latex_text(answer_text(sheet.questions[i])));
-        tex += "\\par\n";
+        tex += fmt::format("\\subsection*{{Sheet {}}}\n\\begin{{enumerate}}\n", sheet.seed);
+        for (const PosedQuestion& q : sheet.questions)
+            tex += fmt::format("\\item {{}}{} \\\\ \\textbf{{{}}} (accept {})\n",
+                               latex_text(fmt::format("{}", fmt::join(q.working, " = "))),
+                               latex_text(answer_text(q)), latex_text(accepted_text(q)));
+        tex += "\\end{enumerate}\n";
     }
-    tex += "\\end{document}\n";
-    return tex;
+    return tex_document(tex);
+}
+
+Result<std::string> sheet_picture(LessonRunner& runner, const Lesson& lesson) {
+    return result_of(lesson.path, [&] {
+        const LessonStep& step = lesson.steps.front();
+        const SceneDocument set = value_or_throw(
+            LessonRunner::with(value_or_throw(runner.open(lesson)), step.set, lesson, step.line));
+        SceneDocument shown = value_or_throw(LessonRunner::for_paper(set, step, lesson, false));
+        shown.scene.display.background = glm::vec3(paper_grey);
+        shown.scene.display.exposure *=
+            print_exposure(value_or_throw(runner.picture(shown, lesson, lesson.size, 1)));
+        const Picture picture = value_or_throw(runner.picture(shown, lesson, handout_size(lesson), 4));
+        return html_image(picture, alternative_text(step, shown.scene));
+    });
+}
+
+std::vector<ExportedQuestion> sheet_questions(const std::vector<ExerciseSheet>& sheets) {
+    std::vector<ExportedQuestion> questions;
+    for (const ExerciseSheet& sheet : sheets)
+        for (const PosedQuestion& q : sheet.questions)
+            questions.push_back(
+                {.title = fmt::format("Sheet {}, question {}", sheet.seed, &q - sheet.questions.data() + 1),
+                 .text = q.question,
+                 .picture = {},
+                 .alt = {},
+                 .options = {},
+                 .answer = q.closed.value_or(q.answer),
+                 .tolerance = q.tolerance,
+                 .unit = q.unit,
+                 .feedback = fmt::format("{}", fmt::join(q.working, " = "))});
+    return questions;
 }
 
 std::string unset_letters(std::string_view tex) {

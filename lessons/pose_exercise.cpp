@@ -1,6 +1,11 @@
 #include "lessons/pose_exercise.h"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <cctype>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace glint {
@@ -23,12 +28,80 @@ Problem in_exercise(Problem problem, const Lesson& lesson, const Exercise& exerc
     return problem;
 }
 
-std::vector<double> drawn_values(const Exercise& exercise, std::uint64_t seed) {
-    std::uint64_t state = seed * 1'000'003 + static_cast<std::uint64_t>(exercise.line);
-    std::vector<double> drawn;
-    for (const Exercise::Variable& variable : exercise.variables)
-        drawn.push_back(variable.values[next_random(state) % variable.values.size()]);
-    return drawn;
+bool in_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+// In a working, ~3 is the number −3: parentheses are left for what is to be computed.
+std::string as_atom(double value) { return fmt::format("{}{:.5g}", value < 0 ? "~" : "", std::abs(value)); }
+std::string without_atoms(const std::string& text, std::string_view minus) {
+    std::string plain;
+    for (std::size_t at = 0; at < text.size();) {
+        if (text[at] != '~') {
+            plain += text[at++];
+            continue;
+        }
+        const std::size_t end = std::min(text.find_first_not_of("0123456789.e", at + 1), text.size());
+        plain += fmt::format("({}{})", minus, text.substr(at + 1, end - at - 1));
+        at = end;
+    }
+    return plain;
+}
+
+/// Replaces the variables by their values.
+std::string with_numbers(const std::string& formula, const NamedValues& values) {
+    std::string text;
+    for (std::size_t at = 0; at < formula.size();) {
+        std::size_t end = at;
+        while (end < formula.size() && in_name(formula[end])) ++end;
+        const std::string name = formula.substr(at, std::max<std::size_t>(end - at, 1));
+        const auto value = values.find(name);
+        text += value == values.end() ? name : as_atom(value->second.get<double>());
+        at += name.size();
+    }
+    return text;
+}
+
+/// Computes what is in the innermost parentheses, and the function before them. The same text if there are
+/// none.
+std::string reduced(const std::string& formula) {
+    std::string text;
+    for (std::size_t at = 0; at < formula.size();) {
+        std::size_t open = at;
+        while (open < formula.size() && in_name(formula[open])) ++open;
+        const bool opens = open < formula.size() && formula[open] == '(';
+        const std::size_t end = opens ? formula.find_first_of("()", open + 1) : std::string::npos;
+        const bool is_innermost = end != std::string::npos && formula[end] == ')';
+        const std::string part =
+            formula.substr(at, is_innermost ? end + 1 - at : std::max<std::size_t>(open - at, 1));
+        const Result<Expression> parsed = Expression::parse(without_atoms(part, "-"));
+        const Result<double> value = is_innermost && problem_of(parsed) == nullptr
+                                         ? std::get<Expression>(parsed).number({})
+                                         : Result<double>(Problem{});
+        text += problem_of(value) == nullptr ? as_atom(std::get<double>(value)) : part;
+        at += part.size();
+    }
+    return text;
+}
+
+/// In the signs of mathematics.
+std::string in_signs(const std::string& working) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 5> signs{
+        {{" * ", " · "}, {"sqrt(", "√("}, {" ^ 2", "²"}, {"-", "−"}, {"pi()", "π"}}};
+    std::string text = without_atoms(working, "-");
+    for (const auto& [from, to] : signs)
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    return text;
+}
+
+std::vector<std::string> working_of(const std::string& formula, const NamedValues& values) {
+    constexpr std::size_t most_lines = 8;
+    std::string text = with_numbers(formula, values);
+    std::vector<std::string> lines{in_signs(formula), in_signs(text)};
+    for (std::string next = reduced(text); next != text && lines.size() < most_lines; next = reduced(text)) {
+        text = next;
+        lines.push_back(in_signs(text));
+    }
+    return lines;
 }
 
 /// All combinations of one value for each variable, up to that number.
@@ -49,6 +122,22 @@ std::vector<std::vector<double>> choices(const std::vector<Exercise::Variable>& 
 
 }  // namespace
 
+/// Steps through all combinations with a stride that has no common factor with their number.
+std::vector<double> drawn_values(const Exercise& exercise, std::uint64_t seed) {
+    constexpr double golden = 0.6180339887;  // successive sheets differ in as much as possible
+    std::uint64_t count = 1, state = static_cast<std::uint64_t>(exercise.line);
+    for (const Exercise::Variable& variable : exercise.variables) count *= variable.values.size();
+    auto stride = static_cast<std::uint64_t>(golden * static_cast<double>(count)) + 1;
+    while (std::gcd(stride, count) != 1) ++stride;
+    std::uint64_t index = (next_random(state) % count + seed % count * stride) % count;
+    std::vector<double> drawn;
+    for (const Exercise::Variable& variable : exercise.variables) {
+        drawn.push_back(variable.values[index % variable.values.size()]);
+        index /= variable.values.size();
+    }
+    return drawn;
+}
+
 bool agrees(const PosedQuestion& posed) {
     return !posed.closed || std::abs(*posed.closed - posed.answer) <= posed.tolerance;  // false for NaN
 }
@@ -64,35 +153,29 @@ std::vector<std::vector<double>> values_to_try(const Exercise& exercise, std::si
     return tries;
 }
 
-Result<PosedQuestion> pose(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
-                           const Exercise& exercise, std::uint64_t seed) {
-    return pose_with(runner, document, lesson, exercise, drawn_values(exercise, seed));
-}
-
 Result<PosedQuestion> pose_with(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
                                 const Exercise& exercise, const std::vector<double>& chosen) {
-    const Result<ExerciseInstance> made = exercise_with(exercise, chosen, lesson.path);
-    if (const Problem* problem = problem_of(made)) return *problem;
-    const auto& instance = std::get<ExerciseInstance>(made);
-    const Result<SceneDocument> set = LessonRunner::with(document, instance.set, lesson, exercise.line);
-    if (const Problem* problem = problem_of(set)) return *problem;
-    Result<NamedValues> run = runner.answers(std::get<SceneDocument>(set), lesson, instance.runs);
-    if (const Problem* problem = problem_of(run)) return *problem;
-    auto& values = std::get<NamedValues>(run);
-    values.insert(instance.values.begin(), instance.values.end());
-
-    PosedQuestion posed{instance.question, instance.unit, 0, 0, {}, exercise.line};
-    const Result<double> answer = instance.answer.number(values),
-                         tolerance = instance.tolerance.number(values);
-    if (const Problem* problem = problem_of(answer)) return in_exercise(*problem, lesson, exercise);
-    if (const Problem* problem = problem_of(tolerance)) return in_exercise(*problem, lesson, exercise);
-    posed.answer = std::get<double>(answer);
-    posed.tolerance = std::get<double>(tolerance);
-    if (instance.closed.text().empty()) return posed;
-    const Result<double> closed = instance.closed.number(values);
-    if (const Problem* problem = problem_of(closed)) return in_exercise(*problem, lesson, exercise);
-    posed.closed = std::get<double>(closed);
-    return posed;
+    return result_of("", [&] {
+        const ExerciseInstance instance = value_or_throw(exercise_with(exercise, chosen, lesson.path));
+        const SceneDocument set =
+            value_or_throw(LessonRunner::with(document, instance.set, lesson, exercise.line));
+        NamedValues values = value_or_throw(runner.answers(set, lesson, instance.runs));
+        values.insert(instance.values.begin(), instance.values.end());
+        const auto number = [&](const Expression& expression) {
+            const Result<double> found = expression.number(values);
+            if (const Problem* problem = problem_of(found))
+                throw ProblemFound(in_exercise(*problem, lesson, exercise));
+            return std::get<double>(found);
+        };
+        PosedQuestion posed{
+            instance.question, instance.unit, number(instance.answer), number(instance.tolerance), {},
+            exercise.line};
+        if (!instance.closed.text().empty()) {
+            posed.closed = number(instance.closed);
+            posed.working = working_of(instance.closed.text(), instance.values);
+        }
+        return posed;
+    });
 }
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// glint exercise: writes sheets with different numbers, and their keys.
+// glint exercise: writes sheets with different numbers, and their keys in another file.
 #include <fmt/core.h>
 
 #include <limits>
@@ -8,9 +8,7 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "lessons/exercise_sheet.h"
-#include "lessons/handout.h"
 #include "models/io/file.h"
-#include "renderer/image/html_image.h"
 
 namespace glint {
 namespace {
@@ -18,36 +16,49 @@ namespace {
 constexpr int max_seed = std::numeric_limits<int>::max();  // the last sheet's number
 
 struct ExerciseArguments {
-    std::string name, out;
+    std::string name, out, key;
     int seed = 1, count = 1, threads = 0;
 };
 
-/// The lesson's scene as an element of the page.
-std::string picture_of(LessonRunner& runner, const Lesson& lesson) {
-    const SceneDocument document = take(runner.open(lesson));
-    const Picture picture = take(runner.picture(document, lesson, handout_size(lesson), 4));
-    return html_image(picture, "The scene of the lesson");
+std::string sheets_text(LessonRunner& runner, const Lesson& lesson, const std::vector<ExerciseSheet>& sheets,
+                        const std::string& out) {
+    const std::string extension = lower_extension(out);
+    if (extension == ".tex") return exercises_tex(lesson, sheets);
+    if (extension == ".html") return exercises_html(lesson, sheets, take(sheet_picture(runner, lesson)));
+    return exported(extension, lesson.title, sheet_questions(sheets));
 }
 
 Outcome exercise(const ExerciseArguments& arguments) {
     require_given(arguments.name, "NAME", "a lesson with exercises");
-    require_given(arguments.out, "-o", "a file to write, .html or .tex");
-    const std::string extension = lower_extension(arguments.out);
-    if (extension != ".html" && extension != ".tex")
-        throw wrong_usage("-o", arguments.out + " cannot be written", "a name that ends in .html or .tex");
+    require_given(arguments.out, "-o", "a file to write: .html, .tex, .xml or .zip");
+    const std::string extension = lower_extension(arguments.out), of_key = lower_extension(arguments.key);
+    if (extension != ".html" && extension != ".tex" && extension != ".xml" && extension != ".zip")
+        throw wrong_usage("-o", arguments.out + " cannot be written",
+                          "a name that ends in .html, .tex, .xml or .zip");
+    if (!arguments.key.empty() && of_key != ".html" && of_key != ".tex")
+        throw wrong_usage("--key", arguments.key + " cannot be written", "a name that ends in .html or .tex");
+    if (arguments.key == arguments.out)
+        throw wrong_usage("--key", "is the file of the sheets", "another file");
     if (arguments.seed > max_seed - (arguments.count - 1))
         throw wrong_usage("--count", fmt::format("there are fewer sheets from {} on", arguments.seed),
                           fmt::format("1 to {}", max_seed - arguments.seed + 1));
     require_writable(arguments.out);
+    if (!arguments.key.empty()) require_writable(arguments.key);
     const Lesson lesson = open_lesson(arguments.name);
     LessonRunner runner(arguments.threads);
     const std::vector<ExerciseSheet> sheets =
         take(exercise_sheets(runner, lesson, static_cast<std::uint64_t>(arguments.seed), arguments.count));
-    const std::string text = extension == ".tex" ? exercises_tex(lesson, sheets)
-                                                 : exercises_html(lesson, sheets, picture_of(runner, lesson));
+    const std::string text = sheets_text(runner, lesson, sheets, arguments.out);
+    std::string tex = extension == ".tex" ? text : "";
     write_output(arguments.out, text);
+    if (!arguments.key.empty()) {
+        const std::string keys =
+            of_key == ".tex" ? exercise_keys_tex(lesson, sheets) : exercise_keys_html(lesson, sheets);
+        write_output(arguments.key, keys);
+        if (of_key == ".tex") tex += keys;
+    }
     Warnings warnings = key_warnings(lesson, sheets);
-    const std::string unset = extension == ".tex" ? unset_letters(text) : "";
+    const std::string unset = unset_letters(tex);
     if (!unset.empty())
         warnings.push_back(
             fmt::format("{}: pdflatex does not set {}; xelatex or lualatex may, with a font that has them",
@@ -67,7 +78,11 @@ Run declare_exercise(Options& options) {
                       [&count = arguments->count](const std::string& text) {
                           count = read_count("--count", text, 1, max_exercise_sheets);
                       });
-    add_text(options, "-o", "OUT", "the file for the sheets and their keys, .html or .tex", arguments->out);
+    add_text(options, "-o", "OUT",
+             "the sheets: .html, .tex, or for a learning platform .xml (Moodle) or .zip (QTI 2.1)",
+             arguments->out);
+    add_text(options, "--key", "KEY", "a file for the keys with their working, .html or .tex",
+             arguments->key);
     add_threads(options, arguments->threads);
     add_memory(options);
     return [arguments] { return exercise(*arguments); };
@@ -77,7 +92,7 @@ Run declare_exercise(Options& options) {
 
 Command exercise_command() {
     return {"exercise", "NAME -o OUT", "write exercise sheets of a lesson, a different one for each student",
-            "glint exercise lambert --seed 7 --count 30 -o sheets.html", declare_exercise};
+            "glint exercise lambert --seed 7 --count 30 -o sheets.html --key keys.html", declare_exercise};
 }
 
 }  // namespace glint

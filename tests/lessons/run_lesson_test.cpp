@@ -1,9 +1,13 @@
 // Tests of the answers of a lesson's runs, of judging predictions, of handouts and of exercises.
 #include "lessons/run_lesson.h"
 
+#include <algorithm>
+#include <set>
+
 #include "lessons/check_lesson.h"
 #include "lessons/handout.h"
 #include "renderer/answers/reflectance_answers.h"
+#include "renderer/image/html_image.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 
@@ -40,7 +44,7 @@ struct Bench {
     }
     std::string page(bool key) const {
         LessonRunner runner(1);
-        return std::get<std::string>(handout_html(runner, lesson, key));
+        return std::get<std::string>(handout_html(runner, lesson, key ? PageKind::Key : PageKind::Student));
     }
 
     TemporaryDirectory directory;
@@ -158,7 +162,7 @@ TEST_CASE("an answer that does not fit its question is a problem with its line",
           "predict colour\nquestion: ?\nanswer: [0 - 0.1, 1, 1]\ntolerance: 1"}) {
         const Bench bench("```" + std::string(block) + "\n```\n");
         LessonRunner runner(1);
-        const Result<std::string> page = handout_html(runner, bench.lesson, true);
+        const Result<std::string> page = handout_html(runner, bench.lesson, PageKind::Key);
         const Problem* problem = problem_of(page);
         CAPTURE(block);
         REQUIRE(problem != nullptr);
@@ -228,9 +232,11 @@ done: true
         CHECK(page.find("Read <em>this</em> &amp; &lt;that&gt;.") != std::string::npos);
         CHECK(page.find("How bright?") != std::string::npos);
         CHECK(page.find("Drag the sun.") != std::string::npos);
+        CHECK(page.find("alt=\"The picture shows: Plate; lit by: ") != std::string::npos);
         CHECK(page.find("src=\"data:image/png;base64,iVBORw0KGgo") != std::string::npos);
         CHECK(page.find("http") == std::string::npos);
     }
+    CHECK(without.find("Why do you think so?") != std::string::npos);
     for (const char* const secret : {"Told behind.", "It is claimed.", "0.25 of it", "class=\"right\""}) {
         CAPTURE(secret);
         CHECK(with.find(secret) != std::string::npos);
@@ -263,24 +269,33 @@ closed: k / 2
     REQUIRE(sheets.size() == 8);
     CHECK(sheets[7].seed == 12);
     CHECK(sheets[7].questions[0].question == again[0].questions[0].question);
-    int different = 0;
+    std::set<std::string> different;
     for (const ExerciseSheet& sheet : sheets) {
         const PosedQuestion& q = sheet.questions.at(0);
         CHECK(q.answer == Approx(*q.closed).margin(1e-4));
         const double k = std::stod(q.question.substr(std::string("k_d is ").size()));
         CHECK(q.answer == Approx(k / 2).margin(1e-4));
-        different += q.question != sheets[0].questions[0].question;
+        different.insert(q.question);
+        CHECK(q.working.front() == "k / 2");
+        CHECK(q.working.at(1) == q.question.substr(std::string("k_d is ").size(),
+                                                   q.question.find(" &") - std::string("k_d is ").size()) +
+                                     " / 2");
     }
-    CHECK(different >= 5);
+    CHECK(different.size() == 8);
     CHECK(key_warnings(bench.lesson, sheets).empty());
     const std::string tex = exercises_tex(bench.lesson, sheets),
-                      html = exercises_html(bench.lesson, sheets, "");
-    CHECK(html.find("by the engine") == std::string::npos);
+                      html = exercises_html(bench.lesson, sheets, ""),
+                      keys = exercise_keys_html(bench.lesson, sheets),
+                      tex_keys = exercise_keys_tex(bench.lesson, sheets);
+    CHECK(keys.find("by the engine") == std::string::npos);
     CHECK(tex.find("k\\textsubscript{d} is ") != std::string::npos);
     CHECK(tex.find("\\& n\\textperiodcentered{}l a half") != std::string::npos);
-    CHECK(tex.find("Sheet 12:\\quad 1. ") != std::string::npos);
-    CHECK(html.find("k_d is ") != std::string::npos);
-    CHECK(html.find("Keys: A plate") != std::string::npos);
+    CHECK(tex_keys.find("Sheet 12") != std::string::npos);
+    CHECK(html.find("k<sub>d</sub> is ") != std::string::npos);
+    CHECK(keys.find("Keys: A plate") != std::string::npos);
+    // No sheet shows its answer.
+    for (const std::string& sheet : {html, tex}) CHECK(sheet.find("accept") == std::string::npos);
+    for (const std::string& key : {keys, tex_keys}) CHECK(key.find("accept") != std::string::npos);
 }
 
 TEST_CASE("a key shows both answers if the formula and the engine disagree", "[lesson][exercise]") {
@@ -303,9 +318,11 @@ closed: max(k, 0.4)
     const std::string told = ":9: the formula misses the engine's answer on " + std::to_string(wrong) +
                              " of 12 sheets, first on sheet " + std::to_string(first->seed) +
                              ": 0.4 by the formula, 0.25 by the engine";
-    CHECK(key_warnings(bench.lesson, sheets) == Warnings{bench.lesson.path + told});
+    CHECK(key_warnings(bench.lesson, sheets) ==
+          Warnings{bench.lesson.path + ":9: the exercise has 2 variants for 12 sheets: some sheets repeat it",
+                   bench.lesson.path + told});
     for (const std::string& key :
-         {exercises_html(bench.lesson, sheets, ""), exercises_tex(bench.lesson, sheets)}) {
+         {exercise_keys_html(bench.lesson, sheets), exercise_keys_tex(bench.lesson, sheets)}) {
         CHECK(key.find("0.400 m by the formula, but 0.250 by the engine") != std::string::npos);
         CHECK(key.find("0.500 m by the formula") == std::string::npos);
     }
@@ -348,4 +365,77 @@ TEST_CASE("the answer is visible only in the key's picture, not in the handout's
     CHECK(picture(bench.page(true)) == picture(lit.page(true)));
     CHECK(picture(bench.page(false)) == picture(dark.page(false)));
     CHECK(picture(lit.page(false)) != picture(dark.page(false)));
+}
+
+TEST_CASE("a key's working replaces names, then computes from the inside out", "[lesson][exercise]") {
+    const Bench bench(R"(```exercise
+vary: deg = 60
+vary: kd = 0.5
+vary: z = -3
+question: {deg} {kd} {z}?
+answer: kd * cos(deg) / sqrt(z ^ 2 + 16)
+tolerance: 0.01
+closed: kd * cos(deg) / sqrt(z ^ 2 + 16)
+```
+)");
+    LessonRunner runner(1);
+    const auto sheets = std::get<std::vector<ExerciseSheet>>(exercise_sheets(runner, bench.lesson, 1, 1));
+    CHECK(sheets[0].questions[0].working == std::vector<std::string>{"kd · cos(deg) / √(z² + 16)",
+                                                                     "0.5 · cos(60) / √((−3)² + 16)",
+                                                                     "0.5 · 0.5 / 5"});
+}
+
+TEST_CASE("a printed sheet's picture is light and its objects are not black", "[lesson][exercise]") {
+    const Bench bench("```scene\nset: /lights/0/intensity=0.2\n```\n");
+    LessonRunner runner(1);
+    const auto html = std::get<std::string>(sheet_picture(runner, bench.lesson));
+    CHECK(html.find("<img alt=\"The picture shows: Plate") == 0);
+    const auto lit = [&](float factor) {
+        SceneDocument document = std::get<SceneDocument>(runner.open(bench.lesson));
+        document.scene.lights[0].intensity = 0.2f;
+        document.scene.display.background = glm::vec3(0.9f);
+        document.scene.display.exposure = factor;
+        return html_image(
+            std::get<Picture>(runner.picture(document, bench.lesson, handout_size(bench.lesson), 4)), "x");
+    };
+    const auto data = [](const std::string& image) { return image.substr(image.find("src=")); };
+    CHECK(data(html) == data(lit(4)));  // 0.05 of the light prints as 0.2
+    CHECK(data(html) != data(lit(1)));
+}
+
+TEST_CASE("slides show each question before its answer, and notes what students believe",
+          "[lesson][handout]") {
+    Bench bench(R"(## Ask
+
+```predict number
+question: How bright?
+e = explain --pixel 16,16
+answer: e.sum[0]
+tolerance: 0.01
+wrong: 0.5
+thinks: Only k_d counts.
+```
+
+```reveal
+set: /display/exposure=2
+```
+
+Told behind.
+)");
+    bench.lesson.teaching = {7, {"do it"}, "They believe.", "Somebody 1999", {"Ask this."}};
+    LessonRunner runner(1);
+    const auto slides = std::get<std::string>(handout_html(runner, bench.lesson, PageKind::Slides));
+    const std::size_t question = slides.find("How bright?"), answer = slides.find("class=\"right\""),
+                      told = slides.find("Told behind.");
+    CHECK(question < answer);
+    CHECK(answer < told);
+    CHECK(slides.substr(question, answer - question).find("<section class=\"slide\">") != std::string::npos);
+    CHECK(slides.find("Only k") == std::string::npos);
+    const auto notes = std::get<std::string>(handout_html(runner, bench.lesson, PageKind::Instructor));
+    for (const char* const note : {"7 minutes", "do it", "They believe.", "Somebody 1999", "Ask this.",
+                                   "How bright?", "0.25", "If it was 0.5:", "Only k<sub>d</sub> counts."}) {
+        CAPTURE(note);
+        CHECK(notes.find(note) != std::string::npos);
+    }
+    CHECK(notes.find("<img") == std::string::npos);
 }

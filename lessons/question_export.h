@@ -1,0 +1,40 @@
+#pragma once
+// Questions for learning platforms: as a package of IMS QTI 2.1, and as Moodle XML.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/picture.h"
+
+namespace glint {
+
+/// A choice if it has options, else a number.
+struct ExportedQuestion {
+    struct Option {
+        std::string text, feedback;  // what a student who chose it may believe; or empty
+        bool is_right = false;
+    };
+    std::string title, text;  // plain text
+    std::optional<Picture> picture;
+    std::string alt;  // describes the picture
+    std::vector<Option> options;
+    double answer = 0, tolerance = 0;
+    std::string unit;
+    std::string feedback;  // after any answer: the working; or empty
+};
+
+/// A zip file with a manifest, a test, and a file for each question and picture. Source: IMS Question and
+/// Test Interoperability 2.1, 2012; the zip entries are stored, not compressed (PKWARE APPNOTE 6.3).
+[[nodiscard]] std::string qti_package(const std::string& title,
+                                      const std::vector<ExportedQuestion>& questions);
+
+/// Source: Moodle XML format, https://docs.moodle.org/en/Moodle_XML_format.
+[[nodiscard]] std::string moodle_xml(const std::string& title,
+                                     const std::vector<ExportedQuestion>& questions);
+
+/// `out` ends in .zip: QTI. Else Moodle XML.
+[[nodiscard]] std::string exported(const std::string& out, const std::string& title,
+                                   const std::vector<ExportedQuestion>& questions);
+
+}  // namespace glint
