@@ -2,8 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
+#include <map>
+#include <numeric>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 #include "lessons/handout.h"
 #include "lessons/page.h"
@@ -28,55 +35,78 @@ std::vector<Posed> questions_of(const Lesson& lesson) {
     return posed;
 }
 
-/// The number of the right option, from 0.
-Result<std::size_t> key_of(LessonRunner& runner, const Lesson& lesson, const Posed& posed) {
-    const Result<SceneDocument> opened = runner.open(lesson);
-    if (const Problem* problem = problem_of(opened)) return *problem;
-    const Result<SceneDocument> set =
-        LessonRunner::with(std::get<SceneDocument>(opened), posed.step->set, lesson, posed.step->line);
-    if (const Problem* problem = problem_of(set)) return *problem;
-    const Result<RightAnswer> right =
-        right_answer(runner, std::get<SceneDocument>(set), lesson, *posed.question);
-    if (const Problem* problem = problem_of(right)) return *problem;
-    return static_cast<std::size_t>(std::get<RightAnswer>(right).value.get<double>());
+/// The number of the right option, from 0. This and what calls it throw ProblemFound.
+std::size_t key_of(LessonRunner& runner, const Lesson& lesson, const Posed& posed) {
+    const SceneDocument set = value_or_throw(
+        LessonRunner::with(value_or_throw(runner.open(lesson)), posed.step->set, lesson, posed.step->line));
+    return static_cast<std::size_t>(
+        value_or_throw(right_answer(runner, set, lesson, *posed.question)).value.get<double>());
 }
 
-/// The script that saves the answers as a JSON file, created in the page itself.
+/// The picture of a question, which hides the answer unless it is for the `key`.
+std::pair<Picture, std::string> picture_of(LessonRunner& runner, const Lesson& lesson, const LessonStep& step,
+                                           bool key) {
+    const SceneDocument set =
+        value_or_throw(LessonRunner::with(value_or_throw(runner.open(lesson)), step.set, lesson, step.line));
+    const SceneDocument shown = value_or_throw(LessonRunner::for_paper(set, step, lesson, key));
+    return {value_or_throw(runner.picture(shown, lesson, handout_size(lesson), 4)),
+            alternative_text(step, shown.scene)};
+}
+
+/// The fields and the script that save the answers as a JSON file, created in the page itself. Before the
+/// lessons, questions in the words of the course are hidden.
 constexpr std::string_view saving = R"JS(
-<p><label><input type="radio" name="when" value="before" checked> before the lessons</label>
-<label><input type="radio" name="when" value="after"> after them</label></p>
-<p><button type="button" id="save">Save my answers</button></p>
+<div class="window"><p><label>Your number or code: <input id="person" size="12"></label></p>
+<p><label><input type="radio" name="when" value="before"> before the lessons</label>
+<label><input type="radio" name="when" value="after"> after the lessons</label></p>
+<p id="missing" role="status"></p>
+<p><button type="button" id="save">Save my answers</button></p></div>
 <script>
+const items = [...document.querySelectorAll("fieldset")], seconds = items.map(() => 0);
+const taken = f => f.querySelector("input:checked");
+let since = Date.now();
+items.forEach((f, i) => f.onchange = () => {
+  seconds[i] += Math.round((Date.now() - since) / 100) / 10;
+  since = Date.now();
+});
+const when = () => document.querySelector("input[name=when]:checked");
+document.querySelectorAll("input[name=when]").forEach(r => r.onchange = () =>
+  document.querySelectorAll(".course").forEach(s => s.hidden = when().value === "before"));
+let warned = "";
 document.getElementById("save").onclick = () => {
-  const answers = [...document.querySelectorAll("fieldset")].map(f => {
-    const taken = f.querySelector("input:checked");
-    return taken ? Number(taken.value) : null;
-  });
-  const when = document.querySelector("input[name=when]:checked").value;
+  const person = document.getElementById("person").value.trim();
+  const open = items.filter(f => !f.closest("[hidden]") && !taken(f)).length;
+  let missing = "";
+  if (!when()) missing = "Choose first: before or after the lessons?";
+  else if (!person) missing = "Enter your number or code first, the same one before and after.";
+  else if (open) missing = open + " questions have no answer. Press the button again to save anyway.";
+  document.getElementById("missing").textContent = missing;
+  if (missing && (!open || !when() || !person || warned !== missing)) { warned = missing; return; }
+  const answers = items.map(f => taken(f) && !f.closest("[hidden]") ? Number(taken(f).value) : null);
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([JSON.stringify({quiz: document.title, when, answers})],
-    {type: "application/json"}));
-  link.download = "answers-" + when + ".json";
+  link.href = URL.createObjectURL(new Blob([JSON.stringify({quiz: document.title, person, when: when().value, answers,
+    seconds})], {type: "application/json"}));
+  link.download = "answers-" + person + "-" + when().value + ".json";
   link.click();
 };
 </script>
 )JS";
 
 std::string options_html(const Prediction& p, std::size_t number, std::optional<std::size_t> right) {
-    std::string html = fmt::format("<fieldset class=\"box\"><p>{}</p>\n", html_escaped(p.question));
+    std::string html = fmt::format("<fieldset class=\"box\"><legend>Question {}</legend><p>{}</p>\n", number,
+                                   lesson_html(p.question));
     for (std::size_t i = 0; i < p.options.size(); ++i) {
         const LessonOption& option = p.options[i];
-        const std::string text = html_escaped(option.text);
+        const std::string text = lesson_html(option.text);
         if (!right) {
             html += fmt::format("<p><label><input type=\"radio\" name=\"q{}\" value=\"{}\"> {}</label></p>\n",
                                 number, i, text);
             continue;
         }
-        html +=
-            fmt::format("<p{}>{} {}", i == *right ? " class=\"right\"" : "", i == *right ? "☑" : "☐", text);
-        if (!option.thinks.empty()) html += fmt::format("<br><small>{}</small>", html_escaped(option.thinks));
-        if (!option.mistake.empty())
-            html += fmt::format(" <small>(<code>{}</code>)</small>", html_escaped(option.mistake));
+        html += fmt::format("<p{}>{} {}{}", i == *right ? " class=\"right\"" : "", static_cast<char>('A' + i),
+                            text, i == *right ? " (right)" : "");
+        if (!option.thinks.empty()) html += fmt::format("<br>{}", lesson_html(option.thinks));
+        if (!option.mistake.empty()) html += fmt::format(" (<code>{}</code>)", html_escaped(option.mistake));
         html += "</p>\n";
     }
     return html + "</fieldset>\n";
@@ -97,6 +127,82 @@ Json share_of(std::size_t part, std::size_t whole) {
     return static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// The scored questions: those in plain language, of which all forms have equally many.
+std::size_t scored(const Lesson& lesson, std::size_t questions) {
+    return lesson.plain == 0 ? questions : std::min(questions, static_cast<std::size_t>(lesson.plain));
+}
+
+/// The right options of a form.
+std::vector<std::size_t> keys_of(LessonRunner& runner, const Lesson& lesson) {
+    std::vector<std::size_t> keys;
+    for (const Posed& posed : questions_of(lesson)) keys.push_back(key_of(runner, lesson, posed));
+    return keys;
+}
+
+bool is_right(const QuizAnswers& answers, std::size_t question, const std::vector<std::size_t>& keys) {
+    return answers.options[question] == keys[question];
+}
+
+double score_of(const QuizAnswers& answers, std::size_t count, const std::vector<std::size_t>& keys) {
+    double score = 0;
+    for (std::size_t i = 0; i < count; ++i) score += is_right(answers, i, keys) ? 1 : 0;
+    return score;
+}
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+/// Of a population.
+double covariance(const std::vector<double>& a, const std::vector<double>& b) {
+    const double mean_a = mean_of(a), mean_b = mean_of(b);
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - mean_a) * (b[i] - mean_b);
+    return sum / static_cast<double>(a.size());
+}
+
+/// NaN where there is nothing to compare.
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    return covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
+}
+
+std::string two_digits(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "-"; }
+
+/// The table of one form, before or after. `all`: those answers.
+std::string table_of(const std::vector<const QuizAnswers*>& all, std::size_t count,
+                     const std::vector<std::size_t>& keys, const std::string& title) {
+    std::string text = fmt::format("{}, people: {}\nitem  difficulty  discrimination\n", title, all.size());
+    std::vector<double> scores;
+    for (const QuizAnswers* answers : all) scores.push_back(score_of(*answers, count, keys));
+    double spread = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::vector<double> right, others;
+        for (std::size_t person = 0; person < all.size(); ++person) {
+            right.push_back(is_right(*all[person], i, keys) ? 1 : 0);
+            others.push_back(scores[person] - right.back());
+        }
+        const double share = mean_of(right);
+        spread += share * (1 - share);
+        text += fmt::format("{:>4}  {:>10}  {:>14}\n", i + 1, two_digits(share),
+                            two_digits(correlation(right, others)));
+    }
+    const auto k = static_cast<double>(count);
+    return text + fmt::format("reliability (KR-20) {}\n\n",
+                              two_digits(k / (k - 1) * (1 - spread / covariance(scores, scores))));
+}
+
+/// The shares of right answers of each person who gave a code, before and after.
+using Matched = std::map<std::string, std::array<std::optional<double>, 2>>;
+
+std::string gain_text(const Matched& people) {
+    std::vector<double> gains;
+    for (const auto& [person, share] : people)
+        if (share[0] && share[1] && *share[0] < 1) gains.push_back((*share[1] - *share[0]) / (1 - *share[0]));
+    if (gains.empty()) return "gain: nobody answered before and after with the same code\n";
+    const double error = std::sqrt(covariance(gains, gains) / static_cast<double>(gains.size()));
+    return fmt::format("gain: {} (standard error {}), people: {}, matched by their codes\n",
+                       two_digits(mean_of(gains)), two_digits(error), gains.size());
+}
+
 /// How often each option was chosen, before or after the lessons.
 std::vector<std::size_t> taken(const std::vector<QuizAnswers>& all, std::size_t question, std::size_t options,
                                bool after) {
@@ -109,49 +215,42 @@ std::vector<std::size_t> taken(const std::vector<QuizAnswers>& all, std::size_t 
 }  // namespace
 
 Result<std::string> quiz_html(LessonRunner& runner, const Lesson& lesson, bool key) {
-    const Result<SceneDocument> opened = runner.open(lesson);
-    if (const Problem* problem = problem_of(opened)) return *problem;
-    std::string body;
-    body += fmt::format("<p class=\"topic\">{}</p>\n<h1>{}</h1>\n", html_escaped(lesson.topic),
-                        html_escaped(lesson.title));
-    std::size_t number = 0;
-    for (const LessonStep& step : lesson.steps) {
-        if (!step.title.empty()) body += fmt::format("<h2>{}</h2>\n", html_escaped(step.title));
-        const Result<SceneDocument> set =
-            LessonRunner::with(std::get<SceneDocument>(opened), step.set, lesson, step.line);
-        if (const Problem* problem = problem_of(set)) return *problem;
-        if (!step.title.empty()) {
-            const Result<SceneDocument> shown =
-                LessonRunner::for_paper(std::get<SceneDocument>(set), step, lesson, key);
-            if (const Problem* problem = problem_of(shown)) return *problem;
-            const Result<Picture> picture =
-                runner.picture(std::get<SceneDocument>(shown), lesson, handout_size(lesson), 4);
-            if (const Problem* problem = problem_of(picture)) return *problem;
-            body += html_image(std::get<Picture>(picture), "What the question is about") + "\n";
-        }
-        for (const LessonPart& part : step.parts) {
-            if (const auto* prose = std::get_if<std::vector<ProseBlock>>(&part)) body += prose_html(*prose);
-            const auto* p = std::get_if<Prediction>(&part);
-            if (p == nullptr || p->kind != PredictionKind::Choice) continue;
-            std::optional<std::size_t> right;
-            if (key) {
-                const Result<std::size_t> found = key_of(runner, lesson, {&step, p});
-                if (const Problem* problem = problem_of(found)) return *problem;
-                right = std::get<std::size_t>(found);
+    return result_of(lesson.path, [&] {
+        std::string body = fmt::format("<p class=\"topic\">{}</p>\n<h1>{}</h1>\n", lesson_html(lesson.topic),
+                                       lesson_html(lesson.title));
+        std::size_t number = 0;
+        for (const LessonStep& step : lesson.steps) {
+            const bool is_course =
+                !key && lesson.plain > 0 && number >= static_cast<std::size_t>(lesson.plain);
+            body += is_course ? "<section class=\"course\">\n" : "<section>\n";
+            if (!step.title.empty()) {
+                const auto [picture, alt] = picture_of(runner, lesson, step, key);
+                body += fmt::format("<h2>{}</h2>\n{}\n", lesson_html(step.title), html_image(picture, alt));
             }
-            body += options_html(*p, ++number, right);
+            for (const LessonPart& part : step.parts) {
+                if (const auto* prose = std::get_if<std::vector<ProseBlock>>(&part))
+                    body += prose_html(*prose);
+                const auto* p = std::get_if<Prediction>(&part);
+                if (p == nullptr || p->kind != PredictionKind::Choice) continue;
+                body += options_html(*p, ++number,
+                                     key ? std::optional(key_of(runner, lesson, {&step, p})) : std::nullopt);
+            }
+            body += "</section>\n";
         }
-    }
-    if (number == 0) return Problem{lesson.path, "", "there is no question", "a block \"predict choice\""};
-    if (!key) body += saving;
-    return page_html(lesson.title, body);
+        if (number == 0)
+            throw ProblemFound({lesson.path, "", "there is no question", "a block \"predict choice\""});
+        return page_html(lesson.title, key ? body : body + std::string(saving));
+    });
 }
 
 Json answers_json(const Lesson& lesson, const QuizAnswers& answers) {
     Json options = Json::array();
     for (const std::optional<std::size_t>& option : answers.options)
         options.push_back(option ? Json(*option) : Json());
-    return {{"quiz", lesson.title}, {"when", answers.after ? "after" : "before"}, {"answers", options}};
+    Json json{{"quiz", lesson.title}, {"when", answers.after ? "after" : "before"}, {"answers", options}};
+    if (!answers.person.empty()) json["person"] = answers.person;
+    if (!answers.seconds.empty()) json["seconds"] = answers.seconds;
+    return json;
 }
 
 Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text, const std::string& file) {
@@ -172,6 +271,16 @@ Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text, co
             file, "", "these are not answers to " + json_string(lesson.title),
             fmt::format("\"when\": \"before\" or \"after\", and {} \"answers\"", questions.size())};
     QuizAnswers read{when->get_ref<const std::string&>() == "after", {}};
+    if (const Json* person = find_member(json, "person"); person != nullptr && person->is_string())
+        read.person = person->get<std::string>();
+    if (const Json* seconds = find_member(json, "seconds"); seconds != nullptr) {
+        const auto is_time = [](const Json& s) { return s.is_number() && s.get<double>() >= 0; };
+        const Json::array_t& list = elements_of(*seconds);
+        if (list.size() != questions.size() || !std::all_of(list.begin(), list.end(), is_time))
+            return Problem{file, "/seconds", "is not a list of times",
+                           fmt::format("{} numbers", questions.size())};
+        for (const Json& s : list) read.seconds.push_back(s.get<double>());
+    }
     for (std::size_t i = 0; i < questions.size(); ++i) {
         const Json& answer = elements_of(*answers)[i];
         const std::size_t options = questions[i].question->options.size();
@@ -190,42 +299,122 @@ Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text, co
 
 Result<Json> quiz_statistics(LessonRunner& runner, const Lesson& lesson,
                              const std::vector<QuizAnswers>& all) {
-    const std::vector<Posed> questions = questions_of(lesson);
-    std::size_t people[2] = {0, 0}, right_answers[2] = {0, 0};
-    for (const QuizAnswers& answers : all) ++people[answers.after ? 1 : 0];
-    Json list = Json::array();
-    for (std::size_t i = 0; i < questions.size(); ++i) {
-        const Prediction& p = *questions[i].question;
-        const Result<std::size_t> found = key_of(runner, lesson, questions[i]);
-        if (const Problem* problem = problem_of(found)) return *problem;
-        const std::size_t right = std::get<std::size_t>(found);
-        const std::vector<std::size_t> before = taken(all, i, p.options.size(), false),
-                                       after = taken(all, i, p.options.size(), true);
-        right_answers[0] += before[right];
-        right_answers[1] += after[right];
-        Json options = Json::array();
-        for (std::size_t o = 0; o < p.options.size(); ++o)
-            options.push_back({{"option", p.options[o].text},
-                               {"right", o == right},
-                               {"thinks", p.options[o].thinks},
-                               {"mistake", p.options[o].mistake},
-                               {"before", before[o]},
-                               {"after", after[o]}});
-        list.push_back({{"question", p.question},
-                        {"right_before", share_of(before[right], people[0])},
-                        {"right_after", share_of(after[right], people[1])},
-                        {"options", options}});
-    }
-    const Json before = share_of(right_answers[0], people[0] * questions.size()),
-               after = share_of(right_answers[1], people[1] * questions.size());
-    Json gain;  // null if there is nothing to compare or to gain
-    if (before.is_number() && after.is_number() && before.get<double>() < 1)
-        gain = (after.get<double>() - before.get<double>()) / (1 - before.get<double>());
-    return Json{{"quiz", lesson.title},
-                {"people", {{"before", people[0]}, {"after", people[1]}}},
-                {"right", {{"before", before}, {"after", after}}},
-                {"gain", gain},
-                {"questions", list}};
+    return result_of(lesson.path, [&] {
+        const std::vector<Posed> questions = questions_of(lesson);
+        const std::vector<std::size_t> keys = keys_of(runner, lesson);
+        std::size_t people[2] = {0, 0}, right_answers[2] = {0, 0};
+        for (const QuizAnswers& answers : all) ++people[answers.after ? 1 : 0];
+        Json list = Json::array();
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+            const Prediction& p = *questions[i].question;
+            const std::size_t right = keys[i];
+            const std::vector<std::size_t> before = taken(all, i, p.options.size(), false),
+                                           after = taken(all, i, p.options.size(), true);
+            if (i < scored(lesson, questions.size())) {
+                right_answers[0] += before[right];
+                right_answers[1] += after[right];
+            }
+            Json options = Json::array();
+            for (std::size_t o = 0; o < p.options.size(); ++o)
+                options.push_back({{"option", p.options[o].text},
+                                   {"right", o == right},
+                                   {"thinks", p.options[o].thinks},
+                                   {"mistake", p.options[o].mistake},
+                                   {"before", before[o]},
+                                   {"after", after[o]}});
+            list.push_back({{"question", p.question},
+                            {"right_before", share_of(before[right], people[0])},
+                            {"right_after", share_of(after[right], people[1])},
+                            {"options", options}});
+        }
+        const std::size_t counted = scored(lesson, questions.size());
+        const Json before = share_of(right_answers[0], people[0] * counted),
+                   after = share_of(right_answers[1], people[1] * counted);
+        Json gain;  // null if there is nothing to compare or to gain
+        if (before.is_number() && after.is_number() && before.get<double>() < 1)
+            gain = (after.get<double>() - before.get<double>()) / (1 - before.get<double>());
+        return Json{{"quiz", lesson.title},
+                    {"people", {{"before", people[0]}, {"after", people[1]}}},
+                    {"right", {{"before", before}, {"after", after}}},
+                    {"gain", gain},
+                    {"questions", list}};
+    });
+}
+
+bool names_quiz(const Lesson& lesson, std::string_view text) {
+    const Json* quiz = nullptr;
+    const Json json = json_or_null(std::string(text));
+    return (quiz = find_member(json, "quiz")) != nullptr && is_title(*quiz, lesson.title);
+}
+
+Result<std::string> quiz_analysis(LessonRunner& runner, const std::vector<AnsweredForm>& forms) {
+    return result_of("", [&] {
+        std::string text;
+        Matched people;
+        for (const AnsweredForm& form : forms) {
+            const std::vector<std::size_t> keys = keys_of(runner, form.lesson);
+            const std::size_t plain = scored(form.lesson, keys.size());
+            for (const bool after : {false, true}) {
+                std::vector<const QuizAnswers*> all;
+                for (const QuizAnswers& answers : form.answers)
+                    if (answers.after == after) all.push_back(&answers);
+                if (all.empty()) continue;
+                text += table_of(
+                    all, after ? keys.size() : plain, keys,
+                    fmt::format("form {}, {} the lessons", form.lesson.form, after ? "after" : "before"));
+                for (const QuizAnswers* answers : all)
+                    if (!answers->person.empty())
+                        people[answers->person][after ? 1 : 0] =
+                            score_of(*answers, plain, keys) / static_cast<double>(plain);
+            }
+        }
+        return text + gain_text(people);
+    });
+}
+
+Result<std::string> quiz_csv(LessonRunner& runner, const std::vector<AnsweredForm>& forms) {
+    return result_of("", [&] {
+        std::string csv = "person,form,when,item,answer,right,seconds\n";
+        for (const AnsweredForm& form : forms) {
+            const std::vector<std::size_t> keys = keys_of(runner, form.lesson);
+            for (const QuizAnswers& answers : form.answers)
+                for (std::size_t i = 0; i < keys.size(); ++i) {
+                    if (!answers.options[i]) continue;
+                    std::string person = answers.person;
+                    std::erase_if(person, [](char c) { return c == '"' || c == '\n' || c == '\r'; });
+                    // Otherwise a spreadsheet would compute it.
+                    if (!person.empty() && std::string_view("=+-@").find(person[0]) != std::string_view::npos)
+                        person.insert(0, "'");
+                    csv += fmt::format(
+                        "\"{}\",{},{},{},{},{},{}\n", person, form.lesson.form,
+                        answers.after ? "after" : "before", i + 1,
+                        static_cast<char>('A' + *answers.options[i]), is_right(answers, i, keys) ? 1 : 0,
+                        answers.seconds.empty() ? "" : fmt::format("{:.1f}", answers.seconds[i]));
+                }
+        }
+        return csv;
+    });
+}
+
+Result<std::vector<ExportedQuestion>> quiz_questions(LessonRunner& runner, const Lesson& lesson) {
+    return result_of(lesson.path, [&] {
+        std::vector<ExportedQuestion> questions;
+        for (const Posed& posed : questions_of(lesson)) {
+            ExportedQuestion question;
+            question.title = posed.step->title;
+            for (const LessonPart& part : posed.step->parts)
+                if (const auto* prose = std::get_if<std::vector<ProseBlock>>(&part))
+                    for (const ProseBlock& block : *prose) question.text += plain_text(block) + ' ';
+            question.text += posed.question->question;
+            std::tie(question.picture, question.alt) = picture_of(runner, lesson, *posed.step, false);
+            const std::size_t right = key_of(runner, lesson, posed);
+            for (const LessonOption& option : posed.question->options)
+                question.options.push_back(
+                    {option.text, option.thinks, &option == &posed.question->options[right]});
+            questions.push_back(std::move(question));
+        }
+        return questions;
+    });
 }
 
 }  // namespace glint

@@ -92,7 +92,21 @@ TEST_CASE("glint lessons and glint exercise write pages", "[cli][lesson]") {
     CHECK(run_glint({"lessons", "lambert", "-o", page, "--key"}).status == 0);
     CHECK(bytes_of(page).find("<!DOCTYPE html>") == 0);
     CHECK(run_glint({"lessons", "lambert", "-o", "-"}).out.find("<!DOCTYPE html>") == 0);
-    CHECK(run_glint({"exercise", "lambert", "--seed", "7", "--count", "3", "-o", tex}).status == 0);
+    const std::string keys = directory.path("k.tex"), zip = directory.path("e.zip"),
+                      xml = directory.path("e.xml");
+    CHECK(
+        run_glint({"exercise", "lambert", "--seed", "7", "--count", "3", "-o", tex, "--key", keys}).status ==
+        0);
+    CHECK(bytes_of(keys).find("Sheet 9") != std::string::npos);
+    CHECK(bytes_of(tex).find("accept") == std::string::npos);
+    CHECK(run_glint({"exercise", "lambert", "-o", zip}).status == 0);
+    CHECK(bytes_of(zip).starts_with("PK"));
+    CHECK(run_glint({"exercise", "lambert", "-o", xml}).status == 0);
+    CHECK(bytes_of(xml).find("<question type=\"numerical\">") != std::string::npos);
+    CHECK(run_glint({"lessons", "lambert", "-o", "-", "--slides"}).out.find("class=\"slide\"") !=
+          std::string::npos);
+    CHECK(run_glint({"lessons", "lambert", "-o", "-", "--instructor"}).out.find("What students believe") !=
+          std::string::npos);
     CHECK(run_glint({"exercise", "lambert", "--seed", "7", "--count", "3", "-o", html}).status == 0);
     for (const char* const sheet : {"Sheet 7", "Sheet 8", "Sheet 9"}) {
         CHECK(bytes_of(tex).find(sheet) != std::string::npos);
@@ -108,6 +122,10 @@ TEST_CASE("glint lessons and glint exercise report wrong usage", "[cli][lesson][
     check_refused({"lessons", "-o", "x.html"}, "-o: prints one lesson");
     check_refused({"lessons", "5", "-o", "x.pdf"}, "expected a name that ends in .html, or -");
     check_refused({"lessons", "5", "--key"}, "--key: is without -o");
+    check_refused({"lessons", "5", "--slides"}, "--slides: is without -o");
+    check_refused({"lessons", "5", "--key", "--instructor", "-o", "x.html"},
+                  "--instructor: cannot be combined with --key");
+    check_refused({"exercise", "5", "-o", "x.html", "--key", "x.html"}, "--key: is the file of the sheets");
     check_refused({"lessons", "5", "--check", "-o", "x.html"}, "--check: cannot be combined with -o");
     check_refused({"lessons", "5", "--format", "json", "-o", "x.html"},
                   "--format: is json, but -o writes a page");
@@ -127,7 +145,7 @@ TEST_CASE("glint lessons and glint exercise report wrong usage", "[cli][lesson][
                   "--count: there are fewer sheets from 2147483647 on; expected 1 to 1");
     check_refused({"exercise"}, "NAME: is missing");
     check_refused({"exercise", "5"}, "-o: is missing");
-    check_refused({"exercise", "5", "-o", "x.pdf"}, "expected a name that ends in .html or .tex");
+    check_refused({"exercise", "5", "-o", "x.pdf"}, "expected a name that ends in .html, .tex, .xml or .zip");
     check_refused({"exercise", "5", "-o", "x.html", "--count", "0"}, "--count: 0 is out of range");
 }
 
@@ -170,7 +188,15 @@ TEST_CASE("glint quiz writes the inventory and counts a class's answers", "[cli]
     CHECK(run_glint({"quiz", "-"})
               .err.find("-: these are not answers to \"What do you believe about lighting?\"") !=
           std::string::npos);
-    check_refused({"quiz", "-o", "x.png"}, "expected a name that ends in .html, or -");
+    check_refused({"quiz", "-o", "x.png"}, "expected a name that ends in .html, .xml or .zip, or -");
+    check_refused({"quiz", "--csv"}, "--csv: is without ANSWERS");
+    check_refused({"quiz", "--analyse", "--csv", a}, "--csv: cannot be combined with --analyse");
+    CHECK(run_glint({"quiz", "--analyse", a}).out.starts_with("form A, before the lessons, people: 1\n"));
+    CHECK(run_glint({"quiz", "--csv", a})
+              .out.starts_with("person,form,when,item,answer,right,seconds\n\"\",A,before,1,A,"));
+    const std::string xml = directory.path("q.xml");
+    CHECK(run_glint({"quiz", "--form", "b", "-o", xml}).status == 0);
+    CHECK(bytes_of(xml).find("(form B)") != std::string::npos);
 }
 
 TEST_CASE("a reveal's pixel outside the lesson's picture is an error with its line",
@@ -273,6 +299,7 @@ TEST_CASE("glint exercise prints both answers if the formula is wrong", "[cli][l
         "l.md", lesson_text("ball.json", "e.hit") +
                     "\n```exercise\nvary: a = 2\nquestion: {a}?\nanswer: a\ntolerance: 1\nclosed: 4\n```\n");
     const std::string out = directory.path("x.tex");
-    CHECK(run_glint({"exercise", lesson, "-o", out}).status == 0);
-    CHECK(bytes_of(out).find("1. 4.0 by the formula, but 2.0 by the engine") != std::string::npos);
+    const std::string key = directory.path("key.tex");
+    CHECK(run_glint({"exercise", lesson, "-o", out, "--key", key}).status == 0);
+    CHECK(bytes_of(key).find("4.0 by the formula, but 2.0 by the engine") != std::string::npos);
 }
