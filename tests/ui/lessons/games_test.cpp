@@ -375,6 +375,7 @@ TEST_CASE("clicks answer the quiz, and glint quiz counts its file", "[ui][window
     } while (!quiz.pages);
     bench.frames(2);
     REQUIRE(quiz.pages->pages.size() == 24);
+    quiz.after = true;
     for (std::size_t i = 0; i < 24; ++i) {
         CAPTURE(i);
         REQUIRE(quiz.at == i);
@@ -384,7 +385,9 @@ TEST_CASE("clicks answer the quiz, and glint quiz counts its file", "[ui][window
         bench.click(bench.control("Next question"));
         bench.frames(2);
     }
-    quiz.after = true;
+    bench.click(bench.control("Your number or code"));
+    bench.type("17");
+    bench.frames(2);
     const TemporaryDirectory folder;
     answers_purpose.use(bench.state, folder.path("answers.json"));
     const auto text = std::get<std::string>(read_file(folder.path("answers.json"), 10000));
@@ -392,6 +395,8 @@ TEST_CASE("clicks answer the quiz, and glint quiz counts its file", "[ui][window
     const auto read = std::get<QuizAnswers>(read_answers(lesson, text, "answers.json"));
     CHECK(read.after);
     CHECK(read.options == quiz.taken);
+    CHECK(read.person == "17");
+    CHECK(read.seconds.size() == 24);
     CHECK(read.options[0] == 0u);
     CHECK_FALSE(read.options[5]);
     CHECK(read.options[7] == 3u);

@@ -703,3 +703,58 @@ TEST_CASE("letters next to a dot or with an index have the equation's colours", 
     CHECK(symbols("small") == "");
     CHECK(symbols("r²)") == "");
 }
+
+TEST_CASE("a curve and a position can be typed instead of drawn", "[ui][window][lesson]") {
+    HeadlessWindow bench({1280, 1000});
+    bench.frames(2);
+    test::drop(bench, test::shipped_lesson("07-shininess"));
+    turn_to(bench, PredictionKind::Sketch);
+    bench.click(bench.control("Type it"));
+    test::type(bench, "1 0.5 0");
+    bench.frames(2);
+    LessonState& lesson = bench.state.get<LessonState>();
+    REQUIRE(can_lock(lesson));
+    const Json::array_t& curve = elements_of(lesson.chosen);
+    CHECK(curve.size() == 71);
+    CHECK(curve[0].get<double>() == Approx(1));
+    CHECK(curve[35].get<double>() == Approx(0.5));
+    CHECK(curve[70].get<double>() == Approx(0));
+    test::drop(bench, test::shipped_lesson("06-mirror-vector"));
+    turn_to(bench, PredictionKind::Click);
+    bench.click(bench.control("Type it"));
+    test::type(bench, "187, 76");
+    bench.frames(2);
+    CHECK(lesson.chosen == Json(Json::array_t{187.0, 76.0}));
+    bench.click(bench.control("Lock it in"));
+    bench.frames(2);
+    CHECK(is_right(lesson.station().questions[0], lesson.given()[0]));
+}
+
+TEST_CASE("a reason is kept with the answer, and a typical wrong answer is explained",
+          "[ui][window][lesson]") {
+    const TemporaryDirectory folder;
+    {
+        HeadlessWindow bench({1280, 1000});
+        begin_persistence(bench.state, folder.path());
+        bench.frames(2);
+        test::drop(bench, test::shipped_lesson("05-lambert"));
+        bench.key(Key::PageDown);
+        bench.frames(2);
+        bench.click(bench.control("Your reason"));
+        test::type(bench, "it is tilted");
+        bench.click(bench.control("Your answer"));
+        test::type(bench, "0.87");
+        bench.click(bench.control("Lock it in"));
+        bench.frames(3);
+        const LessonState& lesson = bench.state.get<LessonState>();
+        CHECK(lesson.given()[0].why == "it is tilted");
+        const StationQuestion& question = lesson.station().questions[0];
+        CHECK(thought_behind(*question.asks, question.right, lesson.given()[0].value)
+                  .starts_with("The cosine is that of the angle to the surface"));
+    }
+    HeadlessWindow bench({1280, 1000});
+    begin_persistence(bench.state, folder.path());
+    bench.frames(2);
+    test::drop(bench, test::shipped_lesson("05-lambert"));
+    CHECK(bench.state.get<LessonState>().given()[0].why == "it is tilted");
+}

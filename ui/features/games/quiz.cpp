@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "ui/ui.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/text/text_field.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -64,9 +66,18 @@ Result<QuizPages> read_pages(const std::string& path, LoadProgress& progress) {
     return quiz;
 }
 
-std::string kept_file(const UiState& state) { return state.persistence.file("quiz.json"); }
+std::string kept_file(const UiState& state) {
+    return state.persistence.file(state.get<QuizState>().form_b ? "quiz-b.json" : "quiz.json");
+}
 
-QuizAnswers answers_of(const QuizState& quiz) { return {quiz.after, quiz.taken}; }
+/// Before the lessons, only the questions in plain language are asked.
+std::size_t count_pages(const QuizState& quiz) {
+    const auto plain = static_cast<std::size_t>(quiz.pages->lesson.plain);
+    const std::size_t all = quiz.pages->pages.size();
+    return quiz.after || plain == 0 ? all : std::min(all, plain);
+}
+
+QuizAnswers answers_of(const QuizState& quiz) { return {quiz.after, quiz.taken, quiz.person, quiz.seconds}; }
 std::string text_of(const QuizState& quiz, const QuizAnswers& answers) {
     return json_text(answers_json(quiz.pages->lesson, answers));
 }
@@ -89,12 +100,15 @@ std::optional<QuizAnswers> kept_answers(const UiState& state) {
 void recall_answers(UiState& state) {
     QuizState& quiz = state.get<QuizState>();
     quiz.taken.assign(quiz.pages->pages.size(), {});
+    quiz.seconds.assign(quiz.taken.size(), 0);
     quiz.kept = answers_of(quiz);
     const std::optional<QuizAnswers> answers = kept_answers(state);
     if (!answers) return;
     quiz.kept = *answers;
     quiz.after = answers->after;
     quiz.taken = answers->options;
+    quiz.person = answers->person;
+    if (!answers->seconds.empty()) quiz.seconds = answers->seconds;
     const auto first = std::find(quiz.taken.begin(), quiz.taken.end(), std::nullopt);
     quiz.at = static_cast<std::size_t>(first - quiz.taken.begin());
 }
@@ -169,7 +183,7 @@ void save_answers(UiState& state, const std::string& path) {
 
 void last_page(UiState& state) {
     QuizState& quiz = state.get<QuizState>();
-    prose_line(fmt::format("You answered {} of {} questions.", count_taken(quiz), quiz.taken.size()));
+    prose_line(fmt::format("You answered {} of {} questions.", count_taken(quiz), count_pages(quiz)));
     prose_line(
         "The right answers are not shown here: the lessons explain them, and after the lessons you answer "
         "again.");
@@ -178,26 +192,31 @@ void last_page(UiState& state) {
     ImGui::SameLine(0, px(16));
     if (ImGui::RadioButton("after them", quiz.after)) quiz.after = true;
     ImGui::Dummy({0, px(6)});
+    ImGui::SetNextItemWidth(px(160));
+    (void)text_field("##person", "your number or code", quiz.person);
+    tooltip("Your number or code",
+            "The same before and after the lessons, so that your gain can be computed");
+    ImGui::Dummy({0, px(6)});
     if (main_button("Save my answers…"))
         state.files.ask(answers_purpose, quiz.after ? "answers-after.json" : "answers-before.json");
     tooltip("Save my answers", "As a file that `glint quiz ANSWERS.json...` counts for a class");
-    small_dim("The file contains no name except the one that you give it.");
+    small_dim("The file contains your code, and no name except the one that you give it.");
 }
 
 void answer_by_key(QuizState& quiz, KeyPress press) {
     if (!press.is_alone()) return;
-    const std::vector<QuizPage>& pages = quiz.pages->pages;
-    const std::size_t options = quiz.at < pages.size() ? pages[quiz.at].options.size() : 0;
+    const std::size_t count = count_pages(quiz);
+    const std::size_t options = quiz.at < count ? quiz.pages->pages[quiz.at].options.size() : 0;
     if (const auto option = option_of_key(press, options))
         quiz.taken[quiz.at] = option;
     else if (press.key == Key::Enter || press.key == Key::PageDown)
-        quiz.at = std::min(quiz.at + 1, pages.size());
+        quiz.at = std::min(quiz.at + 1, count);
     else if (press.key == Key::PageUp && quiz.at > 0)
         --quiz.at;
 }
 
 void ways_on(QuizState& quiz) {
-    const std::size_t count = quiz.pages->pages.size();
+    const std::size_t count = count_pages(quiz);
     ImGui::Separator();
     const float width = px(92), right = ImGui::GetWindowContentRegionMax().x;
     ImGui::BeginDisabled(quiz.at == 0);
@@ -232,15 +251,38 @@ const FilePurpose answers_purpose{.title = "Save my answers",
                                   .is_about_scene = false,
                                   .use = save_answers};
 
-void open_quiz(UiState& state) {
+namespace {
+
+/// Form B is for after the lessons, unless the user says otherwise.
+void open_form(UiState& state, bool form_b) {
     QuizState& quiz = state.get<QuizState>();
     quiz.open = true;
+    if (std::exchange(quiz.form_b, form_b) != form_b) {
+        quiz.pages.reset();
+        quiz.loading.reset();
+        quiz.put_away.clear();
+        quiz.at = 0;
+        quiz.after = form_b;
+    }
     if (quiz.pages || quiz.loading) return;
+    std::filesystem::path path = state.get<LessonState>().inventory;
+    if (form_b) path.replace_filename("inventory-b.md");
     quiz.loading = state.jobs.start<QuizPages>(
-        "Quiz", [path = state.get<LessonState>().inventory](LoadProgress& progress) {
-            return read_pages(path, progress);
-        });
+        "Quiz", [path = path.string()](LoadProgress& progress) { return read_pages(path, progress); });
 }
+
+void open_form_b(UiState& state) { open_form(state, true); }
+
+/// Counts the time on the page that was left.
+void count_time(QuizState& quiz, std::size_t was) {
+    const double now = ImGui::GetTime();
+    if (was < quiz.seconds.size()) quiz.seconds[was] += std::round(10 * (now - quiz.since)) / 10;
+    quiz.since = now;
+}
+
+}  // namespace
+
+void open_quiz(UiState& state) { open_form(state, false); }
 
 void quiz_dialog(UiState& state, const UiInput& input) {
     QuizState& quiz = state.get<QuizState>();
@@ -257,17 +299,20 @@ void quiz_dialog(UiState& state, const UiInput& input) {
     if (!quiz.pages) {
         dim_text("The pictures are drawn …");
     } else {
+        const std::size_t was = quiz.at;
+        if (ImGui::IsWindowAppearing()) quiz.since = ImGui::GetTime();
         if (!ImGui::IsWindowAppearing())
             for (const KeyPress& press : input.presses) answer_by_key(quiz, press);
         ImGui::PushID(static_cast<int>(quiz.at));  // each page has its own scroll position
         ImGui::BeginChild("##page", {0, -ImGui::GetFrameHeightWithSpacing() - px(8)});
-        if (quiz.at < quiz.pages->pages.size())
+        if (quiz.at < count_pages(quiz))
             page(quiz);
         else
             last_page(state);
         ImGui::EndChild();
         ImGui::PopID();
         ways_on(quiz);
+        if (quiz.at != was) count_time(quiz, was);
         keep_answers(state);
     }
     if (!quiz.open || state.files.open) ImGui::CloseCurrentPopup();
@@ -287,6 +332,15 @@ std::vector<WindowCommand> quiz_commands() {
              },
          .quiet = true,
          .words = "test game"},
+        {.name = "Quiz, form B: the same questions with other numbers",
+         .section = Section::LectureGames,
+         .run = open_form_b,
+         .why_disabled =
+             [](const UiState& s) {
+                 return unless(!s.get<LessonState>().inventory.empty(), "The quiz of Glint is not installed");
+             },
+         .quiet = true,
+         .words = "test game after"},
     };
 }
 

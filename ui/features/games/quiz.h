@@ -35,6 +35,10 @@ struct QuizPages {
 
 struct QuizState {
     bool open = false, after = false;  // after the lessons, else before them
+    bool form_b = false;               // the parallel form
+    std::string person;                // a number or code, for the file
+    std::vector<double> seconds;       // on each page
+    double since = 0;                  // when the page was opened
     JobPtr<QuizPages> loading;
     std::optional<QuizPages> pages;
     std::vector<std::optional<std::size_t>> taken;     // an option for each page, from 0

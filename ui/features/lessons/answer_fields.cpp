@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -57,9 +58,41 @@ void choice_answer(LessonState& lesson, const Prediction& question) {
     }
 }
 
+/// The numbers in a text, whatever is between them.
+std::vector<double> typed_numbers(const std::string& text) {
+    std::vector<double> numbers;
+    for (std::size_t at = 0; at < text.size();) {
+        double number = 0;
+        const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
+        if (error == std::errc{} && std::isfinite(number)) numbers.push_back(number);
+        at = error == std::errc{} ? static_cast<std::size_t>(end - text.data()) : at + 1;
+    }
+    return numbers;
+}
+
+/// A position or a curve without a mouse: a pixel, or heights at equal distances from A to B.
+void typed_answer(LessonState& lesson, const Prediction& question, const char* hint) {
+    ImGui::SetNextItemWidth(-1);
+    const bool typed = text_field("##typed", hint, lesson.typed);
+    tooltip("Type it", hint);
+    const std::vector<double> numbers = typed_numbers(lesson.typed);
+    if (!typed || numbers.size() < 2) return;
+    const PictureSize size = lesson.course->lesson.size;
+    if (question.kind == PredictionKind::Click)
+        lesson.chosen = Json{std::clamp(numbers[0], 0.0, size.width - 1.0),
+                             std::clamp(numbers[1], 0.0, size.height - 1.0)};
+    if (question.kind != PredictionKind::Sketch) return;
+    const std::size_t count = sketch_length(question);
+    const double step = static_cast<double>(count - 1) / static_cast<double>(numbers.size() - 1);
+    for (std::size_t i = 0; i + 1 < numbers.size(); ++i)
+        sketch(lesson.chosen, count, {step * static_cast<double>(i), numbers[i]},
+               {step * static_cast<double>(i + 1), numbers[i + 1]});
+}
+
 void sketch_answer(LessonState& lesson, const Prediction& question) {
     small_dim("Draw the curve with the mouse, along the line from A to B in the picture.");
     sketch_plot(lesson, question, lesson.chosen, nullptr);
+    typed_answer(lesson, question, "or type heights from A to B: 1, 0.5, 0");
     if (lesson.chosen == Json()) return;
     const bool wipes = small_button("Wipe");
     tooltip("Wipe", "Removes the curve, so that you can draw it again");
@@ -185,6 +218,7 @@ void answer_fields(UiState& state, const StationQuestion& question) {
         prose_line(lesson.chosen == Json() ? "Click the position in the picture."
                                            : "The ring marks your position. Click elsewhere to move it.",
                    theme().accent);
+        typed_answer(lesson, asks, "or type x, y in the lesson's pixels");
         break;
     case PredictionKind::Sketch:
         sketch_answer(lesson, asks);
@@ -193,6 +227,11 @@ void answer_fields(UiState& state, const StationQuestion& question) {
         (void)pick_colour("##colour", lesson.chosen);
         break;
     }
+    small_dim("Why do you think so?");
+    ImGui::SetNextItemWidth(-1);
+    entered |=
+        text_field("##why", "a few words, only for you", lesson.reason, ImGuiInputTextFlags_EnterReturnsTrue);
+    tooltip("Your reason", "Kept with your answer, and shown again next to the right one");
     ImGui::Dummy({0, px(3)});
     const std::string why = why_no_answer(lesson);
     const bool can = why.empty();
@@ -255,7 +294,10 @@ void revealed_answer(UiState& state, const StationQuestion& question, const Give
             coloured(theme().accent, exact ? "Exactly." : "Close enough. " + words + ".");
         else
             warning_text(words + ".");
+        const std::string thought = thought_behind(asks, question.right, given.value);
+        if (!thought.empty()) small_dim("Behind it: " + thought);
     }
+    if (!given.why.empty()) small_dim("Your reason: " + given.why);
     if (given.skipped && !state.get<LessonState>().lecturer) small_dim("You did not predict it.");
     const Reveal* reveal = state.get<LessonState>().station().reveal;
     if (reveal == nullptr || !reveal->pick) return;

@@ -55,6 +55,7 @@ struct Course {
 struct GivenAnswer {
     Json value;  // null: not given yet
     bool locked = false, skipped = false;
+    std::string why = {};  // the user's reason; or empty
     [[nodiscard]] bool is_over() const { return locked || skipped; }
     bool operator==(const GivenAnswer&) const = default;
 };

@@ -46,6 +46,7 @@ void set_scene(UiState& state, const Scene& scene) {
 
 void forget_input(LessonState& lesson) {
     lesson.typed.clear();
+    lesson.reason.clear();
     lesson.chosen = {};
     lesson.sketched.reset();
 }
@@ -225,7 +226,8 @@ void lock_in(UiState& state) {
     if (!can_lock(lesson)) return;
     const std::size_t open = *open_question(lesson);
     const bool is_number = lesson.station().questions[open].asks->kind == PredictionKind::Number;
-    lesson.given()[open] = {is_number ? Json(calculated(lesson.typed, 0).value) : lesson.chosen, true};
+    lesson.given()[open] = {is_number ? Json(calculated(lesson.typed, 0).value) : lesson.chosen, true, false,
+                            lesson.reason};
     forget_input(lesson);
     lesson.takes_keys = true;
     if (!open_question(lesson)) show_reveal(state);

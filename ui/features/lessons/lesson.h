@@ -52,6 +52,7 @@ struct LessonState {
                         // changes
     // The answer being given to the first open question:
     std::string typed;                     // of a number
+    std::string reason;                    // why the user thinks so; may stay empty
     Json chosen;                           // of all other kinds; null: none yet
     std::optional<glm::dvec2> sketched;    // the last position on a sketch: (index of the value, value)
     std::unique_ptr<LessonRunner> runner;  // of `watching`: it caches its pictures

@@ -21,7 +21,8 @@ std::string file_of(const UiState& state) { return state.persistence.file("lesso
 
 Json json_of(const GivenAnswer& given) {
     if (given.skipped) return skipped_word;
-    return given.locked ? Json(Json::array_t{given.value}) : Json();
+    if (!given.locked) return {};
+    return given.why.empty() ? Json(Json::array_t{given.value}) : Json(Json::array_t{given.value, given.why});
 }
 
 /// Only numbers, as many as in the right answer.
@@ -39,8 +40,10 @@ bool fits(const Json& value, const StationQuestion& question) {
 std::optional<GivenAnswer> read_given(const Json& json, const StationQuestion& question) {
     if (json == Json()) return GivenAnswer{};
     if (json.is_string()) return GivenAnswer{{}, false, true};
-    if (elements_of(json).size() != 1 || !fits(elements_of(json)[0], question)) return {};
-    return GivenAnswer{elements_of(json)[0], true, false};
+    const Json::array_t& list = elements_of(json);
+    const bool has_reason = list.size() == 2 && list[1].is_string();
+    if ((list.size() != 1 && !has_reason) || !fits(list[0], question)) return {};
+    return GivenAnswer{list[0], true, false, has_reason ? list[1].get<std::string>() : ""};
 }
 
 /// An integer from 0 on; `otherwise` if there is none.
