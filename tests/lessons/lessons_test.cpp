@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <set>
 
 #include "lessons/check_lesson.h"
 #include "models/io/file.h"
@@ -95,6 +96,63 @@ TEST_CASE("every choice in a lesson has three or four options, each wrong one wi
                 const auto silent = std::count_if(p->options.begin(), p->options.end(),
                                                   [](const LessonOption& o) { return o.thinks.empty(); });
                 CHECK(silent == 1);  // the correct one
+            }
+}
+
+TEST_CASE("without their hiding pictures, most lessons would show an answer", "[lesson]") {
+    // So each of them failed the check once.
+    std::set<std::string> shown;
+    LessonRunner runner(1);
+    for (Lesson lesson : own_lessons()) {
+        for (LessonStep& step : lesson.steps) step.picture.clear();
+        for (const Checked& item : checked(runner, lesson))
+            if (!item.holds && item.why.find("picture") != std::string::npos)
+                shown.insert(lesson.name.substr(0, lesson.name.find('-')));
+    }
+    for (const char* const name : {"05", "07", "10", "11", "12", "13b", "14b", "15", "17", "18", "19"}) {
+        CAPTURE(name);
+        CHECK(shown.contains(name));
+    }
+}
+
+TEST_CASE("every question of a lesson that is not a choice names typical wrong answers", "[lesson]") {
+    for (const Lesson& lesson : own_lessons())
+        for (const LessonStep& step : lesson.steps)
+            for (const LessonPart& part : step.parts) {
+                const auto* p = std::get_if<Prediction>(&part);
+                if (p == nullptr || p->kind == PredictionKind::Choice) continue;
+                INFO(lesson.path << ":" << p->line);
+                CHECK(!p->wrong.empty());
+            }
+}
+
+TEST_CASE("every lesson has notes for the lecturer", "[lesson]") {
+    for (const Lesson& lesson : own_lessons()) {
+        CAPTURE(lesson.path);
+        CHECK(lesson.teaching.minutes >= 5);
+        CHECK(!lesson.teaching.goals.empty());
+        CHECK(!lesson.teaching.belief.empty());
+        CHECK(!lesson.teaching.source.empty());
+        CHECK(!lesson.teaching.says.empty());
+    }
+}
+
+TEST_CASE("40 students get 40 different sheets, wherever the numbers start", "[lesson][exercise]") {
+    for (const Lesson& lesson : own_lessons())
+        for (const LessonStep& step : lesson.steps)
+            for (const LessonPart& part : step.parts) {
+                const auto* exercise = std::get_if<Exercise>(&part);
+                if (exercise == nullptr) continue;
+                INFO(lesson.path << ":" << exercise->line);
+                for (const std::uint64_t seed : {1U, 7U, 1000000U}) {
+                    std::set<std::string> questions;
+                    for (std::uint64_t i = 0; i < 40; ++i)
+                        questions.insert(
+                            std::get<ExerciseInstance>(
+                                exercise_with(*exercise, drawn_values(*exercise, seed + i), lesson.path))
+                                .question);
+                    CHECK(questions.size() == 40);
+                }
             }
 }
 
