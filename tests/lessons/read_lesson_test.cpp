@@ -285,12 +285,12 @@ TEST_CASE("duplicate and empty lines in a block are rejected", "[lesson][bad-inp
 }
 
 TEST_CASE("a line that does not apply to its kind of prediction is rejected", "[lesson][bad-input]") {
-    CHECK(
-        with_edit("unit: of the light", "along: 0,9 63,9") ==
-        "l.md:30: \"along\" has no part in predict number; expected question, answer, tolerance, term, unit");
-    CHECK(
-        with_edit("answer: p.intensity", "unit: of the light\nanswer: p.intensity") ==
-        "l.md:57: \"unit\" has no part in predict sketch; expected question, answer, tolerance, term, along");
+    CHECK(with_edit("unit: of the light", "along: 0,9 63,9") ==
+          "l.md:30: \"along\" has no part in predict number; expected question, answer, tolerance, term, "
+          "wrong, thinks, unit");
+    CHECK(with_edit("answer: p.intensity", "unit: of the light\nanswer: p.intensity") ==
+          "l.md:57: \"unit\" has no part in predict sketch; expected question, answer, tolerance, term, "
+          "wrong, thinks, along");
     CHECK(
         with_edit("option: no\n", "option: no\nanswer: 1\n") ==
         "l.md:51: \"answer\" has no part in predict choice; expected question, option, if, thinks, mistake");
