@@ -241,7 +241,7 @@ std::string alternative_text(const LessonStep& step, const Scene& scene) {
     for (const Object& object : scene.objects)
         if (object.visible && object.name != Object{}.name) objects.push_back(object.name);
     for (const Light& light : scene.lights)
-        if (light.enabled && light.name != Light{}.name) lights.push_back(light.name);
+        if (light.enabled) lights.push_back(light.name);
     const bool lit = !lights.empty() && scene.shading.reflection != Reflection::None;
     if (objects.empty()) return "A drawing for the question";
     return fmt::format("The picture shows: {}; {}{}", fmt::join(objects, ", "), lit ? "lit by: " : "unlit",
