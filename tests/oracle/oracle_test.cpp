@@ -43,7 +43,9 @@ TEST_CASE("OpenGL draws the scenes of assets as we do", "[oracle]") {
         const Result<SceneDocument> opened = open_document(path);
         REQUIRE_FALSE(problem_of(opened));
         Scene scene = std::get<SceneDocument>(opened).scene;
-        scene.transport = {};  // OpenGL lights by the local model
+        // OpenGL lights by the local model, and shows the sum itself.
+        scene.transport = {};
+        scene.display.exposure = 1;
         // OpenGL draws no such strokes, only the faces under them.
         scene.npr.silhouettes = scene.npr.creases = false;
         const std::string name = std::filesystem::path(path).stem().string();

@@ -67,6 +67,10 @@ TEST_CASE("the lighting that Glint writes is without a mistake in every asset sc
     for (const std::string& path : test::asset_scenes()) {
         const Scene scene = std::get<SceneDocument>(open_document(path)).scene;
         const std::string name = std::filesystem::path(path).stem().string(), text = lighting_of(scene);
+        if (scene.transport.model != TransportModel::Local) {
+            CHECK(text.empty());  // GLSL lights each point by itself
+            continue;
+        }
         if (text.empty() || scene.shading.reflection == Reflection::None) {
             left += (left.empty() ? "" : " ") + name;
             continue;
