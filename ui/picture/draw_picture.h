@@ -81,7 +81,7 @@ class Refinement {
     const Picture& begin(Renderer& renderer, const Scene& scene, PictureSize size, bool linear, bool passes);
     /// Starts and collects jobs, once a frame. Returns the picture if one with more paths has come.
     const Picture* advance(Renderer& renderer, Jobs& jobs, int threads);
-    /// The share of the scene's paths that are followed, 0 to 1.
+    /// The share of the scene's paths that are followed, 0 to 1; 1 when the picture has all of them.
     [[nodiscard]] float progress() const;
 
   private:

@@ -101,7 +101,8 @@ float Refinement::progress() const {
     const int all = wanted_ && !failed_ ? wanted_paths(wanted_->scene) : 0;
     if (paths_ >= all) return 1;
     const int followed = job_ ? static_cast<int>(job_->progress().done) : 0;
-    return static_cast<float>(std::max(paths_, followed)) / static_cast<float>(all);
+    // The last path's picture is still on its way.
+    return static_cast<float>(std::clamp(followed, paths_, all - 1)) / static_cast<float>(all);
 }
 
 void draw_refinement(ImDrawList& list, const PictureView& view, float progress) {
