@@ -70,18 +70,18 @@ struct ShownPart {
 /// objects, meshes and transforms are equal. Lights, materials and shading may differ.
 [[nodiscard]] bool same_surfaces(const Scene& a, const Scene& b);
 
-// Bounced light is refined in the background while nothing changes: a job follows more paths in a second
-// renderer, which then replaces the first. So a picture always belongs to one number of paths, and can be
-// explained.
+// Bounced light and the shadows of area lights are refined in the background while nothing changes: a job
+// follows more rays in a second renderer, which then replaces the first. So a picture always belongs to one
+// number of rays, and can be explained.
 
 class Refinement {
   public:
-    /// Draws a scene that has changed: with few paths, unless more of them are kept. `passes`: it is a
-    /// preview, after which the scene before returns with all its paths.
+    /// Draws a scene that has changed: with few rays, unless more of them are kept. `passes`: it is a
+    /// preview, after which the scene before returns with all its rays.
     const Picture& begin(Renderer& renderer, const Scene& scene, PictureSize size, bool linear, bool passes);
-    /// Starts and collects jobs, once a frame. Returns the picture if one with more paths has come.
+    /// Starts and collects jobs, once a frame. Returns the picture if one with more rays has come.
     const Picture* advance(Renderer& renderer, Jobs& jobs, int threads);
-    /// The share of the scene's paths that are followed, 0 to 1; 1 when the picture has all of them.
+    /// The share of the scene's rays that are followed, 0 to 1; 1 when the picture has all of them.
     [[nodiscard]] float progress() const;
 
   private:
@@ -94,7 +94,7 @@ class Refinement {
     void exchange(Renderer& renderer);
 
     std::optional<Wanted> wanted_, kept_;  // the picture of the renderer, and of the second one
-    int paths_ = 0, kept_paths_ = 0;       // in them
+    int rays_ = 0, kept_rays_ = 0;         // from each point of them, at most
     std::shared_ptr<Renderer> spare_;      // the second one: of the job, or idle
     JobPtr<int> job_, ending_;
     bool passing_ = false, failed_ = false;

@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ui/picture/draw_picture.h"
@@ -12,17 +13,27 @@
 namespace glint {
 namespace {
 
-constexpr int paths_at_first = 1;
+constexpr int rays_at_first = 1;
 constexpr int growth =
-    4;  // of the paths from picture to picture: each of the two renderers follows most of them
+    4;  // of the rays from picture to picture: each of the two renderers follows most of them
 constexpr double look_again = 0.05;  // seconds between checks of the job
 
-int wanted_paths(const Scene& scene) {
-    return scene.transport.model == TransportModel::Bounces ? scene.transport.paths : 0;
+/// The largest number of rays from a point of the scene: paths, or shadow rays to an area light. 0: so few
+/// that there is nothing to refine.
+int wanted_rays(const Scene& scene) {
+    if (scene.transport.model == TransportModel::Local) return 0;
+    int rays = scene.transport.model == TransportModel::Bounces ? scene.transport.paths : 0;
+    for (const Light& light : scene.lights)
+        if (light.enabled && light.kind == LightKind::Area) rays = std::max(rays, light.area.samples);
+    return rays;
 }
 
-Scene with_paths(Scene scene, int paths) {
-    scene.transport.paths = std::min(scene.transport.paths, paths);
+/// With at most `rays` of each kind; 0: all.
+Scene with_rays(Scene scene, int rays) {
+    if (rays == 0) return scene;
+    scene.transport.paths = std::min(scene.transport.paths, rays);
+    const int side = static_cast<int>(std::sqrt(static_cast<double>(rays)));
+    for (Light& light : scene.lights) light.area.samples = std::min(light.area.samples, side * side);
     return scene;
 }
 
@@ -38,11 +49,11 @@ bool same_light(Scene a, const Scene& b) {
 
 const Picture& Refinement::begin(Renderer& renderer, const Scene& scene, PictureSize size, bool linear,
                                  bool passes) {
-    if (wanted_paths(scene) == 0 && !wanted_ && !kept_) return renderer.render(scene, size, linear);
+    if (wanted_rays(scene) == 0 && !wanted_ && !kept_) return renderer.render(scene, size, linear);
     const Wanted now{scene, size, linear};
-    if (wanted_ == now) return renderer.render(with_paths(scene, std::max(paths_, 1)), size, linear);
+    if (wanted_ == now) return renderer.render(with_rays(scene, rays_), size, linear);
     const bool light_stays = wanted_ && wanted_->size == size && same_light(wanted_->scene, scene);
-    const bool resting_is_good = paths_ > paths_at_first && !passing_;
+    const bool resting_is_good = rays_ > rays_at_first && !passing_;
     leave(job_, ending_);
     passing_ = passes;
     since_ = ImGui::GetTime();
@@ -50,16 +61,16 @@ const Picture& Refinement::begin(Renderer& renderer, const Scene& scene, Picture
     if (spare_ && has_ended(ending_) && (kept_ == now || (passes && resting_is_good))) {
         exchange(renderer);
         std::swap(wanted_, kept_);
-        std::swap(paths_, kept_paths_);
-        if (wanted_ == now) return renderer.render(with_paths(scene, paths_), size, linear);
-    } else if (!passes && wanted_paths(scene) == 0) {
+        std::swap(rays_, kept_rays_);
+        if (wanted_ == now) return renderer.render(with_rays(scene, rays_), size, linear);
+    } else if (!passes && wanted_rays(scene) == 0) {
         spare_.reset();
         kept_.reset();
     }
-    paths_ = std::min(light_stays ? std::max(paths_, paths_at_first) : paths_at_first, wanted_paths(scene));
+    rays_ = std::min(light_stays ? std::max(rays_, rays_at_first) : rays_at_first, wanted_rays(scene));
     wanted_.reset();
-    const Picture& picture = renderer.render(with_paths(scene, std::max(paths_, 1)), size, linear);
-    if (wanted_paths(scene) > 0) wanted_ = now;
+    const Picture& picture = renderer.render(with_rays(scene, rays_), size, linear);
+    if (wanted_rays(scene) > 0) wanted_ = now;
     return picture;
 }
 
@@ -78,31 +89,31 @@ const Picture* Refinement::advance(Renderer& renderer, Jobs& jobs, int threads) 
         }
         exchange(renderer);
         kept_ = wanted_;
-        kept_paths_ = std::exchange(paths_, std::get<int>(result));
+        kept_rays_ = std::exchange(rays_, std::get<int>(result));
         const Wanted& now = *wanted_;
-        return &renderer.render(with_paths(now.scene, paths_), now.size, now.linear);
+        return &renderer.render(with_rays(now.scene, rays_), now.size, now.linear);
     }
-    if (!wanted_ || failed_ || paths_ >= wanted_paths(wanted_->scene)) return nullptr;
+    if (!wanted_ || failed_ || rays_ >= wanted_rays(wanted_->scene)) return nullptr;
     redraw_within(look_again);
     const bool moves = ImGui::GetTime() - since_ < rest_before_full;
     if (job_ || moves || !has_ended(ending_)) return nullptr;
     if (!spare_) spare_ = std::make_shared<Renderer>(threads);
     kept_.reset();
-    const int paths = std::min(growth * paths_, wanted_->scene.transport.paths);
-    job_ = jobs.start<int>("Bounced light", [spare = spare_, now = *wanted_, paths](LoadProgress& progress) {
+    const int rays = std::min(growth * rays_, wanted_rays(wanted_->scene));
+    job_ = jobs.start<int>("Light paths", [spare = spare_, now = *wanted_, rays](LoadProgress& progress) {
         spare->on_paths([&progress](int done, int) { progress.done = static_cast<std::uint64_t>(done); });
-        (void)spare->render(with_paths(now.scene, paths), now.size, now.linear);
-        return Result<int>(paths);
+        (void)spare->render(with_rays(now.scene, rays), now.size, now.linear);
+        return Result<int>(rays);
     });
     return nullptr;
 }
 
 float Refinement::progress() const {
-    const int all = wanted_ && !failed_ ? wanted_paths(wanted_->scene) : 0;
-    if (paths_ >= all) return 1;
+    const int all = wanted_ && !failed_ ? wanted_rays(wanted_->scene) : 0;
+    if (rays_ >= all) return 1;
     const int followed = job_ ? static_cast<int>(job_->progress().done) : 0;
-    // The last path's picture is still on its way.
-    return static_cast<float>(std::clamp(followed, paths_, all - 1)) / static_cast<float>(all);
+    // The picture of the last path is still on its way.
+    return static_cast<float>(std::clamp(followed, rays_, all - 1)) / static_cast<float>(all);
 }
 
 void draw_refinement(ImDrawList& list, const PictureView& view, float progress) {
@@ -111,7 +122,7 @@ void draw_refinement(ImDrawList& list, const PictureView& view, float progress) 
     const float reached = low.x + std::max(progress, 0.01f) * (end.x - low.x);
     list.AddRectFilled(low, end, rim_colour(0.5f));
     list.AddRectFilled(low, {reached, end.y}, to_u32(theme().accent));
-    list_control("Bounced light", "", {low, end});
+    list_control("Light paths", "", {low, end});
 }
 
 }  // namespace glint

@@ -62,7 +62,7 @@ struct BouncingWindow : HeadlessWindow {
 TEST_CASE("bounced light is refined in the background until it has all its paths", "[ui][transport]") {
     BouncingWindow bench;
     CHECK(bench.state.refinement.progress() == Approx(1.0 / 16));
-    (void)bench.area_of("Bounced light");
+    (void)bench.area_of("Light paths");
     CHECK_FALSE(bench.is_complete_picture());
     const std::uint64_t serial = bench.state.picture_serial;
     bench.refine();
@@ -77,6 +77,24 @@ TEST_CASE("bounced light is refined in the background until it has all its paths
     CHECK(bench.state.refinement.progress() == Approx(1.0 / 16));
     bench.refine();
     CHECK(bench.is_complete_picture());
+    bench.scene().transport.model = TransportModel::Local;
+    (void)bench.frame();
+    CHECK(bench.state.refinement.progress() == 1);
+    CHECK(bench.is_complete_picture());
+}
+
+TEST_CASE("the shadow of an area light is refined like bounced light", "[ui][transport]") {
+    BouncingWindow bench;
+    bench.scene().transport.model = TransportModel::Shadows;
+    bench.scene().lights[0].kind = LightKind::Area;
+    bench.scene().lights[0].position = {0, 4, 0, 1};
+    bench.scene().lights[0].area = {.edge_u = {1, 0, 0}, .edge_v = {0, 0, 1}, .samples = 64};
+    (void)bench.frame();
+    CHECK(bench.state.refinement.progress() == Approx(1.0 / 64));
+    CHECK_FALSE(bench.is_complete_picture());
+    bench.refine();
+    CHECK(bench.is_complete_picture());
+    // The local model has nothing to refine: all samples at once.
     bench.scene().transport.model = TransportModel::Local;
     (void)bench.frame();
     CHECK(bench.state.refinement.progress() == 1);
