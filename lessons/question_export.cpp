@@ -44,9 +44,9 @@ std::string zip_bytes(const ZipFiles& files) {
                                                   {bytes.size(), 4},
                                                   {name.size(), 2},
                                                   {0, 2}});
-        directory += "PK\x01\x02" + little_endian({{version, 2}}) + fields +
-                     little_endian({{0, 2}, {0, 2}, {0, 2}, {0, 4}, {zip.size(), 4}}) + name;
-        zip += "PK\x03\x04" + fields + name + bytes;
+        directory.append("PK\x01\x02").append(little_endian({{version, 2}})).append(fields);
+        directory.append(little_endian({{0, 2}, {0, 2}, {0, 2}, {0, 4}, {zip.size(), 4}})).append(name);
+        zip.append("PK\x03\x04").append(fields).append(name).append(bytes);
     }
     const std::size_t count = files.size(), start = zip.size();
     return zip + directory + "PK\x05\x06" +

@@ -172,6 +172,7 @@ std::string table_of(const std::vector<const QuizAnswers*>& all, std::size_t cou
                      const std::vector<std::size_t>& keys, const std::string& title) {
     std::string text = fmt::format("{}, people: {}\nitem  difficulty  discrimination\n", title, all.size());
     std::vector<double> scores;
+    scores.reserve(all.size());
     for (const QuizAnswers* answers : all) scores.push_back(score_of(*answers, count, keys));
     double spread = 0;
     for (std::size_t i = 0; i < count; ++i) {

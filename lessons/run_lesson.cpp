@@ -196,7 +196,7 @@ Result<RightAnswer> right_answer(LessonRunner& runner, const SceneDocument& docu
             return std::get<0>(std::move(result));
         };
         const auto answer = [&](const Expression& expression, int line) {
-            const Json value = found(expression.value(values), line);
+            Json value = found(expression.value(values), line);
             if (const auto form = form_missed(p, value, lesson.size))
                 throw ProblemFound(
                     problem_at(lesson, line, "the answer is " + shortened(json_line(value)), *form));
