@@ -65,12 +65,12 @@ struct UiState {
     Loading loading;
     Persistence persistence;
     Pending pending;
+    double letters_from = 0;     // ImGui time: a letter meant for a dialog that has just closed does nothing
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's
     bool dark = true, shows_shortcuts = false;
     bool left_shows_inspector = false, left_shows_scene = false;  // if the left column has tabs
     bool types_into_panel = false;  // requested: focus the selected item's first field
-    double letters_from = 0;  // ImGui time: a letter meant for a dialog that has just closed does nothing
     bool quits = false;
     bool close_asked = false;          // requested by the system, and not answered yet
     std::vector<std::string> dropped;  // paths of files, not opened yet
@@ -80,10 +80,10 @@ struct UiState {
     std::vector<Camera> kept_views;  // saved views, of any scene; remembered with the settings
     FeatureStates features;
 
-    int threads;  // of each renderer
+    int threads;               // of each renderer
+    float parts_progress = 1;  // of the parts of a comparison: as Refinement::progress
     std::unique_ptr<Renderer> renderer;
     Refinement refinement;              // of its pictures
-    float parts_progress = 1;           // likewise of the parts of a comparison
     const Picture* rendered = nullptr;  // the last one drawn
     PictureSize full_size;              // of the picture in the window; `rendered` may be temporarily smaller
     PictureSize failed_size{0, 0};      // a picture of that size failed: the last one drawn keeps its own

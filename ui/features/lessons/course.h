@@ -52,10 +52,10 @@ struct Course {
 [[nodiscard]] bool is_lesson_file(const std::string& path);
 
 /// A user's answer to a question, and whether it is final.
-struct GivenAnswer {
-    Json value;  // null: not given yet
+struct GivenAnswer {  // NOLINT(bugprone-exception-escape): moving a Json does not throw
+    Json value;       // null: not given yet
     bool locked = false, skipped = false;
-    std::string why = {};  // the user's reason; or empty
+    std::string why{};  // the user's reason; or empty
     [[nodiscard]] bool is_over() const { return locked || skipped; }
     bool operator==(const GivenAnswer&) const = default;
 };
