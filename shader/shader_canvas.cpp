@@ -18,6 +18,21 @@ std::string numbered(int first_line, std::string_view text) {
     return fmt::format("#line {}\n{}\n", first_line, text);
 }
 
+/// Whether a shader or program has that status, and its log. The functions are OpenGL's for its kind.
+template <class GetNumber> bool is_ok(GLuint name, GLenum status, GetNumber get_number) {
+    GLint ok = GL_FALSE;
+    get_number(name, status, &ok);
+    return ok == GL_TRUE;
+}
+template <class GetNumber, class GetLog>
+std::string log_of(GLuint name, GetNumber get_number, GetLog get_log) {
+    GLint length = 0;
+    get_number(name, GL_INFO_LOG_LENGTH, &length);
+    std::string text(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    get_log(name, static_cast<GLsizei>(text.size()), nullptr, text.data());
+    return text.c_str();
+}
+
 /// An OpenGL shader or program, deleted at the end.
 class Shader {
   public:
@@ -33,18 +48,8 @@ class Shader {
     Shader& operator=(const Shader&) = delete;
 
     [[nodiscard]] GLuint name() const { return name_; }
-    [[nodiscard]] bool is_compiled() const {
-        GLint ok = GL_FALSE;
-        glGetShaderiv(name_, GL_COMPILE_STATUS, &ok);
-        return ok == GL_TRUE;
-    }
-    [[nodiscard]] std::string log() const {
-        GLint length = 0;
-        glGetShaderiv(name_, GL_INFO_LOG_LENGTH, &length);
-        std::string text(static_cast<std::size_t>(std::max(length, 1)), '\0');
-        glGetShaderInfoLog(name_, static_cast<GLsizei>(text.size()), nullptr, text.data());
-        return text.c_str();
-    }
+    [[nodiscard]] bool is_compiled() const { return is_ok(name_, GL_COMPILE_STATUS, glGetShaderiv); }
+    [[nodiscard]] std::string log() const { return log_of(name_, glGetShaderiv, glGetShaderInfoLog); }
 
   private:
     GLuint name_;
@@ -68,18 +73,8 @@ class GlProgram {
     GlProgram& operator=(const GlProgram&) = delete;
 
     [[nodiscard]] GLuint name() const { return name_; }
-    [[nodiscard]] bool is_linked() const {
-        GLint ok = GL_FALSE;
-        glGetProgramiv(name_, GL_LINK_STATUS, &ok);
-        return ok == GL_TRUE;
-    }
-    [[nodiscard]] std::string log() const {
-        GLint length = 0;
-        glGetProgramiv(name_, GL_INFO_LOG_LENGTH, &length);
-        std::string text(static_cast<std::size_t>(std::max(length, 1)), '\0');
-        glGetProgramInfoLog(name_, static_cast<GLsizei>(text.size()), nullptr, text.data());
-        return text.c_str();
-    }
+    [[nodiscard]] bool is_linked() const { return is_ok(name_, GL_LINK_STATUS, glGetProgramiv); }
+    [[nodiscard]] std::string log() const { return log_of(name_, glGetProgramiv, glGetProgramInfoLog); }
 
   private:
     GLuint name_;

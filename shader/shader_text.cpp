@@ -115,6 +115,18 @@ Insertions loop_counters(std::string_view text) {
     return all;
 }
 
+/// The symbols of Mesa's parser in words: "unexpected BASIC_TYPE_TOK".
+std::string in_words(std::string text) {
+    for (const auto& [symbol, word] : {std::pair{"BASIC_TYPE_TOK", "a type"},
+                                       {"NEW_IDENTIFIER", "a new name"},
+                                       {"IDENTIFIER", "a name"},
+                                       {"FLOATCONSTANT", "a number"},
+                                       {"INTCONSTANT", "a number"}})
+        if (const std::size_t at = text.find(symbol); at != text.npos)
+            text.replace(at, std::string_view(symbol).size(), word);
+    return text;
+}
+
 /// A line of a log: "0:4(2): error: text" (Mesa), "0(4) : error C1008: text" (NVIDIA), "ERROR: 0:4: text"
 /// (Intel, ANGLE).
 std::optional<ShaderMessage> parsed(const std::string& line) {
@@ -123,7 +135,7 @@ std::optional<ShaderMessage> parsed(const std::string& line) {
     static const std::regex intel(R"(\d+:(\d{1,7}): (.*))");
     std::smatch m;
     if (std::regex_match(line, m, mesa) || std::regex_match(line, m, nvidia))
-        return ShaderMessage{m[2] == "error", std::stoi(m[1]), m[3]};
+        return ShaderMessage{m[2] == "error", std::stoi(m[1]), in_words(m[3])};
     const bool is_error = line.starts_with("ERROR: "), is_warning = line.starts_with("WARNING: ");
     if (!is_error && !is_warning) return {};
     const std::string rest = line.substr(line.find(' ') + 1);

@@ -48,6 +48,8 @@ TEST_CASE("messages of three compilers have the line of the user's file", "[shad
           "a.glsl:12: undefined variable \"foo\"");
     CHECK(only_message("ERROR: 0:3: 'foo' : undeclared identifier") ==
           "a.glsl:3: 'foo' : undeclared identifier");
+    CHECK(only_message("0:4(2): error: syntax error, unexpected BASIC_TYPE_TOK, expecting ',' or ';'") ==
+          "a.glsl:4: syntax error, unexpected a type, expecting ',' or ';'");
     CHECK_FALSE(shader_messages("0:2(1): warning: `x' used uninitialized", 7)[0].is_error);
     CHECK(shader_messages("0:2(1): error: `return' with wrong type error, in function `lit'", 7).empty());
     CHECK(shader_messages("0:2(1): error: a\n0:2(1): error: a\nnothing\n", 7).size() == 1);
