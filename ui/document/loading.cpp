@@ -48,7 +48,7 @@ Problem with_all_that_opens(Problem problem) {
 /// A picture of another program cannot be opened, but compared with the scene.
 void offer_comparison(UiState& state) {
     const std::string ending = lower_extension(state.loading.failed);
-    if (ending != ".png" && ending != ".pfm" && ending != ".exr") return;
+    if (ending != ".png" && ending != ".pfm" && ending != ".exr" && ending != ".glsl") return;
     Notification& note = state.notifications.list.back();
     note.button = "Compare with the open scene";
     note.press = [path = state.loading.failed](UiState& s) {

@@ -1,9 +1,12 @@
 // Opens the user's picture in the window, and runs the diagnosis of it.
 #include "ui/features/diagnosis/my_picture.h"
 
+#include <fmt/chrono.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <thread>
 #include <utility>
@@ -22,6 +25,7 @@
 #include "ui/features/views/debug_view_controls.h"
 #include "ui/features/views/fitted_picture.h"
 #include "ui/ui.h"
+#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -63,6 +67,10 @@ void show_answer(UiState& state, PictureAnswer answer) {
     for (std::size_t i = 0; i < answer.thumbnails.size(); ++i)
         mine.sheet.put(static_cast<int>(i), answer.thumbnails[i]);
     state.get<CompareState>().choice.mine = answer.mine;
+    mine.verdicts.insert(
+        mine.verdicts.begin(),
+        fmt::format("{:%H:%M:%S}  {}", fmt::localtime(std::time(nullptr)), finding_of(answer.diagnosis)));
+    mine.verdicts.resize(std::min<std::size_t>(mine.verdicts.size(), 3));
     mine.answer = std::move(answer);
     mine.current = true;
 }
@@ -73,25 +81,44 @@ BroughtPicture brought(const std::string& path, const std::shared_ptr<const Pict
     return {path, file, std::make_shared<const Picture>(as_shown(*file, display)), display};
 }
 
-/// Adds a loaded picture to the comparison and shows its tab.
-void take_picture(UiState& state, BroughtPicture picture) {
+/// A picture at half its brightness, in place of one that cannot be drawn; black if there is none.
+std::shared_ptr<const Picture> dimmed(const Picture* picture, PictureSize size) {
+    Picture dark =
+        picture != nullptr ? *picture : Picture{size, std::vector<std::uint8_t>(4 * size.pixels()), {}};
+    for (std::size_t i = 0; i < dark.rgba.size(); ++i) dark.rgba[i] = i % 4 == 3 ? 255 : dark.rgba[i] / 2;
+    return std::make_shared<const Picture>(std::move(dark));
+}
+
+/// The last picture stays, dimmed, and is not diagnosed.
+void show_outdated(UiState& state, std::vector<Problem> messages) {
+    MyPictureState& mine = state.get<MyPictureState>();
+    leave(mine.job, mine.ending);
+    state.get<CompareState>().choice.mine = dimmed(mine.shown.get(), state.full_size);
+    if (!mine.shown) mine.shown = mine.file = state.get<CompareState>().choice.mine;
+    mine.messages = std::move(messages);
+    mine.is_outdated = mine.settled = true;
+    mine.current = false;
+}
+
+void show_in_editor(ShaderEditor& editor, const std::string& text) {
+    const bool is_edited = editor.text != editor.saved;
+    editor.saved = text;
+    if (is_edited || text == editor.text) return;
+    if (editor.is_active) let_go_of_fields();  // ImGui would restore its own text
+    editor.text = text;
+}
+
+/// Adds the new picture to the comparison and shows its tab.
+void show_picture(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
     CompareChoice& choice = state.get<CompareState>().choice;
-    leave(mine.job, mine.ending);
     if (!mine.shown) {
         borrow_comparison(state.get<CompareState>());
         state.get<InspectorState>().tab_before = state.get<InspectorState>().tab;
     }
-    mine.path = picture.path;
-    mine.name = mine.reading->name();
-    mine.shown = std::move(picture.shown);
-    mine.file = std::move(picture.file);
-    mine.display = picture.display;
-    mine.pairs = false;
+    mine.shown.reset();
     mine.answer.reset();
-    mine.tried.reset();
-    ask_again(mine);
-    choice.mine = mine.shown;
+    mine.verdicts.clear();
     choice.on = true;
     choice.shows_stored = false;
     state.get<LectureState>().frozen.reset();  // it would be compared with a scene that is not the edited one
@@ -101,13 +128,36 @@ void take_picture(UiState& state, BroughtPicture picture) {
     state.left_shows_inspector = state.layout.right = true;
 }
 
+void take_picture(UiState& state, BroughtPicture picture) {
+    MyPictureState& mine = state.get<MyPictureState>();
+    leave(mine.job, mine.ending);
+    if (!mine.follows) show_picture(state);
+    if (mine.path != picture.path) mine.editor = {};
+    mine.path = picture.path;
+    mine.name = mine.reading->name();
+    mine.watched = std::move(picture.watched);
+    mine.pairs = false;
+    mine.tried.reset();
+    show_in_editor(mine.editor, picture.text);
+    if (!picture.shown) return show_outdated(state, std::move(picture.messages));
+    mine.shown = std::move(picture.shown);
+    mine.file = std::move(picture.file);
+    mine.display = picture.display;
+    mine.messages = std::move(picture.messages);
+    mine.is_outdated = false;
+    ask_again(mine);
+    state.get<CompareState>().choice.mine = mine.shown;
+}
+
 void poll_reading(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
     if (!mine.reading) return;
     redraw_within(look_again);
     if (!mine.reading->done()) return;
     Result<BroughtPicture> read = mine.reading->take();
-    if (const Problem* problem = problem_of(read))
+    if (Problem* problem = std::get_if<Problem>(&read); problem != nullptr && mine.follows)
+        show_outdated(state, {std::move(*problem)});
+    else if (problem != nullptr)
         state.notifications.add(*problem);
     else
         take_picture(state, std::get<BroughtPicture>(std::move(read)));
@@ -122,6 +172,47 @@ void begin_diagnosis(UiState& state) {
         mine.name,
         [document = std::move(document), wrong = mine.shown, pairs = mine.pairs](LoadProgress& progress)
             -> Result<PictureAnswer> { return answer_of(document, *wrong, pairs, progress); });
+}
+
+/// Begins to load a file. `follows`: as in MyPictureState.
+void begin_reading(UiState& state, const std::string& path, bool follows) {
+    MyPictureState& mine = state.get<MyPictureState>();
+    cancel_reading(mine);
+    mine.reading_since = ImGui::GetTime();
+    mine.follows = follows;
+    mine.drawn_of = under_mistakes(state.editor.scene(), {});
+    mine.reading = state.jobs.start<BroughtPicture>(
+        std::filesystem::path(path).filename().string(),
+        [path, scene = mine.drawn_of, size = state.full_size,
+         limits = mine.shader_limits](LoadProgress& progress) mutable -> Result<BroughtPicture> {
+            limits.is_cancelled = [&progress] { return progress.cancelled.load(); };
+            if (is_shader(path)) return drawn_by_shader(path, scene, size, limits);
+            const WatchedFile watched(path);
+            Result<Picture> read = read_picture(path);
+            if (const Problem* problem = problem_of(read)) return *problem;
+            BroughtPicture picture = brought(
+                path, std::make_shared<const Picture>(std::get<Picture>(std::move(read))), scene.display);
+            picture.watched = watched;
+            return picture;
+        });
+}
+
+/// Loads the file again when it has changed, and draws a shader again when the scene has.
+void follow_file(UiState& state, const Scene& now) {
+    MyPictureState& mine = state.get<MyPictureState>();
+    if (is_held(state) || !mine.watched || (mine.reading && !mine.follows)) return;
+    const bool has_changed =
+        mine.watched->update(std::chrono::steady_clock::now()) != WatchedFile::Change::None;
+    redraw_within(mine.watched->is_changing() ? 0.02 : 0.08);
+    const bool is_of_before = is_shader(mine.path) && !mine.reading && !(now == mine.drawn_of);
+    if (has_changed || is_of_before) read_again(state);
+}
+
+/// The label of the picture in a comparison.
+std::string label_of_mine(const MyPictureState& mine) {
+    const std::string label = is_shader(mine.path) ? "My shader" : "My picture";
+    if (mine.is_outdated) return label + ": see the error";
+    return mine.current ? label + ": " + finding_of(mine.answer->diagnosis) : label;
 }
 
 /// Recomputes the bytes of a linear picture when the open scene's transfer function has changed.
@@ -146,19 +237,10 @@ bool is_bare_picture(const std::string& path) {
 void bring_picture(UiState& state, const std::string& path) {
     if (is_held(state))
         return state.notifications.add(Tone::Warning, "The lesson asks first: answer, then drop the picture");
-    MyPictureState& mine = state.get<MyPictureState>();
-    cancel_reading(mine);
-    mine.reading_since = ImGui::GetTime();
-    const Display display = state.editor.scene().display;
-    mine.reading = state.jobs.start<BroughtPicture>(
-        std::filesystem::path(path).filename().string(),
-        [path, display](LoadProgress&) -> Result<BroughtPicture> {
-            Result<Picture> read = read_picture(path);
-            if (const Problem* problem = problem_of(read)) return *problem;
-            return brought(path, std::make_shared<const Picture>(std::get<Picture>(std::move(read))),
-                           display);
-        });
+    begin_reading(state, path, false);
 }
+
+void read_again(UiState& state) { begin_reading(state, state.get<MyPictureState>().path, true); }
 
 void put_picture_away(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
@@ -168,6 +250,8 @@ void put_picture_away(UiState& state) {
     CompareState& compare = state.get<CompareState>();
     give_comparison_back(compare);
     compare.choice.mine.reset();
+    compare.label_of_mine.clear();
+    mine.watched.reset();
     if (compare.borrowers > 0) compare.choice.on = false;
     mine.shown.reset();
     mine.file.reset();
@@ -207,9 +291,12 @@ std::string why_no_pairs(const MyPictureState& mine) {
 void poll_my_picture(UiState& state) {
     poll_reading(state);
     MyPictureState& mine = state.get<MyPictureState>();
+    mine.editor.is_active = false;  // until it is drawn
     if (!mine.shown) return;
     keep_shown_by_the_display(state);
     const Scene now = under_mistakes(state.editor.scene(), {});
+    follow_file(state, now);
+    state.get<CompareState>().label_of_mine = label_of_mine(mine);
     if (!(now == mine.asked_of) && !(mine.tried && now == mine.tried->scene)) {
         leave(mine.job, mine.ending);
         mine.asked_of = now;
@@ -217,7 +304,7 @@ void poll_my_picture(UiState& state) {
         mine.settled = mine.current = false;
         mine.asked_since = ImGui::GetTime();
     }
-    if (mine.settled || awaits_mesh(state)) return;
+    if (mine.settled || mine.is_outdated || mine.reading || awaits_mesh(state)) return;
     redraw_within(look_again);
     if (!mine.job && has_ended(mine.ending) && !ImGui::IsAnyMouseDown() &&
         ImGui::GetTime() - mine.asked_since >= stillness)
@@ -241,6 +328,14 @@ void switch_mistakes(Scene& scene, const MistakeSet& mistakes) {
     scene = under == scene ? under_mistakes(scene, {}) : under;
 }
 
+void pick_pixel_of_mine(UiState& state, glm::ivec2 pixel) {
+    const PictureSize size = state.rendered->size;
+    const glm::dvec2 there = glm::dvec2(pixel) + 0.5;
+    const glm::dvec2 here =
+        pixels_between(state.editor.scene().camera, state.get<MyPictureState>().shown->size, size)(there);
+    if (is_inside(size, here)) ask_about(state.viewport, here / glm::dvec2(size.width, size.height));
+}
+
 void try_experiment(UiState& state, const Experiment& experiment) {
     const Result<Scene> changed = scene_variant(state.editor.document, experiment.set);
     if (const Problem* problem = problem_of(changed)) return state.notifications.add(*problem);
@@ -248,11 +343,7 @@ void try_experiment(UiState& state, const Experiment& experiment) {
     state.editor.edits_camera |= std::get<Scene>(changed).camera != scene.camera;
     scene = std::get<Scene>(changed);
     state.get<MyPictureState>().tried = TriedExperiment{experiment, under_mistakes(scene, {})};
-    const PictureSize size = state.rendered->size;
-    const glm::dvec2 there = glm::dvec2(experiment.pixel) + 0.5;
-    const glm::dvec2 here =
-        pixels_between(scene.camera, state.get<MyPictureState>().shown->size, size)(there);
-    if (is_inside(size, here)) ask_about(state.viewport, here / glm::dvec2(size.width, size.height));
+    pick_pixel_of_mine(state, experiment.pixel);
 }
 
 const Experiment* offered_experiment(const UiState& state) {
@@ -279,6 +370,14 @@ namespace {
 
 std::vector<WindowCommand> my_picture_commands() {
     return {
+        {.name = "My shader…",
+         .section = Section::FileOpen,
+         .run = [](UiState& s) { s.files.ask(my_shader_purpose, s.editor.document.path); },
+         .words = "glsl equation code"},
+        {.name = "Blank shader…",
+         .section = Section::FileOpen,
+         .run = [](UiState& s) { s.files.ask(blank_shader_purpose, offered_name(s, ".glsl")); },
+         .words = "glsl equation code write"},
         {.name = "Compare my picture…",
          .section = Section::ComparePicture,
          .run = [](UiState& s) { s.files.ask(my_picture_purpose, s.editor.document.path); },
@@ -308,7 +407,7 @@ std::vector<WindowCommand> my_picture_commands() {
 }
 
 bool drop_picture(UiState& state, const std::string& path) {
-    if (!is_bare_picture(path)) return false;
+    if (!is_shader(path) && !is_bare_picture(path)) return false;
     bring_picture(state, path);
     return true;
 }
@@ -318,6 +417,13 @@ void draw_reading(UiState& state, const Layout& layout) {
     if (mine.reading && !state.loading.active() &&
         progress_panel(*mine.reading, mine.reading_since, layout.centre))
         cancel_reading(mine);
+}
+
+/// Saves the shader while its editor has the keyboard.
+bool press_key(UiState& state, KeyPress press) {
+    const bool saves = press == KeyPress{Key::S, ctrl} && state.get<MyPictureState>().editor.is_active;
+    if (saves) save_shader(state);
+    return saves;
 }
 
 bool leave_picture(UiState& state) {
@@ -334,6 +440,7 @@ const Feature my_picture_feature{.begin = [](UiState& s, const UiInput&) { poll_
                                  .draw = draw_reading,
                                  .sheet = [](UiState& s) { return &s.get<MyPictureState>().sheet; },
                                  .commands = my_picture_commands,
+                                 .key = press_key,
                                  .escape = leave_picture,
                                  .drop = drop_picture,
                                  .leave_document =

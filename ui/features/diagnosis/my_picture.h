@@ -1,6 +1,7 @@
 #pragma once
-// The user's own program drew a picture of the open scene: it joins the comparison, a diagnosis runs in the
-// background, and the findings are listed, tried on the scene, and shown in the equation.
+// The user's own program, or shader, drew a picture of the open scene: it joins the comparison, a diagnosis
+// runs in the background, and the findings are listed, tried on the scene, and shown in the equation. The
+// file is watched: when it changes, it is read or drawn and diagnosed again.
 
 #include <glm/vec2.hpp>
 #include <memory>
@@ -9,6 +10,8 @@
 #include <vector>
 
 #include "diagnose/diagnose.h"
+#include "models/io/child_process.h"
+#include "models/io/watched_file.h"
 #include "renderer/explain/explanation.h"
 #include "renderer/renderer.h"
 #include "ui/document/file_dialog.h"
@@ -34,11 +37,22 @@ struct TriedExperiment {
     Scene scene;
 };
 
-/// A picture as in its file, and as bytes (see as_shown()): the same if the file contains bytes.
+/// A picture as in its file, and as bytes (see as_shown()): the same if the file contains bytes, or is a
+/// shader.
 struct BroughtPicture {
     std::string path;
-    std::shared_ptr<const Picture> file, shown;
-    Display display;  // that made the bytes
+    std::shared_ptr<const Picture> file, shown;  // null: of a shader that cannot be drawn
+    Display display;                             // that made the bytes
+    std::optional<WatchedFile> watched = {};     // since before it was read
+    // Of a shader: its text, and errors and warnings with their lines in it, or 0.
+    std::string text = {};
+    std::vector<Problem> messages = {};
+};
+
+/// The text of a shader in the panel.
+struct ShaderEditor {
+    std::string text, saved;  // `saved`: as in the file
+    bool is_active = false;   // it has the keyboard
 };
 
 struct MyPictureState {
@@ -49,6 +63,14 @@ struct MyPictureState {
     bool pairs = false;                    // also search for two mistakes at once
     JobPtr<BroughtPicture> reading;
     double reading_since = 0;  // ImGui time when it began
+    bool follows = false;      // `reading` reads the file again, and only its picture changes
+    std::optional<WatchedFile> watched;
+    bool is_outdated = false;       // the file cannot be shown as it is now, for the reason in `messages`
+    std::vector<Problem> messages;  // about the file
+    Scene drawn_of;                 // the scene without mistakes that a shader draws, or has drawn
+    ShaderEditor editor;
+    ChildLimits shader_limits;
+    std::vector<std::string> verdicts;  // the newest three, newest first, with their times
     JobPtr<PictureAnswer> job;
     JobPtr<PictureAnswer> ending;         // the last cancelled diagnosis
     Scene asked_of;                       // the open scene without mistakes, as it is diagnosed, or will be
@@ -62,10 +84,12 @@ struct MyPictureState {
     std::unique_ptr<Renderer> right, mistaken;  // of the picked pixel in the equation
 };
 
-extern const FilePurpose my_picture_purpose;
-/// Begins to load a picture drawn by any program; once complete it replaces the previous one. If it cannot be
-/// read, a notification reports that and nothing changes.
+extern const FilePurpose my_picture_purpose, my_shader_purpose, blank_shader_purpose;
+/// Begins to load a picture drawn by any program, or to draw a shader (docs/shader.md); once complete it
+/// replaces the previous one. If it cannot be read, a notification reports that and nothing changes.
 void bring_picture(UiState& state, const std::string& path);
+/// Begins to load its file again.
+void read_again(UiState& state);
 /// Removes the picture, restores the previous comparison and tab, and cancels running computations.
 void put_picture_away(UiState& state);
 /// Cancels loading a picture.
@@ -85,6 +109,16 @@ void poll_my_picture(UiState& state);
 /// Whether the file is a picture without a scene that Glint could open.
 [[nodiscard]] bool is_bare_picture(const std::string& path);
 
+[[nodiscard]] bool is_shader(const std::string& path);
+/// Draws the scene with the shader in that file. Problem: the file cannot be read, or shaders cannot draw the
+/// scene.
+[[nodiscard]] Result<BroughtPicture> drawn_by_shader(const std::string& path, const Scene& scene,
+                                                     PictureSize size, const ChildLimits& limits);
+/// Draws the editor of the shader, folded at first.
+void shader_editor(UiState& state);
+/// Writes the editor's text to the file and draws it.
+void save_shader(UiState& state);
+
 /// The size of a candidate's thumbnail, for a picture of that size.
 [[nodiscard]] PictureSize thumbnail_size(PictureSize size);
 
@@ -94,6 +128,11 @@ void poll_my_picture(UiState& state);
 /// Switches these mistakes on and all others off; if exactly these are on, switches them off.
 void switch_mistakes(Scene& scene, const MistakeSet& mistakes);
 
+/// "no mistake", "Normals flipped".
+[[nodiscard]] std::string finding_of(const Diagnosis& diagnosis);
+
+/// Picks the pixel that shows this one of the user's picture.
+void pick_pixel_of_mine(UiState& state, glm::ivec2 pixel);
 /// Applies the experiment to the scene and picks the decisive pixel, as one undo step. A notification reports
 /// if it cannot be applied.
 void try_experiment(UiState& state, const Experiment& experiment);

@@ -8,6 +8,7 @@
 
 #include "diagnose/diagnosis_format.h"
 #include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
 #include "ui/features/diagnosis/my_picture.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
@@ -67,7 +68,7 @@ void heading(UiState& state) {
 
 /// The progress of the diagnosis, with a button to cancel it; or a button to start it again.
 void progress(MyPictureState& mine) {
-    if (mine.current) return;
+    if (mine.current || mine.is_outdated) return;
     const LoadProgress* now = mine.job ? &mine.job->progress() : nullptr;
     if (!mine.settled) {
         const float share = now != nullptr ? std::max(0.0f, progress_share(*now)) : 0;
@@ -87,6 +88,21 @@ void progress(MyPictureState& mine) {
                   ? "The search for the mistake is stopped."
                   : "The scene is drawn correctly and under every mistake, and compared with the picture.");
     if (mine.answer) small_dim("Below is what the previous search found.");
+}
+
+/// Errors and warnings of the file.
+void messages(const MyPictureState& mine) {
+    constexpr std::size_t most = 6;  // compilers repeat themselves
+    for (std::size_t i = 0; i < std::min(most, mine.messages.size()); ++i)
+        warning_text(mine.messages[i].text());
+    if (mine.is_outdated) small_dim("The last picture stays, dimmed.");
+}
+
+/// The verdicts before the present one.
+void previous_verdicts(const MyPictureState& mine) {
+    if (mine.verdicts.size() < 2) return;
+    section_heading("Verdicts");
+    for (const std::string& line : mine.verdicts) small_dim(line);
 }
 
 /// The answer in large letters, and the removed display mistakes; full sentences if no mistake explains the
@@ -169,6 +185,11 @@ void candidates(UiState& state) {
     }
     const Candidate& c = d.candidates[std::min(state.get<MyPictureState>().chosen, d.candidates.size() - 1)];
     section_heading(fmt::format("Clearest at pixel {}, {}", c.pixel.x, c.pixel.y).c_str());
+    if (small_button("Why?")) {
+        pick_pixel_of_mine(state, c.pixel);
+        state.get<InspectorState>().tab = InspectorTab::Equation;
+    }
+    tooltip("Why?", "Picks this pixel and shows which term differs in the equation");
     colour_line("mine", c.mine);
     colour_line("right", c.reference);
     colour_line(title_of(c.mistakes).c_str(), c.as_mistaken);
@@ -201,8 +222,10 @@ void experiment(UiState& state) {
 
 void nothing_brought(UiState& state) {
     inspector_empty_state(
-        "Drop a picture of this scene on the window that your own program drew (.png, .pfm, .exr): Glint "
-        "names the mistake in it.");
+        "Drop a picture of this scene that your own program drew (.png, .pfm, .exr), or your lighting "
+        "equation (.glsl), on the window: Glint names the mistake in it.");
+    if (ImGui::Button("Blank shader…")) state.files.ask(blank_shader_purpose, offered_name(state, ".glsl"));
+    tooltip("Blank shader…", "Writes a file with the steps of this scene's equation to fill in");
     const std::string& path = state.get<MyPictureState>().path;
     if (path.empty()) return;
     const std::string again =
@@ -212,6 +235,11 @@ void nothing_brought(UiState& state) {
 }
 
 }  // namespace
+
+std::string finding_of(const Diagnosis& diagnosis) {
+    return diagnosis.verdict == Verdict::Mistake ? title_of(diagnosis.candidates.front().mistakes)
+                                                 : std::string(verdict_text(diagnosis.verdict));
+}
 
 std::string title_of(const MistakeSet& mistakes) {
     if (mistakes.empty()) return "right";
@@ -242,12 +270,18 @@ void my_picture_tab(UiState& state, const PictureView&) {
     }
     heading(state);
     if (!mine.shown) return;  // it was closed
+    messages(mine);
     progress(mine);
-    if (!mine.answer) return;
-    verdict(mine.answer->diagnosis, state.editor.scene());
-    offer_pairs(mine);
-    candidates(state);
-    experiment(state);
+    if (mine.answer && !mine.is_outdated) {
+        verdict(mine.answer->diagnosis, state.editor.scene());
+        offer_pairs(mine);
+    }
+    if (is_shader(mine.path)) shader_editor(state);
+    if (mine.answer && !mine.is_outdated) {
+        candidates(state);
+        experiment(state);
+    }
+    previous_verdicts(mine);
 }
 
 }  // namespace glint

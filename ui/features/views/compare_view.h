@@ -94,11 +94,12 @@ struct CompareState {
     std::vector<Refinement> refinements;               // of their pictures
     std::vector<const Picture*> pictures;              // one per part, of the last composition
     std::vector<const Renderer*> drawn_by;
-    Picture fitted;       // CompareChoice::mine, at the size of the others
-    Picture picture;      // the composed one
-    Comparison numbers;   // of the difference
-    double ms = 0;        // of the parts in the last composition
-    Variant asked_part;   // of the picked pixel; Edited without one
+    Picture fitted;             // CompareChoice::mine, at the size of the others
+    Picture picture;            // the composed one
+    Comparison numbers;         // of the difference
+    double ms = 0;              // of the parts in the last composition
+    Variant asked_part;         // of the picked pixel; Edited without one
+    std::string label_of_mine;  // with the newest verdict; empty: label_of()
     std::string resting;  // name of the scene shown in place of the edited one (OtherScene::label); or empty
     // The key that shows or hides B, while it may still be down:
     bool b_turned = false;

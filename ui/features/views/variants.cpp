@@ -94,6 +94,7 @@ std::string part_label(const CompareState& state, std::size_t part) {
     const Variant variant = choice.parts[part];
     if (lacks_stored(choice, variant)) return "B: nothing stored";
     if (variant.kind == Variant::Kind::Edited && !state.resting.empty()) return state.resting;
+    if (variant.kind == Variant::Kind::Mine && !state.label_of_mine.empty()) return state.label_of_mine;
     return lacks_picture(choice, variant) ? "My picture: not open" : label_of(variant);
 }
 
