@@ -186,7 +186,7 @@ class Collector {
         const std::vector<std::string>& known = lesson_block_words();
         if (std::find(known.begin(), known.end(), block.word) == known.end())
             fail_at(code_line_, "there is no block " + in_quotes(block.word),
-                    in_quotes(nearest(block.word, known)) + ", or \"text\" for what is only to be read");
+                    in_quotes(nearest(block.word, known)) + ", or \"text\" for a block that is only read");
         if (code_info_.size() > 2)
             fail_at(code_line_, in_quotes(code_info_[2]) + " does not belong there", "one word at most");
         std::vector<std::string> lines(1);

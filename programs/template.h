@@ -6,7 +6,7 @@
 //   //@can FLAG...                features that need no separate text
 //   //@calls NAME                 from here on the lines are calls with that name, which gl_calls.h reads;
 //                                 `//@calls` alone ends them
-//   @name@                        a value; alone on its line it may have several lines
+//   @name@                        a value; alone on its line it may expand to several lines
 //
 // If a condition names an active mistake (`wrong.NAME`), a comment on the line before it describes the
 // mistake.

@@ -61,7 +61,7 @@ inline constexpr const char* grade_worker_name = "glint-grade";
 /// Returns the commands that have a name, in the order of --help.
 [[nodiscard]] std::vector<Command> named_commands();
 
-/// Runs the command that `arguments` (argv without its first) name: parses its options, and reports errors in
+/// Runs the command that `arguments` (argv without argv[0]) name: parses its options, and reports errors in
 /// the one-line form of docs/command_line.md. Throws Failure.
 [[nodiscard]] Outcome run_command_line(const std::vector<std::string>& arguments);
 

@@ -37,7 +37,7 @@ struct GradeArguments {
     GradeFormat format = GradeFormat::Text;
 };
 
-// One file, in its process.
+// One file, graded in a process of its own.
 
 /// The name and numbers of the first explanation, from the public JSON of a diagnosis.
 void add_diagnosis(GradeRow& row, const DiagnosedPicture& diagnosed, const Scene& scene) {

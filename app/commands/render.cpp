@@ -62,7 +62,8 @@ void require_possible(const RenderArguments& arguments) {
 
 void require_buffers_of(PictureSize size, int samples) {
     if (samples > 1)
-        throw wrong_usage("--buffers", "a pixel of several samples has several surfaces", "--samples 1");
+        throw wrong_usage("--buffers", "a pixel with several samples may show several surfaces",
+                          "--samples 1");
     if (size.width > max_buffer_pixels / size.height)
         throw wrong_usage("--buffers", "the picture is too large", "at most 16777216 pixels");
 }

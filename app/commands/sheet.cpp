@@ -71,8 +71,7 @@ void require_fitting(const SheetAxis& rows, const SheetAxis& columns, PictureSiz
                           fmt::format("at most {}", max_sheet_cells));
     const PictureSize size = sheet_size(rows, columns, cell, font);
     if (size.width > max_picture_side || size.height > max_picture_side)
-        throw wrong_usage("--cell",
-                          fmt::format("the sheet would be {}x{} pixels large", size.width, size.height),
+        throw wrong_usage("--cell", fmt::format("the sheet would be {}x{} pixels", size.width, size.height),
                           fmt::format("at most {0}x{0}", max_picture_side));
 }
 

@@ -54,9 +54,9 @@ struct PixelRect {
 /// A GL texture whose first row is the top of a picture. Precondition: a GL context is current.
 class Texture {
   public:
-    /// Sampled: ImGui draws it. Copied: pixels are copied to and from it as a framebuffer. Its channels then
-    /// have the window's order, so that llvmpipe copies memory, in a quarter of the time. A shader cannot
-    /// sample a Copied texture: llvmpipe (Mesa 22.3) skips the tiles that a rectangle covers completely.
+    /// Sampled: ImGui draws it. Copied: pixels are copied to and from it as a framebuffer. Its channels are
+    /// then in the window's order, so llvmpipe can copy memory directly, in a quarter of the time. A shader
+    /// cannot sample a Copied texture: llvmpipe (Mesa 22.3) skips tiles that a rectangle covers completely.
     enum class Use { Sampled, Copied };
 
     explicit Texture(Use use);

@@ -57,7 +57,7 @@ struct WindowInput {
 /// installs its own callbacks, which then call these.
 void collect_input(GLFWwindow* window, WindowInput& input);
 
-/// Collects typed text instead of ImGui's backend. Call this after it has installed its callbacks.
+/// Collects typed text in place of ImGui's backend. Call this after the backend has installed its callbacks.
 void collect_text(GLFWwindow* window);
 
 /// Which of X, Y, Z and B are held down now.

@@ -30,7 +30,7 @@ class WatchedFile {
         known_ = stamp;
         return stamp.exists() ? Change::Written : Change::Vanished;
     }
-    /// Whether a change has begun that is not reported yet: call update() again soon.
+    /// Whether a change has begun that has not been reported yet: call update() again soon.
     [[nodiscard]] bool is_changing() const { return seen_ != known_; }
 
   private:

@@ -25,7 +25,7 @@ class Node {
     [[nodiscard]] const Json& value() const { return value_; }
     [[nodiscard]] std::string pointer() const;
     [[noreturn]] void fail(std::string what, std::string expected) const;
-    /// Throws that the value has an unexpected type: `"abc" is a string; expected ...`.
+    /// Throws an error saying that the value has an unexpected type: `"abc" is a string; expected ...`.
     [[noreturn]] void wrong_type(std::string expected) const;
 
     /// Fails unless this is an object with no keys but these.

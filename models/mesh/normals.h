@@ -98,10 +98,11 @@ struct CreaseGroups {
 [[nodiscard]] CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg);
 
 /// Sums the weighted unit facet normals around each place (with a crease below 180 degrees, those of each
-/// group of crease_groups()), for each smoothing group of the mesh, and normalizes the sum; object coordinates. If a sum cancels (is shorter than
-/// 1e-6 of its weights), each corner uses its facet normal. Degenerate facets are ignored; their corners get
-/// 0 if no other facet is averaged. The angle at a corner is the interior one, which may exceed 180 degrees
-/// in a polygon that is not convex. `corner` stays empty if one normal per position is enough.
+/// group of crease_groups()), for each smoothing group of the mesh, and normalizes the sum; object
+/// coordinates. If a sum cancels (is shorter than 1e-6 of its weights), each corner uses its facet normal.
+/// Degenerate facets are ignored; their corners get 0 if no other facet is averaged. The angle at a corner is
+/// the interior one, which may exceed 180 degrees in a polygon that is not convex. `corner` stays empty if
+/// one normal per position is enough.
 [[nodiscard]] CornerNormals vertex_normals(const Mesh& mesh, NormalWeighting weighting, float crease_deg);
 
 }  // namespace glint

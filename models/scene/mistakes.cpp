@@ -102,7 +102,7 @@ constexpr std::array names{
     MistakeName{"direction_is_position", &Mistakes::direction_is_position, MistakeStage::Lights,
                 SeenAs::WrongSide,
                 "A directional light's `position` is taken as a position, w = 1, without falloff.",
-                "The sun looks like a bulb nearby: each object is lit from another side.",
+                "The sun looks like a nearby bulb: each object is lit from another side.",
                 "light_in_wrong_space", "raysan5/raylib#1870; facebookresearch/momentum#1571; three.js#481"},
     MistakeName{"light_direction_reversed", &Mistakes::light_direction_reversed, MistakeStage::Lights,
                 SeenAs::WrongSide, "l = −l for directional lights.",

@@ -23,6 +23,7 @@ enum class SeenAs {
     WrongReach,  // of a lamp: its cone or its falloff
     SpotsAndHoles
 };
+/// Lists show these groups in this order, and within a group the order of struct Mistakes.
 inline constexpr SeenAs all_seen_as[] = {SeenAs::MovesWithCamera, SeenAs::WrongSide,      SeenAs::WrongFaces,
                                          SeenAs::WrongBrightness, SeenAs::WrongHighlight, SeenAs::WrongReach,
                                          SeenAs::SpotsAndHoles};

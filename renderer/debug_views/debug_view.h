@@ -38,8 +38,8 @@ struct DebugViewChoice {
     bool operator==(const DebugViewChoice&) const = default;
 };
 
-/// A scene whose linear picture is the normal at each pixel, of the facet or interpolated. Keeps mistakes in
-/// the normals. Replaces lights, materials, background and strokes.
+/// A scene whose linear picture is the normal at each pixel, of the facet or interpolated. Mistakes in the
+/// normals are kept. Replaces lights, materials, background and strokes.
 [[nodiscard]] Scene normal_scene(const Scene& scene, bool facet);
 /// A scene whose linear picture is n.l of one light, in all three channels. An area light is treated as a
 /// point light at its centre. Precondition: 0 <= light < #lights.

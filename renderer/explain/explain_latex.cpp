@@ -22,7 +22,7 @@ std::string with_power(const std::string& text) {
 std::string plain_number(double x) { return fmt::format("{:.4g}", static_cast<float>(x)); }
 std::string number(float x) { return with_power(plain_number(double(x))); }
 
-/// Three channels below each other, or a single number if all have the same text.
+/// Three channels stacked vertically, or a single number if all have the same text.
 template <class Text> std::string column(glm::dvec3 v, const Text& text) {
     std::string red = text(v.x);
     const std::string green = text(v.y), blue = text(v.z);

@@ -116,7 +116,7 @@ ExplainedPoint explain_point(const Lighting& lighting, const LightJob& job, cons
         e.global_ambient = to_glm(broadcast<float>(job.material.global_ambient));
     if (job.tone.on) e.cool_to_warm = explain_tone(job, at);
     e.base = to_glm(begin_sum(job, at, bounced));
-    ExplainedLight way;  // of the light that `visit` gets next
+    ExplainedLight way;  // what is between the point and the light that `visit` receives next
     const auto reached = [&](std::size_t i) {
         way = explain_way(arrivals, i);
         return way.reached;

@@ -54,7 +54,8 @@ struct ClipMemory {
     std::pmr::monotonic_buffer_resource pool{bytes.data(), bytes.size()};
 };
 
-/// The part of a face in front of the near plane. `corners`: indices into Mesh::corner_position, in order.
+/// The part of a face in front of the near plane, for interpolation on the screen; drawn triangles are
+/// clipped by clip_polygon(). `corners`: indices into Mesh::corner_position, in order.
 [[nodiscard]] std::pmr::vector<ClippedCorner> clip_at_near(const Geometry& geometry, std::uint32_t object,
                                                            std::span<const std::uint32_t> corners,
                                                            ClipMemory& memory);

@@ -1,6 +1,6 @@
 #pragma once
 // Blinn-Phong: the highlight from the halfway vector, (n.h)^shininess, as in OpenGL's fixed function.
-// Lecture: "Blinn-Phong Model"; J. Blinn 1977.
+// highlight() is in surface_point.h. Lecture: "Blinn-Phong Model"; J. Blinn 1977.
 
 #include "renderer/lighting/lambert.h"
 

@@ -1,3 +1,5 @@
+// Anti-aliasing: each face that shows at some samples of a pixel is lit once in that pixel, and the pixel is
+// their weighted mean. Where the samples are: sample_offset() in visibility.cpp.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

@@ -46,7 +46,7 @@ constexpr std::array<Row, 6> rows{
     // The default of scenes: back faces are drawn.
     {"camera drag, Phong, nothing culled", Drag::Camera, ShadingMode::Phong, false, Cull::None}};
 
-/// The value below or at that fraction of all: 0.5 gives the median.
+/// The quantile at that fraction: 0.5 gives the median.
 double quantile(std::vector<double> values, double share) {
     std::sort(values.begin(), values.end());
     return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];

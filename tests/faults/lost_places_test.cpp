@@ -50,7 +50,8 @@ struct Edited : HeadlessWindow {
             if (n.text.starts_with(path)) messages.push_back(n);
         return messages;
     }
-    /// One message that contains `why` and names the file; the scene is still open, unsaved, and in a copy.
+    /// One message that contains `why` and names the file; the scene is still open and unsaved, and a copy of
+    /// it exists.
     void check_nothing_is_lost(const std::string& why) {
         const std::vector<Notification> errors = messages_about_scene();
         REQUIRE(errors.size() == 1);

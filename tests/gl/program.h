@@ -1,5 +1,5 @@
 #pragma once
-// Shaders of the OpenGL programs that ours is held against (the oracle) and timed against (llvmpipe).
+// Shaders of the OpenGL programs that ours is compared with (the oracle) and timed against (llvmpipe).
 
 #include <string>
 

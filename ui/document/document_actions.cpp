@@ -147,7 +147,7 @@ void save_to(UiState& state, const std::string& path) {
 const FilePurpose open_purpose{.title = "Open",
                                .button = "Open",
                                .hint =
-                                   "Scenes (.json .glb .gltf), pictures of Glint (.png), meshes (.obj .ply "
+                                   "Scenes (.json .glb .gltf), pictures by Glint (.png), meshes (.obj .ply "
                                    ".off .stl), lessons (.md)",
                                .nothing = "No folder and no scene here",
                                .extensions = {".json", ".png", ".md"},

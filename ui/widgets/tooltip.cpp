@@ -1,4 +1,4 @@
-// Describes a control: to the pointer that hovers over it, and to tests.
+// Describes a control, in a tooltip to the user and by name to tests.
 #include <fmt/core.h>
 #include <imgui.h>
 #include <imgui_internal.h>

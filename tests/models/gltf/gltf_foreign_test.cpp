@@ -135,7 +135,7 @@ TEST_CASE("a glTF normal that is not a number counts as not given", "[gltf]") {
     CHECK(document.warnings == Warnings{"Object 1: 1 normal is not a finite number and counts as not given"});
 }
 
-TEST_CASE("a glTF spot's cones are its soft edge", "[gltf]") {
+TEST_CASE("a glTF spot's two cones become its soft edge", "[gltf]") {
     const Scene scene =
         opened_text(
             changed("\"nodes\": [{\"mesh\": 0}], \"scenes\": [{\"nodes\": [0]}]",

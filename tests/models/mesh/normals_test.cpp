@@ -161,7 +161,7 @@ TEST_CASE("degenerate faces are ignored and have the normal 0", "[normals][degen
         }
 }
 
-TEST_CASE("a repeated corner does not weigh twice", "[normals][degenerate]") {
+TEST_CASE("a repeated corner does not count twice", "[normals][degenerate]") {
     std::vector<std::vector<std::uint32_t>> faces = cube_quads;
     faces[0] = {1, 3, 7, 7, 5};
     const Mesh cube = make_mesh(cube_corners, faces);

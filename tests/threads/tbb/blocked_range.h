@@ -5,7 +5,7 @@
 
 namespace tbb {
 
-/// The values from begin() to before end(); a loop hands them on in pieces of grainsize() at least.
+/// The values in [begin(), end()); a loop passes them on in pieces of at least grainsize().
 template <typename Value> class blocked_range {
   public:
     blocked_range(Value begin, Value end, std::size_t grainsize = 1)

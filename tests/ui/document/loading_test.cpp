@@ -72,7 +72,7 @@ TEST_CASE("while a file is loaded the present scene stays and can be edited", "[
     CHECK(bench.state.editor.document.path == "slow.json");
 }
 
-TEST_CASE("a file whose loading began before the window is opened with its assignments", "[ui][loading]") {
+TEST_CASE("a file that began loading before the window existed keeps its assignments", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("given.json", scene_text(first_scene().scene));
     HeadlessWindow bench;

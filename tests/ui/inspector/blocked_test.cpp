@@ -7,7 +7,7 @@
 using namespace glint;
 using test::HeadlessWindow;
 
-TEST_CASE("the inspector names the object in front of a light, and only there", "[ui][why][lecture]") {
+TEST_CASE("the inspector names the object that blocks a light, only where one does", "[ui][why][lecture]") {
     HeadlessWindow bench;
     const Result<SceneDocument> opened = open_document(project_file("assets/scenes/no-shadows.json"));
     REQUIRE(problem_of(opened) == nullptr);

@@ -245,7 +245,7 @@ TEST_CASE("a notification is in front of its dialog and lets clicks through", "[
     bench.frames(3);
     CHECK(place_of("##note0") > place_of(ImGui::GetTopMostPopupModal()->Name));
     CHECK((test::window_named("##note0")->Flags & ImGuiWindowFlags_NoMouseInputs) != 0);
-    bench.state.notifications.list.back().since -= 60;  // it is read by now
+    bench.state.notifications.list.back().since -= 60;  // it has been read by now
     bench.frames(3);
     CHECK(place_of("##note0") < place_of(ImGui::GetTopMostPopupModal()->Name));
     bench.key(Key::Escape);

@@ -145,7 +145,7 @@ void microfacet_section(PlotsState& plots, const PlotSubject& subject) {
         fmt::format("Smith: {:.0f} % shadowed · {:.1f} % of the facets shine, {:.1f} % by their density",
                     100 * (1 - p.smith_g1), 100 * p.shining_share, 100 * p.shining_expected));
     draw_histogram(p, plots.microfacets);
-    small_dim("Share of the rays that leave by direction: the lobe.");
+    small_dim("Share of rays leaving in each direction: the lobe.");
 }
 
 }  // namespace glint

@@ -131,7 +131,7 @@ void save_row(UiState& state) {
 
 const FilePurpose lights_purpose{.title = "Import lights from a scene",
                                  .button = "Import",
-                                 .hint = "Scenes (.json .glb .gltf), pictures of Glint (.png)",
+                                 .hint = "Scenes (.json .glb .gltf), pictures by Glint (.png)",
                                  .nothing = "No folder and no scene here",
                                  .extensions = {".json", ".png", ".glb", ".gltf"},
                                  .use = [](UiState& s, const std::string& path) {
