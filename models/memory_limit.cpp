@@ -89,7 +89,7 @@ void set_memory_limit(std::uint64_t bytes) { limit_set = bytes; }
 std::uint64_t control_group_memory(const std::string& root) {
     std::uint64_t least = unlimited;
     std::ifstream groups(root + "/proc/self/cgroup");
-    for (std::string line; std::getline(groups, line);) {  // NUMBER:CONTROLLERS:PATH; version 2 has none
+    for (std::string line; std::getline(groups, line);) {  // NUMBER:CONTROLLERS:PATH; none in version 2
         const std::size_t first = line.find(':'), second = line.find(':', first + 1);
         if (second == std::string::npos) continue;
         const std::string controllers = line.substr(first + 1, second - first - 1);

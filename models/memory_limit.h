@@ -1,6 +1,6 @@
 #pragma once
 // Limits the memory of one scene: `--memory`, GLINT_MEMORY, and the exception for work that exceeds a limit.
-// models/scene/scene_cost.h has the estimate that is compared with them.
+// The estimate compared with these limits is in models/scene/scene_cost.h.
 
 #include <cstdint>
 #include <exception>
@@ -38,11 +38,11 @@ void set_memory_limit(std::uint64_t bytes);
 /// parents, and the limits of its address space and its data (RLIMIT_AS, RLIMIT_DATA).
 [[nodiscard]] std::uint64_t default_memory_limit();
 /// The smallest memory limit of this process's control groups, version 1 or 2; the largest number if none has
-/// a limit. `root` precedes /proc and /sys.
+/// a limit. `root` is prepended to /proc and /sys.
 [[nodiscard]] std::uint64_t control_group_memory(const std::string& root);
 
 /// "16G", "512M", "1000000": a whole number of bytes, with K, M, G or T for 1024, 1024^2, ... bytes; at least
-/// 1M. A problem has `option` in place of a file.
+/// 1M. A problem names `option` in place of a file.
 [[nodiscard]] Result<std::uint64_t> parse_memory_size(const std::string& option, std::string_view text);
 /// The problem with the value of GLINT_MEMORY; nullopt if it is valid or not set.
 [[nodiscard]] std::optional<Problem> memory_limit_problem();

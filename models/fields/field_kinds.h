@@ -1,5 +1,5 @@
 #pragma once
-// What a field of a scene can be: its texts (Row) and its kind (a number, a colour, one of a set, ...). The
+// Describes a field of a scene: its texts (Row) and its kind (a number, a colour, one of a set, ...). The
 // fields themselves are in scene_fields.h.
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Row {
     std::string_view key;    // in the scene file
     const char* label = "";  // in a panel
     const char* help = "";   // one line: for tooltips, the documentation and the JSON Schema
-    const char* undo = "";   // the name of the undo step that changes it; {} is the item's name
+    const char* undo = "";   // the name of its undo step; {} stands for the item's name
     bool applies = true;     // false: no effect at the moment, such as the cone of a light that is not a spot
     bool omit_default = false;  // written only if it differs from the default
     bool moves_faces = true;    // false: it affects how a pixel is lit, but never which face is visible
@@ -36,7 +36,7 @@ struct Row {
     }
 };
 
-// The kinds of members. A drag adds `step` for each pixel; `format` is a printf format for panels.
+// The kinds of members. Dragging adds `step` per pixel; `format` is a printf format for panels.
 
 /// A float.
 struct Real {
@@ -44,27 +44,27 @@ struct Real {
     const char* unit = "";
     float step = 0.01f;
     const char* format = "%.3f";
-    float usual_max = 0;       // above 0: values rarely leave [low end of the range, usual_max]
-    bool logarithmic = false;  // drags multiply
-    const char* zero = "";     // what a panel shows for 0 if 0 has a special meaning; empty: "0"
+    float usual_max = 0;       // above 0: values are usually in [low end of the range, usual_max]
+    bool logarithmic = false;  // dragging multiplies the value
+    const char* zero = "";     // the text for 0 in a panel if 0 has a special meaning; empty: "0"
 };
 /// Linear RGB; each channel is at least 0, and 1 is full intensity.
 struct Colour {};
 /// Three floats.
 struct Vector {
-    const char* condition = "";  // what the values must be, for the documentation; checked by scene_rules.h
+    const char* condition = "";  // on the values, for the documentation; checked by scene_rules.h
     const char* unit = "";
     float step = 0.01f;
     const char* format = "%.2f";
 };
-/// (x, y, z, w) of a light: if w = 0 the direction towards it, else a position, divided by w.
+/// (x, y, z, w) of a light: the direction towards it if w = 0, else a position, divided by w.
 struct Homogeneous {
     LightKind kind;
     [[nodiscard]] constexpr bool is_direction() const { return kind == LightKind::Directional; }
 };
 struct Switch {};
 struct Text {
-    std::size_t max_characters = 0;  // 0: the limit of a scene's texts
+    std::size_t max_characters = 0;  // 0: the limit for texts of a scene
 };
 /// A path of a mesh file, as written in the scene file.
 struct Path {};
@@ -75,14 +75,14 @@ struct Count {
     int low, high;
     bool (*is_allowed)(int) = nullptr;  // null: every number from low to high
     std::string_view words = {};        // for "expected ..."; empty: derived from low and high
-    const char* zero = "";              // as Real::zero
+    const char* zero = "";              // like Real::zero
 
     /// Returns true when x is whole, within low and high, and allowed.
     [[nodiscard]] bool contains(double x) const {
         return x >= low && x <= high && x == static_cast<int>(x) &&
                (is_allowed == nullptr || is_allowed(static_cast<int>(x)));
     }
-    /// The allowed number nearest to x; of two equally near the larger. Precondition: x is not NaN.
+    /// The allowed number nearest to x; the larger one in a tie. Precondition: x is not NaN.
     [[nodiscard]] int nearest(double x) const {
         const int middle = static_cast<int>(std::lround(std::clamp(x, double(low), double(high))));
         for (int away = 0; away <= high - low; ++away)

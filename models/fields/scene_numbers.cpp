@@ -36,7 +36,7 @@ int index_of(std::string_view token) {
 }
 
 /// Returns a label as used within a sentence: "cutoff" for "Cutoff", "falloff" for "Falloff  1 / (…)".
-/// Symbols such as F0 or cosˢ stay.
+/// Symbols such as F0 or cosˢ stay unchanged.
 std::string in_a_sentence(std::string_view label) {
     std::string words(label.substr(0, label.find("  ")));
     const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
@@ -76,7 +76,7 @@ template <class Visit> class NumberWalk {
     static constexpr bool is_group =
         std::same_as<std::remove_cvref_t<Kind>, Group> || std::same_as<std::remove_cvref_t<Kind>, List>;
 
-    /// The scene's own groups are owners; the text omits material, transform and projection.
+    /// Direct groups of the scene are owners. The text omits owners, material, transform and projection.
     void name(const Row& row, bool is_group_row) {
         const bool is_owner = depth_ == 1 && is_group_row;
         if (is_owner || row.key == "material" || row.key == "transform" || row.key == "projection") return;
@@ -157,8 +157,8 @@ template <class AnyScene, class Visit> void walk(AnyScene& scene, const Tokens* 
     NumberWalk<Visit>(visit, only).members(scene);
 }
 
-/// Sets a number unless its kind forbids the value. A float may exceed a limit by the rounding of that limit
-/// to a float.
+/// Sets a number unless its kind forbids the value. A float may exceed a limit by the error of rounding that
+/// limit to a float.
 std::optional<Problem> assign(const Real& kind, float& to, double value) {
     const auto rounded = static_cast<float>(value);
     const bool contained = kind.range.contains(rounded) && (value == rounded || kind.range.contains(value));
@@ -227,7 +227,7 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
 
 std::string words_of_pointer(const Scene& scene, const std::string& pointer) {
     if (const auto number = number_at(scene, pointer)) return number->words;
-    // The text of a vector is that of its first number without the component.
+    // The text for a vector is that of its first number without the component.
     if (const auto first = number_at(scene, pointer + "/0"))
         return first->words.substr(0, first->words.rfind(' '));
     std::string keys;

@@ -18,15 +18,15 @@ struct SceneNumber {
     std::string words;           // its text in a panel, without its owner: "view angle", "diffuse red"
     double value = 0;            // the current value
     double initial = 0;          // its default
-    Real kind;                   // range, unit, step; for a count its range
+    Real kind;                   // range, unit, step; for a count, only its range
     std::optional<Count> count;  // for a count: samples, the detail of a shape
     const char* help = "";       // the help of its field
     bool moves_faces = true;     // false: it affects how a pixel is lit, but never which face is visible
-    bool applies = true;     // false: no effect at the moment, such as the cone of a light that is not a spot
-    bool is_w = false;       // w of a position, which is divided by it at once: an input field would not keep
-                             // the typed value
-    float* place = nullptr;  // its address, valid while the scene's lists do not change; null for a
-                             // count and for a const scene
+    bool applies = true;  // false: no effect at the moment, such as the cone of a light that is not a spot
+    bool is_w = false;    // w of a position; the position is divided by it at once, so an input field would
+                          // lose the typed value
+    float* place = nullptr;  // its address, valid until the scene's lists change; null for a count and for a
+                             // const scene
 };
 
 /// Lists all numbers in the order of the scene file.

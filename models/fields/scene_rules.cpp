@@ -87,7 +87,7 @@ template <class T> std::optional<Problem> any_violation_of(const T& value) {
     return violation_of_ranges(value);
 }
 
-/// In memory, a scene's positions are divided by w.
+/// Positions in memory have already been divided by w.
 std::optional<Problem> any_violation_of(const Light& light) {
     if (auto found = any_violation_of<Light>(light)) return found;
     if (light.position.w == 0 || light.position.w == 1) return std::nullopt;
@@ -114,7 +114,7 @@ std::optional<Problem> violation_of(const Camera& camera) {
     if (camera.eye == camera.target)
         return Problem{"", "", "eye and target are the same point", "two points that differ"};
     if (up == glm::dvec3(0)) return Problem{"", "", "up is zero", "a direction"};
-    // Without these conditions the eye has no orthonormal frame (view_from_world).
+    // Without these conditions the camera has no orthonormal frame (view_from_world).
     if (!(glm::length(glm::cross(up, back)) > parallel_sine * glm::length(up) * glm::length(back)))
         return Problem{"", "", "up is parallel to the view direction",
                        "an up that is not along the line from eye to target"};

@@ -25,8 +25,8 @@ template <class Number> [[nodiscard]] Problem out_of_range(Number number, std::s
 /// digits.
 inline constexpr double parallel_sine = 1e-6;
 
-/// Requires that eye and target differ, `up` is not along the view, 0 < near < far, and the frustum has an
-/// area.
+/// Requires that eye and target differ, `up` is not parallel to the view direction, 0 < near < far, and the
+/// frustum's window has a non-zero area.
 [[nodiscard]] std::optional<Problem> violation_of(const Camera& camera);
 /// Requires that direction, axis and area are not zero, and that not all falloff factors are zero.
 [[nodiscard]] std::optional<Problem> violation_of(const Light& light);
@@ -46,9 +46,9 @@ inline constexpr double parallel_sine = 1e-6;
 [[nodiscard]] std::optional<Problem> violation_of_ranges(const Object& object);
 [[nodiscard]] std::optional<Problem> violation_of_ranges(const Scene& scene);
 
-/// Returns the condition or range that keeps a scene file from representing `now`; nothing if there is none.
-/// `valid` is a scene that a file can represent, so only lights and objects that differ from those of `valid`
-/// are checked.
+/// Returns the condition or range that keeps a scene file from representing `now`, or nothing if a file can
+/// represent it. `valid` is a scene that a file can represent, so only lights and objects that differ from
+/// those of `valid` are checked.
 [[nodiscard]] std::optional<Problem> violation_since(const Scene& valid, const Scene& now);
 
 /// Returns a light's homogeneous position for the renderer: unchanged if w = 0, else divided by w, so that w

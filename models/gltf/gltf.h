@@ -13,8 +13,8 @@
 
 namespace glint {
 
-/// The generator that our own files name. Lights of such files keep their brightness, and a
-/// file without lights gets none.
+/// The generator named in our own files. Lights in these files keep their brightness, and no default lights
+/// are added if there are none.
 inline constexpr std::string_view gltf_generator = "Glint";
 
 /// True for a path that ends in .gltf or .glb, ignoring case.
@@ -31,21 +31,21 @@ class GltfFile {
     [[nodiscard]] static Result<GltfFile> read(const std::string& path);
     [[nodiscard]] static Result<GltfFile> parse(std::string bytes, const std::string& path);
 
-    /// Returns primitive number `part`, counted through all meshes, as a finished mesh. Vertices at the same
+    /// Returns primitive number `part`, counted across all meshes, as a finished mesh. Vertices at the same
     /// point share a position; normals stay with their corners.
     [[nodiscard]] Result<Mesh> mesh(int part) const;
 
     struct Content {
         Scene scene;  // objects name `file_name` and the part; their meshes are not loaded
         bool has_camera = false, has_lights = false;
-        bool is_ours = false;        // written by Glint; other files choose the scale of candela and lux
-        glm::dvec3 ahead{0, 0, -1};  // the viewing direction, unit: the target is rounded
-        Warnings warnings;           // what was left out, one line per kind
+        bool is_ours = false;  // written by Glint; other files choose their own scale for candela and lux
+        glm::dvec3 ahead{0, 0, -1};  // the exact viewing direction, unit; the camera's target is rounded
+        Warnings warnings;           // one line for each kind of item that was left out
         Warnings objects_left_out;   // the warnings that explain missing objects
     };
-    /// Converts the file's scene, by default the first: an object for each primitive with triangles of each
-    /// node, the camera of the first node that has one, and the lights. A light below that camera's node
-    /// moves with the viewer. Materials are for cook-torrance.
+    /// Converts the file's scene, by default the first. Each node gives an object for each of its primitives
+    /// with triangles. The camera is that of the first node that has one. Lights below that camera's node
+    /// move with the viewer. Materials are for the cook-torrance model.
     /// `offset` is subtracted from all positions, in double.
     [[nodiscard]] Result<Content> content(const std::string& file_name, const glm::dvec3& offset = {}) const;
 
@@ -54,14 +54,14 @@ class GltfFile {
     std::shared_ptr<const GltfDocument> document_;
 };
 
-/// A scene as a .glb file, with one warning for each kind of thing that glTF cannot express.
+/// A scene as a .glb file, with one warning for each kind of feature that glTF cannot express.
 struct GltfWritten {
     std::string bytes;
     Warnings warnings;
 };
-/// Writes meshes with the normals that they are drawn with, transforms, the camera with the lights that move
-/// with it, lights of KHR_lights_punctual, and materials as metallic-roughness. Precondition: meshes are
-/// loaded. Does not check that the file opens again: glb_of() of models/scene_file/scene_file.h does.
+/// Writes meshes with the normals used to draw them, transforms, the camera with the lights that move with
+/// it, lights of KHR_lights_punctual, and materials as metallic-roughness. Precondition: meshes are loaded.
+/// Does not check that the file can be opened again: glb_of() of models/scene_file/scene_file.h does.
 [[nodiscard]] Result<GltfWritten> unchecked_glb_of(const Scene& scene, const std::string& name);
 
 }  // namespace glint

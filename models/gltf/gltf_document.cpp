@@ -23,8 +23,8 @@ constexpr std::uint64_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, bin_chu
     throw ProblemFound({"", "", what, expected});
 }
 
-/// The two chunks of a .glb. The length in its header may disagree with the file's, because the chunks have
-/// their own.
+/// The two chunks of a .glb. The length in the header may disagree with the file's: each chunk has its own
+/// length.
 struct Chunks {
     std::string_view json, bin;
     bool has_bin = false;
@@ -124,7 +124,7 @@ std::string bytes_of_file(const Node& node, const std::string& file, std::size_t
     return std::get<std::string>(std::move(read));
 }
 
-/// Reads the buffers that the root lists. A file that several of them name is read and kept once.
+/// Reads the buffers listed at the root. A file named by several of them is read and stored once.
 class BufferReader {
   public:
     BufferReader(GltfDocument& document, const Chunks& chunks) : document_(document), chunks_(chunks) {}
@@ -139,9 +139,9 @@ class BufferReader {
     }
 
   private:
-    /// Locates a buffer's bytes; `document_.own` may reallocate while it grows.
+    /// Locates a buffer's bytes by index, because `document_.own` may reallocate while it grows.
     struct Place {
-        std::optional<std::size_t> own;  // its index; none: in the binary chunk
+        std::optional<std::size_t> own;  // index into `document_.own`; none: in the binary chunk
         std::uint64_t length = 0;
     };
 
@@ -182,8 +182,8 @@ class BufferReader {
     GltfDocument& document_;
     const Chunks& chunks_;
     std::vector<Place> places_;
-    std::size_t own_bytes_ = 0;                    // of all files and data URIs
-    std::map<fs::path, std::size_t> own_of_file_;  // by path without links and dots
+    std::size_t own_bytes_ = 0;                    // of all external files and data URIs
+    std::map<fs::path, std::size_t> own_of_file_;  // by path, with links and dots resolved
 };
 
 bool is_quantized(const Node& root) {
@@ -197,7 +197,8 @@ bool is_quantized(const Node& root) {
     return is_named;
 }
 
-/// Whether an extension concerns only what is left out: images, animations, and the look of materials.
+/// Whether an extension affects only data that is not read: images, animations, and the appearance of
+/// materials.
 bool leaves_shapes(std::string_view name) {
     constexpr std::array<std::string_view, 6> words{"_materials_", "_texture_",   "_techniques_",
                                                     "_image",      "_animation_", "_xmp"};
@@ -205,7 +206,7 @@ bool leaves_shapes(std::string_view name) {
                        [name](std::string_view word) { return name.find(word) != std::string_view::npos; });
 }
 
-/// Fails for required extensions that change the shapes and are not read.
+/// Fails for required extensions that change the shapes and are not supported.
 void check_extensions(const Node& root) {
     constexpr std::array<std::string_view, 3> read{"KHR_lights_punctual", "KHR_mesh_quantization",
                                                    "EXT_mesh_gpu_instancing"};
@@ -275,7 +276,7 @@ std::optional<GltfVertexKey> sound_key_of(const GltfDocument& document, const No
 }
 
 /// Finds the vertices that several primitives use. Fails if overlapping accessors name many times more
-/// vertices than the buffers contain, because reading them would take long.
+/// vertices than the buffers contain, because reading them would take too long.
 std::set<GltfVertexKey> shared_vertices_of(const GltfDocument& document) {
     constexpr std::uint64_t most_times = 64;
     std::uint64_t bytes_there = document.bytes.size(), bytes_named = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The parts that all glTF readers share: the document, its checked members, and the numbers of an accessor.
+// The parts shared by all glTF readers: the document, its checked members, and the numbers of an accessor.
 // Errors are thrown as ProblemFound with their pointer. Inside models/gltf/ only.
 
 #include <fmt/core.h>
@@ -33,7 +33,7 @@ struct GltfNumbers {
 
     [[nodiscard]] double at(std::size_t i, std::size_t component) const;
     [[nodiscard]] glm::vec3 vector_at(std::size_t i) const;
-    /// Returns the size of the numbers alone, without the gaps between them.
+    /// Returns the size of the numbers alone, without the gaps between elements.
     [[nodiscard]] std::uint64_t bytes() const;
     auto operator<=>(const GltfNumbers&) const = default;
 };
@@ -43,7 +43,7 @@ using GltfVertexKey = std::pair<GltfNumbers, GltfNumbers>;
 /// The vertices of a key; those at the same point share a position.
 struct GltfVertices {
     std::vector<glm::vec3> places, normals;
-    std::vector<std::uint32_t> place_of;  // of each vertex, in `places`
+    std::vector<std::uint32_t> place_of;  // for each vertex, an index into `places`
 };
 
 struct GltfDocument {
@@ -52,21 +52,21 @@ struct GltfDocument {
     GltfDocument& operator=(const GltfDocument&) = delete;
 
     std::string path;
-    std::string bytes;             // of the file
-    std::vector<std::string> own;  // buffers outside the file
+    std::string bytes;             // the bytes of the file
+    std::vector<std::string> own;  // the contents of buffers in other files and data URIs
     std::vector<std::string_view> buffers;
     Json root;
     std::vector<std::string> warnings;  // about the container
-    bool is_quantized = false;          // it names KHR_mesh_quantization
-    // Entry i is the number of the first primitive of mesh i, counted through all meshes; the last is the
-    // total.
+    bool is_quantized = false;          // the file names KHR_mesh_quantization
+    // Entry i is the number of the first primitive of mesh i, counted across all meshes; the last entry is
+    // the total.
     std::vector<std::size_t> first_parts;
-    // Vertices that several primitives use are read once, with the first of them. Not thread-safe.
+    // Vertices used by several primitives are read once, for the first of them. Not thread-safe.
     std::set<GltfVertexKey> shared_vertices;
     mutable std::map<GltfVertexKey, GltfVertices> kept_vertices;
 };
 
-/// Returns the whole number of a key, from 0 to `most`, or `otherwise` if the key is missing. Fails for any
+/// Returns the whole number at a key, from 0 to `most`, or `otherwise` if the key is missing. Fails for any
 /// other value, and for a missing key if `otherwise` is negative.
 [[nodiscard]] std::uint64_t whole(const Node& object, std::string_view key, double most,
                                   double otherwise = -1);
@@ -74,7 +74,7 @@ struct GltfDocument {
 /// Fails unless the value is an object.
 void require_object(const Node& node);
 
-/// Calls f(Node) with one element of a list at the root ("meshes"): `key` of `from` is its index. Fails if
+/// Calls f(Node) with an element of a list at the root ("meshes"). Its index is at `key` of `from`. Fails if
 /// the element does not exist.
 template <class F>
 void follow(const Node& root, const Node& from, std::string_view key, std::string_view list, F f) {
@@ -96,12 +96,12 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
 /// it is not of that `type` ("VEC3"), or has no buffer view.
 [[nodiscard]] GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Node& from,
                                      std::string_view key, std::string_view type);
-/// Returns the numbers of a primitive's vertices. Fails as numbers_of() does.
+/// Returns the numbers of a primitive's vertices. Fails like numbers_of().
 [[nodiscard]] GltfVertexKey vertex_key_of(const GltfDocument& document, const Node& root,
                                           const Node& attributes);
 [[nodiscard]] bool is_sparse(const Node& root, const Node& from, std::string_view key);
 
-/// How vertices form triangles; None: there are none.
+/// How vertices form triangles; None: they form none.
 enum class PrimitiveMode { None, Triangles, Strip, Fan };
 /// Precondition: the primitive is an object.
 [[nodiscard]] PrimitiveMode mode_of(const Node& primitive);

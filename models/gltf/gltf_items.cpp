@@ -16,9 +16,9 @@
 namespace glint {
 namespace {
 
-constexpr double sheared_from = 1e-4;  // the cosine between two axes
+constexpr double sheared_from = 1e-4;  // the cosine of the angle between two axes
 constexpr double half_way = 0.25;      // glTF's brightness half-way between the cosines of its two cones
-constexpr float sharp_below = 0.001f;  // radians between them
+constexpr float sharp_below = 0.001f;  // radians between the two cone angles
 constexpr float least_near = 1e-3f;    // for a camera whose near plane is at the eye
 
 template <class P> void read_planes(const Node& node, P& p) {
@@ -53,7 +53,7 @@ Material material_from(const glm::vec3& base, float metal, float roughness) {
     m.specular = glm::vec3(1);
     m.roughness = roughness;
     const float a = std::max(roughness * roughness, 0.03f);
-    m.shininess = std::clamp(2 / (a * a) - 2, 1.0f, 2000.0f);  // a Blinn highlight of that width
+    m.shininess = std::clamp(2 / (a * a) - 2, 1.0f, 2000.0f);  // a Blinn highlight of the same width
     return m;
 }
 
@@ -192,7 +192,8 @@ GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world
                   "axes that have a length, at a position within 1e7");
     const glm::dvec3 right = glm::normalize(glm::cross(up, back));
     const glm::dmat3 world_from_view(right, glm::cross(back, right), back);
-    // Both start at the eye, however far from the origin that is.
+    // View coordinates and the node's coordinates both start at the eye, so the eye's distance from the
+    // origin cancels.
     return {camera, -back, glm::dmat4(glm::transpose(world_from_view) * glm::dmat3(world))};
 }
 
@@ -215,7 +216,7 @@ Light light_from(const Node& node, const std::string& name, const glm::dmat4& pl
     // In candela or lux; darken_lights() scales down bright lights.
     read(node, "intensity", intensity, {0, 1e30, "0 to 1e30"});
     light.diffuse = light.specular = colour;
-    // Lambert's term is not divided by pi here.
+    // In Glint, Lambert's term is not divided by pi.
     light.intensity = static_cast<float>(static_cast<double>(intensity) / std::numbers::pi);
     light.space = space;
     const glm::vec3 back(unit_or_zero(glm::dvec3(placed[2])));  // it shines along -z
@@ -245,8 +246,8 @@ std::optional<GltfMetal> metal_of(const Material& m) {
         const glm::vec3 off = glm::max(glm::abs(diffuse - m.diffuse), glm::abs(f0 - m.f0));
         return std::max({off.x, off.y, off.z}) < close;
     };
-    // diffuse + f0 = base + 0.04 (1 - metal): with base = diffuse/(1 - metal), a quadratic equation in 1 -
-    // metal for the sum of the channels.
+    // diffuse + f0 = base + 0.04 (1 - metal). With base = diffuse/(1 - metal), the sum of the channels gives
+    // a quadratic equation in 1 - metal.
     const double d = m.diffuse.x + m.diffuse.y + m.diffuse.z, f = m.f0.x + m.f0.y + m.f0.z;
     const double half = (d + f) / 0.24;  // 0.12 k^2 - (d + f) k + d = 0, k = 1 - metal
     const double root = half * half - d / 0.12;

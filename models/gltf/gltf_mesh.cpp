@@ -41,7 +41,7 @@ class Triangles {
         });
     }
 
-    /// Calls f(a, b, c) for each triangle; returns how many vertices are left over.
+    /// Calls f(a, b, c) for each triangle; returns the number of leftover vertices.
     template <class F> std::size_t each(PrimitiveMode mode, const F& f) const {
         if (mode == PrimitiveMode::Triangles) {
             for (std::size_t i = 0; i + 3 <= count_; i += 3) f(at(i), at(i + 1), at(i + 2));
@@ -67,7 +67,7 @@ class Triangles {
     GltfNumbers indices_;
 };
 
-/// A vertex attribute: floats, or small integers if the file names the extension for them.
+/// Reads a vertex attribute: floats, or small integers if the file names KHR_mesh_quantization.
 std::vector<glm::vec3> vectors(const GltfDocument& document, const GltfNumbers& numbers,
                                const Node& attributes, const char* what) {
     if (numbers.type == gltf_unsigned_int)
@@ -104,8 +104,8 @@ GltfVertices read_vertices(const GltfDocument& document, const GltfVertexKey& ke
     return read;
 }
 
-/// The vertices of a primitive. The document keeps vertices that other primitives use as well; all others go
-/// into `own`.
+/// The vertices of a primitive. Vertices shared with other primitives are kept in the document; all others
+/// are stored in `own`.
 const GltfVertices& vertices_of(const GltfDocument& document, const Node& root, const Node& attributes,
                                 GltfVertices& own) {
     const GltfVertexKey key = vertex_key_of(document, root, attributes);
@@ -182,7 +182,7 @@ Result<Mesh> GltfFile::mesh(int part) const {
                 "", "/part", fmt::format("the file has no part {}", part),
                 first.back() == 0 ? "a file with a mesh" : fmt::format("0 to {}", first.back() - 1)};
         const auto number = static_cast<std::size_t>(part);
-        // The last mesh that begins there or before: an empty mesh begins where the next one does.
+        // Find the last mesh that begins at or before the part: an empty mesh begins where the next one does.
         const auto in_mesh = static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), number) -
                                                       first.begin() - 1);
         root.with("meshes", [&](const Node& meshes) {

@@ -12,10 +12,10 @@ namespace glint {
 /// The number of elements of a list at the root ("meshes"); 0 without such a list.
 [[nodiscard]] std::size_t count_of(const Node& root, std::string_view list);
 
-/// The number in a list of nodes; the node may not exist.
+/// The index at an element of a list of nodes; the node need not exist.
 [[nodiscard]] std::uint64_t node_number(const Node& at);
 
-/// Reads the name of a node, a mesh or a light. It may be as long as a scene's names.
+/// Reads the name of a node, a mesh or a light, up to the length limit of a scene's names.
 void read_name(const Node& named, std::string& to);
 
 /// The matrix from a node's own coordinates to its parent's. Fails if the specification forbids it: a matrix
@@ -44,8 +44,8 @@ template <class F> void with_light(const Node& root, const Node& node, F f) {
     });
 }
 
-/// Checks every node, whether a scene reaches it or not: fails if local_of() fails, or if a node names a
-/// missing child, mesh, camera or light.
+/// Checks every node, even if no scene reaches it: fails if local_of() fails, or if a node names a missing
+/// child, mesh, camera or light.
 void check_nodes(const Node& root);
 
 }  // namespace glint

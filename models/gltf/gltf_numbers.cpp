@@ -1,4 +1,4 @@
-// Checked members, and the numbers of accessors.
+// Reads checked members and the numbers of accessors.
 #include <fmt/core.h>
 
 #include <array>
@@ -44,7 +44,7 @@ std::size_t stride_of(const Node& view) {
     return stride;
 }
 
-/// The start of a buffer view, its length, and that of each element.
+/// The start and length of a buffer view, and the stride of its elements.
 struct View {
     std::string_view bytes;
     std::size_t stride = 0;  // 0: tightly packed

@@ -49,8 +49,8 @@ class SceneReader {
   private:
     struct Placed {
         std::uint64_t node;
-        glm::dmat4 world;                // the parent's
-        std::optional<glm::dmat4> view;  // the parent's, from the camera, if that is above it
+        glm::dmat4 world;                // of the parent
+        std::optional<glm::dmat4> view;  // likewise in camera coordinates, if below the camera's node
     };
 
     static void add_numbers(const Node& list, const glm::dmat4& world, const std::optional<glm::dmat4>& view,
@@ -110,7 +110,7 @@ class SceneReader {
             const auto first = static_cast<int>(document_.first_parts[index]);
             mesh.with("primitives", [&](const Node& primitives) {
                 const std::vector<glm::dmat4> instances = instances_of(node);
-                // Many nodes may use a mesh with many primitives none of which becomes an object.
+                // Many nodes may use a mesh with many primitives, none of which becomes an object.
                 visited_primitives_ += primitives.value().size() * instances.size();
                 if (visited_primitives_ > max_json_values)
                     node.fail("the nodes show too many primitives",
@@ -130,7 +130,8 @@ class SceneReader {
             });
         });
     }
-    /// The transforms of EXT_mesh_gpu_instancing within the node; one that changes nothing without it.
+    /// The instance transforms of EXT_mesh_gpu_instancing, relative to the node; a single identity without
+    /// it.
     std::vector<glm::dmat4> instances_of(const Node& node) {
         std::vector<glm::dmat4> all(1, glm::dmat4(1));
         if (!has_extension(node, "EXT_mesh_gpu_instancing")) return all;
@@ -244,7 +245,7 @@ class SceneReader {
         scene.shading.cull = all_double_sided ? Cull::None : Cull::Back;
         scene.shading.two_sided = double_sided_ > 0;
         scene.display.transfer = Transfer::Srgb;
-        scene.display.background = glm::vec3(0.01f, 0.01f, 0.013f);  // as dark as ours, once encoded
+        scene.display.background = glm::vec3(0.01f, 0.01f, 0.013f);  // as dark as the default, once encoded
         if (content_.has_lights || content_.is_ours) scene.global_ambient = glm::vec3(0);
         content_.warnings = document_.warnings;
         const Warnings left = said(left_);
@@ -260,7 +261,7 @@ class SceneReader {
     GltfLeftOut left_;
     std::vector<char> visited_;
     std::size_t visited_primitives_ = 0;
-    std::size_t double_sided_ = 0;  // objects
+    std::size_t double_sided_ = 0;  // number of objects
 };
 
 }  // namespace

@@ -72,8 +72,8 @@ class Writer {
     }
 
     /// Objects with the same mesh and material share one glTF mesh, so that a program that opens the file
-    /// creates it once. Objects with and without a name do not share: a reader would name the unnamed object
-    /// after the mesh.
+    /// creates it once. A named and an unnamed object do not share a mesh: a reader would name the unnamed
+    /// object after it.
     std::size_t add_mesh(const Object& object) {
         const GltfMeshKey key = mesh_key(object);
         const std::size_t material =

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// The rotation that turns (0, 0, 1) into the unit vector.
+/// The rotation that turns (0, 0, 1) into the unit vector `to`.
 glm::dquat turn_from_z(const glm::dvec3& to) {
     if (to.z < -1 + 1e-12) return {0, 1, 0, 0};  // half a turn about x
     return glm::normalize(glm::dquat(1 + to.z, -to.y, to.x, 0));
@@ -26,7 +26,7 @@ Json planes_json(const Projection& projection) {
     return {{"znear", number_json(near_of(projection))}, {"zfar", number_json(far_of(projection))}};
 }
 
-/// The vertical angle in radians, rounded to floats that stay above 0 and below pi.
+/// The vertical angle in radians, clamped so that it stays above 0 and below pi as a float.
 double yfov_of(const Projection& projection, GltfUnsaid& unsaid) {
     double angle = 0;
     if (const auto* f = std::get_if<Frustum>(&projection)) {
@@ -43,13 +43,13 @@ double yfov_of(const Projection& projection, GltfUnsaid& unsaid) {
     return std::clamp(angle, least, most);
 }
 
-/// The divisor of a light's colour and the factor of its intensity: colours of glTF end at 1.
+/// The divisor of a light's colour and the factor of its intensity: colours in glTF are at most 1.
 float color_scale(const Light& light) {
     return std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
 }
 
-/// The intensity with which a light of glTF, which falls off with the square of the distance, is as bright as
-/// this light at the camera's target.
+/// The intensity that makes a glTF light as bright as this light at the camera's target. A glTF light falls
+/// off with the square of the distance.
 double intensity_of(const Light& light, const Camera& camera, GltfUnsaid& unsaid) {
     const double i =
         static_cast<double>(light.intensity) * static_cast<double>(color_scale(light)) * std::numbers::pi;

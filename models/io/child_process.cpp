@@ -18,7 +18,7 @@
 namespace glint {
 namespace {
 
-/// A file in memory. Unlike a pipe it takes any number of bytes without a reader.
+/// A file in memory. Unlike a pipe, it accepts any number of bytes without a reader.
 class MemoryFile {
   public:
     explicit MemoryFile(const char* name) : descriptor_(memfd_create(name, MFD_CLOEXEC)) {}
@@ -29,7 +29,8 @@ class MemoryFile {
     MemoryFile& operator=(const MemoryFile&) = delete;
 
     [[nodiscard]] int descriptor() const { return descriptor_; }
-    /// Whether all bytes were written; the next reader starts with the first.
+    /// Writes the bytes and rewinds, so that the next reader starts at the first byte. Returns false on
+    /// failure.
     [[nodiscard]] bool fill(std::string_view bytes) const {
         while (!bytes.empty()) {
             const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
@@ -55,7 +56,7 @@ class MemoryFile {
     int descriptor_;
 };
 
-/// The status of waitpid() if the process ended.
+/// The status of waitpid() if the process has ended.
 std::optional<int> ended(pid_t child, int options) {
     int status = 0;
     pid_t found = 0;
@@ -64,7 +65,7 @@ std::optional<int> ended(pid_t child, int options) {
     return found == child ? std::optional(status) : std::nullopt;
 }
 
-/// Waits for the end; kills it when a limit is reached.
+/// Waits until the process ends; kills it when a limit is reached.
 void wait_for(pid_t child, const ChildLimits& limits, ChildEnd& end) {
     using Clock = std::chrono::steady_clock;
     const auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);

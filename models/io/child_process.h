@@ -10,7 +10,7 @@
 namespace glint {
 
 struct ChildLimits {
-    double seconds = 10;  // after which it is killed
+    double seconds = 10;  // time after which it is killed
     std::uint64_t bytes =
         0;  // of its address space; 0: no limit. Ignored with sanitizers, which need terabytes
     std::function<bool()> is_cancelled = {};  // queried every few milliseconds; true kills it
@@ -20,7 +20,7 @@ struct ChildLimits {
 struct ChildEnd {
     enum class How { Exited, Killed, TimedOut, Cancelled, NotStarted };
     How how = How::NotStarted;
-    int status = 0;              // of the exit, the signal that killed it, or the errno of NotStarted
+    int status = 0;              // the exit status, the signal that killed it, or the errno of NotStarted
     std::string output, errors;  // standard output and standard error
 
     [[nodiscard]] bool succeeded() const { return how == How::Exited && status == 0; }
@@ -31,7 +31,7 @@ struct ChildEnd {
 [[nodiscard]] ChildEnd run_child(const std::string& worker, const std::vector<std::string>& arguments,
                                  std::string_view input, const ChildLimits& limits);
 
-/// To be called first by a worker: it ends when the process that started it ends.
+/// Ends this process when the process that started it ends. A worker calls it first.
 void end_with_parent();
 
 }  // namespace glint

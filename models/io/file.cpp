@@ -74,7 +74,7 @@ Problem too_long(const std::string& path, std::size_t max_bytes) {
     return {path, "", "is too long", fmt::format("at most {} bytes", max_bytes)};
 }
 
-/// `guess`: the size that the system reports; the file may grow while it is read.
+/// `guess`: the size reported by the system; the file may grow while it is read.
 Result<std::string> read_all(int descriptor, const std::string& path, std::size_t max_bytes,
                              std::size_t guess, const CheckBlock& check) {
     if (guess > max_bytes) return too_long(path, max_bytes);
@@ -97,7 +97,7 @@ Result<std::string> read_all(int descriptor, const std::string& path, std::size_
     }
 }
 
-/// The files that this process has read, named as by replaced_file().
+/// The files that this process has read, by their names from replaced_file().
 struct FilesRead {
     std::mutex mutex;
     std::set<std::string> files;
@@ -116,7 +116,7 @@ void note_read(const std::string& path) {
 Result<std::string> read_regular(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
     struct stat status {};
     if (const int error = ask_status(path, status)) return cannot_read(path, error);
-    // Check before opening, which would block at a pipe and may have effects on a device; check again
+    // Check before opening, which would block on a pipe and may have effects on a device; check again
     // afterwards.
     if (auto problem = why_not_readable(path, status)) return *problem;
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
@@ -173,8 +173,8 @@ int write_all(int descriptor, std::string_view bytes) {
     return 0;
 }
 
-/// Returns the end of a chain of links, so that the link stays and the file that it names is replaced. The
-/// end need not exist. The system rejects a chain that is too long.
+/// Resolves a chain of links, so that the link stays and the file that it names is replaced. That file need
+/// not exist. The system rejects a chain that is too long.
 std::string follow_links(std::string path) {
     std::array<char, PATH_MAX> target;  // NOLINT: filled by readlink
     for (int i = 0; i < 40; ++i) {
@@ -245,8 +245,8 @@ int write_straight_through(const Target& target, std::string_view bytes) {
 }
 
 /// Gives a file the owner, group and permission bits of an older one, if the system allows it. If the group
-/// cannot be kept, members of the new group counted as "others" before, and members of the old group do now.
-/// So the new group and others get only the rights that the old file gave to both its group and others.
+/// cannot be kept, members of the new group were "others" before, and members of the old group are "others"
+/// now. So the new group and others get only the rights that the old file gave to both its group and others.
 int take_after(int descriptor, const struct stat& old) {
     struct stat now {};
     if (::fstat(descriptor, &now) != 0) return errno;
@@ -329,13 +329,14 @@ int write_to(const Target& target, std::string_view bytes) {
     return replace(target, bytes, false);  // as on file systems without O_TMPFILE
 }
 
-/// The errno that keeps a directory's file from being replaced, or 0.
+/// The errno that prevents replacing the target, or 0.
 int why_not_replaceable(const Target& target) {
     const std::string directory = directory_of_target(target.path);
     if (::access(directory.c_str(), W_OK | X_OK) != 0) return errno;
     struct stat status {};
     if (!target.old || ::geteuid() == 0 || ::stat(directory.c_str(), &status) != 0) return 0;
-    // In a sticky directory such as /tmp only the owner of the file or of the directory may (rename(2)).
+    // In a sticky directory such as /tmp, only the owner of the file or of the directory may rename it
+    // (rename(2)).
     const bool sticky = (status.st_mode & S_ISVTX) != 0;
     return sticky && target.old->st_uid != ::geteuid() && status.st_uid != ::geteuid() ? EPERM : 0;
 }
@@ -364,7 +365,7 @@ std::string lower_extension(const std::string& path) {
     const std::filesystem::path name = std::filesystem::path(path).filename();
     std::string extension = name.extension().string();
     if (extension.empty() && name.string().starts_with('.'))
-        extension = name.string();  // a file named ".png" has this extension as well
+        extension = name.string();  // a file named ".png" counts as having this extension
     for (char& c : extension)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return extension;

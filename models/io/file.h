@@ -20,8 +20,8 @@ namespace glint {
 /// The system's text for an errno, for use within a line: "no such file or directory".
 [[nodiscard]] std::string reason(int error);
 
-/// A block of a file that is being read: `bytes` from `at` on, of a file of `size` bytes (0 for standard
-/// input).
+/// A block of a file that is being read: `bytes` starting at offset `at`, in a file of `size` bytes (0 for
+/// standard input).
 struct FileBlock {
     std::string_view bytes;
     std::size_t at = 0, size = 0;
@@ -30,13 +30,12 @@ struct FileBlock {
 /// problem stops the reading.
 using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>;
 
-/// Returns the bytes of a regular file, or of standard input for "-" (once). A directory, a device, a pipe, a
-/// missing file, one longer than `max_bytes` (of which nothing is read) or one that `check` rejects is a
-/// problem.
+/// Returns the bytes of a regular file, or of standard input for "-" (once). Fails for a directory, a device,
+/// a pipe, a missing file, a file longer than `max_bytes` (nothing is read), or one that `check` rejects.
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes,
                                             const CheckBlock& check = {});
 
-/// Returns why the system finds nothing at `path`, links followed; nothing if it finds something of any kind.
+/// Returns why nothing exists at `path`, links followed; nothing if a file of any kind exists.
 [[nodiscard]] std::optional<Problem> why_not_there(const std::string& path, const char* expected);
 
 /// Writes a new file in the target's directory, syncs it to the disk and renames it over the target, so that
@@ -82,8 +81,7 @@ struct FileStamp {
 /// queried.
 [[nodiscard]] FileStamp file_stamp(const std::string& path);
 
-/// Write a stamp as four numbers, to store it in a file, and read it back; nothing if `text` is anything
-/// else.
+/// Convert a stamp to text (four numbers), to store it in a file, and back. Any other text gives nothing.
 [[nodiscard]] std::string stamp_text(const FileStamp& stamp);
 [[nodiscard]] std::optional<FileStamp> stamp_of(const std::string& text);
 

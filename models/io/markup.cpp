@@ -31,7 +31,7 @@ std::string latex_escaped(std::string_view text) {
     std::string out;
     for (const char c : on_one_line(text)) {
         switch (c) {
-        case '<':  // these three are other characters in LaTeX's first font encoding
+        case '<':  // LaTeX's default font encoding has other characters in place of these three
             out += "\\textless{}";
             break;
         case '>':

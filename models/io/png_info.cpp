@@ -31,7 +31,7 @@ class ChunkReader {
             throw std::bad_alloc();
         }
         png_set_read_fn(png_, &rest_, take);
-        constexpr std::size_t around_text = 256;  // bytes: keyword, languages and their ends
+        constexpr std::size_t around_text = 256;  // bytes: keyword, language tags and terminators
         png_set_chunk_malloc_max(png_, max_bytes + around_text);
         png_set_chunk_cache_max(png_, max_texts + 2);
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
@@ -43,7 +43,7 @@ class ChunkReader {
     ChunkReader& operator=(const ChunkReader&) = delete;
 
     void read_before_pixels() { png_read_info(png_, info_); }
-    /// Skips the pixels. libpng requires that reading them has started.
+    /// Skips the pixels. libpng requires that reading them has been started.
     void read_to_end() {
         png_start_read_image(png_);
         png_read_end(png_, info_);

@@ -1,5 +1,5 @@
 #pragma once
-// The data of a PNG picture besides its pixels: Glint writes a picture's scene into it (docs/formats.md).
+// The data of a PNG picture other than its pixels: Glint writes a picture's scene into it (docs/formats.md).
 // Uses libpng.
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
-// JSON: one tree for scenes, glTF, answers and the window's own files. Reads strictly and writes readable
-// text. Source: RFC 8259; docs/scene_file.md.
+// JSON: one representation for scenes, glTF, output of commands and the window's own files. Reads strictly
+// and writes readable text. Source: RFC 8259; docs/scene_file.md.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -18,10 +18,10 @@ namespace glint {
 using Json = nlohmann::ordered_json;
 
 inline constexpr std::size_t max_json_bytes = std::size_t{64} << 20;
-inline constexpr std::size_t max_json_depth = 64;   // objects and arrays within each other
+inline constexpr std::size_t max_json_depth = 64;   // nested objects and arrays
 inline constexpr std::size_t max_json_keys = 4096;  // in one object
-/// Valid scenes stay far below (10,000 objects of 40 values, 4096 lights of 50), and a text made only of `[]`
-/// would take twenty times its size in memory.
+/// Valid scenes stay far below this (10,000 objects of 40 values, 4096 lights of 50), and a text made only of
+/// `[]` would take twenty times its size in memory.
 inline constexpr std::size_t max_json_values = 2'000'000;
 
 /// Reads an untrusted text; a leading byte-order mark is skipped. Comments, duplicate keys, invalid UTF-8,
@@ -41,7 +41,7 @@ struct NotJson : ProblemFound {
 
 /// The member with that name; null if it does not exist or `json` is not an object.
 [[nodiscard]] const Json* find_member(const Json& json, std::string_view name);
-/// Its elements or members; empty unless it is an array or an object.
+/// The elements or members of a value; empty unless it is an array or an object.
 [[nodiscard]] const Json::array_t& elements_of(const Json& json);
 [[nodiscard]] const Json::object_t& members_of(const Json& json);
 

@@ -27,14 +27,14 @@ enum class JsonContainer { None, Object, Array };
 /// The position at which the parser stopped.
 struct JsonStop {
     std::string_view text;
-    std::size_t understood = 0;  // end of what it accepted
-    std::size_t reached = 0;     // end of what it read
+    std::size_t understood = 0;  // end of the accepted text
+    std::size_t reached = 0;     // end of the text read
     JsonEvent last = JsonEvent::Nothing;
     JsonContainer container = JsonContainer::None;  // around that position
 };
 
 struct Fault {
-    std::size_t place;  // of the first unexpected character
+    std::size_t place;  // the first unexpected character
     std::string_view expected;
     bool string_fits;  // a string is allowed here
 };
@@ -85,7 +85,7 @@ bool is_closed(std::string_view text) {
     return false;
 }
 
-/// `rest`: the text from the string on.
+/// `rest`: the text starting at the string.
 Problem broken_string(const JsonStop& stop, std::string_view rest) {
     if (stop.reached >= stop.text.size() && !is_closed(rest))
         return {"", "", "a string that does not end", "\" after it"};
@@ -96,7 +96,7 @@ Problem broken_string(const JsonStop& stop, std::string_view rest) {
             "\\\", \\\\, \\/, \\b, \\f, \\n, \\r, \\t, or \\u and four hex digits, surrogates in pairs"};
 }
 
-/// Line, error and expected text; without the file.
+/// The line, the error and the expected text; without the file.
 Problem syntax_problem(const JsonStop& stop) {
     const Fault fault = fault_of(stop);
     const std::string_view rest = stop.text.substr(fault.place);
@@ -110,7 +110,7 @@ Problem syntax_problem(const JsonStop& stop) {
         if (fault.string_fits) return broken_string(stop, rest);
         return {"", "", "unexpected " + in_quotes(rest.substr(1, rest.find('"', 1) - 1)), expected};
     }();
-    const std::size_t last = stop.text.find_last_not_of(white_space);  // for a text that ends early
+    const std::size_t last = stop.text.find_last_not_of(white_space);  // for a text that ends too early
     const int line = line_of(stop.text, last == std::string_view::npos ? 0 : std::min(fault.place, last));
     return {"", "", problem.what, problem.expected, line};
 }
@@ -134,8 +134,8 @@ struct CountingIterator {
     bool operator==(const CountingIterator& o) const { return at == o.at; }
 };
 
-/// Builds the document from the parser's events and rejects what a document must not contain. The library
-/// defines the names of the events.
+/// Builds the document from the parser's events and rejects anything that a document must not contain. The
+/// library defines the names of the events.
 class Builder {
   public:
     Builder(std::string_view text, const std::string& file)
@@ -151,7 +151,7 @@ class Builder {
     bool number_unsigned(std::uint64_t n) { return number(n); }
     bool number_float(double n, const std::string&) { return number(n); }
     bool string(std::string& s) { return put(std::move(s)); }
-    bool binary(Json::binary_t&) { return false; }  // not in JSON text
+    bool binary(Json::binary_t&) { return false; }  // does not occur in JSON text
 
     bool start_object(std::size_t) { return open(JsonContainer::Object); }
     bool start_array(std::size_t) { return open(JsonContainer::Array); }
@@ -170,7 +170,7 @@ class Builder {
     }
 
     bool parse_error(std::size_t, const std::string& token, const Json::exception& error) {
-        constexpr int number_overflow = 406;  // its documented id
+        constexpr int number_overflow = 406;  // its documented error id
         if (error.id == number_overflow)
             fail({"", "", shortened(token) + " is out of range", std::string(any_number.words)});
         const JsonContainer container = open_.empty() ? JsonContainer::None : open_.back().kind;
@@ -180,8 +180,8 @@ class Builder {
     }
 
   private:
-    /// An object or an array that is not closed yet. It becomes a Json once complete: the library's objects
-    /// copy their members when they grow.
+    /// An object or an array that has not been closed yet. It becomes a Json once complete: the library's
+    /// objects copy their members when they grow.
     struct Open {
         JsonContainer kind = JsonContainer::None;
         std::string key;  // in the object around it; unused in an array
@@ -221,8 +221,8 @@ class Builder {
     }
     template <class Number> bool number(Number n) {
         put(n);
-        // The parser finds the end of a number by reading the next character, unless the text ends. Only
-        // after a 0, as in 01, can that character be a digit.
+        // The parser finds the end of a number by reading the next character, unless the text ends. That
+        // character can be a digit only after a 0, as in 01.
         const bool digit = std::isdigit(static_cast<unsigned char>(reached_[-1])) != 0;
         const bool after_zero = std::is_integral_v<Number> && n == 0 && place() > 1 && reached_[-2] == '0';
         if (!digit || after_zero) --understood_;
@@ -268,7 +268,7 @@ class Builder {
     std::vector<Open> open_;  // the enclosing ones, outermost first
     std::string key_;         // the key read last
     JsonEvent last_ = JsonEvent::Nothing;
-    std::size_t understood_ = 0;  // end of what was accepted last
+    std::size_t understood_ = 0;  // end of the last accepted token
     std::size_t count_ = 0;
 };
 
@@ -283,9 +283,9 @@ Json parsed_json(std::string_view text, const std::string& file) {
         refuse(fmt::format("the byte 0x{:02x} is not UTF-8", static_cast<unsigned char>(text[bad])),
                "UTF-8 text", line_of(text, bad));
     text = without_byte_order_mark(text);
-    if (text.starts_with(byte_order_mark))  // the library would skip this one
+    if (text.starts_with(byte_order_mark))  // the library would skip this mark
         refuse("a second byte-order mark", "at most one before the text", 1);
-    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)  // its end to the library
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)  // the library would stop
         refuse("the byte 0x00", "text without it, which JSON never has", line_of(text, zero));
     Builder builder(text, file);
     Json::sax_parse(builder.begin(), builder.end(), &builder);  // an error throws
