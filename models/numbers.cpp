@@ -7,10 +7,10 @@
 
 namespace glint {
 
-// The reader converts by way of a double. For a few floats (such as 7.0385307e-26) this rounds the shortest
-// decimals of the float to its neighbour: those get more digits.
+// The reader converts via double. For a few floats (such as 7.0385307e-26) this rounds the float's shortest
+// decimals to a neighbouring float, so they get more digits.
 std::string number_text(float x) {
-    if (x == 0 && std::signbit(x)) return "-0.0";  // "-0" is a whole number, which has no sign
+    if (x == 0 && std::signbit(x)) return "-0.0";  // "-0" is read as an integer, which has no sign
     std::string text = fmt::format("{}", x);
     double read = 0;
     std::from_chars(text.data(), text.data() + text.size(), read);

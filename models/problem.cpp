@@ -42,7 +42,7 @@ std::string printable(std::string_view raw, std::size_t limit) {
     return text;
 }
 
-/// The parts, each printable, together at most `limit` bytes: the first ones are truncated first.
+/// Makes each part printable and truncates the parts, the first ones first, to `limit` bytes in total.
 template <std::size_t N> void shorten(std::array<std::string*, N> parts, std::size_t limit) {
     std::size_t total = 0;
     for (std::string* part : parts) total += (*part = printable(*part, text_limit)).size();
@@ -54,8 +54,8 @@ template <std::size_t N> void shorten(std::array<std::string*, N> parts, std::si
     }
 }
 
-/// The cost of the edits (insert, drop, replace, swap two neighbours) that change a to b; `differ` gives the
-/// cost of a character. Source: optimal string alignment, after F. Damerau, CACM 7(3), 1964.
+/// The cost of the edits (insert, drop, replace, swap two neighbours) that change a to b. `differ` decides
+/// whether two characters are different. Source: optimal string alignment, after F. Damerau, CACM 7(3), 1964.
 template <class Differ> std::size_t edits(std::string_view a, std::string_view b, Differ differ) {
     std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

@@ -1,6 +1,6 @@
 #pragma once
-// A problem with user input, as a value: one line with the place, the error, and the expected text. Source:
-// docs/command_line.md, "Errors and warnings".
+// A problem with user input, as a value: one line with the location, the error, and the expected text.
+// Source: docs/command_line.md, "Errors and warnings".
 
 #include <exception>
 #include <string>
@@ -23,8 +23,7 @@ struct Problem {
 
     /// `FILE[:LINE][: POINTER]: WHAT; expected EXPECTED`, without the leading `glint: error: `. Always one
     /// line of valid UTF-8, at most 4096 bytes with that prefix and a newline: control characters and invalid
-    /// bytes are escaped (
-    /// , \t, \x1b); long text is truncated with an ellipsis, `what` before the others.
+    /// bytes are escaped (\n, \t, \x1b); long text is truncated with an ellipsis, `what` before the others.
     [[nodiscard]] std::string text() const;
 };
 
@@ -70,11 +69,11 @@ template <class Read>
     }
 }
 
-/// Tolerated input, one line per kind with its count, in the order of first occurrence.
+/// Warnings about tolerated input, one line per kind with its count, in the order of first occurrence.
 using Warnings = std::vector<std::string>;
 
-/// A name from a file, for use in a line of text: valid UTF-8, with control characters written as
-/// , \t or \x1b.
+/// A name from a file, for use in a line of text: valid UTF-8, with control characters written as \n, \t or
+/// \x1b.
 [[nodiscard]] std::string on_one_line(std::string_view raw);
 
 /// The candidate nearest to `word` by edit distance, ignoring case, for "did you mean". Ties are decided by
@@ -87,7 +86,7 @@ using Warnings = std::vector<std::string>;
 /// shortened(text) in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// Line of the byte at `place` of a text, from 1.
+/// The line of the byte at `place` in a text, from 1.
 [[nodiscard]] int line_of(std::string_view text, std::size_t place);
 
 /// Collects warnings, because a file may cause any number: each distinct line once, in order. Counts the

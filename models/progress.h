@@ -37,8 +37,8 @@ class PartOfProgress {
     PartOfProgress& operator=(const PartOfProgress&) = delete;
 };
 
-/// Reports the progress of this thread's load. Returns false if it was cancelled: then return
-/// cancelled_words.
+/// Reports the progress of this thread's load. Returns false if the load was cancelled; the caller then
+/// returns cancelled_words.
 [[nodiscard]] bool report_progress(LoadStage stage, std::uint64_t done, std::uint64_t total = 0);
 
 /// Problem::what of a cancelled load.
@@ -54,7 +54,7 @@ void report_or_leave(LoadStage stage, std::uint64_t done, std::uint64_t total = 
 
 /// True if this thread's load was cancelled; for steps without progress of their own.
 [[nodiscard]] bool load_cancelled();
-/// The flag that cancels this thread's load, for other threads that take part in it; null without one.
+/// The flag that cancels this thread's load, for other threads that take part in the load; null without one.
 [[nodiscard]] const std::atomic<bool>* load_cancellation();
 
 /// Reports the number of parsed bytes of a file after every 64 KiB: cheap enough to be called for each word.

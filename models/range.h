@@ -8,7 +8,7 @@
 namespace glint {
 
 /// The largest magnitude of a number of a scene or a mesh (docs/limits.md). It keeps products in the lighting
-/// equation (max_factor in renderer/lighting/light_job.h) and squared distances within a float.
+/// equation (max_factor in renderer/lighting/light_job.h) and squared distances within the range of a float.
 inline constexpr double max_number = 1e7;
 
 /// The numbers from `low` to `high`, ends included unless they are open, and the number `also` if it is set.

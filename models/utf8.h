@@ -29,8 +29,8 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 [[nodiscard]] std::string_view first_characters(std::string_view text, std::size_t count);
 
 /// True for characters that move the cursor, break the line or reverse its direction: C0, DEL, C1, the line
-/// and paragraph separators (U+2028 and 2029), and the marks of direction (U+202A to 202E and 2066 to 2069).
-/// `character`: a well-formed one.
+/// and paragraph separators (U+2028 and 2029), and the directional formatting characters (U+202A to 202E and
+/// 2066 to 2069). `character`: a well-formed one.
 [[nodiscard]] bool is_control(std::string_view character);
 
 /// The code point of a well-formed character: 0xE9 for "é".

@@ -75,7 +75,7 @@ std::string offset_warning(const glm::dvec3& offset) {
 }
 
 std::optional<std::string> rounding_warning(const Bounds& bounds) {
-    constexpr float fewest_steps = 1000;  // across; with fewer, each step is visible in a picture
+    constexpr float fewest_steps = 1000;  // across the shape; with fewer, each step is visible
     const auto [farthest, across, step] = Rounding(bounds);
     if (!(across < fewest_steps * step) || farthest == 0) return {};
     return fmt::format(

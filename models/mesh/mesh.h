@@ -19,11 +19,11 @@ namespace glint {
 
 inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
 
-/// The origin of the normals that a mesh has.
+/// The origin of a mesh's normals.
 enum class GivenNormals { None, File, Analytic };
 
 /// Three corners of one polygon, counter-clockwise seen from outside in the file's orientation. Within a fan
-/// the triangle is (first, i, i + 1): its last corner is OpenGL's provoking one.
+/// the triangle is (first, i, i + 1): its last corner is OpenGL's provoking vertex.
 struct Triangle {
     std::array<std::uint32_t, 3> corner;  // indices into Mesh::corner_position
     std::uint32_t face;
@@ -56,8 +56,8 @@ struct Mesh {
     Bounds bounds;                        // of the positions that faces use
     Warnings warnings;                    // for input that was tolerated while reading and cutting
     glm::dvec3 offset{0};                 // was subtracted from the file's coordinates, which were far away
-    std::size_t bad_normals = 0;          // were not finite numbers, and are 0 now
-    bool has_own_normal_indices = false;  // the file has other indices for normals than for positions
+    std::size_t bad_normals = 0;          // were not finite numbers; are 0 now
+    bool has_own_normal_indices = false;  // the file has separate indices for normals and positions
     double load_ms = 0;                   // time to read or make it
     std::size_t given_triangles = 0;      // of the original of a refined or coarsened mesh
                                           // (models/mesh/resolution/resolution.h); 0: this is the original
@@ -88,8 +88,8 @@ inline constexpr std::size_t max_mesh_file_bytes = std::size_t{2} << 30;
 /// Returns the bounds of the positions that faces use.
 [[nodiscard]] Bounds bounds_of_faces(const Mesh& mesh);
 
-/// An offset, in whole units, that brings a shape near the origin if it is so far away that floats leave it
-/// fewer than 100,000 steps across; else 0.
+/// An offset, in whole units, that moves a shape near the origin if it is so far away that floats have fewer
+/// than 100,000 steps across it; else 0.
 [[nodiscard]] glm::dvec3 far_offset(const Bounds& bounds);
 /// The warning about an offset that was subtracted.
 [[nodiscard]] std::string offset_warning(const glm::dvec3& offset);
@@ -102,24 +102,25 @@ inline constexpr std::size_t max_mesh_file_bytes = std::size_t{2} << 30;
 /// others by ear clipping (above 1000 corners as a fan, with a warning). A corner that repeats the one before
 /// it is skipped with a warning. A polygon that returns to an earlier corner gets a warning as well, unless a
 /// bridge joins its outline to a hole there. Polygons with fewer than three distinct corners or no area keep
-/// their number, give no triangle and a warning with their count. Every triangle has an area. Reports the
-/// load's progress; throws LoadCancelled (models/progress.h) when this thread's load is cancelled.
+/// their number but give no triangle; a warning states their count. Every triangle has a non-zero area.
+/// Reports the load's progress; throws LoadCancelled (models/progress.h) when this thread's load is
+/// cancelled.
 void finish_mesh(Mesh& mesh);
 
-/// A property of a mesh that some program draws wrong.
+/// A property of a mesh that some programs draw wrongly.
 struct MeshFinding {
     static constexpr std::size_t max_places = 1000;
     std::string_view name;  // "unwelded_vertices", for JSON
     std::size_t count = 0;
     std::string what;               // "2 of 6 faces have a normal that points against them"
-    std::string_view effect;        // what a program draws wrong because of it
-    std::vector<glm::vec3> places;  // object coordinates; the first max_places, none for the shape itself
+    std::string_view effect;        // what such a program draws wrongly
+    std::vector<glm::vec3> places;  // object coordinates; the first max_places, none for the entire shape
 };
 
 /// The statistics of `glint info`. Counts refer to the file's contents, before any repair.
 struct MeshInfo {
     std::size_t vertices = 0, faces = 0, triangles = 0, quads = 0,
-                polygons = 0;            // polygons: 5 corners and more
+                polygons = 0;            // polygons: 5 or more corners
     std::size_t edges = 0;               // pairs of different vertices that are consecutive in a polygon
     std::size_t boundary_edges = 0;      // belong to one polygon, once
     std::size_t non_manifold_edges = 0;  // belong to more than two

@@ -23,7 +23,7 @@ void vertex_set(const Mesh& mesh, std::size_t face, std::vector<std::uint32_t>& 
     set.erase(std::unique(set.begin(), set.end()), set.end());
 }
 
-/// The faces that have the vertices of an earlier one. Only sets with the same hash are compared.
+/// The faces that have the same vertices as an earlier one. Only sets with the same hash are compared.
 std::vector<std::uint32_t> duplicates_of(const Mesh& mesh) {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> by_hash(mesh.face_count());
     std::vector<std::uint32_t> set, other, duplicates;
@@ -141,7 +141,7 @@ void add_vertices(const Mesh& mesh, MeshInfo& info) {
 
 void add_normals(const Mesh& mesh, MeshInfo& info) {
     if (mesh.given_normals != GivenNormals::File) return;
-    constexpr double unit_tolerance = 0.01;  // text has few digits
+    constexpr double unit_tolerance = 0.01;  // text files have few digits
     Finding against("normals_against_faces",
                     "they are lit from the wrong side: dark in the light, and bright in the shadow");
     Finding zero("zero_normals",
@@ -167,7 +167,7 @@ void add_normals(const Mesh& mesh, MeshInfo& info) {
     }
     against.add_to(info, "face has a normal that points against it",
                    "faces have normals that point against them", info.faces);
-    if (mesh.bad_normals > 0)  // these are among the zero ones now, which have the places
+    if (mesh.bad_normals > 0)  // they now count as zero normals, which list the places
         info.findings.push_back(
             {"invalid_normals",
              mesh.bad_normals,
@@ -178,9 +178,10 @@ void add_normals(const Mesh& mesh, MeshInfo& info) {
     not_unit.add_to(info, "normal is not of length 1", "normals are not of length 1", mesh.normals.size());
 }
 
-/// A hint about units, and about a shape that turns around a distant origin.
+/// Hints about units, and about a shape that rotates about a distant origin.
 void add_size(const Mesh& mesh, MeshInfo& info) {
-    constexpr double smallest = 0.01, largest = 1000, farthest = 3;  // scene units; sizes
+    // `smallest` and `largest` in scene units, `farthest` in sizes of the shape.
+    constexpr double smallest = 0.01, largest = 1000, farthest = 3;
     const glm::dvec3 low(mesh.bounds.min), high(mesh.bounds.max);
     const double size = glm::length(high - low), distance = glm::length((low + high) / 2.0 + mesh.offset);
     if (size > 0 && (size < smallest || size > largest))

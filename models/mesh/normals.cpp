@@ -37,7 +37,7 @@ std::vector<std::size_t> corners_without_normal(const Mesh& mesh) {
     return without;
 }
 
-/// The given normals, made unit; corners without one use their vertex normal.
+/// The given normals, normalized; corners without one use their vertex normal.
 CornerNormals given_normals(const Mesh& mesh, const NormalOptions& options) {
     CornerNormals result;
     result.normals.reserve(mesh.normals.size());

@@ -73,14 +73,14 @@ template <class P> double turn(const P& a, const P& b, const P& c) {
     return bb * cc > 0 ? cross(a, b, c) / std::sqrt(bb * cc) : 0;
 }
 
-/// The longest side of a triangle: the cross product over it is the smallest height.
+/// The longest side of a triangle: the cross product divided by it is the smallest height.
 template <class P> double longest_side(const P& a, const P& b, const P& c) {
     return std::max({std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - a.x, c.y - a.y),
                      std::hypot(c.x - b.x, c.y - b.y)});
 }
 
-/// The largest movement of a corner relative to the line through two others that the rounding of their
-/// coordinates causes: half of a float's last bit for each point along each axis.
+/// The largest movement of a corner, relative to the line through two others, that rounding of coordinates
+/// can cause: half a unit in the last place for each point along each axis.
 double rounding_of(const Mesh& mesh, const std::vector<std::uint32_t>& corners) {
     float largest = 0;
     for (const std::uint32_t c : corners) {
@@ -196,7 +196,7 @@ void Triangulator::clip(std::size_t i) {
     if (higher_[i] != no_corner) lower_[higher_[i]] = lower_[i];
 }
 
-/// Whether corner k keeps the triangle a, b, c from being an ear: it is inside or on its edge. A corner at
+/// Whether corner k prevents the triangle a, b, c from being an ear: it is inside or on its edge. A corner at
 /// the position of a, b or c does not, because bridges to holes have such corners.
 bool Triangulator::blocks(std::size_t k, const Point& a, const Point& b, const Point& c) const {
     const Point& p = points_[k];
@@ -205,7 +205,7 @@ bool Triangulator::blocks(std::size_t k, const Point& a, const Point& b, const P
     return !at_p(a) && !at_p(b) && !at_p(c);
 }
 
-/// An ear: a left turn that no other corner of the ring blocks.
+/// Whether corner i is an ear: a left turn that no other corner of the ring blocks.
 bool Triangulator::ear(std::size_t i) const {
     if (sine_[i] <= straight) return false;
     const Point &a = points_[before_[i]], &b = points_[i], &c = points_[after_[i]];

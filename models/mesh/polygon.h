@@ -25,7 +25,7 @@ struct PolygonPlane {
 [[nodiscard]] PolygonPlane polygon_plane(const Mesh& mesh, std::size_t face);
 
 /// Sets `corners` to the corners of polygon `face` without those that repeat the position of the corner
-/// before them; at the end, that of the first corner. The first corner of a run of equal positions stays.
+/// before them (at the end, of the first corner). The first corner of a run of equal positions stays.
 void distinct_corners(const Mesh& mesh, std::size_t face, std::vector<std::uint32_t>& corners);
 
 inline constexpr std::size_t longest_ear_clipping = 1000;  // corners
@@ -63,7 +63,7 @@ class Triangulator {
                    std::vector<Triangle>& triangles);
 
     std::vector<Point> points_;                // the corners in the Newell plane, counter-clockwise
-    std::vector<std::size_t> before_, after_;  // ring of the corners not clipped yet
+    std::vector<std::size_t> before_, after_;  // ring of the corners that have not been clipped yet
     std::vector<double> sine_;                 // of each corner's turn
     std::vector<char> is_ear_;
     // Lists the corners in the order of their x: only those between the ends of an ear can be inside it.
@@ -76,7 +76,7 @@ class Triangulator {
 class RepeatedCorners {
   public:
     /// Whether the polygon of these corners contains a vertex twice, other than at the ends of a bridge. A
-    /// bridge is an edge that the polygon traverses in both directions, but not one right after the other; it
+    /// bridge is an edge that the polygon traverses in both directions, but not in immediate succession; it
     /// joins a hole to the outline. Precondition: no vertex is repeated consecutively. Time: n log n.
     [[nodiscard]] bool comes_back(const Mesh& mesh, const std::vector<std::uint32_t>& corners);
 

@@ -10,8 +10,8 @@ namespace {
 using OpenMesh::PolyConnectivity;
 using VertexHandle = OpenMesh::VertexHandle;
 
-// OpenMesh visits every edge of a vertex when it adds a face there: a fan of a million triangles would take a
-// million times a million steps. A vertex is split after this many faces.
+// OpenMesh visits every edge of a vertex when it adds a face there: a fan of a million triangles would take
+// 10^12 steps. A vertex is split after this many faces.
 constexpr std::uint32_t max_faces_at_vertex = 256;
 
 /// A side of a polygon: the two vertices, the smaller first, and its polygon.
@@ -25,7 +25,7 @@ std::array<std::uint32_t, 2> sorted(std::uint32_t a, std::uint32_t b) {
 }
 
 /// OpenMesh prints every face that it rejects; we store those separately. It is silenced once, so that
-/// threads do not race for it.
+/// threads do not race.
 void silence_openmesh() {
     static const bool done = (::omerr().disable(), true);
     static_cast<void>(done);
@@ -146,7 +146,8 @@ class Builder {
             const OpenMesh::HalfedgeHandle h(static_cast<int>(2 * e));
             const std::uint32_t a = original_[vertex_index(connectivity_.from_vertex_handle(h))];
             const std::uint32_t b = original_[vertex_index(connectivity_.to_vertex_handle(h))];
-            const bool whole = split_[a] == 0 && split_[b] == 0;  // no other edge can join the same two
+            // Unless one of the vertices is split, no other edge can join the same two.
+            const bool whole = split_[a] == 0 && split_[b] == 0;
             if (whole) {
                 t.edges.push_back(sorted(a, b));
                 t.first_use.push_back(static_cast<std::uint32_t>(t.uses.size()));

@@ -31,11 +31,11 @@ struct Topology {
     }
 };
 
-/// Finds the edges between places (Mesh::place_of()). Degenerate polygons are included; a side from a place to itself is not an edge. Time:
-/// about linear (n log n in the cases that OpenMesh cannot represent).
+/// Finds the edges between places (Mesh::place_of()). Degenerate polygons are included; a side from a place
+/// to itself is not an edge. Time: about linear (n log n in the cases that OpenMesh cannot represent).
 [[nodiscard]] Topology make_topology(const Mesh& mesh);
 
-/// The corner after `corner` around polygon `face`; after the last one the first.
+/// The corner after `corner` around polygon `face`; the first corner after the last one.
 [[nodiscard]] inline std::uint32_t next_corner(const Mesh& mesh, std::uint32_t face, std::uint32_t corner) {
     return corner + 1 < mesh.first_corner[face + 1] ? corner + 1 : mesh.first_corner[face];
 }
@@ -43,7 +43,7 @@ struct Topology {
 enum class EdgeKind {
     Boundary,      // belongs to one polygon, once
     Manifold,      // two sides that run in opposite directions
-    Inconsistent,  // two sides that run in the same direction: one of the polygons is wound the other way
+    Inconsistent,  // two sides that run in the same direction: one polygon has the opposite winding
     NonManifold    // three or more sides
 };
 [[nodiscard]] EdgeKind edge_kind(const Mesh& mesh, const Topology& topology, std::size_t edge);

@@ -77,7 +77,7 @@ struct Sum {
     }
 };
 
-/// The sums of normals: per corner the number of its sum.
+/// Sums of normals, with the index of each corner's sum.
 struct Averages {
     std::vector<std::uint32_t> group;  // #C; empty: by place
     std::vector<Sum> sums;
@@ -169,8 +169,8 @@ void fall_back_to_facets(const Mesh& mesh, const Averages& averages, CornerNorma
     }
 }
 
-/// Groups of corners joined across edges below the crease. Empty if no crease splits a place: then all corners
-/// at one place share one normal.
+/// Groups of corners joined across edges below the crease angle. Empty if no crease splits a place: then all
+/// corners at one place share one normal.
 Averages averages_below(const Mesh& mesh, float crease_deg) {
     CreaseGroups creased = crease_groups(mesh, make_topology(mesh), crease_deg);
     std::vector<char> used(mesh.positions.size(), 0);
@@ -187,7 +187,7 @@ Averages averages_below(const Mesh& mesh, float crease_deg) {
     return result;
 }
 
-/// Divides the groups, or the places, by smoothing group; a face of group 0 is alone.
+/// Divides the groups, or the places, by smoothing group; each face of group 0 is alone in its group.
 void split_by_smoothing(const Mesh& mesh, Averages& averages) {
     using Key = std::tuple<std::uint32_t, std::uint64_t>;
     std::vector<std::pair<Key, std::uint32_t>> corners;

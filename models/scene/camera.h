@@ -11,12 +11,12 @@
 namespace glint {
 
 struct Perspective {
-    float fov_y_deg = 45;  // whole vertical angle, above 0 and below 180
+    float fov_y_deg = 45;  // full vertical angle, above 0 and below 180
     float near = 0.1f, far = 100;
     bool operator==(const Perspective&) const = default;
 };
 struct Orthographic {
-    float height = 4;  // of the view, in scene units
+    float height = 4;  // of the view volume, in scene units
     float near = 0.1f, far = 100;
     bool operator==(const Orthographic&) const = default;
 };
@@ -39,7 +39,7 @@ inline constexpr int max_picture_side = 16384;
 /// Width and height of a picture in pixels, 1 to max_picture_side each.
 struct PictureSize {
     int width = 1280, height = 720;
-    bool keeps_width = false;  // below 16:9 the horizontal field stays the same: fitted()
+    bool keeps_width = false;  // below 16:9 the horizontal field stays the same: see fitted()
     bool operator==(const PictureSize&) const = default;
 
     [[nodiscard]] std::size_t pixels() const {
@@ -70,14 +70,14 @@ inline constexpr double composed_aspect = 16.0 / 9;
     return size.keeps_width && 9LL * size.width < 16LL * size.height;
 }
 
-/// The projection of a picture of this size: `projection`, whose field of view is vertical. If the size keeps
+/// The projection for a picture of this size. `projection` has a vertical field of view. If the size keeps
 /// its width and is narrower than 16:9, the horizontal field is that of 16:9, so the vertical one is larger.
-/// A frustum stays unchanged, stretched to the picture.
+/// A frustum stays unchanged and is stretched to the picture.
 [[nodiscard]] Projection fitted(const Projection& projection, PictureSize size);
 
-/// Clip coordinates from camera coordinates, of fitted(projection, size), OpenGL's: rows (E 0 A 0) (0 F B 0)
-/// (0 0 C D) (0 0 -1 0); visible is -w <= x, y, z <= w. Source: lecture, "Perspective Derivation";
-/// OpenGL 2.1, section 2.11.
+/// OpenGL's clip coordinates from camera coordinates, for fitted(projection, size): rows (E 0 A 0) (0 F B 0)
+/// (0 0 C D) (0 0 -1 0); points with -w <= x, y, z <= w are visible. Source: lecture, "Perspective
+/// Derivation"; OpenGL 2.1, section 2.11.
 [[nodiscard]] glm::dmat4 clip_from_view(const Projection& projection, PictureSize size);
 
 /// The clipping planes' distances from the eye along the line of sight, scene units.

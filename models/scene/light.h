@@ -25,7 +25,7 @@ struct SpotCone {
     glm::vec3 direction{0, -1, 0};  // in the light's space, any length but 0
     float cutoff_deg = 30;          // axis to edge, 0 to 90; 180: no cone
     float exponent = 1;             // >= 0
-    float inner_deg = 180;          // 0 to 90, or 180; from the cutoff on there is no soft edge
+    float inner_deg = 180;          // 0 to 90, or 180; at or above the cutoff: no soft edge
     bool operator==(const SpotCone&) const = default;
 };
 

@@ -135,7 +135,8 @@ static constexpr ReflectionTable reflection_table = [] {
     return table;
 }();
 
-/// Precondition: an enumerator. Static, like the table, so that the kernels of two sets share no weak symbol.
+/// Precondition: a valid enumerator. Static, like the table, so that the kernels of two sets share no weak
+/// symbol.
 [[gnu::always_inline]] static constexpr const ReflectionInfo& info_of(Reflection reflection) {
     return reflection_table.rows[static_cast<int>(reflection)];
 }

@@ -21,7 +21,7 @@
 
 namespace glint {
 
-/// The limit of triangles of all objects of a scene; the renderer numbers them with 30 bits.
+/// The limit of triangles in all objects of a scene; the renderer numbers them with 30 bits.
 inline constexpr std::size_t max_scene_triangles = std::size_t{1} << 30;
 
 /// The limit of meshes in one file.
@@ -30,16 +30,16 @@ inline constexpr int max_parts = 100'000;
 struct MeshFile {
     std::string path;                 // as written in the scene file: relative to it, or absolute
     int part = 0;                     // index of the mesh in the file
-    int decimate = 0, subdivide = 0;  // of MeshResolution
+    int decimate = 0, subdivide = 0;  // as in MeshResolution
     bool operator==(const MeshFile&) const = default;
 };
 struct PrimitiveMesh {
     Primitive primitive = Primitive::Sphere;
     int detail = 48;
-    int decimate = 0, subdivide = 0;  // of MeshResolution
+    int decimate = 0, subdivide = 0;  // as in MeshResolution
     bool operator==(const PrimitiveMesh&) const = default;
 };
-/// The detail if a scene does not state one.
+/// The detail if a scene does not specify one.
 [[nodiscard]] constexpr PrimitiveMesh default_mesh(Primitive primitive) {
     return {primitive, info_of(primitive).default_detail};
 }
@@ -57,13 +57,13 @@ using MeshSource = std::variant<PrimitiveMesh, MeshFile>;
 struct Object {
     std::string name = "Object";
     bool visible = true;
-    bool double_sided = false;  // its back faces are drawn, whatever Shading::cull says
+    bool double_sided = false;  // its back faces are drawn, regardless of Shading::cull
     MeshSource source;
     Transform transform;
     NormalOptions normals;
     Material material;
-    MeshPtr mesh;  // the loaded mesh of `source`; null before
-    /// Compares meshes by pointer: an equal mesh that was loaded again makes a different object, which is
+    MeshPtr mesh;  // the loaded mesh of `source`; null before loading
+    /// Compares meshes by pointer: an equal mesh that was loaded again makes a different object, so it is
     /// drawn again.
     bool operator==(const Object&) const = default;
 };
@@ -116,8 +116,8 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Whether both have the same scene file, ignoring loaded meshes. Saving, undo steps and reading back use
-/// this.
+/// Whether both have the same scene file, ignoring loaded meshes. Used by saving, undo steps and reading
+/// back.
 [[nodiscard]] inline bool same_description(const Object& a, const Object& b) {
     return a.name == b.name && a.visible == b.visible && a.double_sided == b.double_sided &&
            a.source == b.source && a.transform == b.transform && a.normals == b.normals &&

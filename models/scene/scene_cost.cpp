@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t bytes_an_object = 4096;
 // Per vertex and per triangle of an object: transformed positions, averaged normals, the mesh's index list,
-// and the entries of the tiles. Measured on the spheres and meshes of tests/models/scene/scene_cost_test.cpp.
+// and the tiles' entries. Measured on the spheres and meshes of tests/models/scene/scene_cost_test.cpp.
 constexpr std::uint64_t bytes_a_vertex = 96, bytes_a_triangle = 44;
 // The surface point of a pixel, its light sums, its colour; and the number of the triangle in each sample.
 constexpr std::uint64_t bytes_a_pixel = 56, bytes_a_sample = 8;
@@ -61,7 +61,7 @@ SceneCost scene_cost(const Scene& scene, PictureSize size, int samples) {
     const bool rays = scene.transport.model != TransportModel::Local;
     if (rays) cost.picture += size.pixels() * (bytes_a_path_pixel + light_points(scene) / 8);
     const std::uint64_t each_triangle = bytes_a_triangle + (rays ? bytes_a_ray_triangle : 0);
-    thread_local std::vector<const Mesh*> meshes;  // keeps its memory: a steady drag allocates nothing
+    thread_local std::vector<const Mesh*> meshes;  // kept between calls: a steady drag allocates nothing
     meshes.clear();
     for (const Object& object : scene.objects) {
         if (!object.mesh) continue;

@@ -12,7 +12,7 @@ namespace glint {
 /// The limit of samples in a picture: its pixels times the samples per pixel.
 inline constexpr std::uint64_t max_picture_samples = std::uint64_t{1} << 30;
 
-/// Bytes of a mesh's lists.
+/// The bytes used by a mesh's lists.
 [[nodiscard]] std::uint64_t mesh_bytes(const Mesh& mesh);
 
 /// Estimated bytes. Objects without a loaded mesh count as empty.

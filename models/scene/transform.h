@@ -18,7 +18,7 @@ struct Transform {
 /// World coordinates from object coordinates, in double (see view_from_world).
 [[nodiscard]] glm::dmat4 world_from_object(const Transform& transform);
 
-// The three steps in a different order from that of a scene file. Lecture: "Transformations" (the last one
+// The three steps in an order other than that of a scene file. Lecture: "Transformations" (the last one
 // written is applied first).
 
 enum class TransformStep { Translate, Rotate, Scale };

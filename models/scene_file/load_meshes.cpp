@@ -35,7 +35,7 @@ using MeshKey = std::tuple<GivenKey, int, int>;
 /// Files with several parts, each read once; the key is that of part 0.
 using GltfFiles = std::map<GivenKey, GltfFile>;
 
-/// `key`: that of the part.
+/// `key`: the key of the part.
 Result<Mesh> part_of(const std::string& path, GivenKey key, GltfFiles& files) {
     const int part = std::exchange(std::get<int>(key), 0);
     auto found = files.find(key);
@@ -76,7 +76,7 @@ GivenKey key_of_file(const std::string& path) {
     return {lower_extension(path), 0, status.st_dev, status.st_ino};
 }
 
-/// Meshes by their source, so that each is loaded once.
+/// Meshes by their source, so that each one is loaded once.
 class Loader {
   public:
     Loader(const std::string& file, const std::string& mesh_dir) : file_(file), mesh_dir_(mesh_dir) {}

@@ -56,7 +56,7 @@ void bring_near(const GltfFile& file, const std::string& name, GltfFile::Content
     content.warnings.push_back(offset_warning(offset));
 }
 
-// A light that exceeds full brightness this many times was not meant for a display.
+// A light that exceeds full brightness by this factor was not meant for a display.
 constexpr double far_too_bright = 4;
 
 void darken_lights(Scene& scene, const glm::dvec3& middle, Warnings& warnings) {
@@ -143,7 +143,7 @@ Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& pa
         }
         if (!content.has_lights && !content.is_ours) scene.lights = default_lights();
         if (!content.is_ours && content.has_lights) darken_lights(scene, middle, content.warnings);
-        // An opened scene must be saveable and open again.
+        // It must be possible to save an opened scene and to open it again.
         const Result<Scene> read_back = parse_scene(scene_text(scene), path);
         if (const Problem* problem = problem_of(read_back)) return *problem;
         return GltfOpened{std::move(scene), std::move(content.warnings)};

@@ -29,7 +29,7 @@ template <class Enum> void read_enum(const Node& object, std::string_view key, E
     });
 }
 
-/// Fails if the value breaks a condition between its numbers.
+/// Fails if the value breaks a condition on its numbers.
 template <class T> void check(const Node& node, const T& value) {
     if constexpr (requires { violation_of(value); })
         if (std::optional<Problem> found = violation_of(value))
@@ -54,7 +54,7 @@ int read_count(const Node& node, const Count& count) {
     return static_cast<int>(x);
 }
 
-/// Reads four numbers, or three numbers with the w of the light's type.
+/// Reads four numbers, or three numbers and takes w from the light's type.
 glm::vec4 read_homogeneous(const Node& node, const Homogeneous& kind) {
     const std::vector<double> p = numbers(node, 3, 4);
     const double w = p.size() == 4 ? p[3] : (kind.is_direction() ? 0 : 1);
@@ -118,7 +118,7 @@ template <class T> void read_members(const Node& node, T& value) {
     check(node, value);
 }
 
-/// A key of another projection is known, but it would have no effect here.
+/// Rejects keys of other projections: they are known, but would have no effect here.
 void refuse_keys_of_others(const Node& node, ProjectionKind kind) {
     const std::vector<std::string> keys = projection_keys(kind);
     for (std::size_t other = 0; other < count_of<ProjectionKind>(); ++other)
@@ -146,7 +146,7 @@ void Reader::operator()(const Row& row, const OneProjection&, Projection& to) co
     });
 }
 
-/// Rejects unknown keys, and a mixture of keys of a primitive and of a file.
+/// Rejects unknown keys, and keys of a primitive mixed with keys of a file.
 void allow_keys_of_one_mesh(const Node& node) {
     MeshFile file;
     PrimitiveMesh primitive;

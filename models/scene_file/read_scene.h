@@ -24,11 +24,11 @@ namespace glint {
 // scene").
 
 /// Applies all assignments in order. Missing parents are created: lists and vectors where a scene has them,
-/// else objects. A light's `type` set alone sets its own w, a projection's `type` drops the keys of the other
-/// projections. Throws ProblemFound with file "--set".
+/// otherwise objects. Setting only a light's `type` also sets the w of that type. Setting a projection's
+/// `type` drops the keys of the other projections. Throws ProblemFound with file "--set".
 void apply_assignments(Json& document, const std::vector<Assignment>& assignments);
 
-/// A scene's text, read once: parse_scene() of it, with any assignments and any number of times.
+/// A scene's text, read once. Applies assignments to it as parse_scene() does, any number of times.
 class SceneJson {
   public:
     SceneJson(std::string_view text, std::string file);

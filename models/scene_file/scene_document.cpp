@@ -33,7 +33,8 @@ void take_meshes(Scene& scene, const std::vector<Object>& loaded) {
     }
 }
 
-/// Attributes a problem with a mesh to --set if an assignment put the mesh there or changed a number of it.
+/// Attributes a problem with a mesh to --set if an assignment put the mesh there or changed one of its
+/// numbers.
 Problem blamed(Problem problem, const std::vector<Assignment>& assignments) {
     const auto changed_it = [&](const Assignment& a) { return is_within(a.pointer, problem.pointer); };
     if (problem.pointer.empty()) return problem;
@@ -162,14 +163,15 @@ Result<SceneDocument> open_by_extension(const std::string& path, const std::vect
     if (is_gltf_path(path)) return open_gltf_scene(path, assignments);
     if (is_mesh_path(path)) return open_mesh(path, assignments);
     if (!path.empty())
-        if (auto problem = why_not_there(path, opened_files)) return *problem;  // before a wrong extension
+        // A missing file is reported as missing, whatever its extension.
+        if (auto problem = why_not_there(path, opened_files)) return *problem;
     std::error_code error;
     if (fs::is_directory(path, error)) return Problem{path, "", "is a directory", opened_files};
     return Problem{path, "", extension.empty() ? "has no extension" : "has another extension", opened_files};
 }
 
-/// The directory without links and dots in its existing part; the working directory if it is empty. If the
-/// system does not permit resolving links, only without dots.
+/// The directory with links and dots resolved in its existing part; the working directory if it is empty. If
+/// the system does not permit resolving links, only dots are resolved.
 fs::path canonical_directory(const fs::path& directory) {
     std::error_code error;
     const fs::path given = directory.empty() ? "." : directory;
@@ -185,7 +187,8 @@ bool leads_elsewhere(const std::string& path) {
            canonical_directory(replaced.parent_path()) != canonical_directory(directory_of(path));
 }
 
-/// The scene with `changed(place)` for the directory of each mesh whose path is relative to `directory`.
+/// Returns the scene in which `changed(place)` replaces the directory `place` of each mesh whose path is
+/// relative to `directory`.
 template <class Change>
 Scene with_mesh_places(Scene scene, const std::string& directory, const Change& changed) {
     const fs::path before = canonical_directory(directory);

@@ -37,7 +37,7 @@ struct SceneDocument {
     std::string mesh_dir;  // the base of relative mesh paths
     Warnings warnings;
     FileStamp stamp = {};  // of the file at `path` when it was read or written; default for a new scene
-    std::optional<PictureSize> fitted_to = {};  // of a picture that shows the scene fitted to a size
+    std::optional<PictureSize> fitted_to = {};  // the size to which a picture's scene is fitted()
     // The size and the samples per pixel of the picture that contains the scene.
     std::optional<PictureSize> picture_size = {};
     int picture_samples = 1;
@@ -105,7 +105,7 @@ inline constexpr const char* opened_files =
 /// Returns a directional light in world coordinates and a dimmer point light at the viewer.
 [[nodiscard]] std::vector<Light> default_lights();
 
-/// A scene of one mesh, framed, with two default lights. Precondition: the mesh has a face.
+/// A scene of one mesh, framed, with two default lights. Precondition: the mesh has at least one face.
 [[nodiscard]] Scene scene_of_mesh(MeshPtr mesh, const std::string& path);
 
 /// The eye of a scene without a camera of its own before it is framed: in front, slightly above.
@@ -117,9 +117,9 @@ inline constexpr glm::vec3 eye_before_framing{0.5f, 0.35f, 1};
 /// the camera is valid.
 bool frame_camera(Scene& scene, int object = -1);
 
-/// The scene with the assignments applied, like `--set`, to its text with every key written out. Objects with
-/// an unchanged source share the document's meshes; others are loaded. A problem with an assignment has the
-/// file "--set".
+/// The scene after applying the assignments, like `--set`, to its text with every key written out. Objects
+/// with an unchanged source share the document's meshes; others are loaded. A problem with an assignment has
+/// the file "--set".
 [[nodiscard]] Result<Scene> scene_variant(const SceneDocument& document,
                                           const std::vector<Assignment>& assignments);
 
@@ -150,11 +150,11 @@ struct GltfOpened {
 /// lights. A file written by Glint without lights stays dark. Lights that are far too bright, because they
 /// are in candela and lux, are all divided by one factor, which a warning states.
 [[nodiscard]] Result<GltfOpened> open_gltf(const std::string& path);
-/// Does the same with a file that was already read.
+/// Does the same with a file that has already been read.
 [[nodiscard]] Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& path);
 
 /// A scene as a .glb file (unchecked_glb_of) that is known to open again. Otherwise a problem with the
-/// pointer of the offending value. Precondition: meshes are loaded.
+/// pointer of the value at fault. Precondition: meshes are loaded.
 [[nodiscard]] Result<GltfWritten> glb_of(const Scene& scene, const std::string& name);
 
 /// JSON Schema, draft 2020-12, of the scene file: keys, types, ranges, words, defaults, generated from the

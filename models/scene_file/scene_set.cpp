@@ -97,7 +97,7 @@ class MissingParent {
     const Tokens& path_;
 };
 
-/// The number of an element, or the one past the last, which may also be written "-".
+/// The index of an element, or one past the last, which may also be written "-".
 std::size_t index_of(const std::string& token, const Json& array, const std::string& pointer) {
     std::size_t index = 0;
     if (token == "-") return array.size();
@@ -154,7 +154,7 @@ void drop_w(Json& light) {
     for (Json& x : *position) x = x.get<double>() / w;
 }
 
-/// A projection with a newly set type drops the keys of the other types, unless they are set too.
+/// Drops the keys of the other types from a projection with a newly set type, unless they are set too.
 void drop_other_projections(Json& projection, const std::string& type,
                             const std::vector<Assignment>& assignments) {
     const std::optional<ProjectionKind> kind = from_name<ProjectionKind>(type);

@@ -42,7 +42,7 @@ const Format* format_of(const std::string& path) {
     return found == formats.end() ? nullptr : found;
 }
 
-/// The beginning of a file; a text loses its byte-order mark.
+/// The beginning of a file, without a text's byte-order mark.
 std::string_view without_mark(std::string_view extension, const FileBlock& first) {
     const std::string_view text = without_byte_order_mark(first.bytes);
     const bool is_binary =
@@ -89,7 +89,7 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
         const Bounds given = bounds_of_faces(mesh);
         if (const glm::dvec3 offset = far_offset(given); offset != glm::dvec3(0)) {
             mesh = format->read(text, path, offset);
-            for (glm::vec3& p : mesh.positions)  // those that no face uses may be elsewhere
+            for (glm::vec3& p : mesh.positions)  // positions that no face uses may be elsewhere
                 p = glm::clamp(p, static_cast<float>(-max_number), static_cast<float>(max_number));
             mesh.offset = offset;
             mesh.warnings.push_back(offset_warning(offset));
@@ -98,7 +98,7 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
         }
         drop_bad_normals(mesh);
         raise_colors_to_black(mesh);
-        if (format->read != read_stl) find_places(mesh);  // whose positions differ already
+        if (format->read != read_stl) find_places(mesh);  // read_stl() has merged equal positions
         finish_mesh(mesh);
         if (auto warning = rounding_warning(mesh.bounds)) mesh.warnings.push_back(std::move(*warning));
         const auto time = std::chrono::steady_clock::now() - start;
@@ -124,7 +124,7 @@ bool is_hole(const FileBlock& block) {
     return block.bytes.size() >= shortest && block.bytes.find_first_not_of('\0') == std::string_view::npos;
 }
 
-/// Checks a mesh file block by block while it is read, so that other files are rejected early.
+/// Checks a mesh file block by block while it is read, so that files of other kinds are rejected early.
 class MeshCheck {
   public:
     explicit MeshCheck(const std::string& path) : path_(path) {}

@@ -1,5 +1,5 @@
-// Wavefront .obj. We use our own reader, because OpenMesh's drops normals by corner and does not report
-// lines.
+// Wavefront .obj. We use our own reader, because OpenMesh's drops per-corner normals and does not report line
+// numbers.
 // Source: Wavefront, "Advanced Visualizer" manual, appendix B1 (object files).
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-/// A corner that names a vertex not yet defined.
+/// A corner that refers to a vertex not yet defined.
 struct AheadOfVertex {
     std::int64_t index;
     int line;
@@ -24,8 +24,8 @@ struct AheadOfVertex {
 constexpr std::array<std::string_view, 13> silent{"vt",         "g",         "o",     "mtllib",   "usemap",
                                                   "maplib",     "lod",       "bevel", "c_interp", "d_interp",
                                                   "shadow_obj", "trace_obj", "ctech"};
-// Free-form curves and surfaces, the superseded statements, calls, and what programs add: weights of bones,
-// tags of subdivision.
+// Free-form curves and surfaces, superseded statements, calls, and additions of other programs: bone weights,
+// subdivision tags.
 constexpr std::array<std::string_view, 26> rare{
     "vp",  "cstype", "deg",   "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp",
     "end", "con",    "stech", "mg",   "bsp",  "bzp",  "cdc",   "cdp",  "res",  "call", "csh",  "vw",   "t"};
@@ -192,7 +192,7 @@ class ObjReader {
             if (corner.index > static_cast<std::int64_t>(mesh_.positions.size())) fail_vertex(corner);
     }
 
-    /// One group for all faces is how a mesh without groups is drawn.
+    /// Drops a single group that contains all faces: a mesh without groups is drawn the same way.
     void finish_smoothing() {
         auto& groups = mesh_.smoothing;
         if (!has_groups_) return;
@@ -228,13 +228,13 @@ class ObjReader {
     const std::string& file_;
     const glm::dvec3& offset_;
     Mesh mesh_;
-    // Corners that name a vertex not read yet, each with a larger index than the one before. The first corner
-    // whose vertex is never defined is always among them.
+    // Corners that refer to a vertex that has not been read yet, each with a larger index than the one
+    // before. The first corner whose vertex is never defined is always among them.
     std::vector<AheadOfVertex> ahead_;
     std::size_t named_normals_ = 0, slashes_ = 0, weights_ = 0, lines_ = 0, points_ = 0, materials_ = 0,
                 rare_count_ = 0;
     std::vector<std::string_view> rare_names_;
-    std::uint32_t group_ = 0;  // of smoothing
+    std::uint32_t group_ = 0;  // the current smoothing group
     bool has_groups_ = false;
 };
 

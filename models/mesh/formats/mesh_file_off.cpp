@@ -1,6 +1,6 @@
 // Object File Format, ASCII: OFF, COFF (vertex colours), NOFF (vertex normals), CNOFF (both).
-// Files without a keyword, with the counts right after it ("OFF3 1 0", as in ModelNet), and with colours that
-// it does not announce are common. Source: Geomview manual, "OFF: Object File Format".
+// Common variations: no keyword, the counts right after the keyword ("OFF3 1 0", as in ModelNet), and colours
+// not announced by the keyword. Source: Geomview manual, "OFF: Object File Format".
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ class OffReader {
 
     Mesh read() {
         read_header();
-        mesh_.positions.reserve(std::min(vertex_count_, cursor_.rest().size() / 5));  // "0 0 0"
+        mesh_.positions.reserve(std::min(vertex_count_, cursor_.rest().size() / 5));  // the shortest: "0 0 0"
         for (std::size_t v = 0; v < vertex_count_; ++v) read_vertex(v);
         for (std::size_t f = 0; f < face_count_; ++f) read_face(f);
         if (cursor_.next_line()) mesh_.warnings.emplace_back("data after the last face is ignored");
@@ -114,8 +114,8 @@ class OffReader {
         face_colors_ += cursor_.end_of_line() ? 0 : 1;
     }
 
-    /// Colours of whole numbers, one of them above 1, range to 255; all others are fractions already.
-    /// Vertices without one are white.
+    /// Integer colours range to 255 if one of them is above 1; all others are already fractions. Vertices
+    /// without a colour are white.
     void scale_colors() {
         if (mesh_.colors.empty()) return;
         mesh_.colors.resize(vertex_count_, no_color);

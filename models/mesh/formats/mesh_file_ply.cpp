@@ -130,8 +130,8 @@ template <class Rows> class PlyBody {
         });
     }
 
-    /// Each vertex from the third on is a triangle with the two before it, every second one wound the other
-    /// way. -1 begins a new strip.
+    /// Each vertex from the third on is a triangle with the two before it; every second triangle has the
+    /// opposite winding. -1 begins a new strip.
     void read_strip(const PlyProperty& p) {
         std::array<std::uint32_t, 2> last{};
         std::size_t length = 0;

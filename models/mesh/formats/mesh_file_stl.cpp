@@ -1,6 +1,6 @@
 // Stereolithography .stl, ASCII and binary. The format has no indices: corners at exactly the same position
-// share it, so that a vertex has neighbours. The facet normals are the file's normals; some writers set all
-// to 0, which counts as none. Source: 3D Systems, "StereoLithography Interface Specification", 1989.
+// share it, so that adjacent facets are connected. The facet normals are the file's normals; some writers set
+// all to 0, which counts as none. Source: 3D Systems, "StereoLithography Interface Specification", 1989.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -136,7 +136,7 @@ class AsciiStl {
         facets_.close(normal, cursor_.line());
     }
 
-    /// Rejects a fourth number here: as the next keyword it would get a misleading message.
+    /// Rejects a fourth number here: read as the next keyword, it would cause a misleading message.
     glm::vec3 only_three(const glm::vec3& v) {
         constexpr std::string_view of_numbers = "+-.0123456789";
         if (!cursor_.end_of_line() && of_numbers.find(cursor_.rest().front()) != std::string_view::npos)

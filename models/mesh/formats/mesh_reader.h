@@ -24,14 +24,14 @@ namespace glint {
 
 inline constexpr std::size_t max_corners = std::numeric_limits<std::int32_t>::max();
 
-/// The number in `size` bytes, 1 to 8, lowest first. Precondition: the bytes exist.
+/// The number in `size` bytes, 1 to 8, lowest byte first. Precondition: the bytes exist.
 inline std::uint64_t little_endian(const char* at, std::size_t size) {
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < size; ++i)
         value |= std::uint64_t{static_cast<unsigned char>(at[i])} << (8 * i);
     return value;
 }
-/// The float in 4 bytes, lowest first. Precondition: the bytes exist.
+/// The float in 4 bytes, lowest byte first. Precondition: the bytes exist.
 inline float little_endian_float(const char* at) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(at, 4)));
 }
@@ -50,11 +50,11 @@ inline constexpr std::size_t binary_stl_header = 84, binary_stl_facet = 50;  // 
 /// The text after "expected": "0 to 7" for eight items; `things` if there are none.
 [[nodiscard]] std::string numbers_of(std::size_t count, const char* things);
 
-/// Replaces the normals that are not finite, or longer than numbers may be, by (0, 0, 0), which counts as not
-/// given, with one warning.
+/// Replaces normals that are not finite, or longer than numbers may be, by (0, 0, 0), which counts as no
+/// normal. Adds one warning.
 void drop_bad_normals(Mesh& mesh);
 
-/// Ends the polygon of the corners that were appended last.
+/// Ends the polygon formed by the most recently appended corners.
 void close_face(Mesh& mesh, const std::string& file, int line = 0);
 
 }  // namespace glint

@@ -15,8 +15,8 @@ namespace glint {
 /// Sets Mesh::first_at_place.
 void find_places(Mesh& mesh);
 
-/// Numbers positions in the order of their first use, with an open hash table of indices. The hash is seeded
-/// with the time, so that no file can make it slow; the numbers do not depend on the seed.
+/// Numbers positions in the order of their first use, with an open-addressing hash table of indices. The hash
+/// is seeded with the time, so that no file can make it slow; the numbers do not depend on the seed.
 class Places {
   public:
     /// `expected`: the number of positions, if it is known.
@@ -54,7 +54,7 @@ class Places {
         }
     }
 
-    std::vector<std::uint32_t> slots_;  // a power of two
+    std::vector<std::uint32_t> slots_;  // size: a power of two
     std::uint64_t seed_ =
         static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
 };

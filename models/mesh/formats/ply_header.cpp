@@ -58,7 +58,7 @@ void check_elements(const TextCursor& cursor, const PlyHeader& header) {
     }
 }
 
-/// The characters that end the line whose end is `rest`.
+/// The first line end in `rest`; empty if there is none.
 std::string line_end_of(std::string_view rest) {
     rest.remove_prefix(std::min(rest.find_first_of("\r\n"), rest.size()));
     const bool two = rest.starts_with("\r\n") || rest.starts_with("\n\r");
@@ -104,7 +104,7 @@ class HeaderReader {
     }
 
   private:
-    /// Records a name of an element, or of a property of the last one; fails if it exists already.
+    /// Records the name of an element, or of a property of the last element; fails if it already exists.
     void take_name(std::set<std::string_view>& names, const char* kind, std::string_view name) {
         if (!names.insert(name).second)
             cursor_.fail(fmt::format("duplicate {} {}", kind, quoted_word(name)), "one");

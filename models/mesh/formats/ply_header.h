@@ -15,13 +15,13 @@ namespace glint {
 enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 
-/// Our meaning of a property.
+/// The meaning of a property to our reader.
 enum class PlyRole { Other, X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, Indices };
 inline constexpr std::size_t ply_role_count = 11;
 constexpr bool is_position(PlyRole role) { return role >= PlyRole::X && role <= PlyRole::Z; }
 constexpr bool is_normal(PlyRole role) { return role >= PlyRole::Nx && role <= PlyRole::Nz; }
 
-/// The limit of elements and properties in a header, together. Real files have a few dozen.
+/// The limit of elements and properties in a header, counted together. Real files have a few dozen.
 inline constexpr std::size_t max_ply_names = 65536;
 
 struct PlyProperty {
@@ -43,7 +43,7 @@ struct PlyElement {
     [[nodiscard]] const PlyProperty* with(PlyRole role) const;
     /// True if all three roles that begin with `first` exist, as single values.
     [[nodiscard]] bool has_three(PlyRole first) const;
-    /// True if some of the three exist, and others do not.
+    /// True if only one or two of the three exist.
     [[nodiscard]] bool has_part_of_three(PlyRole first) const;
 
   private:
@@ -56,8 +56,8 @@ struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
     std::string line_end;      // of the first line: LF, CR, CR LF or LF CR
-    std::size_t textures = 0;  // that comments name, as MeshLab does
-    glm::dvec3 offset{0};      // of the reader, to subtract from positions
+    std::size_t textures = 0;  // named in comments, as MeshLab does
+    glm::dvec3 offset{0};      // set by the reader; subtracted from positions
 };
 
 /// Reads up to and including the word "end_header", in time n log n for n names. Throws ProblemFound;

@@ -17,7 +17,7 @@
 
 namespace glint {
 
-/// The offset of a coordinate.
+/// The offset to subtract from a coordinate.
 inline double offset_of(const PlyHeader& header, PlyRole role) {
     return header.offset[static_cast<int>(role) - static_cast<int>(PlyRole::X)];
 }
@@ -99,7 +99,7 @@ template <bool swap> class BinaryRows {
     }
 
   private:
-    /// Calls visit() with a number of the corresponding C++ type.
+    /// Calls visit() with a value of the corresponding C++ type.
     template <class Visit> static auto as_machine_type(PlyType type, const Visit& visit) {
         switch (type) {
         case PlyType::Int8:

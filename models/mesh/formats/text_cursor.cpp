@@ -26,7 +26,8 @@ void TextCursor::fail_too_many(const char* expected) {
     fail(fmt::format("{} is one too many", quoted_word(word())), expected);
 }
 
-/// The position after the line end at `at`: CR LF and LF CR are one, but the CR of a CR LF belongs to that.
+/// The position after the line end at `at`. CR LF and LF CR count as one, but the CR in LF CR LF belongs to
+/// CR LF.
 const char* TextCursor::after_line_end(const char* at) const {
     const auto is = [this](const char* p, char c) { return p < end_ && *p == c; };
     if (*at == '\r') return at + (is(at + 1, '\n') ? 2 : 1);
@@ -45,7 +46,7 @@ void TextCursor::skip_rest() {
     }
 }
 
-/// At a backslash, moves past the line end that it removes; returns false if another character follows.
+/// At a backslash, moves past the line end that it cancels; returns false if another character follows.
 bool TextCursor::skip_continuation() {
     const char* next = at_ + 1;
     if (next < end_ && !is_line_end(*next)) return false;
@@ -55,7 +56,7 @@ bool TextCursor::skip_continuation() {
 }
 
 /// The slow path after from_chars(): reports the error, or returns 0 for a number too small for a float. A
-/// normal gives NaN instead of an error about a number; Microsoft's libraries write "1.#IND" and "1.#QNAN".
+/// normal becomes NaN instead of an error about a number; Microsoft's libraries write "1.#IND" and "1.#QNAN".
 float TextCursor::unusual_number(bool of_normal) {
     const std::string_view text = word();
     const bool plus = text.starts_with('+') && !text.starts_with("+-");

@@ -57,14 +57,14 @@ class TextCursor {
         return {first, static_cast<std::size_t>(at_ - first)};
     }
 
-    /// The next word as a finite number within +-1e7. `name` is what a message calls a missing number.
+    /// The next word as a finite number within +-1e7. `name` describes a missing number in messages.
     float number(std::string_view name) {
         float value = 0;
         return plain_number(name, value) ? value : unusual_number(false);
     }
 
-    /// The same of a normal: NaN if the word is a number that is infinite, not a number or out of range, in
-    /// any spelling.
+    /// The same for a normal: NaN if the word is an infinity or NaN, in any spelling, or a number out of
+    /// range.
     float normal_number(std::string_view name) {
         float value = 0;
         return plain_number(name, value) ? value : unusual_number(true);
@@ -86,7 +86,7 @@ class TextCursor {
         return {a, b, c};
     }
 
-    /// The same minus an offset, which is subtracted in double.
+    /// The same minus an offset, subtracted in double.
     glm::vec3 position(const glm::dvec3& offset) {
         glm::vec3 place;
         for (int i = 0; i < 3; ++i)
@@ -107,7 +107,7 @@ class TextCursor {
         return {a, b, c};
     }
 
-    /// Skips that beginning of the next word. Precondition: the word begins so.
+    /// Skips the given beginning of the next word. Precondition: the word starts with it.
     void skip(std::string_view beginning) { at_ += beginning.size(); }
 
     /// Fails unless the line has ended.
@@ -131,8 +131,7 @@ class TextCursor {
     static bool is_space(char c) { return c == ' ' || (c <= '\r' && c >= '\t'); }
     static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-    /// Reads the next word; false, without moving, unless it is a number within +-1e7 as from_chars() reads
-    /// it.
+    /// Reads the next word; false, without moving, unless from_chars() reads it as a number within +-1e7.
     bool plain_number(std::string_view name, float& value) {
         if (end_of_line()) fail_missing(name, "a number");
         const char* first = at_ + (*at_ == '+' && !(end_ - at_ > 1 && at_[1] == '-') ? 1 : 0);

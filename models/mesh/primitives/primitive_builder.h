@@ -31,7 +31,7 @@ struct PrimitiveBuilder {
         corner_position.insert(corner_position.end(), corners);
         close_face();
     }
-    /// One corner of the polygon that close_face() ends, if normals are not by position.
+    /// Adds a corner of the polygon that close_face() ends. Used if normals are not by position.
     void corner(std::uint32_t position, std::uint32_t normal) {
         corner_position.push_back(position);
         corner_normal.push_back(normal);

@@ -1,6 +1,6 @@
 #pragma once
 // The built-in meshes (docs/scene_file.md, table of primitives). Their bounds are centred at the origin; y is
-// up, faces are counter-clockwise seen from outside, and normals are analytic, also at the poles.
+// up, faces are counter-clockwise seen from outside, and normals are analytic, including at the poles.
 
 #include <cstdint>
 

@@ -12,13 +12,13 @@ namespace {
 struct CubeLattice {
     std::uint32_t d;
 
-    /// Along the rim of the square 0 .. d by 0 .. d, counter-clockwise from (0, 0).
+    /// The index along the rim of the square 0 .. d by 0 .. d, counter-clockwise from (0, 0).
     [[nodiscard]] std::uint32_t on_rim(std::uint32_t i, std::uint32_t j) const {
         if (j == 0) return i;
         if (i == d) return d + j;
         return j == d ? 2 * d + (d - i) : 3 * d + (d - j);
     }
-    /// First the entire layer k = 0, then the entire layer k = d, then the rims between.
+    /// Numbers the entire layer k = 0 first, then the entire layer k = d, then the rims between.
     [[nodiscard]] std::uint32_t index(const std::array<std::uint32_t, 3>& p) const {
         const std::uint32_t layer = (d + 1) * (d + 1);
         if (p[2] == 0) return p[1] * (d + 1) + p[0];

@@ -44,8 +44,8 @@ PrimitiveBuilder make_globe(int detail) {
 const double bump_frequency = std::sqrt(19.0) * std::acos(0.0);
 constexpr double bump_height = 0.05;
 
-/// Moves a point of the unit sphere along its normal by the bumps and tilts the normal accordingly.
-/// The normal of the surface r(u) u over unit u is along r u - (the part of r's gradient across u).
+/// Moves a point of the unit sphere along its normal by the bumps and tilts the normal accordingly. The
+/// normal of the surface r(u) u over unit u is along r u - (the part of r's gradient perpendicular to u).
 void raise_bump(glm::dvec3& position, glm::dvec3& normal) {
     const glm::dvec3 u = position;
     const CosSin x = cos_sin(bump_frequency * u.x), y = cos_sin(bump_frequency * u.y),
@@ -87,7 +87,7 @@ PrimitiveBuilder subdivide(PrimitiveBuilder from) {
     return to;
 }
 
-/// Three golden rectangles, one in each coordinate plane; each has an edge across an axis.
+/// The corners of three golden rectangles, one in each coordinate plane.
 PrimitiveBuilder make_icosahedron() {
     const double golden = (1 + std::sqrt(5.0)) / 2;
     PrimitiveBuilder ico;

@@ -21,7 +21,7 @@ glm::dvec3 around_y(const CosSin& a, double radius, double y) { return {radius *
 // its strands 0.8 apart; its tube of 0.25 extends to 0.85 + 0.4 + 0.25 = 1.5.
 constexpr double knot_ring = 0.85, knot_coil = 0.4, knot_tube = 0.25;
 
-/// One point of the centre line with its tangent and a vector across it, both unit.
+/// One point of the centre line with its tangent and a vector perpendicular to it, both unit.
 struct KnotFrame {
     glm::dvec3 centre, tangent, out;
 };

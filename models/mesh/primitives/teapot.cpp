@@ -13,7 +13,7 @@
 namespace glint {
 
 // The Utah teapot: M. Newell's control points (1975) with the bottom added later, as 32 bicubic Bezier
-// patches in the layout of K-3D and three.js. Only the numbers; z is up. teapot.cpp evaluates them.
+// patches in the layout of K-3D and three.js. z is up.
 
 struct TeapotPoint {
     double x, y, z;

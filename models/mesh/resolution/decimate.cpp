@@ -21,13 +21,13 @@ using OpenMesh::Vec3d;
 using OpenMesh::VertexHandle;
 using Quadric = OpenMesh::Geometry::QuadricT<double>;
 
-// The maximum number of faces around a vertex that may be removed: each change around it examines it again.
+// Vertices with more faces around them are not removed: each change around a vertex examines it again.
 constexpr unsigned most_around = 48;
 // The sine of the turn below which a boundary counts as straight at a vertex.
 constexpr double straight_boundary = 1e-6;
 // The cosine of the largest turn of a face in one step, 78 degrees, so that a flat area cannot fold over.
 constexpr double least_turn = 0.2;
-// Twice a triangle's area over the square of its longest side; a smaller ratio is a needle.
+// Twice a triangle's area over the square of its longest side; a triangle below this ratio is a needle.
 constexpr double least_height = 1e-3;
 constexpr std::size_t between_reports = 1024;
 
@@ -48,7 +48,7 @@ class Collapses {
             if (steps % between_reports == 0) report_or_leave(LoadStage::Building, faces);
             const Waiting next = queue_.top();
             queue_.pop();
-            if (next.turn != turn_[next.vertex]) continue;  // its neighbourhood has changed since
+            if (next.turn != turn_[next.vertex]) continue;  // its neighbourhood has changed in the meantime
             const Step step = best(VertexHandle(static_cast<int>(next.vertex)), true);
             if (!step.way.is_valid()) continue;
             if (step.error > next.error)
@@ -87,7 +87,7 @@ class Collapses {
         for (const VertexHandle v : corner) quadric_[number(v)] += q;
     }
 
-    /// Returns the collapse of smallest error; if `checked`, among the allowed ones.
+    /// Returns the collapse of v with the smallest error; if `checked`, only among the allowed ones.
     Step best(VertexHandle v, bool checked) {
         ways_.clear();
         for (const auto h : m_.voh_range(v)) {
@@ -140,7 +140,7 @@ class Collapses {
         const Vec3d b = m_.point(m_.to_vertex_handle(out)) - m_.point(v);
         return (a | b) > 0 && (a % b).norm() <= straight_boundary * a.norm() * b.norm();
     }
-    /// Whether the face of a half-edge turns over or becomes a needle once the vertex at its start moves to
+    /// Whether the face of a half-edge flips or becomes a needle once the vertex at its start moves to
     /// `there`.
     bool spoils(HalfedgeHandle h, VertexHandle to, const Vec3d& there) {
         const VertexHandle second = m_.to_vertex_handle(h),
@@ -176,8 +176,8 @@ void request_status(HalfEdges& mesh) {
     mesh.request_face_status();
 }
 
-/// Locks the vertices that share one vertex of the mesh, because the mesh would tear there, and those with
-/// many faces.
+/// Locks the half-edge vertices that represent the same vertex of the mesh, because the mesh would tear
+/// there, and those with many faces.
 void lock(const Fans& fans, HalfEdges& mesh) {
     for (const auto v : mesh.vertices()) {
         const std::uint32_t position = fans.position[static_cast<std::size_t>(v.idx())];

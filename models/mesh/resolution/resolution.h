@@ -17,13 +17,13 @@ struct MeshResolution {
 };
 
 inline constexpr int max_subdivisions = 8, max_faces_wanted = 100'000'000;
-/// The limit of faces after subdivision: as many as the triangles of the finest primitives.
+/// The limit of faces after subdivision: the number of triangles of the finest primitives.
 inline constexpr std::uint64_t max_subdivided_faces = std::uint64_t{1} << 23;
-/// The limit of faces around a vertex, and of corners of a face, in a mesh that is refined or coarsened: time
-/// grows with their square.
+/// The limit of faces around a vertex, and of corners of a face, in a mesh that is refined or coarsened: the
+/// time grows with their square.
 inline constexpr std::size_t max_faces_around = 8192;
 
-/// Whether the mesh stays unchanged: it is not subdivided, and has no more triangles than required.
+/// Whether the mesh needs no change: it is not to be subdivided, and has no more triangles than wanted.
 [[nodiscard]] bool has_resolution(const Mesh& mesh, const MeshResolution& wanted);
 
 /// Returns the mesh decimated, then subdivided: finished, and without given normals, because its surface is

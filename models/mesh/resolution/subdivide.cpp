@@ -46,7 +46,7 @@ template <class HalfEdges> std::size_t most_neighbours(const HalfEdges& mesh) {
     return most;
 }
 
-/// One step at a time, because a load may be cancelled between two.
+/// Runs one step at a time, because a load may be cancelled between steps.
 template <class Subdivider, class HalfEdges> void subdivide(HalfEdges& mesh, int times) {
     Subdivider subdivider;
     if constexpr (requires { subdivider.init_weights(); }) subdivider.init_weights(most_neighbours(mesh) + 1);
