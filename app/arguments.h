@@ -40,37 +40,37 @@ struct SceneArguments {
     int threads = 0;  // 0: all cores
 };
 
-/// An option whose value is its text, at most once.
+/// Adds an option whose value is taken as text, at most once.
 void add_text(Options& options, const std::string& names, const std::string& value_name,
               const std::string& help, std::string& value);
-/// FILE, --set, --threads and --memory. `arguments` must live as long as `options`.
+/// Adds FILE, --set, --threads and --memory. `arguments` must live as long as `options`.
 void add_scene(Options& options, SceneArguments& arguments);
 void add_threads(Options& options, int& threads);
 void add_memory(Options& options);
 void add_size(Options& options, std::optional<PictureSize>& size);
-/// --timeout SECONDS, the time for one shader to be drawn.
+/// Adds --timeout SECONDS, the time limit for drawing one shader.
 void add_timeout(Options& options, double& seconds);
 void add_samples(Options& options, std::optional<int>& samples);
 
-/// The scene with its meshes, completely checked. Throws Failure.
+/// The scene with its meshes, fully checked. Throws Failure.
 [[nodiscard]] SceneDocument open_scene(const SceneArguments& arguments);
 
-/// The given size and samples, or else those of the picture that contains the scene; 1280x720 and one sample
-/// for other scenes.
+/// The given size and samples, or else those of the picture that contains the scene. For other scenes,
+/// 1280x720 and one sample.
 [[nodiscard]] PictureSize size_to_draw(const std::optional<PictureSize>& given,
                                        const SceneDocument& document);
 [[nodiscard]] int samples_to_draw(const std::optional<int>& given, const SceneDocument& document);
 /// Warns that results for one sample per pixel differ from a picture that has several.
 void warn_of_samples(const SceneDocument& document, Warnings& warnings);
 
-/// Throws the Failure of a missing OUT, FILE or similar argument.
+/// Throws Failure for a missing OUT, FILE or similar argument.
 void require_given(const std::string& value, const std::string& option, const std::string& expected);
 void require_file(const SceneArguments& arguments);
 
-/// Throws a Failure now if the output file could not be written when the work is done; "-" always can.
+/// Throws Failure early if the output file could not be written once the work is done; "-" always can.
 void require_writable(const std::string& out);
 
-/// Throws a Failure if the output of that option would replace one of its input files.
+/// Throws Failure if the output of that option would replace one of its input files.
 void require_not_read(const std::string& out, const std::string& option = "-o");
 
 /// Writes a command's result to `-o`, which must not be one of its input files. Throws Failure.
@@ -80,13 +80,13 @@ void write_output(const std::string& out, std::string_view bytes);
 /// extension.
 [[nodiscard]] bool takes_png(const std::string& out);
 
-/// Throws Failure if `-o` is given and is not a PNG file: the answer goes to standard output.
+/// Throws Failure if `-o` is given and is not a PNG file: the text result goes to standard output.
 void require_png_file(const std::string& out);
 
 /// Returns the path of that file or folder of `assets`: next to the program, in the installation, or in the
-/// source tree whose build/PRESET/app contains the program. Empty if there is none.
+/// source tree whose build/PRESET/app contains the program. Empty if it is in none of them.
 [[nodiscard]] std::string asset_path(const std::string& relative);
-/// The path where asset_path() expects it in an installed program, for messages.
+/// The path at which asset_path() expects it in an installed program, for messages.
 [[nodiscard]] std::string asset_places(const std::string& relative);
 
 /// Returns the files of the named lessons: each word is a file, a folder of lessons, or the name or number of

@@ -13,7 +13,7 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// The index of the first word that is not an option or the value of one, so that it may name a command.
+/// The index of the first word that is neither an option nor the value of one, so that it may name a command.
 std::size_t first_word(const Arguments& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& a = arguments[i];
@@ -98,7 +98,7 @@ std::vector<Command> named_commands() {
 
 Outcome run_command_line(const Arguments& arguments) {
     const std::size_t at = first_word(arguments);
-    // The word after an unknown option may be that option's value or a word of its own; both are equally
+    // The word after an unknown option may be that option's value or a separate argument; both are equally
     // likely. So the unknown option is reported, not the word.
     const bool may_be_value =
         at > 0 && arguments[at - 1].starts_with('-') && arguments[at - 1].find('=') == std::string::npos;

@@ -8,7 +8,7 @@ namespace glint {
 
 void say(const char* kind, Problem problem) {
     const std::string head = fmt::format("glint: {}: ", kind);
-    // The limit is that of the entire line, so that truncation keeps its beginning.
+    // The length limit applies to the entire line, so that truncation keeps its beginning.
     problem.file.empty() ? problem.what.insert(0, head) : problem.file.insert(0, head);
     std::fputs((problem.text() + "\n").c_str(), stderr);
 }

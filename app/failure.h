@@ -10,7 +10,7 @@
 
 namespace glint {
 
-/// docs/command_line.md: 0 done; 1 the input or the machine made it impossible; 2 wrong usage.
+/// docs/command_line.md: 0 success; 1 impossible because of the input or the machine; 2 wrong usage.
 enum class ExitStatus { Done = 0, Impossible = 1, WrongUsage = 2 };
 
 struct Failure {
@@ -28,7 +28,7 @@ struct Failure {
 }
 
 /// Returns the value of a result, or throws its problem: as wrong usage if it is about the value of --set or
-/// --memory, else as the input's fault.
+/// --memory, else as a fault of the input.
 template <class T> [[nodiscard]] T take(Result<T> result) {
     if (Problem* problem = std::get_if<Problem>(&result)) {
         const bool usage = problem->file == "--set" || problem->file == "--memory";

@@ -87,7 +87,7 @@ std::string color_of(const GradeRow& row, std::string_view key) {
     return fmt::format("rgb({})", fmt::join(channels, ","));
 }
 
-/// The place of the deciding pixel in a small picture, as a share of its size.
+/// The position of the deciding pixel in a small picture, as a fraction of its size.
 std::string ring(const GradeRow& row) {
     const Json *const pixel = find_member(row, "pixel"), *const size = find_member(row, "size");
     if (pixel == nullptr || size == nullptr) return {};

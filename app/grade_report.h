@@ -1,6 +1,5 @@
 #pragma once
-// Grades of a class: what was found in each submitted file, with the points and hints of a rubric, as a
-// table.
+// A table of grades for a class: the finding for each submitted file, with the points and hints of a rubric.
 
 #include <map>
 #include <optional>
@@ -18,7 +17,7 @@ struct RubricEntry {
 };
 
 struct Rubric {
-    std::optional<double> points;  // of a picture without a mistake
+    std::optional<double> points;  // for a picture without mistakes
     std::map<std::string, RubricEntry, std::less<>> mistakes, verdicts;
 };
 /// Problem: not JSON, an unknown key, mistake or verdict, a wrong type.
@@ -35,11 +34,11 @@ using GradeRow = Json;
 
 /// Adds the rubric's `points` and `hint` to a row.
 void apply_rubric(GradeRow& row, const Rubric& rubric);
-/// Whether Glint has an opinion about the file.
+/// Whether Glint judged the file.
 [[nodiscard]] bool is_judged(const GradeRow& row);
 
 [[nodiscard]] std::string grades_text(const std::vector<GradeRow>& rows);
-/// One object per row, each on its own line, without its pictures.
+/// One object per row, each on its own line, without the pictures.
 [[nodiscard]] std::string grades_json(const std::vector<GradeRow>& rows);
 [[nodiscard]] std::string grades_csv(const std::vector<GradeRow>& rows);
 /// A self-contained page; `title` is the scene's name.

@@ -1,4 +1,4 @@
-// Where the program starts: prepares the process, runs the command line, reports an error in one line.
+// The program's entry point: prepares the process, runs the command line, and reports an error in one line.
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -25,13 +25,13 @@ namespace {
 
 using namespace glint;
 
-/// Occupies a closed descriptor 0, 1 or 2, which the next opened file would get, and with it our output. It
-/// is opened in the wrong direction, so that writing to a closed output is still an error.
+/// Occupies a closed descriptor 0, 1 or 2. Otherwise the next opened file would get that number and receive
+/// our output. It is opened in the wrong direction, so that writing to a closed output is still an error.
 void occupy_closed_descriptors() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(descriptor, F_GETFD) != -1) continue;
         const int wrong_way = descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY;
-        (void)!open("/dev/null", wrong_way);  // the lowest free descriptor is this one
+        (void)!open("/dev/null", wrong_way);  // uses the lowest free descriptor, which is this one
     }
 }
 
@@ -50,14 +50,14 @@ int report_exception() {
     return static_cast<int>(ExitStatus::Impossible);
 }
 
-/// Reports an exception that nobody can catch, such as that of a library's thread, and ends the program at
+/// Reports an exception that cannot be caught, such as one in a library's thread, and ends the program at
 /// once: other threads may be running.
 [[noreturn]] void report_uncaught_exception() {
-    std::set_terminate(std::abort);  // for what goes wrong here
+    std::set_terminate(std::abort);  // in case reporting fails
     std::_Exit(report_exception());
 }
 
-/// Prints the output, then writes the file: a command whose output cannot be written replaces nothing.
+/// Prints the output, then writes the file: a command whose output cannot be printed replaces no file.
 void finish(const Outcome& outcome) {
     if (!outcome.output.empty()) (void)take(write_file("-", outcome.output));
     if (!outcome.path.empty()) (void)take(write_file(outcome.path, outcome.bytes));
@@ -76,11 +76,11 @@ int run(const std::vector<std::string>& arguments) {
     return static_cast<int>(outcome.status);
 }
 
-/// Runs the process of a worker if `name` is that of one, and ends.
+/// Runs the worker called `name`, if there is one, and ends the process.
 void work_as(const std::string& name, const std::vector<std::string>& words) {
     if (name != shader_worker_name && name != grade_worker_name) return;
     end_with_parent();
-    // At once: the driver's own memory need not be returned.
+    // At once: the driver's memory need not be freed.
     std::_Exit(name == shader_worker_name ? run_shader_worker() : run_grade_worker(words));
 }
 
@@ -89,7 +89,7 @@ void work_as(const std::string& name, const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
     occupy_closed_descriptors();
     std::set_terminate(report_uncaught_exception);
-    // A closed pipe and a file that is too large are errors of write().
+    // Makes writing to a closed pipe or beyond the file size limit an error of write().
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     try {

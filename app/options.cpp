@@ -114,7 +114,7 @@ void Options::add_version() { parts_->app.set_version_flag("--version", "glint")
 Options::Asked Options::parse(std::vector<std::string> arguments) {
     for (std::string& word : arguments)
         if (word.starts_with('[') && word.ends_with(']')) word.insert(0, 1, one_word);
-    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the end
     try {
         parts_->app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {

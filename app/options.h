@@ -11,7 +11,7 @@ namespace glint {
 
 /// The text of --help around the list of options.
 struct OptionsHelp {
-    std::string name;     // of the command as typed: "glint render"
+    std::string name;     // the command as typed: "glint render"
     std::string usage;    // follows the name: "FILE -o OUT"
     std::string summary;  // one line
     std::string example;  // a complete line to copy
@@ -35,14 +35,14 @@ class Options {
     /// Adds an option that may be repeated: `read` gets each value in turn.
     void add_values(const std::string& names, const std::string& value_name, const std::string& help,
                     ReadValue read);
-    /// A positional, named without a dash, for all remaining words: `read` gets each in turn.
+    /// Adds a positional, named without a dash, for all remaining words: `read` gets each in turn.
     void add_words(const std::string& name, const std::string& help, ReadValue read);
-    /// An option without a value: `value` becomes true.
+    /// Adds an option without a value, which sets `value` to true.
     void add_flag(const std::string& name, bool& value, const std::string& help);
-    /// `file` will contain the command's input file: if memory does not suffice, the error names it.
+    /// `file` will contain the command's input file, which is named in the error if memory runs out.
     void works_on(const std::string& file) { file_ = &file; }
     [[nodiscard]] std::string file() const { return file_ ? *file_ : std::string(); }
-    /// Adds --version, for the command without a name.
+    /// Adds --version, for `glint` without a command.
     void add_version();
 
     enum class Asked { Work, Help, Version };

@@ -26,7 +26,7 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Now at number `count`; `part`: what of it is done.
+    /// Reports that number `count` is being processed; `part` describes the progress within it.
     void at(std::size_t count, const std::string& part = {}) {
         const auto now = Clock::now();
         count_ = count;
@@ -35,7 +35,8 @@ class Progress {
         last_ = now;
         shown_ = true;
     }
-    /// Shows how many paths of each point are followed while the renderer draws, until this object's end.
+    /// Shows the number of paths traced per point while the renderer draws. It stops when this object is
+    /// destroyed.
     void show_paths(Renderer& renderer) {
         renderer.on_paths(
             [this](int done, int all) { at(count_, fmt::format(", path {} of {}", done, all)); });

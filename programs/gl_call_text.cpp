@@ -32,7 +32,7 @@ class CallReader {
     }
 
     void add(std::string_view statement) {
-        bool in_name = false;  // the character before belongs to a name
+        bool in_name = false;  // the previous character belongs to a name
         while (!statement.empty()) {
             const Variable* variable = in_name ? nullptr : variable_at(statement);
             if (variable != nullptr) {
@@ -55,7 +55,7 @@ class CallReader {
         }
     }
 
-    /// The longest variable with which `statement` begins.
+    /// The longest variable at the beginning of `statement`.
     [[nodiscard]] const Variable* variable_at(std::string_view statement) const {
         const Variable* longest = nullptr;
         for (const Variable& v : variables_) {

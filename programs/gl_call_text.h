@@ -22,7 +22,7 @@ struct Variable {
 /// The numbers of a scene by their pointers.
 using NumbersByPointer = std::map<std::string, float, std::less<>>;
 
-/// The call without a comment or a line's end: "glEnable(light);". Empty if the line is not a call.
+/// The call without comment or line end: "glEnable(light);". Empty if the line is not a call.
 [[nodiscard]] std::string_view statement_of(std::string_view line);
 
 /// Returns `statement` with each variable replaced; the longest match wins. `rgb(factor, ` becomes `factor *

@@ -31,7 +31,7 @@ const Variables& scene_variables() {
     return all;
 }
 
-/// `word`: of OpenGL for the light.
+/// `word`: OpenGL's name for the light.
 Variables light_variables(std::string_view word) {
     return {
         {"light", "", 0, word},
@@ -86,7 +86,7 @@ std::string light_word(const Scene& scene, std::size_t index) {
     return fmt::format("GL_LIGHT{}{}", number < 8 ? "" : "0 + ", number);
 }
 
-/// Whether the program has the scene's reflection model.
+/// Whether the program supports the scene's reflection model.
 bool can_reflect(const Shading& shading) {
     static const Flags can = mentioned_flags(gl1_main_c);
     return can.contains(fmt::format("reflection.{}", name_of(shading.reflection)));
@@ -219,7 +219,7 @@ class CallWriter {
 
     const Scene& scene_;
     Flags flags_;
-    std::vector<std::string> object_, material_;  // the same for all
+    std::vector<std::string> object_, material_;  // the same for all objects
     NumbersByPointer numbers_;
 };
 

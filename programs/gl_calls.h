@@ -21,13 +21,13 @@ struct CallPiece {
 
 struct GlCall {
     std::vector<CallPiece> pieces;
-    std::string about;        // pointer of what it sets, "/lights/0", "/global_ambient"; or empty
+    std::string about;        // pointer of the value that it sets, "/lights/0", "/global_ambient"; or empty
     int place_of_light = -1;  // the light whose position it sets: its order relative to gluLookAt() matters
     bool is_look_at = false;  // gluLookAt()
     bool is_remark = false;   // a feature that fixed-function OpenGL lacks, and an alternative
 };
 
-/// Calls that belong together; `about` as for a call, empty if it is about several things.
+/// Calls that belong together. `about` is like that of a call, empty if they set several values.
 struct GlCallGroup {
     std::string title, about;
     std::vector<GlCall> calls;

@@ -40,7 +40,7 @@ std::vector<glm::vec3> normals_as_read(const Object& object, const CornerNormals
         done[which] = true;
         const bool own = has_own_normal(object, c);
         if (mistakes.cross_reversed && !own) normals[which] = -normals[which];
-        // They keep their length in the file.
+        // Normals from a file keep their length.
         if (mistakes.unnormalized_normals && own && mesh.given_normals == GivenNormals::File)
             normals[which] *= glm::length(mesh.normals[mesh.given_normal_of(c)]);
     }

@@ -4,7 +4,7 @@
 //   positions COUNT    then x y z each, object coordinates
 //   normals COUNT      likewise, unit
 //   colors COUNT       one per position, or none: linear red, green, blue
-//   faces COUNT        polygons, each: number of corners, then of each corner its position and its normal
+//   faces COUNT        polygons, each: number of corners, then for each corner its position and its normal
 //   triangles COUNT    each: its polygon, then three of that polygon's corners; all numbers from 0
 
 #include <string>

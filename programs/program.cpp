@@ -29,7 +29,7 @@ struct LanguageTexts {
         std::string_view name, text;
     };
     std::vector<File> files;
-    std::string_view comment;  // starts one
+    std::string_view comment;  // the start of a comment
     std::size_t most_lines = 0;
 };
 
@@ -60,7 +60,7 @@ LanguageTexts texts_of(Language language) {
 /// A language supports the flags that its texts mention. Reflection models come from their rows.
 bool can(Language language, const Need& need) {
     for (const LanguageTexts::File& file : texts_of(language).files) {
-        // The page's numbers of corners are always right, so its shaders for corners and pixels are, too.
+        // The page's corner data never contains mistakes, and neither do its shaders for corners and pixels.
         if (language == Language::Webgl && need.flag.starts_with("wrong.") && file.name.starts_with("scene."))
             continue;
         if (mentioned_flags(file.text).contains(need.flag)) return true;
@@ -77,7 +77,7 @@ std::optional<Need> lacking_in(Language language, const Scene& scene) {
     return lacking == needs.end() ? std::nullopt : std::optional(*lacking);
 }
 
-/// All words of a text, which names of the scene must not use.
+/// All words of a text, which names from the scene must not use.
 Flags words_of(std::string_view text) {
     Flags words{"Light",     "Material", "Object",   "alignas",  "and",       "asm",      "auto",
                 "bool",      "break",    "case",     "catch",    "char",      "class",    "const",
@@ -173,7 +173,7 @@ std::string title_of(const ProgramOf& of, Language language) {
     return title;
 }
 
-/// The numbers of each mesh's corners, as members of an object of JavaScript.
+/// The numbers of each mesh's corners, as members of a JavaScript object.
 std::string mesh_numbers(const ProgramOf& of, const std::vector<ProgramMesh>& meshes, const Flags& flags) {
     const std::size_t used = flags.contains("lights_pixels") ? numbers_per_corner / 2 : numbers_per_corner;
     std::string text;
@@ -222,7 +222,7 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"const_v", flags.contains("wrong.view_reversed") ? "" : "const "}};
 }
 
-/// The program, with any number of lines. Precondition: the language lacks nothing that the scene needs.
+/// The program, without a limit on its lines. Precondition: the language lacks nothing that the scene needs.
 Program program_of(const ProgramOf& of, Language language, bool is_measured = false) {
     const LanguageTexts texts = texts_of(language);
     Flags flags = flags_of(of.scene);
@@ -230,7 +230,7 @@ Program program_of(const ProgramOf& of, Language language, bool is_measured = fa
     if (is_measured) flags.insert("measured");  // by shader_stages()
     const ModelText model = model_text(of.scene.shading, flags.contains("terms.diffuse"), language, "    ");
     flags.insert(model.uses.begin(), model.uses.end());
-    // A highlight requires a test for the side.
+    // A highlight requires testing which side of the surface the light is on.
     if (flags.contains("uses.S") && flags.contains("clamped_highlight") &&
         !flags.contains("wrong.specular_behind_surface"))
         flags.insert("uses.n_l");
@@ -284,7 +284,7 @@ constexpr const char* smaller_scene = "fewer lights and objects";
 /// The advice if a language lacks something that the scene needs.
 std::string ways_around(const ProgramOf& of, const Need& need) {
     if (std::string able = able_words(of); !able.empty()) return able;
-    std::string in_part;  // a language that has this, but lacks something else
+    std::string in_part;  // a language that has this feature, but lacks another
     for (const Language other : enumerators<Language>) {
         const std::optional<Need> lacking = lacking_in(other, of.scene);
         if (!lacking) return fmt::format("{}, and --language {}", smaller_scene, name_of(other));

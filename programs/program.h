@@ -1,5 +1,5 @@
 #pragma once
-// Writes a program that draws a scene: text for people who learn to write such a program, and the meshes that
+// Writes a program that draws a scene: text for people learning to write such a program, and the meshes that
 // it reads. Depends on the scene, not on the renderer. The templates in assets/programs are complete
 // programs; template.h omits the parts that a scene does not need.
 
@@ -53,30 +53,30 @@ struct ProgramOf {
     const Scene& scene;
     PictureSize size;
     std::string name;
-    bool blank = false;  // of GLSL and WebGL: the functions of the lighting equation are left to be written
+    bool blank = false;  // GLSL and WebGL only: leaves the functions of the lighting equation to the reader
 };
 
 /// The languages in which the program can be written.
 [[nodiscard]] std::vector<Language> languages_for(const ProgramOf& of);
 
 /// The files of a program that draws the scene. Compiled or run according to its first comment, it draws the
-/// picture of `glint render`. Problem (without a file): the language lacks a feature, or the program would be
-/// too long; `expected` names suitable languages.
+/// same picture as `glint render`. Problem (without a file): the language lacks a feature, or the program
+/// would be too long; `expected` names suitable languages.
 [[nodiscard]] Result<Program> write_program(const ProgramOf& of, Language language);
 
 /// The shaders of the GLSL program for any file in place of its lighting.glsl (docs/shader.md), without
-/// `#version`. `before` precedes that file, and `vertex` or `fragment` follows it in the stage that lights;
-/// the other stage is alone. The fragment stage also writes `raw`: the colour before exposure, and 1, or 2 if
-/// the file evaluated loop_runs() more than max_loop_runs times for this point. If pixels are lit, it writes
-/// `raw_p` and `raw_n`, their position and normal. The same problems as write_program(), and one if the scene
-/// has no reflection model.
+/// `#version`. In the stage that computes the lighting, `before` precedes that file and `vertex` or
+/// `fragment` follows it; the other stage is complete without it. The fragment stage also writes `raw`: the
+/// colour before exposure, and 1, or 2 if the file evaluated loop_runs() more than max_loop_runs times for
+/// this point. If pixels are lit, it writes `raw_p` and `raw_n`, their position and normal. The same problems
+/// as write_program(), and one if the scene has no reflection model.
 struct ShaderStages {
     std::string before, vertex, fragment;
-    bool lights_pixels = true;  // the fragment stage lights
+    bool lights_pixels = true;  // the fragment stage computes the lighting
 };
 [[nodiscard]] Result<ShaderStages> shader_stages(const ProgramOf& of);
 
-/// Mesa's software driver silently ends all loops of a shader after 65,535 runs.
+/// Mesa's software driver silently ends all loops of a shader after 65,535 iterations.
 inline constexpr int max_loop_runs = 60'000;
 
 }  // namespace glint

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t line_length = 110;  // of a line
+constexpr std::size_t line_length = 110;  // characters
 
 /// One column of a row: its name, which Python writes, and its value.
 struct Column {
@@ -135,7 +135,7 @@ std::string camera_text(const Camera& camera, Language language) {
                            {"far", far}});
 }
 
-/// Directional lights and area lights have none, except by a mistake.
+/// Directional lights and area lights have no falloff, except with a mistake.
 bool has_falloff(const Light& light, const Flags& flags) {
     if (light.kind == LightKind::Directional) return flags.contains("wrong.falloff_of_directional");
     return light.kind != LightKind::Area;

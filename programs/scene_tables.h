@@ -15,29 +15,29 @@ namespace glint {
 /// a comment.
 [[nodiscard]] std::string for_comment(const std::string& text);
 
-/// ASCII letters, digits and single underscores, beginning with a letter: "Left lamp" is Left_lamp.
+/// ASCII letters, digits and single underscores, beginning with a letter: "Left lamp" becomes Left_lamp.
 [[nodiscard]] std::string in_letters(const std::string& name, const std::string& otherwise);
 
 /// Unique identifiers for names of a scene, different from the words in `taken` (the program's own).
 class Identifiers {
   public:
     explicit Identifiers(Flags taken) : taken_(std::move(taken)) {}
-    /// in_letters(). A name that a library may define gets the suffix `otherwise`: "log" is log_light.
+    /// in_letters(). A name that a library may define gets the suffix `otherwise`: "log" becomes log_light.
     [[nodiscard]] std::string of(const std::string& name, const std::string& otherwise);
-    /// `base`, or base_2 and so on if it is used.
+    /// `base`, or base_2 and so on if that is taken.
     [[nodiscard]] std::string once(const std::string& base);
 
   private:
     Flags taken_;
-    std::map<std::string, int> next_;  // of each base: the number to try next
+    std::map<std::string, int> next_;  // for each base: the number to try next
 };
 
 /// A number as the scene file writes it, without ".0"; a vector as the language lists one.
 [[nodiscard]] std::string number_in_program(float x);
 [[nodiscard]] std::string vector_in_program(const glm::vec3& v, Language language);
 
-/// The lines that define camera, lights and objects, and lists of their names. `mesh_files`: of each object
-/// of shown(). `flags` select the columns. `words`: the program's own.
+/// The lines that define camera, lights and objects, and lists of their names. `mesh_files`: one for each
+/// object of shown(). `flags` select the columns. `words`: those that the program itself uses.
 struct SceneTables {
     std::string camera, lights, objects;
 };

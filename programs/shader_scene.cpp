@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// Values that OpenGL gets in one place.
+/// Collects uniform variables whose names begin with `prefix`.
 class UniformList {
   public:
     explicit UniformList(std::vector<Uniform>& list, std::string prefix = {})

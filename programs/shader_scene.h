@@ -1,6 +1,6 @@
 #pragma once
-// Everything that OpenGL gets to draw a scene by shader_stages(): plain data, which another process can
-// draw. Mistakes of the scene are left out, because the lighting is someone else's.
+// All data that OpenGL needs to draw a scene with shader_stages(): plain data, so that another process can
+// draw it. Omits the scene's mistakes, because the lighting is the user's own.
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -24,8 +24,8 @@ struct Uniform {
     std::variant<int, float, glm::vec3, glm::mat4> value;
 };
 
-/// The numbers of a mesh's triangles, 12 per corner, for the attributes 0 to 3 of scene.vert: position and
-/// normal, the point to be lit, the mesh's colour; object coordinates.
+/// The vertex data of a mesh's triangles, 12 numbers per corner, for the attributes 0 to 3 of scene.vert:
+/// position and normal, the point to be lit, the mesh's colour; object coordinates.
 using CornerNumbers = std::shared_ptr<const std::vector<float>>;
 inline constexpr std::size_t numbers_per_corner = 12;
 
@@ -40,14 +40,14 @@ struct ShaderScene {
     ShaderStages stages;
     Cull cull = Cull::None;
     glm::vec3 background{0}, shown_background{0};  // linear before exposure; as displayed, 0 to 1
-    std::vector<Uniform> uniforms;                 // that all objects share
+    std::vector<Uniform> uniforms;                 // shared by all objects
     std::vector<ShaderObject> objects;
 };
 
-/// Keeps the numbers of meshes between scenes. Not for several threads.
+/// Keeps the numbers of meshes between scenes. Not thread-safe.
 class CornerCache {
   public:
-    /// The numbers of an object under that shading.
+    /// The numbers of an object with that shading.
     [[nodiscard]] CornerNumbers of(const Object& object, const Shading& shading);
 
   private:
@@ -58,7 +58,7 @@ class CornerCache {
     std::map<std::tuple<NormalsKey, bool, bool, bool>, Kept> kept_;
 };
 
-/// The scene at that size. Problem (without a file): as of shader_stages().
+/// The scene at that size. Problem (without a file): as for shader_stages().
 [[nodiscard]] Result<ShaderScene> shader_scene(const Scene& scene, PictureSize size, CornerCache& cache);
 
 }  // namespace glint

@@ -126,7 +126,7 @@ std::string mistake_comment(std::string_view name) {
 
 std::string filled(std::string_view text, const Flags& on, const Values& values) {
     std::string out;
-    std::vector<bool> shown{true};  // one for each condition that is open
+    std::vector<bool> shown{true};  // one for each open condition
     const auto all_shown = [&shown] { return std::find(shown.begin(), shown.end(), false) == shown.end(); };
     for_lines(text, [&](std::string_view raw) {
         const Line line = parsed(raw);

@@ -1,4 +1,4 @@
-#define EGL_NO_X11  // its macros
+#define EGL_NO_X11  // excludes Xlib's macros
 #define MESA_EGL_NO_X11_HEADERS
 #include <epoxy/egl.h>
 

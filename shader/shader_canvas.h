@@ -1,6 +1,6 @@
 #pragma once
-// Compiles a user's lighting.glsl and draws scenes with it, by OpenGL 3.3 in the current context: that of an
-// OffscreenContext, or of a window.
+// Compiles a user's lighting.glsl and draws scenes with it, using OpenGL 3.3 in the current context: that of
+// an OffscreenContext, or of a window.
 
 #include <glm/vec2.hpp>
 #include <memory>
@@ -19,7 +19,7 @@ struct ShaderLog {
     std::vector<ShaderMessage> messages;
 };
 
-/// Pixels with a property: how many, and the first one.
+/// The number of pixels with a property, and the first one.
 struct PixelFinding {
     std::uint64_t count = 0;
     glm::ivec2 first{0};
@@ -30,12 +30,12 @@ struct PixelFinding {
 };
 
 struct ShaderPicture {
-    Picture picture;  // both colours; NaN is black in the bytes
-    // Three numbers per pixel if pixels are lit: what lit() gets; 0 at the background.
+    Picture picture;  // linear and displayed colours; NaN is displayed as black
+    // Three numbers per pixel if pixels are lit: the arguments of lit(); 0 at the background.
     std::vector<float> positions, normals;
     PixelFinding not_finite;  // lit() returned NaN or an infinity
     PixelFinding discarded;
-    PixelFinding stopped;  // a loop was ended after max_loop_runs. Then there is no picture
+    PixelFinding stopped;  // a loop was ended after max_loop_runs; there is no picture then
 };
 
 /// All calls need the same current context. They change its state: framebuffer, viewport, program, vertex
@@ -47,9 +47,9 @@ class ShaderCanvas {
     ShaderCanvas(const ShaderCanvas&) = delete;
     ShaderCanvas& operator=(const ShaderCanvas&) = delete;
 
-    /// Compiles a text of read_shader() for a scene. After an error, the last program remains.
+    /// Compiles a text from read_shader() for a scene. After an error, the previous program remains.
     [[nodiscard]] ShaderLog compile(const ShaderScene& scene, std::string_view text);
-    /// Draws with the last program. Precondition: one was compiled, for a scene with equal stages. Throws
+    /// Draws with the last program. Precondition: it was compiled for a scene with equal stages. Throws
     /// std::runtime_error if OpenGL fails.
     [[nodiscard]] ShaderPicture draw(const ShaderScene& scene);
 
@@ -61,7 +61,7 @@ class ShaderCanvas {
 /// An OpenGL 3.3 context without a window, current on this thread while it exists.
 class OffscreenContext {
   public:
-    /// Throws std::runtime_error if there is no OpenGL; libepoxy ends the program if there is no EGL at all.
+    /// Throws std::runtime_error if there is no OpenGL. If there is no EGL at all, libepoxy ends the program.
     OffscreenContext();
     ~OffscreenContext();
     OffscreenContext(const OffscreenContext&) = delete;

@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-// Both processes are the same program, so values travel as their bytes.
+// Both processes are the same program, so values are sent as raw bytes.
 
 class Packer {
   public:
@@ -186,7 +186,7 @@ std::string last_line(std::string text) {
     return text.substr(text.rfind('\n') + 1);  // from 0 if there is none
 }
 
-/// The end of a process that gave no answer.
+/// The result for a process that ended without an answer.
 ShaderAnswer without_answer(const ChildEnd& end, const ChildLimits& limits) {
     ShaderAnswer answer;
     switch (end.how) {
@@ -215,7 +215,7 @@ ShaderAnswer without_answer(const ChildEnd& end, const ChildLimits& limits) {
 
 ShaderAnswer shade_in_process(const ShaderScene& scene, const std::string& text, ChildLimits limits) {
     const std::string input = packed(scene, text);
-    // The scene, what OpenGL copies of it, and four buffers of the picture here and there.
+    // The scene, OpenGL's copies of it, and four buffers of the picture in OpenGL and here.
     constexpr std::uint64_t bytes_per_pixel = 200;
     if (limits.bytes == 0)
         limits.bytes = shader_memory + 4 * input.size() + bytes_per_pixel * scene.size.pixels();

@@ -22,20 +22,21 @@ struct ShaderAnswer {
 /// The name by which main() calls run_shader_worker().
 inline constexpr const char* shader_worker_name = "glint-shader";
 
-/// What the driver takes in addition to the scene: Mesa's compiler reserves much of it, and uses little.
+/// The memory for the driver in addition to the scene: Mesa's compiler reserves much of it, and uses little.
 inline constexpr std::uint64_t shader_memory = std::uint64_t{4} << 30;
 
-/// Compiles `text` of read_shader() and draws the scene. `limits.bytes` may be 0 for shader_memory. Several
+/// Compiles `text` from read_shader() and draws the scene. `limits.bytes` may be 0 for shader_memory. Several
+/// threads may call it.
 /// threads may call it.
 [[nodiscard]] ShaderAnswer shade_in_process(const ShaderScene& scene, const std::string& text,
                                             ChildLimits limits);
 
 /// The errors as problems of the file; empty if it was drawn.
 [[nodiscard]] std::vector<Problem> problems_of(const ShaderAnswer& answer, const std::string& file);
-/// What is worth knowing of a picture that was drawn, and the compiler's warnings, as lines.
+/// Warnings about a drawn picture, and the compiler's warnings, one per line.
 [[nodiscard]] Warnings warnings_of(const ShaderAnswer& answer, const std::string& file);
 
-/// The process: reads a scene and a text from standard input and writes the answer to standard output.
+/// Runs the process: reads a scene and a text from standard input and writes the answer to standard output.
 [[nodiscard]] int run_shader_worker();
 
 }  // namespace glint

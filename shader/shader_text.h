@@ -15,8 +15,8 @@ inline constexpr std::size_t max_shader_bytes = std::size_t{1} << 20;
 /// The text of the file. Problem: it cannot be read, is too large or is not text.
 [[nodiscard]] Result<std::string> read_shader(const std::string& path);
 
-/// The text with the same lines for the compiler: its `#version` is removed, and each run of a loop evaluates
-/// loop_runs(), which ends the loop after max_loop_runs.
+/// The text with the same lines for the compiler: its `#version` is removed, and each iteration of a loop
+/// evaluates loop_runs(), which ends the loop after max_loop_runs.
 [[nodiscard]] std::string prepared_shader(std::string_view text);
 
 /// A message of the compiler about a line of the user's file, from 1; 0 if it is about the file as a whole.
@@ -28,7 +28,7 @@ struct ShaderMessage {
 };
 
 /// The numbers of the first lines of the texts before and after the user's file, which begins with 1. GLSL
-/// also has numbers of texts, but Mesa reports those of expressions wrong.
+/// also has numbers for source strings, but Mesa reports wrong ones for expressions.
 inline constexpr int first_line_before = 2'000'000, first_line_after = 3'000'000;
 
 /// The messages of a compiler's or linker's log, in Mesa's, NVIDIA's or Intel's form. `lines`: of the user's

@@ -90,7 +90,7 @@ std::uint64_t peak_bytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-/// The answer for people: the same numbers in rows and columns.
+/// The text output: the same numbers in rows and columns.
 std::string table_text(const Json& json) {
     const auto word = [&json](const char* key) { return json.at(key).get<std::string>(); };
     const auto count = [&json](const char* key) {

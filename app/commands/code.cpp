@@ -1,4 +1,4 @@
-// glint code: writes a program that draws the scene, for people who learn to write one.
+// glint code: writes a program that draws the scene, for people learning to write one.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct CodeArguments {
     bool blank = false;
 };
 
-/// A directory for only the program's files. Removes a new directory if nothing is written to it.
+/// A directory that contains only the program's files. Removes a new directory if nothing is written to it.
 class OutDirectory {
   public:
     /// Throws Failure unless the path is a new or an empty directory.

@@ -28,7 +28,7 @@ Outcome compare(const CompareArguments& arguments) {
     Result<Comparison> compared = glint::compare(a, b);
     if (Problem* problem = std::get_if<Problem>(&compared)) problem->file = arguments.b;
     const Comparison result = take(std::move(compared));
-    // A difference above the limit is an answer, not an error: only the status reports it.
+    // A difference above the limit is a result, not an error: only the exit status reports it.
     const bool too_far = arguments.max_error && result.max_error > *arguments.max_error;
     Outcome outcome{
         json_text(comparison_json(result)), {}, too_far ? ExitStatus::Impossible : ExitStatus::Done};

@@ -1,4 +1,4 @@
-// glint exercise: writes sheets with different numbers, and their keys in another file.
+// glint exercise: writes exercise sheets with different numbers, and their answer keys to another file.
 #include <fmt/core.h>
 
 #include <limits>

@@ -1,4 +1,4 @@
-// glint formfactor: the fraction of the light of one object that arrives at another.
+// glint formfactor: prints the fraction of the light from one object that arrives at another.
 #include <fmt/format.h>
 
 #include <memory>
@@ -20,7 +20,7 @@ struct FormFactorArguments {
     bool as_json = false;
 };
 
-/// The index of the only object with that name, or with that number from 0.
+/// The index of the only object with that name, or with that number, counted from 0.
 std::size_t object_of(const std::string& option, const std::string& word, const Scene& scene) {
     std::vector<std::string> names;
     std::size_t found = scene.objects.size(), count = 0;

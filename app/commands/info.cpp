@@ -37,7 +37,7 @@ std::string report_of(const std::string& name, const Json& mesh) {
     return text;
 }
 
-/// Of a mesh, or of each object of a scene.
+/// The report of a mesh, or of each object of a scene.
 std::string report_of(const Json& info, const std::string& file) {
     if (!info.contains("objects")) return report_of(file, info);
     std::string text;

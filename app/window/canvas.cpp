@@ -42,7 +42,7 @@ struct DrawnCommand {
             if (!same_vertex(corner(triangle, i), other.corner(its_triangle, i))) return false;
         return true;
     }
-    /// What the triangles from `first` to before `last` may cover.
+    /// Bounds of the area that the triangles in [first, last) may cover.
     [[nodiscard]] Rect bounds(std::size_t first, std::size_t last) const {
         constexpr float far = std::numeric_limits<float>::max();
         ImVec2 low{far, far}, high{-far, -far};
@@ -58,8 +58,8 @@ struct DrawnCommand {
     }
 };
 
-/// Adds the areas in which two commands differ, without the triangles that are equal at both ends: text that
-/// changes in the middle of a panel leaves the text before and after it unchanged.
+/// Adds the areas in which two commands differ. Skips equal triangles at both ends: text that changes in the
+/// middle of a panel leaves the text before and after it unchanged.
 void compare(const DrawnCommand& before, const DrawnCommand& now, std::vector<Rect>& changed) {
     const std::size_t count_before = before.triangles(), count = now.triangles();
     const std::size_t common = std::min(count_before, count);
@@ -123,7 +123,7 @@ void add_rect(std::vector<Rect>& rects, Rect rect) {
     }
     rects.push_back(rect);
     if (rects.size() <= max_changed_rects) return;
-    std::size_t nearest = 0;  // merging it with the new one adds the least area
+    std::size_t nearest = 0;  // the rectangle that grows least when merged with the new one
     const auto growth = [&](std::size_t i) { return area(around(rects[i], rect)) - area(rects[i]); };
     for (std::size_t i = 1; i + 1 < rects.size(); ++i)
         if (growth(i) < growth(nearest)) nearest = i;
@@ -204,8 +204,8 @@ PixelRect pixels_of(const ImVec4& clip, float dots) {
     return {int(clip.x * dots), int(clip.y * dots), int(clip.z * dots), int(clip.w * dots)};
 }
 
-/// Returns the clip rectangle that the backend converts to these pixels. It counts rows from below, which
-/// swaps top and bottom. It truncates: the fractions here are far from the next pixel.
+/// Returns the clip rectangle that the backend converts to these pixels. It counts rows from the bottom,
+/// which swaps top and bottom. It truncates: the fractions here are far from the next pixel.
 ImVec4 clip_of(const PixelRect& pixels, float dots) {
     return {(float(pixels.left) + 0.25F) / dots, (float(pixels.bottom) + 0.5F) / dots,
             (float(pixels.right) + 0.5F) / dots, (float(pixels.top) + 0.25F) / dots};
@@ -228,8 +228,8 @@ struct Span {
 
 /// `count` pixels of a picture are stretched over the canvas from low to high. Returns the smallest range of
 /// complete picture pixels that covers part_low to part_high, and the range of the canvas that they fill:
-/// drivers refuse to copy lengths of some 50,000. If the picture's pixels are not all the same whole number
-/// of canvas pixels long, returns the entire ranges.
+/// drivers refuse to copy lengths of about 50,000 pixels. If the picture's pixels are not all the same whole
+/// number of canvas pixels long, returns the entire ranges.
 Span covering(int count, int low, int high, int part_low, int part_high) {
     const int each = (high - low) / count;
     if (each < 1 || each * count != high - low) return {0, count, low, high};
@@ -305,7 +305,7 @@ void Canvas::fill(const PixelRect& rect, const ImVec4& color) {
     if (rect.is_empty()) return;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, pixels_.framebuffer());
     set_scissor(rect);
-    // Whole levels: a driver may round a colour between two levels differently in a part and in the entire
+    // Integer levels: a driver may round a colour between two levels differently in a part and in the entire
     // canvas.
     const auto level = [](float c) { return std::round(c * 255) / 255; };
     glClearColor(level(color.x), level(color.y), level(color.z), 1);

@@ -41,10 +41,10 @@ constexpr std::chrono::milliseconds max_time_without_window{1000};
 struct WindowArguments {
     SceneArguments scene;
     std::vector<std::string> more;  // files that PgDn shows after the first
-    std::string lesson;             // its file; then no other file is opened
+    std::string lesson;             // its file; no other file is opened then
 };
 
-/// The error of a window that cannot be opened, in GLFW's words.
+/// The error when no window can be opened, with GLFW's message.
 Failure no_window() {
     const char* description = nullptr;
     (void)glfwGetError(&description);
@@ -66,7 +66,7 @@ SceneDocument default_document(const std::vector<Assignment>& assignments) {
     return document;
 }
 
-/// What the window shows first: a document, and what follows once it is open.
+/// The initial contents of the window: a document, and what follows once it is open.
 struct Beginning {
     SceneDocument document;
     std::function<void(UiState&)> opened;
@@ -103,7 +103,7 @@ GLFWwindow* open_window(const Preferences& remembered) {
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
         int free_width = 0, free_height = 0;
         glfwGetMonitorWorkarea(monitor, &x, &y, &free_width, &free_height);
-        // All of a small display; most of a large one.
+        // The full size of a small display; most of a large one.
         width = free_width <= 1440 ? free_width : free_width * 9 / 10;
         height = free_height <= 900 ? free_height : free_height * 9 / 10;
         const bool fits = remembered.width <= free_width && remembered.height <= free_height;
@@ -120,7 +120,7 @@ GLFWwindow* open_window(const Preferences& remembered) {
 
 /// Xlib ends the program on any error by default. GLFW resets the handler while it opens a window.
 void handle_x_errors() {
-    // A refused request is most often one to a program that has quit while it dragged a file over the window.
+    // Most errors are refused requests to a program that quit while it dragged a file over the window.
     XSetErrorHandler([](::Display*, XErrorEvent*) { return 0; });
     XSetIOErrorHandler([](::Display*) -> int {
         (void)std::fputs("glint: error: the connection to the display is lost\n", stderr);
@@ -135,7 +135,7 @@ sem_t signalled;
 /// (nohup) stays ignored.
 void catch_ending_signals() {
     sem_init(&signalled, 0, 0);
-    // GLFW waits on after a signal, and a handler must not call GLFW.
+    // GLFW keeps waiting after a signal, and a handler must not call GLFW.
     std::thread([] {
         while (sem_wait(&signalled) != 0) {
         }
@@ -154,9 +154,9 @@ void catch_ending_signals() {
     }
 }
 
-/// Keeps what must outlive the window, and ends the program.
+/// Saves what must outlive the window, and ends the program.
 [[noreturn]] void end_window(UiState& state) {
-    // Without a signal the user has answered all questions: unsaved work is not wanted.
+    // Without a signal, the user has answered all questions and does not want unsaved work.
     const bool kept = ending_signal != 0 && keep_unsaved_work(state);
     if (ending_signal != 0 && !kept && state.editor.unsaved())
         (void)std::fputs("glint: error: no copy of the unsaved work could be kept\n", stderr);

@@ -60,7 +60,7 @@ void WindowFrames::wait(double seconds) {
         glfwWaitEvents();
     else
         glfwWaitEventsTimeout(std::max(seconds, shows_ ? 0.001 : quiet_frame));
-    // A tooltip is measured in its first frame and seen in its second.
+    // A tooltip is measured in its first frame and visible in its second.
     frames_due_ = glfwGetTime() - start < seconds ? frames_after_event - 1 : 1;
 }
 
@@ -105,7 +105,7 @@ void WindowFrames::note_size() {
     Preferences& settings = state_.persistence.preferences;
     settings.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
     if (!settings.maximized) settings.width = noted_.x, settings.height = noted_.y;
-    state_.persistence.preferences_changed = ImGui::GetTime();  // written when the hand rests
+    state_.persistence.preferences_changed = ImGui::GetTime();  // written after a pause
 }
 
 UiRequests WindowFrames::frame() {

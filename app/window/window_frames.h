@@ -32,16 +32,16 @@ class WindowFrames {
   private:
     /// ImGui needs a frame or two after an event to draw all its consequences.
     static constexpr int frames_after_event = 3;
-    /// Seconds to the next frame after one that showed nothing new, and so did not wait for the display.
+    /// Seconds until the next frame if the last one showed nothing new and so did not wait for the display.
     static constexpr double quiet_frame = 1 / 120.0;
     void wait(double seconds);
-    /// Queries sizes once a frame: while the window is being resized, two queries have two answers.
+    /// Queries sizes once a frame: while the window is being resized, two queries may give different results.
     void measure();
     /// Applies the display's scale and the user's choice to fonts and theme.
     void follow_scale();
-    /// Overrides the backend's sizes: it queries them itself and divides answers that need not match.
+    /// Overrides the backend's sizes: it queries them itself and divides results that may not match.
     void use_extent() const;
-    /// Remembers the window's size when it has changed: querying the display takes time.
+    /// Stores the window's size when it has changed, because querying the display takes time.
     void note_size();
     UiRequests frame();
     /// Gives every sheet of small pictures its texture.
@@ -62,7 +62,7 @@ class WindowFrames {
     WindowExtent extent_;
     glm::ivec2 noted_{0};  // the size in the settings
     DisplayScale display_;
-    float scale_ = 0;  // of the design, as applied; 0 before the first frame
+    float scale_ = 0;  // of the design, as last applied; 0 before the first frame
     int frames_due_ = frames_after_event;
     bool draws_all_ = true;  // the theme, a texture or the scale has changed, or the display lost the pixels
     bool shows_ = true;      // the last frame showed something new

@@ -85,7 +85,7 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     input_of(window).waiting.emplace_back(std::move(event));
 }
 
-/// GLFW calls this right after the key event of the key that types the letter. If several keys make one
+/// GLFW calls this right after the key event of the key that types the letter. If several keys produce one
 /// letter, the letter comes without a key event.
 void on_text(GLFWwindow* window, unsigned int letter) {
     std::deque<InputEvent>& waiting = input_of(window).waiting;
@@ -132,7 +132,7 @@ void collect_input(GLFWwindow* window, WindowInput& input) {
 void collect_text(GLFWwindow* window) { glfwSetCharCallback(window, on_text); }
 
 void read_held_keys(GLFWwindow* window, UiInput& input) {
-    // A key is known by the letter that the keyboard's layout gives it.
+    // A key is identified by the letter that the keyboard layout gives it.
     input.axis_held = {};
     input.b_held = false;
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) {
@@ -145,8 +145,8 @@ void read_held_keys(GLFWwindow* window, UiInput& input) {
 
 namespace {
 
-/// The number of frames until a field or dialog that a key opens has the keyboard focus: it opens in the
-/// first frame and has the focus in the second or third.
+/// The number of frames until a field or dialog opened by a key has the keyboard focus: it opens in the first
+/// frame and gets the focus in the second or third.
 constexpr int frames_to_open = 3;
 
 bool is_down(GLFWwindow* window, int key) { return glfwGetKey(window, key) == GLFW_PRESS; }
@@ -166,8 +166,8 @@ void show_held_keys(GLFWwindow* window, WindowInput& input) {
             io.KeysDown[key->key] = false;
 }
 
-/// Whether the key may open a field or a dialog, or move to another field. Keys that are pressed many times a
-/// second are excluded: each press would wait for unnecessary frames.
+/// Whether the key may open a field or a dialog, or move to another field. Excludes keys that are pressed
+/// many times a second: each press would wait for unnecessary frames.
 bool may_open(const KeyEvent& event) {
     if (event.repeats || !event.press) return false;
     switch (event.press->key) {
@@ -212,7 +212,8 @@ void feed_keys(WindowInput& input, const std::vector<int>& before) {
     while (!input.waiting.empty() && input.frames_to_open == 0) {
         const auto* event = std::get_if<KeyEvent>(&input.waiting.front());
         if (event == nullptr) return;
-        // ImGui knows one set of modifiers a frame, and a key that goes down again was up before.
+        // ImGui knows one set of modifiers per frame, and a key must be released before it can be pressed
+        // again.
         if (with && !(*with == event->with)) return;
         const auto has = [event](const std::vector<int>& keys) {
             return std::find(keys.begin(), keys.end(), event->key) != keys.end();
@@ -251,7 +252,7 @@ bool feed_input(GLFWwindow* window, WindowInput& input) {
         if (input.frames_to_open > 0) --input.frames_to_open;
         feed_keys(input, before);
     }
-    // The queue decides the state of three buttons: the backend has set the current state, which may be
+    // The queue determines the state of three buttons: the backend has set the current state, which may be
     // newer.
     for (std::size_t i = 0; i < input.down.size(); ++i) ImGui::GetIO().MouseDown[i] = input.down[i];
     return had_any || !input.shown_down.empty();
