@@ -35,7 +35,7 @@ struct ShaderPicture {
     std::vector<float> positions, normals;
     PixelFinding not_finite;  // lit() returned NaN or an infinity
     PixelFinding discarded;
-    PixelFinding stopped;  // a loop was ended after max_loop_runs; there is no picture then
+    PixelFinding stopped;  // a loop was ended after max_loop_runs; no picture in that case
 };
 
 /// All calls need the same current context. They change its state: framebuffer, viewport, program, vertex

@@ -46,7 +46,7 @@ std::vector<AnsweredForm> answered_forms(const QuizArguments& arguments) {
     return forms;
 }
 
-/// The statistics of each form that somebody has answered.
+/// The statistics of each form that has answers.
 std::string statistics(LessonRunner& runner, const std::vector<AnsweredForm>& forms) {
     Json all = Json::array();
     for (const AnsweredForm& form : forms)
