@@ -1,4 +1,4 @@
-// Whether a page shows an answer before its question: as a number in the text, or in a picture.
+// Checks whether a page shows an answer before its question, as a number in the text or in a picture.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace glint {
 namespace {
 
-constexpr int seen_levels = 12;  // a difference at the place one looks at
-constexpr int equal_levels = 2;  // two pixels that nobody tells apart
+constexpr int seen_levels = 12;  // the smallest visible difference at a known pixel
+constexpr int equal_levels = 2;  // the largest invisible difference
 using Shown = std::optional<std::string>;
 
 bool is_figure(char c) { return c >= '0' && c <= '9'; }
@@ -34,7 +34,7 @@ std::string without_coordinates(std::string_view text) {
     return rest;
 }
 
-/// Reads a number at `at` and moves behind it.
+/// Reads a number at `at` and advances `at` past it.
 double take_number(std::string_view text, std::size_t& at) {
     double value = 0;
     const auto [end, error] =
@@ -43,7 +43,7 @@ double take_number(std::string_view text, std::size_t& at) {
     return value;
 }
 
-/// The pixels that a run reads, from the top left.
+/// The pixels that a run reads, starting at the top left.
 std::vector<glm::ivec2> pixels_of(const LessonRun& run, PictureSize size) {
     std::vector<glm::ivec2> pixels;
     if (run.kind == RunKind::Explain) return {run.from};
@@ -65,7 +65,7 @@ int levels_apart(const Picture& a, const Picture& b, glm::ivec2 at) {
     return apart;
 }
 
-/// Whether both pictures show the same things from the same place, in whatever light.
+/// Whether both pictures show the same objects from the same camera; lights may differ.
 bool same_view(const Scene& a, const Scene& b) {
     const auto same = [](const Object& x, const Object& y) {
         return x.source == y.source && x.transform == y.transform && x.visible == y.visible;
@@ -74,7 +74,8 @@ bool same_view(const Scene& a, const Scene& b) {
            std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(), same);
 }
 
-/// Whether a condition or an answer is computed from brightness, which a picture shows; n·l is not.
+/// Whether a condition or an answer is computed from brightness, which a picture shows (it does not show
+/// n·l).
 bool reads_picture(const Prediction& question) {
     constexpr std::array<std::string_view, 10> members{
         ".sum",           ".displayed", ".byte", ".intensity", "_difference",
@@ -87,7 +88,7 @@ bool reads_picture(const Prediction& question) {
                                                  [&](const LessonOption& o) { return reads(o.is_right); });
 }
 
-/// Compares the pictures of one page with what a question's runs draw.
+/// Compares the pictures of a page with the pictures drawn by a question's runs.
 class Looker {
   public:
     Looker(LessonRunner& runner, const Lesson& lesson, const Prediction& question, const RightAnswer& right,
@@ -122,7 +123,7 @@ class Looker {
         return value_or_throw(LessonRunner::with(page_.document, assignments, lesson_, line));
     }
 
-    /// The picture must change where the answer is.
+    /// The reveal must change the picture at the answer.
     Shown click() const {
         if (page_.reveal == nullptr) return {};
         const Picture shown = drawn(set(page_.reveal->set, page_.reveal->line));
@@ -138,7 +139,7 @@ class Looker {
                            at.x, at.y, apart);
     }
 
-    /// The brightness along the line must not be the curve, in no scale.
+    /// The brightness along the line must not match the expected curve, even scaled and shifted.
     Shown sketch() const {
         LessonRun line;
         line.kind = RunKind::Profile;
@@ -161,7 +162,7 @@ class Looker {
         return "the picture shows the curve: along the line its brightness is the answer, to scale";
     }
 
-    /// The asked pixel must have another colour.
+    /// The pixel in question must have a different colour.
     Shown colour() const {
         const auto run = std::find_if(question_.runs.begin(), question_.runs.end(),
                                       [](const LessonRun& r) { return r.kind == RunKind::Explain; });
@@ -172,7 +173,7 @@ class Looker {
         return fmt::format("the picture shows the colour at {},{}", run->from.x, run->from.y);
     }
 
-    /// The answer can be read off if every picture that it is computed from can be seen somewhere.
+    /// The page shows the answer if each picture from which it is computed is visible somewhere.
     Shown all_runs() const {
         bool any = false;
         for (const LessonRun& run : question_.runs) {
@@ -184,7 +185,7 @@ class Looker {
             const SceneDocument of_run = set(run.set, run.line);
             const Picture picture = drawn(of_run);
             const auto shows = [&](const SceneDocument& document) {
-                // That a change has no effect cannot be seen before the change.
+                // A picture before a change does not show that the change has no effect.
                 if (!run.set.empty()) return same_description(document.scene, of_run.scene);
                 if (!same_view(document.scene, of_run.scene)) return false;
                 const Picture shown = drawn(document);
@@ -207,7 +208,7 @@ class Looker {
     Picture asked_;
 };
 
-/// The number, or the right option, in the text before the answer.
+/// Searches the text before the answer for the number or the right option.
 Shown in_text(const Prediction& question, const RightAnswer& right, const std::string& text) {
     if (question.kind == PredictionKind::Choice) {
         const std::string& option =
@@ -245,7 +246,7 @@ std::vector<double> numbers_in(std::string_view all, bool angles) {
             ++at;
             continue;
         }
-        if (at > 0 && is_of_word(text[at - 1])) {  // x2 is a name
+        if (at > 0 && is_of_word(text[at - 1])) {  // a name such as x2
             while (at < text.size() && is_figure(text[at])) ++at;
             continue;
         }
@@ -258,7 +259,7 @@ std::vector<double> numbers_in(std::string_view all, bool angles) {
         if (negative) value = -value;
         const std::string_view after = text.substr(at);
         const bool is_angle = after.starts_with("°") || after.starts_with(" degree");
-        if (value == 0 && is_bound) continue;  // of a condition such as n·l = 0
+        if (value == 0 && is_bound) continue;  // part of a condition such as n·l = 0
         if (is_angle == angles) numbers.push_back(value);
         if (after.starts_with(" %") || after.starts_with("%")) numbers.push_back(value / 100);
     }

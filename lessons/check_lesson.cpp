@@ -11,12 +11,12 @@
 namespace glint {
 namespace {
 
-/// Nothing if it holds, else the reason why it does not.
+/// Empty if the check succeeds, otherwise the reason for its failure.
 using Shortfall = std::optional<std::string>;
 
 std::string text_of(const Problem& problem) { return with_expected(problem.what, problem.expected); }
 
-/// A problem that a check throws is the reason why it does not hold.
+/// An exception in a check counts as a failure.
 class Checker {
   public:
     Checker(LessonRunner& runner, const Lesson& lesson, StudentPage page)
@@ -33,7 +33,7 @@ class Checker {
         return {};
     }
 
-    /// Adds to the page, or begins the next one: a question after a reveal is on a page of its own. Text
+    /// Appends to the page, or starts a new one: a question after a reveal is on a page of its own. Text
     /// after a question belongs to the answer.
     void read(const std::vector<ProseBlock>& text) {
         if (answered_) return;
@@ -87,7 +87,7 @@ class Checker {
         return "the tolerance is " + json_line(tolerance) + "; expected more than 0";
     }
 
-    /// The number of values of an exercise to try, limited by the time of its runs.
+    /// The number of variants of an exercise to try, limited by the cost of its runs.
     [[nodiscard]] std::size_t most_tries(const Exercise& exercise) const {
         constexpr std::size_t fewest = 8, most = 500, pixels = 4'000'000;
         std::vector<double> first;
@@ -100,7 +100,7 @@ class Checker {
         return std::clamp(pixels / drawn, fewest, most);
     }
 
-    /// The approximate cost of a run, in pixels drawn in the same time.
+    /// The approximate cost of a run, as the number of pixels that could be drawn in the same time.
     [[nodiscard]] std::size_t pixels_worth(const LessonRun& run) const {
         constexpr std::size_t of_ray = 100;
         return run.kind == RunKind::Microfacets ? of_ray * static_cast<std::size_t>(run.rays + run.facets)
@@ -120,7 +120,7 @@ class Checker {
         return {};
     }
 
-    /// Checks that an option holds under the mistake that it names.
+    /// Checks that an option is right when the mistake that it names is switched on.
     Shortfall wrong_mistake(const Prediction& p) {
         for (const LessonOption& option : p.options) {
             if (option.mistake.empty()) continue;
@@ -134,7 +134,7 @@ class Checker {
         return {};
     }
 
-    /// Checks that each typical wrong answer counts as wrong, and only its own misconception is shown.
+    /// Checks that each typical wrong answer is graded as wrong and matches only its own misconception.
     static Shortfall wrong_answers(const Prediction& p, const RightAnswer& right) {
         for (std::size_t i = 0; i < right.wrong.size(); ++i)
             if (thought_behind(p, right, right.wrong[i]) != p.wrong[i].thinks)
@@ -143,7 +143,7 @@ class Checker {
         return {};
     }
 
-    /// Checks that the answer's run of `explain` has the field that the window links to.
+    /// Checks that the answer's `explain` run contains the field that the window links to.
     Shortfall wrong_term(const Prediction& p) {
         const auto explains = [](const LessonRun& run) { return run.kind == RunKind::Explain; };
         const auto run = std::find_if(p.runs.begin(), p.runs.end(), explains);
@@ -157,7 +157,7 @@ class Checker {
         return {};
     }
 
-    /// Checks that each pointer refers to something that can be moved.
+    /// Checks that each pointer refers to a number of the scene.
     static Shortfall wrong_control(const Task& task, const Scene& scene) {
         const std::vector<SceneNumber> numbers = numbers_of(scene);
         for (const std::string& control : task.controls) {
@@ -172,10 +172,10 @@ class Checker {
     const Lesson& lesson_;
     StudentPage page_;
     SceneDocument document_, tried_on_;
-    bool answered_ = false;  // what follows is seen after the answer
+    bool answered_ = false;  // the text that follows is shown after the answer
 };
 
-/// The scenes of a lesson's pictures on a student's paper.
+/// The scenes of all pictures on the student's printed handout.
 std::vector<SceneDocument> on_paper(const Lesson& lesson, const SceneDocument& opened) {
     std::vector<SceneDocument> scenes;
     for (const LessonStep& step : lesson.steps) {
@@ -185,14 +185,14 @@ std::vector<SceneDocument> on_paper(const Lesson& lesson, const SceneDocument& o
     return scenes;
 }
 
-/// The next reveal of the step's parts from `at` on, or null.
+/// The first reveal in `parts` from `at` on, or null.
 const Reveal* reveal_after(const std::vector<LessonPart>& parts, const LessonPart& at) {
     for (const LessonPart* part = &at; part != parts.data() + parts.size(); ++part)
         if (const auto* reveal = std::get_if<Reveal>(part)) return reveal;
     return nullptr;
 }
 
-/// The kind, the line and the text of a part that is checked. Nothing for text and reveals.
+/// The kind, line and text of a part to check; nothing for text and reveals.
 std::optional<Checked> described(const LessonPart& part) {
     if (const auto* claim = std::get_if<Claim>(&part))
         return Checked{CheckedKind::Claim, claim->line, claim->says, false, {}};
@@ -244,7 +244,7 @@ const char* name_of(CheckedKind kind) {
     case CheckedKind::Exercise:
         return "exercise";
     }
-    return "";  // not reached
+    return "";  // unreachable
 }
 
 Result<std::vector<Checked>> check_lesson(LessonRunner& runner, const Lesson& lesson, bool claims_only) {

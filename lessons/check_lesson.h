@@ -1,6 +1,6 @@
 #pragma once
-// Checks a lesson by running it: every claim, the answer of every prediction and that no page shows it before
-// its question, the solution of every task, and some values of every exercise.
+// Checks a lesson by running it: every claim, the answer to every prediction, the solution of every task, and
+// some variants of every exercise. Also checks that no page shows an answer before its question.
 
 #include <optional>
 #include <string>
@@ -13,39 +13,40 @@
 namespace glint {
 
 enum class CheckedKind { Prediction, Task, Claim, Exercise };
-/// "claim" and so on.
+/// The kind's name, such as "claim".
 [[nodiscard]] const char* name_of(CheckedKind kind);
 
 struct Checked {
     CheckedKind kind = CheckedKind::Claim;
-    int line = 0;      // in the lesson's file
+    int line = 0;      // in the lesson's file, from 1
     std::string says;  // the claim, the question or the task
     bool holds = false;
-    std::string why;  // the failure, with its numbers; empty if it holds
+    std::string why;  // the reason for a failure, with its numbers; empty if the check succeeded
 };
 
-/// Checks all parts of a lesson in order, or only its claims. A problem if its scene fails to open or a step
-/// cannot be applied.
+/// Checks all parts of a lesson in order, or only its claims. Returns a problem if the scene cannot be opened
+/// or a step cannot be applied.
 [[nodiscard]] Result<std::vector<Checked>> check_lesson(LessonRunner& runner, const Lesson& lesson,
                                                         bool claims_only = false);
 
-/// A page as it is before a question is answered. On paper the pictures of all steps can be seen.
+/// A page as a student sees it before answering a question. On paper the pictures of all steps are visible.
 struct StudentPage {
-    std::string text;                  // of its station, titles and questions included
-    SceneDocument document, asked;     // the step's scene; the same as its picture shows it
-    std::vector<SceneDocument> paper;  // the scenes of all pictures of the lesson's page
-    const Reveal* reveal = nullptr;    // of this question; or none
+    std::string text;                  // of its step, including titles and questions
+    SceneDocument document, asked;     // the step's scene; the scene that its picture shows
+    std::vector<SceneDocument> paper;  // the scenes of all pictures of the printed lesson
+    const Reveal* reveal = nullptr;    // of this question, or null
 };
 
-/// How the page shows the answer of that question; nothing if it does not. Draws its pictures and compares
-/// them with what the question's runs draw.
+/// Describes how the page shows the answer to that question; nothing if it does not. Draws the page's
+/// pictures and compares them with the pictures drawn by the question's runs.
 [[nodiscard]] Result<std::optional<std::string>> answer_shown(LessonRunner& runner, const Lesson& lesson,
                                                               const Prediction& question,
                                                               const RightAnswer& right,
                                                               const StudentPage& page);
 
-/// The numbers that a reader finds in a text: "−0.5", "1/3", "½", "a quarter", "twice"; "25 %" is 25 and
-/// 0.25. Angles if `angles`, else all others. Coordinates such as (0, 1, 0) and digits in names are left out.
+/// The numbers in a text: "−0.5", "1/3", "½", "a quarter", "twice"; "25 %" gives both 25 and 0.25. Returns
+/// only angles if `angles`, otherwise only the other numbers. Ignores coordinates such as (0, 1, 0) and
+/// digits in names.
 [[nodiscard]] std::vector<double> numbers_in(std::string_view text, bool angles);
 
 }  // namespace glint

@@ -39,12 +39,12 @@ Exercise::Variable read_variable(const BlockLine& line) {
     return variable;
 }
 
-/// A number as a person would write it: "0.3", not 0.30000000000000004.
+/// Formats a number without rounding noise: "0.3", not 0.30000000000000004.
 std::string decimal_text(double value) {
     return fmt::format("{:.10g}", std::abs(value) < 1e-12 ? 0.0 : value);
 }
 
-/// The value of the expression between two braces.
+/// Evaluates the expression between two braces and formats the result.
 std::string number_of(const std::string& text, const NamedValues& values, int line) {
     const Result<Expression> parsed = Expression::parse(text);
     if (const Problem* problem = problem_of(parsed)) fail_at(line, problem->what, problem->expected);
@@ -53,8 +53,8 @@ std::string number_of(const std::string& text, const NamedValues& values, int li
     return decimal_text(std::get<double>(number));
 }
 
-/// Replaces {angle} and {sin(angle)} by numbers. Braces with a quote in them are a JSON object, which may
-/// contain other braces.
+/// Replaces {angle} and {sin(angle)} by numbers. Braces that contain a quotation mark are a JSON object,
+/// which may contain further braces.
 std::string replaced(const std::string& text, const NamedValues& values, int line) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {

@@ -21,14 +21,14 @@
 namespace glint {
 namespace {
 
-/// Writes a number with as many digits as are meaningful within the tolerance.
+/// Formats a number with as many digits as the tolerance makes meaningful.
 std::string number_of(const PosedQuestion& q, double number) {
     const int digits = q.tolerance > 0 ? static_cast<int>(std::ceil(-std::log10(q.tolerance))) + 1 : 4;
     return fmt::format("{:.{}f}", std::abs(number) < 1e-12 ? 0 : number, std::min(std::max(digits, 0), 9));
 }
 
-/// The answer by the formula, if there is one, because values measured at a pixel have fewer digits. Both
-/// answers if they disagree.
+/// The result of the formula, if there is one, because values measured at a pixel have fewer digits. Includes
+/// both results if they disagree.
 std::string answer_text(const PosedQuestion& q) {
     const std::string text = number_of(q, q.closed.value_or(q.answer)) + (q.unit.empty() ? "" : " ") + q.unit;
     return agrees(q) ? text : text + " by the formula, but " + number_of(q, q.answer) + " by the engine";
@@ -39,9 +39,9 @@ std::string accepted_text(const PosedQuestion& q) {
     return number_of(q, right - q.tolerance) + " to " + number_of(q, right + q.tolerance);
 }
 
-constexpr float paper_grey = 0.9f;  // behind a printed picture: hardly any toner
+constexpr float paper_grey = 0.9f;  // background of printed pictures, light enough to use little toner
 
-/// The factor of the exposure with which what is in front of the background prints as a middle grey: 1 to 4.
+/// The exposure factor, 1 to 4, that prints everything in front of the background as middle grey on average.
 float print_exposure(const Picture& picture) {
     constexpr double wanted = 0.45, most = 4;
     constexpr int paper_level = 225;
@@ -55,9 +55,9 @@ float print_exposure(const Picture& picture) {
     return count == 0 || sum == 0 ? 1 : static_cast<float>(std::clamp(wanted * count / sum, 1.0, most));
 }
 
-/// Letters and signs that LaTeX's T1 encoding lacks.
+/// Replaces characters that LaTeX's T1 encoding lacks.
 std::string latex_text(std::string_view text) {
-    // A sign, and its command.
+    // Pairs of a character and its command.
     constexpr std::string_view signs[]{"°", "\\textdegree{}",
                                        "·", "\\textperiodcentered{}",
                                        "√", "\\ensuremath{\\surd}",
@@ -144,7 +144,7 @@ Warnings key_warnings(const Lesson& lesson, const std::vector<ExerciseSheet>& sh
         std::size_t count = 0;
         std::string first;
     };
-    std::map<int, Missed> missed;  // by the exercise's line
+    std::map<int, Missed> missed;  // by the exercise's line number
     for (const ExerciseSheet& sheet : sheets)
         for (const PosedQuestion& q : sheet.questions) {
             if (agrees(q)) continue;
@@ -223,8 +223,8 @@ std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>
             "\\begin{{enumerate}}\n",
             latex_text(lesson.title), sheet.seed);
         for (const PosedQuestion& q : sheet.questions)
-            // Without the empty group {}, LaTeX would take a question that begins with "[" as a label instead
-            // of its number.
+            // Without the empty group {}, LaTeX would take a question that begins with "[" as the item's
+            // label.
             tex += fmt::format(
                 "\\item {{}}{}\\par\\vspace{{2cm}}Answer: \\underline{{\\hspace{{4cm}}}} {} (within "
                 "{:.2g})\n",
@@ -279,7 +279,7 @@ std::vector<ExportedQuestion> sheet_questions(const std::vector<ExerciseSheet>& 
 }
 
 std::string unset_letters(std::string_view tex) {
-    constexpr std::string_view last_set = "\u017F";  // of the letters in T1
+    constexpr std::string_view last_set = "\u017F";  // the last letter in T1
     constexpr std::string_view marks = "\u2013\u2014\u2018\u2019\u201C\u201D\u201E";
     constexpr std::size_t most_told = 20;
     std::set<std::string_view> unset;

@@ -16,8 +16,8 @@ constexpr std::size_t max_listed_values = 1'000'000;
 using Node = ExpressionNode;
 using Kind = ExpressionKind;
 
-/// Points to a value among the names or in the expression, or owns a computed one. So an explanation need not
-/// be copied to read one of its numbers.
+/// Points to a named value or a literal of the expression, or owns a computed value. Reading one number of a
+/// long explanation therefore does not copy it.
 struct Found {
     const Json* stored = nullptr;
     Json made;
@@ -27,7 +27,7 @@ struct Found {
         if (stored != nullptr) return *stored;
         return std::move(made);
     }
-    /// `part`, which is inside this value.
+    /// Returns `part`, which is inside this value.
     [[nodiscard]] Found only(const Json& part) const {
         return stored != nullptr ? Found{&part, {}} : Found{nullptr, part};
     }
@@ -52,7 +52,7 @@ const Json& member_of(const Json& object, const std::string& name) {
                             members.empty() ? "an object with it" : in_quotes(nearest(name, members))};
 }
 
-/// Collects a member of each element of a list, which may contain lists.
+/// Collects the member `name` of each element of a list, which may contain nested lists.
 Json members_of(const Json& list, const std::string& name) {
     Json::array_t results;
     for (const Json& element : elements_of(list))
@@ -99,8 +99,7 @@ Json arithmetic_of(char symbol, const Json& a, const Json& b) {
     }
 }
 
-/// Whether a comparison of numbers holds for all elements. A number and a list: compares the number with each
-/// element.
+/// Whether a numeric comparison holds for all elements. A number is compared with each element of a list.
 bool all_hold(const std::string& symbol, const Json& a, const Json& b, double tolerance) {
     if (a.is_array() || b.is_array()) {
         const std::size_t size = a.is_array() ? elements_of(a).size() : elements_of(b).size();
@@ -134,7 +133,7 @@ bool differ(const Json& a, const Json& b, double tolerance) {
     return is_more(is_more, differences);
 }
 
-/// The tolerance after "within"; 0 without one.
+/// The tolerance after "within", or 0.
 double tolerance_of(const Node& comparison, const NamedValues& names) {
     if (comparison.parts.size() < 3) return 0;
     const double tolerance = as_number(found_by(comparison.parts[2], names).value());
@@ -184,7 +183,7 @@ std::size_t count_values(const Json& json) {
     return count;
 }
 
-/// The values of the parts, copied. They may refer to a long answer many times.
+/// Copies the values of the parts. They may refer to a long answer many times.
 std::vector<Json> part_values(const std::vector<Node>& parts, const NamedValues& names) {
     std::vector<Json> values;
     std::size_t count = 0;
@@ -204,7 +203,7 @@ Json made_by(const Node& node, const NamedValues& names) {
     case Kind::Name:
     case Kind::Member:
     case Kind::Element:
-        break;  // found_by
+        break;  // handled by found_by()
     case Kind::Negate:
         return combined(0.0, found_by(node.parts[0], names).value(),
                         [](double a, double b) { return a - b; });
@@ -233,7 +232,7 @@ void collect_names(const Node& node, std::vector<std::string>& names) {
     for (const Node& part : node.parts) collect_names(part, names);
 }
 
-/// The innermost false part of a condition.
+/// Finds the innermost false part of a condition.
 const Node& first_false(const Node& node, const NamedValues& names) {
     if (node.kind == Kind::And)
         for (const Node& part : node.parts)

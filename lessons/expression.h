@@ -1,6 +1,6 @@
 #pragma once
-// Small expressions over the JSON of Glint's commands, for the claims, questions and tasks of lessons.
-// docs/lessons.md describes them. The text is untrusted.
+// Small expressions over the JSON output of Glint's commands, for the claims, questions and tasks of lessons
+// (docs/lessons.md). The text is untrusted input.
 
 #include <map>
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace glint {
 
-/// The values of the names in an expression.
+/// The values of the names that an expression may use.
 using NamedValues = std::map<std::string, Json, std::less<>>;
 
 struct ExpressionNode;
@@ -22,26 +22,26 @@ struct ExpressionNode;
 /// functions. Angles are in degrees. A number and a list are combined element by element.
 class Expression {
   public:
-    Expression() = default;  // the text "", which has no value
+    Expression() = default;  // an empty expression without a value
 
-    /// Parses at most 1000 bytes, with at most 32 nested brackets and signs.
+    /// Parses at most 1000 bytes, with at most 32 levels of nested brackets and signs.
     [[nodiscard]] static Result<Expression> parse(std::string_view text);
 
-    /// A problem if a name is not among `names`, a member is missing, an operation does not fit its operands,
-    /// or memory does not suffice for the resulting lists. Division by zero and the like give NaN, for which
-    /// every comparison is false.
+    /// Returns a problem if a name is not in `names`, a member is missing, an operation does not fit its
+    /// operands, or the resulting lists exceed the available memory. Division by zero and similar errors give
+    /// NaN, for which every comparison is false.
     [[nodiscard]] Result<Json> value(const NamedValues& names) const;
-    /// The value of a condition; a problem if it is not true or false.
+    /// The value of a condition; a problem if it is not a boolean.
     [[nodiscard]] Result<bool> holds(const NamedValues& names) const;
     /// The value of an expression that must be a number, or a list of numbers.
     [[nodiscard]] Result<double> number(const NamedValues& names) const;
     [[nodiscard]] Result<std::vector<double>> numbers(const NamedValues& names) const;
 
-    /// The first part of the condition that is false, with its values: "0.45 = 0.5 within 0.001". For people.
+    /// The first false part of the condition with its values, for messages: "0.45 = 0.5 within 0.001".
     [[nodiscard]] std::string with_values(const NamedValues& names) const;
 
     [[nodiscard]] const std::string& text() const { return text_; }
-    /// The names that it reads, each once.
+    /// The names that the expression reads, each once.
     [[nodiscard]] std::vector<std::string> names() const;
 
   private:

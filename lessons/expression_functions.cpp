@@ -1,4 +1,4 @@
-// The functions that an expression may call. Angles are in degrees.
+// The functions available in expressions. Angles are in degrees.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ Json each(const Json& value, double (*f)(double)) {
     for (const Json& element : elements_of(value)) results.push_back(each(element, f));
     return Json(std::move(results));
 }
-/// Applies a function of one number to each number of the argument.
+/// Applies a function to each number of the argument.
 template <double (*f)(double)> Json of_each(const Values& v) { return each(v[0], f); }
 
 double magnitude(double x) { return std::abs(x); }
@@ -69,14 +69,14 @@ Json cross(const Json& a, const Json& b) {
     return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 
-/// A matrix, a list of rows, times a vector.
+/// Multiplies a matrix (a list of rows) by a vector.
 Json mul(const Json& matrix, const Json& vector) {
     Json::array_t rows;
     for (const Json& row : as_list(matrix)) rows.emplace_back(dot(row, vector));
     return Json(std::move(rows));
 }
 
-/// The index of the first element in the order `before`; skips NaN.
+/// The index of the first element in the order `before`. Skips NaN.
 Json place_of(const Json& list, bool (*before)(double, double)) {
     const Json::array_t& elements = as_list(list);
     std::size_t best = elements.size();
@@ -114,7 +114,7 @@ Json mean(const Values& v) {
 
 struct Function {
     std::string_view name;
-    std::size_t least, most;  // arguments
+    std::size_t least, most;  // minimum and maximum number of arguments
     Json (*value)(const Values& v);
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// An expression as a tree. Inside models/lesson only.
+// An expression as a syntax tree. Internal to the expression code of lessons/.
 
 #include <string>
 #include <vector>
@@ -11,12 +11,12 @@ namespace glint {
 enum class ExpressionKind {
     Literal,  // a number, text, true, false
     Name,
-    Member,   // .word of the part
+    Member,   // member `word` of the part
     Element,  // the first part [ the second ]
-    Call,     // word ( the parts )
+    Call,     // word ( parts )
     List,
     Negate,
-    Arithmetic,  // the parts, word + - * / ^ between them
+    Arithmetic,  // parts separated by word: + - * / ^
     Compare,     // word = != < <= > >=; a third part: within
     And,
     Or,
@@ -30,24 +30,24 @@ struct ExpressionNode {
     std::vector<ExpressionNode> parts;
 };
 
-/// A problem in an expression or its operands; caught before a function of Expression returns.
+/// A problem in an expression or its operands. Every public function of Expression catches it.
 struct ExpressionProblem {
     std::string what, expected;
 };
 
-/// Throws ExpressionProblem if a tolerance that depends on no name is below 0 or not a number.
+/// Throws ExpressionProblem if a tolerance that contains no names is negative or not a number.
 void require_tolerances(const ExpressionNode& node);
 
-/// A function's value. Throws ExpressionProblem. The parser calls `known`.
+/// Evaluates a function. Throws ExpressionProblem. The parser calls `known`.
 [[nodiscard]] Json call_function(const std::string& name, const std::vector<Json>& arguments);
 [[nodiscard]] bool known_function(std::string_view name);
 [[nodiscard]] std::vector<std::string> function_names();
 
-/// op(a, b), element by element if one or both are lists. Throws ExpressionProblem.
+/// Applies op(a, b), element by element if one or both are lists. Throws ExpressionProblem.
 [[nodiscard]] Json combined(const Json& a, const Json& b, double (*op)(double, double));
-/// The number; NaN for null. Throws ExpressionProblem for anything else.
+/// Converts a value to a number; null becomes NaN. Throws ExpressionProblem for anything else.
 [[nodiscard]] double as_number(const Json& value);
-/// The value for a message: JSON has only finite numbers.
+/// Formats a value for a message, including non-finite numbers, which JSON lacks.
 [[nodiscard]] std::string in_words(const Json& value);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// Text -> tree, by recursive descent: one function per precedence level.
+// A recursive-descent parser from text to tree: one function per precedence level.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -30,7 +30,7 @@ class Parser {
     }
 
   private:
-    /// Counts the parser's depth while it lives.
+    /// Increments the parser's nesting depth for the lifetime of the object.
     class Deeper {
       public:
         explicit Deeper(int& depth) : depth_(depth) {
@@ -63,7 +63,7 @@ class Parser {
     void require(std::string_view symbol) {
         if (!take(symbol)) fail_here(in_quotes(symbol));
     }
-    /// The next word, which is not consumed.
+    /// The next word, without consuming it.
     [[nodiscard]] std::string_view next_word() {
         skip_blanks();
         std::size_t end = 0;
@@ -83,8 +83,8 @@ class Parser {
         return word;
     }
 
-    // Parts are parameters, not a list in braces: if the second element throws during initialisation, GCC 12
-    // destroys parts that do not exist (its bug 66139).
+    // Takes the parts as parameters instead of a braced list: if the second element throws during
+    // initialisation, GCC 12 destroys parts that were never constructed (GCC bug 66139).
     static Node made(Kind kind, std::string word) { return {kind, std::move(word), {}, {}}; }
     static Node made(Kind kind, std::string word, Node part) {
         Node node = made(kind, std::move(word));
@@ -97,7 +97,7 @@ class Parser {
         return node;
     }
 
-    /// A condition in brackets.
+    /// Parses a condition in brackets.
     Node enclosed() {
         const Deeper deeper(depth_);
         return condition();

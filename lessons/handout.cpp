@@ -15,7 +15,7 @@ namespace {
 
 constexpr int samples = 4;
 
-/// A number for people.
+/// Formats a number for display.
 std::string four_digits(double value) { return fmt::format("{:.4g}", std::abs(value) < 5e-13 ? 0.0 : value); }
 
 std::string answer_text(const Prediction& p, const Json& value) {
@@ -33,11 +33,11 @@ std::string answer_text(const Prediction& p, const Json& value) {
     case PredictionKind::Sketch:
         return "the curve";
     }
-    return {};  // not reached
+    return {};  // unreachable
 }
 
-/// Axes from A to B and from 0 to 1 or to the largest value; with `values`, their curve and a band of the
-/// tolerance.
+/// Draws axes labelled A and B, from 0 to 1 or to the largest value. If there are `values`, also draws their
+/// curve and a band of the tolerance around it.
 std::string axes_svg(const Json::array_t& values, double tolerance) {
     constexpr double left = 30, width = 580, bottom = 158, height = 150;
     double high = 1;
@@ -80,7 +80,7 @@ class Handout {
     }
 
   private:
-    /// Turns slides by key or click.
+    /// Moves between slides by key or click.
     static constexpr std::string_view turning = R"JS(<script>
 const slides = [...document.querySelectorAll(".slide")];
 let shown = 0;
@@ -143,7 +143,8 @@ turn(0);
         if ((told_ || key_) && kind_ != PageKind::Instructor) html_ += prose_html(prose);
     }
 
-    /// The options or the number, with the right answer and, for the lecturer, what students say instead.
+    /// Adds the options or the number. Includes the right answer, and for the lecturer the typical wrong
+    /// answers.
     void add_answer(const Prediction& p, const RightAnswer& right) {
         const bool told = kind_ == PageKind::Key || kind_ == PageKind::Instructor;
         const auto belief = [told](const std::string& thinks) {
@@ -206,17 +207,17 @@ turn(0);
                                  lesson_html(claim.says));
     }
 
-    void add(const Exercise&) {}  // glint exercise prints them
+    void add(const Exercise&) {}  // printed by `glint exercise`
 
     LessonRunner& runner_;
     const Lesson& lesson_;
     PageKind kind_;
-    bool key_;           // whether answers may be on the page
-    bool told_ = true;   // whether the next text may be read before the answer
-    bool fresh_ = true;  // whether no question is on the slide yet
+    bool key_;           // whether the page may contain answers
+    bool told_ = true;   // whether the next text may be read before answering
+    bool fresh_ = true;  // whether the slide does not contain a question yet
     std::string html_;
     const LessonStep* step_ = nullptr;
-    SceneDocument document_, asked_;  // the step's scene; with its answer hidden
+    SceneDocument document_, asked_;  // the step's scene; the same with its answer hidden
     std::optional<Scene> shown_;
     std::vector<std::pair<const Prediction*, RightAnswer>> questions_;  // since the last reveal
 };

@@ -1,6 +1,6 @@
 #pragma once
-// A lesson as a value: the window goes through its steps, a handout prints it, and a check runs it to verify
-// its text. docs/lessons.md describes the file. Nothing here draws; run_lesson.h does.
+// A lesson as plain data. The window steps through it, a handout prints it, and a check runs it to verify its
+// text. docs/lessons.md describes the file format. Nothing here draws; run_lesson.h does.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -18,19 +18,19 @@
 
 namespace glint {
 
-/// A run of text in one style.
+/// A piece of text in one style.
 struct ProseSpan {
     std::string text;  // UTF-8
     bool strong = false, emphasis = false, code = false;
-    std::string link;  // its target; empty: none
+    std::string link;  // link target, or empty
     bool operator==(const ProseSpan&) const = default;
 };
 enum class ProseKind { Paragraph, Heading, Item, Code, Quote };
 /// A paragraph or similar block of text.
 struct ProseBlock {
     ProseKind kind = ProseKind::Paragraph;
-    int level = 0;   // of a heading, 3 to 6; of an item, the depth of its list, from 1
-    int number = 0;  // of an item of a numbered list, from 0 on; -1: a bullet
+    int level = 0;   // heading level, 3 to 6; nesting depth of a list item, from 1
+    int number = 0;  // index in a numbered list, from 0; -1: a bullet
     std::vector<ProseSpan> spans;
     bool operator==(const ProseBlock&) const = default;
 };
@@ -42,77 +42,77 @@ struct ProseBlock {
 }
 
 enum class RunKind { Explain, Render, Profile, Info, Lobe, Microfacets, Compare };
-/// One command whose output expressions read: `e = explain --pixel 640,360 --set /shading/mode=flat`.
+/// A command whose output expressions can read: `e = explain --pixel 640,360 --set /shading/mode=flat`.
 struct LessonRun {
-    std::string name;  // in the expressions
+    std::string name;  // used in expressions
     RunKind kind = RunKind::Explain;
-    std::vector<Assignment> set;      // after those of the step
-    std::optional<PictureSize> size;  // else the lesson's
-    glm::ivec2 from{0}, to{0};        // pixels: of explain (from) and profile
-    int object = 0;                   // of lobe
+    std::vector<Assignment> set;      // applied after the step's assignments
+    std::optional<PictureSize> size;  // the lesson's size if not set
+    glm::ivec2 from{0}, to{0};        // pixels: of explain (`from`) and profile
+    int object = 0;                   // index, for lobe
     double angle_deg = 30, roughness = 0.25;
-    std::optional<double> view_deg;  // of microfacets; else the mirror angle
+    std::optional<double> view_deg;  // for microfacets; the mirror angle if not set
     int rays = 200, facets = 400;
-    std::string first, second;  // of compare: names of earlier render runs
+    std::string first, second;  // for compare: names of earlier render runs
     int line = 0;               // in the file, from 1
 };
 
 enum class PredictionKind { Number, Choice, Click, Sketch, Colour };
-/// One answer of a choice. Exactly one condition of a choice holds.
+/// An option of a choice. The condition of exactly one option is true.
 struct LessonOption {
     std::string text;
     Expression is_right;
-    std::string thinks = {};   // the misconception that makes this answer look right; or empty
-    std::string mistake = {};  // a mistake with which a program shows this; or empty
+    std::string thinks = {};   // the misconception that makes this option seem right, or empty
+    std::string mistake = {};  // the mistake that makes a program show this result, or empty
     int line = 0;
 };
-/// A wrong answer that students give, with the misconception behind it.
+/// A typical wrong answer and the misconception behind it.
 struct TypicalWrong {
-    Expression answer;  // of the same form as the right one
+    Expression answer;  // of the same type as the right answer
     std::string thinks;
     int line = 0;
 };
-/// A question to be answered before anything moves.
+/// A question that the student answers before seeing any change.
 struct Prediction {
     PredictionKind kind = PredictionKind::Number;
     std::string question;
     std::vector<LessonRun> runs;
-    Expression answer;     // a number; a pixel [x, y]; a list along the line; a colour. None for a choice
-    Expression tolerance;  // accepted difference: in the answer's unit, in pixels, per value of a list
-    std::string unit;      // of a number
-    std::string term;  // the field of an explanation with the answer, such as "lights[0].n_dot_l"; or none
-    std::vector<LessonOption> options;  // of a choice
-    std::vector<TypicalWrong> wrong;    // of all other kinds
-    glm::ivec2 from{0}, to{0};          // ends of a sketch's line, pixels
+    Expression answer;     // a number; a pixel [x, y]; a list along the line; a colour. Empty for a choice
+    Expression tolerance;  // accepted difference: in the answer's unit, in pixels, or per list element
+    std::string unit;      // for a number
+    std::string term;      // field of the explanation, such as "lights[0].n_dot_l", or empty
+    std::vector<LessonOption> options;  // for a choice
+    std::vector<TypicalWrong> wrong;    // for all other kinds
+    glm::ivec2 from{0}, to{0};          // for a sketch: the ends of the line, in pixels
     int line = 0;
 };
 
-/// The changes and views after the prediction is locked in. The text after it belongs to it.
+/// The changes and views shown once the prediction is locked in. Includes the text that follows it.
 struct Reveal {
-    std::vector<Assignment> set;                             // after those of the step
+    std::vector<Assignment> set;                             // applied after the step's assignments
     std::optional<glm::ivec2> pick;                          // the pixel to explain
     std::optional<std::pair<glm::ivec2, glm::ivec2>> along;  // ends of the scope's line
-    std::string play;  // pointer of a number that moves back and forth; empty: none
+    std::string play;  // JSON pointer of a number to animate back and forth, or empty
     double play_from = 0, play_to = 0;
     int line = 0;
 };
 
-/// An action for the student, and the condition for its completion.
+/// An action for the student and the condition for completing it.
 struct Task {
     std::string drag;                   // the instruction
-    std::vector<std::string> controls;  // JSON pointers of the numbers that the student should move
+    std::vector<std::string> controls;  // JSON pointers of the numbers that the student should change
     std::vector<LessonRun> runs;
     Expression done;
-    std::vector<Assignment> solution;  // a possible solution; `done` holds with it and fails without it
+    std::vector<Assignment> solution;  // a possible solution: `done` is true with it and false without it
     int line = 0;
 };
 
-/// A sentence that is checked by runs.
+/// A statement that is verified by runs.
 struct Claim {
     std::string says;
     std::vector<LessonRun> runs;
-    std::vector<Expression> checks;        // all of them hold
-    std::vector<std::string> falls_under;  // names of mistakes with which one of them fails
+    std::vector<Expression> checks;        // all of them must be true
+    std::vector<std::string> falls_under;  // names of mistakes that make one of them false
     int line = 0;
 };
 
@@ -120,24 +120,24 @@ struct Claim {
 struct Exercise {
     struct Variable {
         std::string name;
-        std::vector<double> values;  // to choose from
+        std::vector<double> values;  // the possible values
     };
     struct Line {
-        std::string key, value;  // with {names} still in place
+        std::string key, value;  // may contain {names}
         int line = 0;
         bool is_run = false;
     };
-    std::vector<Variable> variables;  // each has values
+    std::vector<Variable> variables;  // each with its possible values
     std::vector<Line> lines;
     int line = 0;
 };
-/// An exercise with its variables replaced.
+/// An exercise with its variables substituted.
 struct ExerciseInstance {
     std::string question, unit;
     std::vector<Assignment> set;
     std::vector<LessonRun> runs;
     Expression answer, tolerance;
-    Expression closed;   // a formula for the answer, or none; the engine's answer must agree
+    Expression closed;   // a formula for the answer, or empty; must agree with the engine's answer
     NamedValues values;  // of the variables
 };
 
@@ -145,56 +145,57 @@ using LessonPart = std::variant<std::vector<ProseBlock>, Prediction, Reveal, Tas
 
 /// Notes for the lecturer.
 struct Teaching {
-    int minutes = 0;                 // in a lecture; 0: unknown
-    std::vector<std::string> goals;  // what a student can do afterwards
-    std::string belief, source;      // the misconception that the lesson meets; who described it
-    std::vector<std::string> says;   // what to say or ask next
+    int minutes = 0;                 // duration in a lecture; 0: unknown
+    std::vector<std::string> goals;  // what students will be able to do
+    std::string belief, source;      // the misconception that the lesson addresses; who described it
+    std::vector<std::string> says;   // suggested remarks and questions
 };
 
-/// The part of a lesson from one second-level heading to the next. It starts with the lesson's scene and the
-/// assignments in `set`, independent of earlier steps.
+/// The part of a lesson between two second-level headings. It starts with the lesson's scene and the
+/// assignments in `set`, independently of earlier steps.
 struct LessonStep {
-    std::string title;  // empty for the part before the first such heading
+    std::string title;  // empty for the part before the first second-level heading
     std::vector<Assignment> set;
-    std::vector<Assignment> picture;  // after `set`, for a picture on paper that must not show the answer
-    std::string shows;                // describes that picture to those who cannot see it; or empty
-    int line = 0;                     // of its block `scene`, or 0
-    std::vector<LessonPart> parts;    // in the order of the file; no two consecutive texts
+    std::vector<Assignment> picture;  // applied after `set` for the printed picture, to hide the answer
+    std::string shows;                // alternative text of that picture, or empty
+    int line = 0;                     // of its `scene` block, or 0
+    std::vector<LessonPart> parts;    // in file order; no two consecutive text parts
 };
 
 struct Lesson {
     std::string title, topic;
     std::string path;            // of its file, as given
-    std::string name;            // of its file, without folder and extension: "05-lambert"
+    std::string name;            // file name without folder and extension: "05-lambert"
     std::string scene;           // path of its scene, relative to the working directory
-    PictureSize size;            // of the pictures to which its pixels refer
-    std::vector<int> rows;       // of docs/lecture_map.md that it covers, from 1
-    std::vector<int> questions;  // of the lecture that it answers, from 1
+    PictureSize size;            // picture size to which pixel coordinates refer
+    std::vector<int> rows;       // rows of docs/lecture_map.md that it covers, from 1
+    std::vector<int> questions;  // lecture questions that it answers, from 1
     Teaching teaching;
-    std::string form;  // of a quiz that has parallel forms: "A"; or empty
-    int plain = 0;     // so many first questions are in plain language, for before and after; 0: all
+    std::string form;  // for a quiz with parallel forms: "A", or empty
+    // The number of initial questions in plain language, asked before and after the lessons; 0: all.
+    int plain = 0;
     std::vector<LessonStep> steps;
 };
 
-/// Maximum bytes of a lesson's file, and maximum number of steps and parts together.
+/// Maximum size of a lesson file in bytes, and maximum total number of steps and parts.
 inline constexpr std::size_t max_lesson_bytes = std::size_t{256} << 10;
 inline constexpr std::size_t max_lesson_parts = 1000;
 /// The maximum width and height of a lesson's pictures, in pixels.
 inline constexpr int max_lesson_side = 2048;
-/// Maximum angles between the normal and the light (of `lobe`), or light and viewer (of `microfacets`), in
-/// degrees. At 90 a surface receives no light.
+/// Maximum angles from the normal, in degrees: of the light (`lobe`), and of light and viewer
+/// (`microfacets`). At 90 a surface receives no light.
 inline constexpr double max_lobe_deg = 89.9, max_microfacets_deg = 89;
 
-/// Text -> lesson. `path` is for messages, and the scene's path is relative to its folder. Does not check
-/// that the scene exists. A problem has a line number.
+/// Parses a lesson. `path` is used in messages, and the scene's path is relative to its folder. Does not
+/// check that the scene exists. A problem includes the line number.
 [[nodiscard]] Result<Lesson> parse_lesson(std::string_view text, const std::string& path);
 [[nodiscard]] Result<Lesson> read_lesson(const std::string& path);
 
-/// The lesson files (.md) among `words`, each a file, or a folder, whose files are sorted by name. A word
-/// that is not a folder is returned without a check.
+/// Expands `words`, each a file or a folder, to lesson files (.md). The files of a folder are sorted by name.
+/// Returns anything other than a folder unchanged and unchecked.
 [[nodiscard]] Result<std::vector<std::string>> lesson_files(const std::vector<std::string>& words);
 
-/// The exercise with those values, one for each variable. A problem has `path` and the line.
+/// Substitutes the values, one for each variable. A problem includes `path` and the line.
 [[nodiscard]] Result<ExerciseInstance> exercise_with(const Exercise& exercise,
                                                      const std::vector<double>& values,
                                                      const std::string& path);

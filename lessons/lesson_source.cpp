@@ -20,7 +20,8 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// The length of a leading name in bytes: a small letter, then small letters, digits and _.
+/// The length in bytes of a leading name: a lower-case letter, then lower-case letters, digits and
+/// underscores.
 std::size_t name_length(std::string_view text) {
     const auto inside = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
     std::size_t size = 0;
@@ -36,7 +37,7 @@ BlockLine block_line(std::string_view text, int line) {
     return {std::string(text.substr(0, name)), std::string(trimmed(rest.substr(1))), line, rest[0] == '='};
 }
 
-/// The entire text as a number.
+/// Parses the entire text as a number.
 template <class Number> bool read_all(std::string_view text, Number& value) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc{} && end == text.data() + text.size() && !text.empty();

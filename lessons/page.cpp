@@ -39,7 +39,7 @@ constexpr std::string_view style =
 std::string span_html(const ProseSpan& span) {
     std::string html;
     std::string_view rest = span.text;
-    while (true) {  // a deliberate line break
+    while (true) {  // an intended line break
         const std::size_t end = std::min(rest.find('\n'), rest.size());
         html += span.code ? html_escaped(rest.substr(0, end)) : lesson_html(rest.substr(0, end));
         if (end == rest.size()) break;
@@ -49,7 +49,7 @@ std::string span_html(const ProseSpan& span) {
     if (span.code) html = "<code>" + html + "</code>";
     if (span.emphasis) html = "<em>" + html + "</em>";
     if (span.strong) html = "<strong>" + html + "</strong>";
-    // Other links could run code, or break when the page is moved.
+    // Other links could execute code, or break when the page is moved.
     if (span.link.starts_with("https://") || span.link.starts_with("http://"))
         html = fmt::format("<a href=\"{}\">{}</a>", html_escaped(span.link), html);
     return html;
@@ -95,7 +95,7 @@ class Lists {
     }
 
   private:
-    std::vector<bool> open_;  // whether each is numbered
+    std::vector<bool> open_;  // whether each open list is numbered
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ Problem in_exercise(Problem problem, const Lesson& lesson, const Exercise& exerc
 
 bool in_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-// In a working, ~3 is the number −3: parentheses are left for what is to be computed.
+// Writes −3 as ~3 in a working, because parentheses mark the parts that have not been computed yet.
 std::string as_atom(double value) { return fmt::format("{}{:.5g}", value < 0 ? "~" : "", std::abs(value)); }
 std::string without_atoms(const std::string& text, std::string_view minus) {
     std::string plain;
@@ -46,7 +46,7 @@ std::string without_atoms(const std::string& text, std::string_view minus) {
     return plain;
 }
 
-/// Replaces the variables by their values.
+/// Substitutes the values of the variables.
 std::string with_numbers(const std::string& formula, const NamedValues& values) {
     std::string text;
     for (std::size_t at = 0; at < formula.size();) {
@@ -60,8 +60,8 @@ std::string with_numbers(const std::string& formula, const NamedValues& values) 
     return text;
 }
 
-/// Computes what is in the innermost parentheses, and the function before them. The same text if there are
-/// none.
+/// Evaluates the innermost parentheses and the function in front of them. Returns the text unchanged if there
+/// are none.
 std::string reduced(const std::string& formula) {
     std::string text;
     for (std::size_t at = 0; at < formula.size();) {
@@ -82,7 +82,7 @@ std::string reduced(const std::string& formula) {
     return text;
 }
 
-/// In the signs of mathematics.
+/// Converts operators to mathematical symbols.
 std::string in_signs(const std::string& working) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 5> signs{
         {{" * ", " · "}, {"sqrt(", "√("}, {" ^ 2", "²"}, {"-", "−"}, {"pi()", "π"}}};
@@ -104,7 +104,7 @@ std::vector<std::string> working_of(const std::string& formula, const NamedValue
     return lines;
 }
 
-/// All combinations of one value for each variable, up to that number.
+/// All combinations of values, at most the given number.
 std::vector<std::vector<double>> choices(const std::vector<Exercise::Variable>& variables, std::size_t most) {
     std::vector<std::vector<double>> all{{}};
     for (const Exercise::Variable& variable : variables) {
@@ -122,9 +122,9 @@ std::vector<std::vector<double>> choices(const std::vector<Exercise::Variable>& 
 
 }  // namespace
 
-/// Steps through all combinations with a stride that has no common factor with their number.
+/// Steps through all combinations with a stride that is coprime to their number.
 std::vector<double> drawn_values(const Exercise& exercise, std::uint64_t seed) {
-    constexpr double golden = 0.6180339887;  // successive sheets differ in as much as possible
+    constexpr double golden = 0.6180339887;  // makes successive sheets differ as much as possible
     std::uint64_t count = 1, state = static_cast<std::uint64_t>(exercise.line);
     for (const Exercise::Variable& variable : exercise.variables) count *= variable.values.size();
     auto stride = static_cast<std::uint64_t>(golden * static_cast<double>(count)) + 1;

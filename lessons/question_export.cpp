@@ -22,7 +22,7 @@ std::uint32_t crc32(std::string_view bytes) {
     return ~crc;
 }
 
-/// Little-endian numbers, each with its count of bytes.
+/// Encodes pairs of size in bytes and value as little-endian numbers.
 std::string little_endian(std::initializer_list<std::pair<std::size_t, int>> numbers) {
     std::string bytes;
     for (const auto& [number, count] : numbers)
@@ -31,7 +31,8 @@ std::string little_endian(std::initializer_list<std::pair<std::size_t, int>> num
 }
 
 std::string zip_bytes(const ZipFiles& files) {
-    constexpr std::size_t version = 20, first_day = (1 << 5) + 1;  // 1 January 1980: equal input, equal bytes
+    // 1 January 1980 instead of today, so that equal input gives equal bytes.
+    constexpr std::size_t version = 20, first_day = (1 << 5) + 1;
     std::string zip, directory;
     for (const auto& [name, bytes] : files) {
         const std::string fields = little_endian({{version, 2},
@@ -55,8 +56,8 @@ std::string zip_bytes(const ZipFiles& files) {
 
 constexpr std::string_view xml_head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 
-/// {0} name, {1} title, {2} type of the answer, {3} the answer, {4} picture and text, {5} interaction, {6}
-/// the comparison of the answer, {7} the declaration of feedback, {8} its setting, {9} the feedback.
+/// {0} name, {1} title, {2} type of the answer, {3} answer, {4} picture and text, {5} interaction, {6}
+/// comparison with the answer, {7} feedback declaration, {8} feedback assignment, {9} feedback text.
 constexpr const char* item_form = R"(<assessmentItem xmlns="http://www.imsglobal.org/xsd/imsqti_v2p1"
  identifier="{0}" title="{1}" adaptive="false" timeDependent="false">
 <responseDeclaration identifier="RESPONSE" cardinality="single" baseType="{2}">

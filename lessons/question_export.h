@@ -1,5 +1,5 @@
 #pragma once
-// Questions for learning platforms: as a package of IMS QTI 2.1, and as Moodle XML.
+// Exports questions to learning platforms as an IMS QTI 2.1 package or as Moodle XML.
 
 #include <optional>
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace glint {
 
-/// A choice if it has options, else a number.
+/// A multiple-choice question if it has options, otherwise a numeric one.
 struct ExportedQuestion {
     struct Option {
-        std::string text, feedback;  // what a student who chose it may believe; or empty
+        std::string text, feedback;  // the misconception of a student who chooses it, or empty
         bool is_right = false;
     };
     std::string title, text;  // plain text
     std::optional<Picture> picture;
-    std::string alt;  // describes the picture
+    std::string alt;  // alternative text of the picture
     std::vector<Option> options;
     double answer = 0, tolerance = 0;
     std::string unit;
-    std::string feedback;  // after any answer: the working; or empty
+    std::string feedback;  // shown after any answer: the working, or empty
 };
 
 /// A zip file with a manifest, a test, and a file for each question and picture. Source: IMS Question and
@@ -33,7 +33,7 @@ struct ExportedQuestion {
 [[nodiscard]] std::string moodle_xml(const std::string& title,
                                      const std::vector<ExportedQuestion>& questions);
 
-/// `out` ends in .zip: QTI. Else Moodle XML.
+/// QTI if `out` ends in .zip, otherwise Moodle XML.
 [[nodiscard]] std::string exported(const std::string& out, const std::string& title,
                                    const std::vector<ExportedQuestion>& questions);
 

@@ -35,7 +35,7 @@ std::vector<Posed> questions_of(const Lesson& lesson) {
     return posed;
 }
 
-/// The number of the right option, from 0. This and what calls it throw ProblemFound.
+/// The index of the right option. This function and its callees throw ProblemFound.
 std::size_t key_of(LessonRunner& runner, const Lesson& lesson, const Posed& posed) {
     const SceneDocument set = value_or_throw(
         LessonRunner::with(value_or_throw(runner.open(lesson)), posed.step->set, lesson, posed.step->line));
@@ -43,7 +43,7 @@ std::size_t key_of(LessonRunner& runner, const Lesson& lesson, const Posed& pose
         value_or_throw(right_answer(runner, set, lesson, *posed.question)).value.get<double>());
 }
 
-/// The picture of a question, which hides the answer unless it is for the `key`.
+/// The picture of a question. Hides the answer unless it is for the `key`.
 std::pair<Picture, std::string> picture_of(LessonRunner& runner, const Lesson& lesson, const LessonStep& step,
                                            bool key) {
     const SceneDocument set =
@@ -53,8 +53,8 @@ std::pair<Picture, std::string> picture_of(LessonRunner& runner, const Lesson& l
             alternative_text(step, shown.scene)};
 }
 
-/// The fields and the script that save the answers as a JSON file, created in the page itself. Before the
-/// lessons, questions in the words of the course are hidden.
+/// The input fields and the script that saves the answers as a JSON file, generated in the page itself. Hides
+/// the questions that use the course's terms in the quiz before the lessons.
 constexpr std::string_view saving = R"JS(
 <div class="window"><p><label>Your number or code: <input id="person" size="12"></label></p>
 <p><label><input type="radio" name="when" value="before"> before the lessons</label>
@@ -112,7 +112,7 @@ std::string options_html(const Prediction& p, std::size_t number, std::optional<
     return html + "</fieldset>\n";
 }
 
-/// Whether this is the page's title as a browser reports it, with white space collapsed.
+/// Compares with the page's title as a browser reports it, ignoring differences in white space.
 bool is_title(const Json& told, const std::string& title) {
     const auto words = [](const std::string& text) {
         std::istringstream in(text);
@@ -121,18 +121,18 @@ bool is_title(const Json& told, const std::string& title) {
     return told.is_string() && words(told.get_ref<const std::string&>()) == words(title);
 }
 
-/// Null if nobody answered.
+/// Null if there are no answers.
 Json share_of(std::size_t part, std::size_t whole) {
     if (whole == 0) return {};
     return static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// The scored questions: those in plain language, of which all forms have equally many.
+/// The number of scored questions: those in plain language, equally many in all forms.
 std::size_t scored(const Lesson& lesson, std::size_t questions) {
     return lesson.plain == 0 ? questions : std::min(questions, static_cast<std::size_t>(lesson.plain));
 }
 
-/// The right options of a form.
+/// The right option of each question of a form.
 std::vector<std::size_t> keys_of(LessonRunner& runner, const Lesson& lesson) {
     std::vector<std::size_t> keys;
     for (const Posed& posed : questions_of(lesson)) keys.push_back(key_of(runner, lesson, posed));
@@ -152,7 +152,7 @@ double score_of(const QuizAnswers& answers, std::size_t count, const std::vector
 double mean_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
-/// Of a population.
+/// The population covariance.
 double covariance(const std::vector<double>& a, const std::vector<double>& b) {
     const double mean_a = mean_of(a), mean_b = mean_of(b);
     double sum = 0;
@@ -160,14 +160,14 @@ double covariance(const std::vector<double>& a, const std::vector<double>& b) {
     return sum / static_cast<double>(a.size());
 }
 
-/// NaN where there is nothing to compare.
+/// NaN if there are no values or they do not vary.
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
 }
 
 std::string two_digits(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "-"; }
 
-/// The table of one form, before or after. `all`: those answers.
+/// The table of one form, before or after the lessons. `all`: the answers to include.
 std::string table_of(const std::vector<const QuizAnswers*>& all, std::size_t count,
                      const std::vector<std::size_t>& keys, const std::string& title) {
     std::string text = fmt::format("{}, people: {}\nitem  difficulty  discrimination\n", title, all.size());
@@ -191,7 +191,7 @@ std::string table_of(const std::vector<const QuizAnswers*>& all, std::size_t cou
                               two_digits(k / (k - 1) * (1 - spread / covariance(scores, scores))));
 }
 
-/// The shares of right answers of each person who gave a code, before and after.
+/// The scores before and after the lessons of each person who gave a code.
 using Matched = std::map<std::string, std::array<std::optional<double>, 2>>;
 
 std::string gain_text(const Matched& people) {
@@ -331,7 +331,7 @@ Result<Json> quiz_statistics(LessonRunner& runner, const Lesson& lesson,
         const std::size_t counted = scored(lesson, questions.size());
         const Json before = share_of(right_answers[0], people[0] * counted),
                    after = share_of(right_answers[1], people[1] * counted);
-        Json gain;  // null if there is nothing to compare or to gain
+        Json gain;  // null if there is nothing to compare, or no room for a gain
         if (before.is_number() && after.is_number() && before.get<double>() < 1)
             gain = (after.get<double>() - before.get<double>()) / (1 - before.get<double>());
         return Json{{"quiz", lesson.title},
@@ -383,7 +383,7 @@ Result<std::string> quiz_csv(LessonRunner& runner, const std::vector<AnsweredFor
                     if (!answers.options[i]) continue;
                     std::string person = answers.person;
                     std::erase_if(person, [](char c) { return c == '"' || c == '\n' || c == '\r'; });
-                    // Otherwise a spreadsheet would compute it.
+                    // Prevents a spreadsheet from evaluating the text as a formula.
                     if (!person.empty() && std::string_view("=+-@").find(person[0]) != std::string_view::npos)
                         person.insert(0, "'");
                     csv += fmt::format(

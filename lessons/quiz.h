@@ -1,7 +1,8 @@
 #pragma once
-// A concept inventory: a lesson whose questions are all choices, as a page to answer, as statistics of a
-// class, and for a learning platform. Its first questions may be in plain language, for before and after the
-// lessons; the others are for after them. It may have parallel forms, in files of their own.
+// A concept inventory: a lesson whose questions are all multiple choice. It can be written as a page to
+// answer, evaluated for a class, and exported to a learning platform. Its first questions may be in plain
+// language, for use before and after the lessons; the others are only for after them. Parallel forms are in
+// separate files.
 
 #include <string>
 #include <vector>
@@ -13,33 +14,33 @@ namespace glint {
 
 /// A self-contained HTML page: a picture and the options of each question, and a button that saves the
 /// answers as JSON (docs/lessons.md). With `key` it has no buttons, but marks the right option and explains
-/// the belief behind each wrong one. Without `key` the page does not contain the right options.
+/// the misconception behind each wrong one. Without `key` the page does not contain the right options.
 [[nodiscard]] Result<std::string> quiz_html(LessonRunner& runner, const Lesson& lesson, bool key);
 
 /// The questions with their pictures and right options.
 [[nodiscard]] Result<std::vector<ExportedQuestion>> quiz_questions(LessonRunner& runner,
                                                                    const Lesson& lesson);
 
-/// One person's answers, as the page saves them.
+/// One person's answers, as saved by the page.
 struct QuizAnswers {
     bool after = false;                               // after the lessons; else before them
-    std::vector<std::optional<std::size_t>> options;  // of each question, from 0; nothing if none was chosen
-    std::string person = {};                          // a number or code of the person; or empty
-    std::vector<double> seconds = {};                 // for each question; empty: unknown
+    std::vector<std::optional<std::size_t>> options;  // chosen for each question, from 0; empty if none
+    std::string person = {};                          // a number or code for the person, or empty
+    std::vector<double> seconds = {};                 // for each question; an empty list if unknown
     bool operator==(const QuizAnswers&) const = default;
 };
 
-/// The answers as JSON, in the page's format, which read_answers() reads.
+/// The answers as JSON, in the format that the page saves and read_answers() reads.
 [[nodiscard]] Json answers_json(const Lesson& lesson, const QuizAnswers& answers);
-/// Reads answers that the page has saved. `file` is for messages. Any other content is a problem.
+/// Reads answers saved by the page. `file` is used in messages. Returns a problem for any other content.
 [[nodiscard]] Result<QuizAnswers> read_answers(const Lesson& lesson, std::string_view text,
                                                const std::string& file);
-/// Whether the text names that quiz as its own.
+/// Whether the member "quiz" of the JSON text is the title of this quiz.
 [[nodiscard]] bool names_quiz(const Lesson& lesson, std::string_view text);
 
-/// For each question, how many chose each option before and after, with the belief behind the option; and the
-/// share of right answers before and after, with the gain (after − before) / (1 − before), Hake 1998. Shares
-/// and gain are of the questions in plain language.
+/// For each question, the number of times each option was chosen before and after the lessons, with the
+/// misconception behind the option. Also the share of right answers before and after, with the gain (after −
+/// before) / (1 − before), Hake 1998. Shares and gain include only the questions in plain language.
 [[nodiscard]] Result<Json> quiz_statistics(LessonRunner& runner, const Lesson& lesson,
                                            const std::vector<QuizAnswers>& all);
 
@@ -48,9 +49,9 @@ struct AnsweredForm {
     Lesson lesson;
     std::vector<QuizAnswers> answers;
 };
-/// A table for people. For each question of each form, before and after: the share of right answers
-/// (difficulty), and the correlation of a right answer with the score of all others (discrimination); for
-/// each form its reliability (Kuder-Richardson 20). Last, the mean of the gains of all who answered before
+/// A table as text. For each question of each form, before and after: the share of right answers
+/// (difficulty), and the correlation of a right answer with the score on all others (discrimination). For
+/// each form, its reliability (Kuder-Richardson 20). Finally the mean gain of everyone who answered before
 /// and after, in whichever form.
 [[nodiscard]] Result<std::string> quiz_analysis(LessonRunner& runner, const std::vector<AnsweredForm>& forms);
 /// A line for each answer: person,form,when,item,answer,right,seconds.

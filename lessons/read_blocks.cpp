@@ -23,7 +23,7 @@ std::pair<glm::ivec2, glm::ivec2> read_ends(const BlockLine& line, PictureSize p
     return {from, to};
 }
 
-/// A name from the catalogue of mistakes.
+/// Throws if the catalogue of mistakes does not contain the name.
 void require_mistake(const std::string& name, int line) {
     std::vector<std::string> known;
     for (const MistakeName& mistake : mistake_names()) known.emplace_back(mistake.name);
@@ -31,7 +31,7 @@ void require_mistake(const std::string& name, int line) {
         fail_at(line, in_quotes(name) + " is not a mistake", in_quotes(nearest(name, known)));
 }
 
-/// Reads a line that an option may have once.
+/// Reads a line that an option may have at most once.
 void take_once(const BlockLine& line, std::string& value) {
     if (!value.empty()) fail_at(line.line, in_quotes(line.key) + " stands twice", "one line of it");
     value = line.value;
@@ -89,7 +89,7 @@ std::vector<std::string> keys_of(PredictionKind kind) {
     return keys;
 }
 
-/// Throws if a line's key is invalid in a prediction of that kind, or in any prediction.
+/// Throws if a line's key is not allowed in this kind of prediction.
 void allow_keys(const SourceBlock& block, PredictionKind kind) {
     const auto has = [](const std::vector<std::string>& keys, const std::string& key) {
         return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -97,7 +97,7 @@ void allow_keys(const SourceBlock& block, PredictionKind kind) {
     const std::vector<std::string> known = keys_of(kind);
     for (const BlockLine& line : block.lines)
         for (const PredictionKind other :
-             {PredictionKind::Number, PredictionKind::Choice, PredictionKind::Sketch})  // together all keys
+             {PredictionKind::Number, PredictionKind::Choice, PredictionKind::Sketch})  // covers every key
             if (!line.is_run && !has(known, line.key) && has(keys_of(other), line.key))
                 fail_at(line.line, in_quotes(line.key) + " has no part in predict " + block.kind,
                         fmt::format("{}", fmt::join(known, ", ")));

@@ -1,4 +1,4 @@
-// Builds a lesson from the parts of its file, and lists files of lessons.
+// Builds a lesson from the parts of its file, and lists lesson files.
 #include <algorithm>
 #include <filesystem>
 
@@ -50,7 +50,6 @@ Teaching read_teaching(const SourceBlock& block) {
     return teaching;
 }
 
-/// Builds a lesson from the parts of its file.
 class Builder {
   public:
     explicit Builder(const std::string& path) {
@@ -113,7 +112,7 @@ class Builder {
         if (!has_head_) fail_at(line, "the block \"lesson\" is missing above", "its topic and its scene");
     }
     void begin_step(const std::string& title) {
-        // The part before the first heading is a step only if it is not empty.
+        // Keeps the part before the first heading as a step only if it is not empty.
         if (lesson_.steps.size() > 1 || !lesson_.steps[0].parts.empty() || has_scene_)
             lesson_.steps.emplace_back();
         lesson_.steps.back().title = title;

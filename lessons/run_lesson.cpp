@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-/// Converts a problem of the command line to one of the lesson's line.
+/// Converts a command-line problem to a problem with a line of the lesson.
 Problem in_lesson(Problem problem, const Lesson& lesson, int line) {
     if (problem.file.empty() || problem.file == "--set") {
         problem.file = lesson.path;
@@ -32,7 +32,7 @@ bool is_inside(glm::ivec2 p, PictureSize size) {
     return p.x >= 0 && p.y >= 0 && p.x < size.width && p.y < size.height;
 }
 
-/// Whether the run names a pixel outside its picture.
+/// A problem if the run names a pixel outside its picture.
 std::optional<Problem> outside(const Lesson& lesson, const LessonRun& run, PictureSize size) {
     const bool asks = run.kind == RunKind::Explain || run.kind == RunKind::Profile;
     if (!asks || (is_inside(run.from, size) && (run.kind == RunKind::Explain || is_inside(run.to, size))))
@@ -131,7 +131,7 @@ Result<Json> LessonRunner::answer(const SceneDocument& document, const Lesson& l
 }
 
 const Json& LessonRunner::microfacets_answer(const MicrofacetOptions& options) {
-    constexpr std::size_t kept = 8;  // more than a lesson has
+    constexpr std::size_t kept = 8;  // more than any lesson uses
     const auto known = std::find_if(microfacets_.begin(), microfacets_.end(),
                                     [&](const auto& one) { return one.options == options; });
     if (known != microfacets_.end()) return known->answer;
@@ -165,7 +165,7 @@ Result<Picture> LessonRunner::picture(const SceneDocument& document, const Lesso
 
 namespace {
 
-/// The expected form of the answer to a question of this kind, if `value` differs from it.
+/// Describes the expected form of the answer to a question of this kind, if `value` has a different form.
 std::optional<std::string> form_missed(const Prediction& p, const Json& value, PictureSize size) {
     const auto is_number = [](const Json& v) { return v.is_number() && std::isfinite(v.get<double>()); };
     if (p.kind == PredictionKind::Number) return is_number(value) ? std::nullopt : std::optional("a number");
@@ -225,7 +225,7 @@ std::string thought_behind(const Prediction& question, const RightAnswer& right,
         return given == right.value ? ""
                                     : question.options[static_cast<std::size_t>(given.get<double>())].thinks;
     if (how_far(question.kind, given, right.value) <= right.tolerance) return {};
-    // A click or a colour that means the same may be farther off than a number.
+    // Matches clicks and colours to a misconception less strictly than numbers.
     const double reach = question.kind == PredictionKind::Click    ? 2
                          : question.kind == PredictionKind::Colour ? 4
                                                                    : 1;
