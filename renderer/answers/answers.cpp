@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// Four rows of four. GLM's matrices are column-major.
+/// Converts to four rows of four numbers. GLM's matrices are column-major.
 Json rows_of(const glm::dmat4& m) {
     Json rows = Json::array();
     for (int row = 0; row < 4; ++row) rows.push_back({m[0][row], m[1][row], m[2][row], m[3][row]});
@@ -57,7 +57,7 @@ Json info_json(const Mesh& mesh, NormalSource source) {
 
 Json info_json(const Scene& scene, PictureSize size) {
     Json objects = Json::array();
-    std::map<const Mesh*, Json> meshes;  // computed once per mesh, however many objects share it
+    std::map<const Mesh*, Json> meshes;  // computed once for each mesh, even if several objects share it
     for (const Object& object : scene.objects) {
         const auto [mesh, is_new] = meshes.try_emplace(object.mesh.get());
         if (is_new) mesh->second = info_json(*object.mesh);

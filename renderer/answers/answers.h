@@ -1,6 +1,6 @@
 #pragma once
-// The commands' JSON about scenes and pictures. The command line, the claims of lessons and the window share
-// it, so that they agree. docs/command_line.md names the fields.
+// The JSON output of commands about scenes and pictures. Shared by the command line, the claims of lessons
+// and the window, so that they agree. docs/command_line.md documents the fields.
 
 #include <vector>
 
@@ -13,18 +13,18 @@
 
 namespace glint {
 
-/// `glint info` of a mesh with the normals of `source`, and of a scene whose meshes are loaded; `size` is for
-/// clip_from_view.
+/// The output of `glint info`: for a mesh with normals from `source`, and for a scene with loaded meshes.
+/// `size` determines clip_from_view.
 [[nodiscard]] Json info_json(const Mesh& mesh, NormalSource source = NormalSource::Auto);
 [[nodiscard]] Json info_json(const Scene& scene, PictureSize size);
 
-/// `glint render --stats` of the last picture.
+/// The output of `glint render --stats` for the last picture.
 [[nodiscard]] Json stats_json(const Renderer& renderer, PictureSize size);
 
-/// `glint compare`.
+/// The output of `glint compare`.
 [[nodiscard]] Json comparison_json(const Comparison& comparison);
 
-/// `glint profile`: a list for each column of profile_csv(), with null for a sample that lacks the value.
+/// The output of `glint profile`: a list for each column of profile_csv(), with null for missing values.
 [[nodiscard]] Json profile_json(const std::vector<ProfileSample>& samples);
 
 }  // namespace glint

@@ -6,7 +6,7 @@
 namespace glint {
 namespace {
 
-using glint::json_of;  // in addition to those below
+using glint::json_of;  // in addition to the overloads below
 
 Json json_of(const LobeSample& s) {
     return {{"view_deg", s.view_deg},
@@ -28,7 +28,7 @@ const char* name_of(RayFate fate) {
     case RayFate::Inward:
         return "inward";
     }
-    return "";  // not reached
+    return "";  // unreachable
 }
 
 Json json_of(const FacetRay& ray) {

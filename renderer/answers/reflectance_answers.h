@@ -10,12 +10,12 @@
 
 namespace glint {
 
-/// `glint lobe` of the object's material with the scene's reflection model and terms. `slice` is lobe_slice()
-/// of that reflector and angle.
+/// The output of `glint lobe` for the object's material with the scene's reflection model and terms. `slice`
+/// is lobe_slice() for the same reflector and angle.
 [[nodiscard]] Json lobe_json(const Reflector& reflector, const std::string& object, double light_deg,
                              const std::vector<LobeSample>& slice);
 
-/// `glint microfacets`; `lobe_rays` rays sample its lobe in space.
+/// The output of `glint microfacets`. `lobe_rays`: number of rays for sampling the lobe in space.
 [[nodiscard]] Json microfacets_json(const MicrofacetOptions& options, int lobe_rays = 100000);
 
 }  // namespace glint

@@ -24,7 +24,7 @@ template <class PixelWork> void for_pixels(PictureSize size, const PixelWork& wo
     });
 }
 
-/// The unit direction to the eye, camera coordinates.
+/// The unit direction to the eye in camera coordinates.
 glm::vec3 towards_eye(const SeenPoint& seen, bool parallel) {
     return parallel ? glm::vec3(0, 0, 1) : -glm::normalize(seen.position);
 }
@@ -72,7 +72,7 @@ void DebugViewPainter::measure_angles(const Scene& scene, PictureSize size) {
     for_pixels(size, [&](std::size_t i, int x, int y) {
         if (renderer_->object_at(x, y) < 0) return;
         const glm::dvec3 a = smooth.linear_at(x, y), b = facet.linear_at(x, y);
-        // Computed from the half angle, whose sine keeps its precision for small angles.
+        // Uses the half angle, whose sine is precise for small angles.
         values_[i] = static_cast<float>(2 * std::atan2(glm::length(a - b), glm::length(a + b)) * 180 /
                                         std::numbers::pi);
     });
@@ -109,7 +109,7 @@ void DebugViewPainter::paint_faces(const Scene& scene, const Renderer& drawn_by,
 
 void DebugViewPainter::color_values() {
     float low = std::numeric_limits<float>::infinity(), high = -low;
-    for (const float v : values_) {  // NaN compares false
+    for (const float v : values_) {  // comparisons with NaN are false
         if (v < low) low = v;
         if (v > high) high = v;
     }
@@ -183,7 +183,7 @@ std::string DebugViewPainter::value_text(int x, int y) const {
     if (view_ == DebugView::Normal) {
         const glm::vec3 n = normals_[i];
         if (std::isnan(n.x)) return "background";
-        const auto part = [](float v) { return std::abs(v) < 0.0005f ? 0 : v; };  // 0 has no sign
+        const auto part = [](float v) { return std::abs(v) < 0.0005f ? 0 : v; };  // removes the sign of zero
         return fmt::format("{:+.3f} {:+.3f} {:+.3f}{}", part(n.x), part(n.y), part(n.z),
                            facing_[i] < 0 ? " away" : "");
     }

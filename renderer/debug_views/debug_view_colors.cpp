@@ -16,23 +16,23 @@ Rgb bytes(glm::dvec3 color) {
     return {static_cast<std::uint8_t>(c.x), static_cast<std::uint8_t>(c.y), static_cast<std::uint8_t>(c.z)};
 }
 
-/// Interpolates evenly spaced colours, `at` from 0 to 1.
+/// Interpolates evenly spaced colours at a parameter from 0 to 1.
 template <std::size_t N> glm::dvec3 between(const std::array<glm::dvec3, N>& stops, double at) {
     const double scaled = std::clamp(at, 0.0, 1.0) * (N - 1);
     const std::size_t i = std::min(static_cast<std::size_t>(scaled), N - 2);
     return glm::mix(stops[i], stops[i + 1], scaled - static_cast<double>(i));
 }
 
-/// Lightness rises evenly, so that it also works in grey.
+/// Lightness increases evenly, so that the scale also works in greyscale.
 const std::array<glm::dvec3, 5> dark_to_light{glm::dvec3(0.06, 0.04, 0.26), glm::dvec3(0.16, 0.26, 0.58),
                                               glm::dvec3(0.12, 0.53, 0.60), glm::dvec3(0.53, 0.78, 0.37),
                                               glm::dvec3(1.00, 0.95, 0.60)};
-/// Lit: black, orange, white. Facing away: blues, so that the break at 0 is the terminator.
+/// Lit: black, orange, white. Facing away: blues, so that the discontinuity at 0 shows the terminator.
 const std::array<glm::dvec3, 3> lit_ramp{glm::dvec3(0.07, 0.04, 0.02), glm::dvec3(0.88, 0.47, 0.10),
                                          glm::dvec3(1, 1, 0.92)};
 const std::array<glm::dvec3, 2> unlit_ramp{glm::dvec3(0.10, 0.15, 0.32), glm::dvec3(0.35, 0.62, 1)};
 
-/// Blue and red, as in modelling programs.
+/// Blue and red, as in modelling software.
 const glm::dvec3 front_side(0.22, 0.42, 0.95), back_side(0.93, 0.22, 0.20);
 
 }  // namespace

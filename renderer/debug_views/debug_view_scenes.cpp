@@ -1,4 +1,4 @@
-// The scenes whose pictures are measurements.
+// Scenes whose pictures measure a quantity.
 #include "models/scene/mistakes.h"
 #include "renderer/debug_views/debug_view.h"
 #include "renderer/reflectance/lobes.h"
@@ -18,7 +18,7 @@ bool shows_in_measures(const MistakeName& m) {
            (m.stage == MistakeStage::Lights && !reach);
 }
 
-/// A white surface under Lambert's law without the clamp, without anything else in the picture.
+/// A white surface under Lambert's law without clamping, with nothing else in the picture.
 Scene measuring_scene(const Scene& scene) {
     Scene s = scene;
     s.lights.clear();
@@ -54,7 +54,8 @@ Scene normal_scene(const Scene& scene, bool facet) {
     Scene s = measuring_scene(scene);
     s.shading.mode = facet ? ShadingMode::Facet : ShadingMode::Phong;
     keep_mistakes(s.shading.mistakes, [](const MistakeName& m) { return m.stage != MistakeStage::Lights; });
-    // Cook-Torrance has Lambert's diffuse term too, but its shares are not rounded (rounding.h).
+    // Cook-Torrance also has Lambert's diffuse term, but its light contributions are not rounded
+    // (rounding.h).
     s.shading.reflection = Reflection::CookTorrance;
     s.lights = {sun_along({1, 0, 0}), sun_along({0, 1, 0}), sun_along({0, 0, 1})};
     return s;

@@ -8,7 +8,7 @@
 namespace glint {
 namespace {
 
-/// Number i of `steps` from a to b, to the nearest whole one.
+/// Point i of `steps` evenly spaced steps from a to b, rounded to the nearest integer.
 int on_the_way(int a, int b, int i, int steps) {
     return steps == 0 ? a : a + static_cast<int>(std::lround(static_cast<double>(b - a) * i / steps));
 }
@@ -19,8 +19,8 @@ void difference(std::vector<ProfileSample>& s) {
         s[i].second_difference = *s[i + 1].first_difference - *s[i].first_difference;
 }
 
-/// The mean of the samples around sample `at`, weighted by a Gaussian. Near an end of the line the window is
-/// cut on both sides, so that a linear rise is preserved.
+/// The Gaussian-weighted mean of the samples around sample `at`. Near an end of the line the window is
+/// shortened on both sides, so that a linear increase is preserved.
 double gaussian_mean(const std::vector<ProfileSample>& samples, std::ptrdiff_t at, double deviation_px,
                      double step_px) {
     const auto last = static_cast<std::ptrdiff_t>(samples.size()) - 1;
@@ -39,13 +39,13 @@ double gaussian_mean(const std::vector<ProfileSample>& samples, std::ptrdiff_t a
 
 double height_of(const SlopeJump& jump) { return std::abs(jump.after - jump.before); }
 
-/// The jump between samples `at` and `at + 1`, whose first difference mixes both slopes.
+/// The jump between samples `at` and `at + 1`; their first difference is a mixture of both slopes.
 std::optional<SlopeJump> jump_behind(const std::vector<ProfileSample>& s, std::size_t at) {
     if (at < 2 || at + 3 >= s.size()) return {};
     const auto slope = [&s](std::size_t i) { return *s[i].first_difference; };
     const SlopeJump jump{slope(at), slope(at + 2)};
     const double height = height_of(jump);
-    // On a smooth curve the slope changes as much between the neighbouring samples.
+    // On a smooth curve the slope changes by a similar amount between neighbouring samples.
     constexpr double stands_out = 4, rounding = 1e-6;
     const double around =
         std::max(std::abs(slope(at) - slope(at - 1)), std::abs(slope(at + 3) - slope(at + 2)));
@@ -60,7 +60,7 @@ std::string field(const std::optional<double>& number) { return number ? fmt::fo
 }  // namespace
 
 double intensity_of(glm::vec3 c) {
-    // Differences from green, so that the weights of a grey sum to 1 exactly.
+    // Differences relative to green, so that the weights sum to exactly 1 for greys.
     const double r = c.x, g = c.y, b = c.z;
     return g + 0.2126 * (r - g) + 0.0722 * (b - g);
 }
@@ -83,7 +83,7 @@ std::vector<ProfileSample> profile(const Renderer& renderer, const Picture& pict
 }
 
 std::optional<SlopeJump> slope_jump_at(const std::vector<ProfileSample>& samples, std::size_t at) {
-    std::optional<SlopeJump> highest;  // of overlapping pairs, each of which sees only part of the jump
+    std::optional<SlopeJump> highest;  // of overlapping pairs, each of which covers only part of the jump
     bool is_here = false;
     for (std::size_t i = at - std::min<std::size_t>(at, 2); i <= at + 1; ++i) {
         const auto jump = jump_behind(samples, i);

@@ -16,19 +16,19 @@
 namespace glint {
 namespace {
 
-/// The scene reduced to the visible object, and the names of numbers in the entire scene. A stroke over the
-/// pixel may be another object's: then all objects are kept.
+/// The scene reduced to the visible object, and the pointers of its numbers in the entire scene. Keeps all
+/// objects if there is a stroke over the pixel, which may be another object's.
 struct PinnedScene {
     SceneDocument document;
     int object = -1;
-    bool is_alone = true;  // except for hidden objects behind it, whose numbers are not measured
+    bool is_alone = true;  // whether all other objects have been removed
 
     [[nodiscard]] std::string pointer_in_whole(const std::string& pointer) const {
         constexpr std::string_view first = "/objects/0/";
         if (!is_alone || !pointer.starts_with(first)) return pointer;
         return fmt::format("/objects/{}/{}", object, pointer.substr(first.size()));
     }
-    /// Returns the numbers to measure; if there are many objects, only those of the visible one.
+    /// Returns the numbers to measure. If there are many objects, returns only those of the visible one.
     [[nodiscard]] std::vector<SceneNumber> measured_numbers() const {
         std::vector<SceneNumber> numbers = numbers_of(document.scene);
         if (!is_alone && document.scene.objects.size() <= max_stroking_objects) return numbers;
@@ -41,7 +41,7 @@ struct PinnedScene {
     }
 };
 
-/// One pixel of many scenes.
+/// Evaluates one pixel in variants of a scene.
 class PixelProbe {
   public:
     /// `pinned` must outlive this object.
@@ -54,8 +54,7 @@ class PixelProbe {
     [[nodiscard]] glm::dvec3 color_now() const {
         return color_of(still_.explain(x_, y_), pinned_.document.scene);
     }
-    /// Returns the colour with a different value of one number; nothing if the scene does not allow the
-    /// value.
+    /// Returns the colour after changing one number, or nothing if the scene does not allow the value.
     [[nodiscard]] std::optional<glm::dvec3> color_with(const SceneNumber& number, double value) {
         Scene scene = pinned_.document.scene;
         if (set_number(scene, number.pointer, value)) return std::nullopt;
@@ -65,7 +64,7 @@ class PixelProbe {
         (void)moved_.render(scene, size_);
         return color_of(moved_.explain(x_, y_), scene);
     }
-    /// The same after a long move, which may uncover the objects behind.
+    /// The same after a large change, which may uncover the objects behind.
     [[nodiscard]] std::optional<glm::dvec3> color_far(const SceneNumber& number, double value) {
         Scene scene = whole_.scene;
         if (set_number(scene, pinned_.pointer_in_whole(number.pointer), value)) return std::nullopt;
@@ -76,7 +75,7 @@ class PixelProbe {
     }
 
   private:
-    /// Whether a number affects which face the pixel shows or the stroke over it, so that the picture must be
+    /// Whether a number affects the face or the stroke that the pixel shows, so that the picture must be
     /// drawn again.
     static bool decides_face(const SceneNumber& number, const Scene& scene) {
         return number.moves_faces || lights_cull(scene);
@@ -100,7 +99,7 @@ struct Slope {
     bool is_fixed = false, one_sided = false, is_none = true;
 };
 
-/// Returns whether both are the same to the last bit, or are NaN in the same components.
+/// Returns whether both are bit-identical, or are NaN in the same components.
 bool is_same(const glm::dvec3& a, const glm::dvec3& b) {
     for (int c = 0; c < 3; ++c)
         if (!(a[c] == b[c] || (std::isnan(a[c]) && std::isnan(b[c])))) return false;
@@ -118,10 +117,10 @@ Slope slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved, 
     return found;
 }
 
-/// Returns the slope over a thousandth of the number. If that changes the pixel by little more than its last
-/// digits, as for a number near 0, tries steps ten times as large, up to `wide`. The slope must agree with
-/// the one before to within those digits; otherwise the step has reached something else, such as the next
-/// face.
+/// Returns the slope for a step of a thousandth of the number. If the change of the pixel is only a little
+/// larger than rounding errors, as for a number near 0, multiplies the step by ten, up to `wide`. The new
+/// slope must agree with the previous one within rounding errors; otherwise the step has reached something
+/// else, such as the next face.
 Slope clear_slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved) {
     constexpr double last_digits = 0x1p-20;
     const double wide = 1e-2 * std::abs(usual_move(moved));
@@ -204,7 +203,7 @@ struct SensitivityRun::State {
     PixelProbe probe;
     glm::dvec3 now;
     std::vector<SceneNumber> numbers;
-    std::vector<std::string> others;  // objects that the pixel does not show
+    std::vector<std::string> others;  // objects not visible at the pixel
     std::size_t measured = 0;
     Sensitivities found;
 };
@@ -248,7 +247,7 @@ Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize s
 
 namespace {
 
-/// A change in its column; as a power of ten if its fixed decimals would show 0.
+/// Formats a change for its column, in scientific notation if fixed decimals would show 0.
 std::string change_text(double change) {
     const bool is_small = change != 0 && std::abs(change) < 1e-5;
     return is_small ? fmt::format("{:+9.1e}", change) : fmt::format("{:+.6f}", change);

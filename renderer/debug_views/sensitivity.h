@@ -1,6 +1,6 @@
 #pragma once
-// Measures how much a pixel changes with each number of its scene: the equation's derivatives, by differences
-// of the picture itself, so that they include everything that the engine does.
+// Measures how much a pixel changes with each number of its scene: the derivatives of the lighting equation,
+// as finite differences of the picture, so that they include every effect that the engine computes.
 
 #include <functional>
 #include <glm/vec3.hpp>
@@ -17,38 +17,38 @@ namespace glint {
 /// One number of the scene file.
 struct Sensitivity {
     std::string pointer;     // RFC 6901
-    double value = 0;        // current
+    double value = 0;        // current value
     glm::dvec3 change{0};    // of the pixel (linear RGB times exposure) per unit of the number
-    bool one_sided = false;  // the number can move in one direction only (it is at an end of its range)
-    bool is_w = false;       // the w of a position, which is not for moving a light
+    bool one_sided = false;  // the number is at an end of its range and can move in one direction only
+    bool is_w = false;       // the w of a position; must not be used to move a light
     double move = 0;         // usual_move(); negative if the number can only decrease
-    glm::dvec3 effect{0};    // change of the pixel when the number moves by `move`, in the entire scene
+    glm::dvec3 effect{0};    // change of the pixel in the entire scene when the number changes by `move`
 };
 
-/// The usual change of a number, in its unit: a tenth of its usual range, or without one, the change of a
-/// drag over 100 pixels.
+/// The usual change of a number, in its unit: a tenth of its usual range, or if there is none, the change
+/// from dragging over 100 pixels.
 [[nodiscard]] double usual_move(const SceneNumber& number);
 
 struct Sensitivities {
-    std::vector<Sensitivity> numbers;    // those with an effect, the largest change of a channel first
-    std::vector<std::string> no_effect;  // changing them leaves every bit of the pixel unchanged
-    std::vector<std::string> fixed;      // without small changes (integers, a direction's w)
+    std::vector<Sensitivity> numbers;    // with an effect, in descending order of the largest channel
+    std::vector<std::string> no_effect;  // numbers that do not change a bit of the pixel
+    std::vector<std::string> fixed;      // numbers that cannot change slightly (integers, a direction's w)
 };
 
-/// More lights than these are a problem: each of their numbers would take two pictures.
+/// More lights are a problem, because each of their numbers requires two pictures.
 inline constexpr std::size_t max_sensitivity_lights = 64;
 inline constexpr std::size_t max_stroking_objects = 32;
 
 /// Measures the sensitivities step by step, so that a window need not wait for all of them.
 class SensitivityRun {
   public:
-    /// `document.scene` must be drawable, the pixel inside the picture. Threads as for Renderer.
+    /// `document.scene` must be drawable and contain the pixel. `threads`: as for Renderer.
     SensitivityRun(const SceneDocument& document, PictureSize size, int x, int y, int threads);
     ~SensitivityRun();
     SensitivityRun(const SensitivityRun&) = delete;
     SensitivityRun& operator=(const SensitivityRun&) = delete;
 
-    /// Measures the next number; returns false when all are measured.
+    /// Measures the next number. Returns false if all have been measured.
     bool step();
     [[nodiscard]] std::size_t measured() const;
     [[nodiscard]] std::size_t count() const;
@@ -60,13 +60,13 @@ class SensitivityRun {
     std::unique_ptr<State> state_;
 };
 
-/// Central differences over a thousandth of each number. The face at the pixel is pinned: the other objects,
-/// which with local illumination could change the pixel only by hiding it, are left out and have no effect;
-/// only a number's long move includes them.
-/// If a stroke covers part of the pixel, they are kept and their numbers are measured too; with more than
-/// max_stroking_objects, only those of the visible object.
-/// `document.scene` must be drawable, the pixel inside the picture. `measured` is called after each number
-/// with the finished and the total count. Problem: more than max_sensitivity_lights.
+/// Central differences over a thousandth of each number. The face at the pixel is pinned: all other objects
+/// are omitted and have no effect, because with local illumination they could change the pixel only by hiding
+/// that face. Only the effect of `Sensitivity::move` includes them. If a stroke covers part of the pixel, all
+/// objects are kept and their numbers are measured too; if there are more than max_stroking_objects, only the
+/// numbers of the visible object are measured. `document.scene` must be drawable and contain the pixel.
+/// `measured` is called after each number with the number of finished measurements and the total. Problem:
+/// more than max_sensitivity_lights.
 using SensitivityProgress = std::function<void(std::size_t done, std::size_t all)>;
 [[nodiscard]] Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize size, int x,
                                                   int y, int threads,

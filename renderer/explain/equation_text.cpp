@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-/// One channel of v, or all three if they differ.
+/// Writes one channel of v, or all three if they differ.
 template <class Text> std::string in_channels(glm::dvec3 v, std::optional<int> channel, const Text& text) {
     if (channel) return text(v[*channel]);
     const std::string red = text(v.x), green = text(v.y), blue = text(v.z);
@@ -27,7 +27,8 @@ std::string written_factor(const EquationFactor& f, int decimals, int exponent_d
     return fmt::format("({})^{}", text, short_text(f.power->exponent, exponent_decimals));
 }
 
-/// The minimum number of decimals of a factor. f has as many as in its own line, of which it is the result.
+/// The minimum number of decimals of a factor. A light's share f is the result of a line of its own, and has
+/// as many decimals as there.
 int least_decimals(const EquationFactor& f, int channel, NumberText as) {
     const double x = f.value[channel];
     if (f.quantity == Quantity::QuarterPi) return most_decimals;
@@ -37,10 +38,10 @@ int least_decimals(const EquationFactor& f, int channel, NumberText as) {
     return point < end ? static_cast<int>(end - point) - 1 : 0;
 }
 
-/// The decimals for which the product of the written factors equals the product of the factors in one
-/// channel, to within half of the last digit of the result.
+/// The number of decimals for which the product of the written factors equals the exact product in one
+/// channel, to within half of the result's last digit.
 LineDecimals decimals_of(const EquationLine& line, int channel, NumberText as) {
-    constexpr double held_back = 0.45;  // of the last digit: the rest allows for the float's rounding
+    constexpr double held_back = 0.45;  // of the last digit; the rest allows for float rounding
     std::vector<double> values;
     std::vector<int> least;
     for (const EquationFactor& f : line.factors) {
@@ -67,7 +68,7 @@ LineDecimals decimals_of(const EquationLine& line, int channel, NumberText as) {
     return decimals;
 }
 
-/// The larger of both.
+/// The larger number of decimals of each factor.
 LineDecimals merged(LineDecimals a, const LineDecimals& b) {
     for (std::size_t i = 0; i < a.value.size(); ++i) {
         a.value[i] = std::max(a.value[i], b.value[i]);

@@ -1,5 +1,5 @@
 #pragma once
-// A line of the equation as one line of text, with as many digits as its result needs.
+// Writes a line of the equation as one line of text, with as many digits as its result needs.
 
 #include <optional>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace glint {
 
-/// How a line's result is written; the digits of the factors follow from it.
+/// Formats the result of a line; the digits of the factors follow from it.
 using NumberText = std::string (*)(double);
 
 /// The number of decimals of each number in a line (renderer/explain/printed_number.h).
@@ -17,12 +17,13 @@ struct LineDecimals {
     std::vector<int> value, exponent;  // one per factor
 };
 
-/// The decimals for which the factors give the result as `as` writes it: for one channel, or for all three.
+/// The number of decimals for which the factors give the result as written by `as`, for one channel or for
+/// all three.
 [[nodiscard]] LineDecimals written_decimals(const EquationLine& line, std::optional<int> channel,
                                             NumberText as);
 
-/// "f 1.5 · L_d 1 · k_d (0.8 0.1 0.1) · n·l 0.871", "(n·h 0.953)^32 = 0.2144, dropped: n·l < 0". The text of
-/// one channel, or of all three; then factors whose channels differ are in brackets.
+/// "f 1.5 · L_d 1 · k_d (0.8 0.1 0.1) · n·l 0.871", "(n·h 0.953)^32 = 0.2144, dropped: n·l < 0". Writes one
+/// channel, or all three with factors in brackets if their channels differ.
 [[nodiscard]] std::string written_product(const EquationLine& line, std::optional<int> channel,
                                           NumberText as);
 

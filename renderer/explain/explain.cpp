@@ -30,7 +30,8 @@ struct ExplainedStages {
     const PointTransport* transport;  // null for the local model
 };
 
-/// The lit points whose colours a pixel of `face` blends, with their weights according to surface.choice.
+/// The lit points whose colours are blended for a pixel of `face`, with their weights according to
+/// surface.choice.
 std::vector<ExplainedCorner> lit_corners(const ExplainedStages& stages, const SurfaceInputs& surface,
                                          const SampleFace& face, const LightJob& job, const Frames& frames) {
     const BlendedPoints sample = blended_points(surface, stages.geometry, face);
@@ -81,7 +82,7 @@ void explain_stroke(Explanation& e, const ExplainedStages& stages, std::size_t p
         e.sum = to_glm(drawn_over(to_vec(e.sum), e.stroke.coverage, to_vec(e.stroke.color)));
 }
 
-/// The point in every space from the mesh to the screen.
+/// The point in every coordinate system from the mesh to the screen.
 ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
     const glm::dvec4 camera(glm::dvec3(face.p), 1);
     const glm::dvec4 clip = g.clip_from_view * camera;
@@ -107,7 +108,7 @@ void explain_display(Explanation& e, const ExplainedStages& stages, std::size_t 
     }
 }
 
-/// The data that lighting would keep for `scene`, without lighting anything.
+/// The data that lighting would cache for `scene`, without lighting any point.
 Lighting lighting_of(const Scene& scene, const KeptStages& kept, bool at_corners) {
     Lighting l;
     l.sources = light_sources(scene);

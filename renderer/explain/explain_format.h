@@ -1,5 +1,5 @@
 #pragma once
-// An explanation as JSON, as LaTeX and as text.
+// Writes an explanation as JSON, LaTeX and text.
 
 #include <string>
 
@@ -9,23 +9,23 @@
 
 namespace glint {
 
-// An explanation as JSON; docs/explain.md describes each field.
+// JSON; docs/explain.md documents each field.
 
 /// The entire explanation; as text it ends with a newline.
 [[nodiscard]] Json explanation_json(const Explanation& explanation);
 [[nodiscard]] std::string explain_json(const Explanation& explanation);
 
-// An explanation as LaTeX: the lighting equation of one pixel with its numbers, ready for a slide or a paper.
+// LaTeX: the lighting equation of one pixel with its numbers, ready for a slide or a paper.
 
-/// Text for a document that loads amsmath; ends with a newline. One `align*` environment per lit point, one
+/// Output for a document that loads amsmath; ends with a newline. One `align*` environment per lit point, one
 /// row per term; red, green and blue form a column vector. Escapes names from the scene. Precondition: the
 /// explanation is of a pixel of this scene.
 [[nodiscard]] std::string explain_latex(const Explanation& explanation, const Scene& scene);
 
-// An explanation for people: the lighting equation line by line, each line with its numbers and their result.
+// Text: the lighting equation line by line, each with its numbers and their result.
 
-/// UTF-8, lines of at most 110 columns unless names are long, ends with a newline.
-/// `scene` is the explained scene.
+/// UTF-8, lines of at most 110 columns unless names are long, ends with a newline. `scene` is the explained
+/// scene.
 [[nodiscard]] std::string explain_text(const Explanation& explanation, const Scene& scene);
 
 }  // namespace glint

@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-using glint::json_of;  // in addition to those below
+using glint::json_of;  // in addition to the overloads below
 
 Json json_of(const InBothFrames& v) { return {{"camera", json_of(v.camera)}, {"world", json_of(v.world)}}; }
 
@@ -15,7 +15,7 @@ Json json_of(const ExplainedLight& light, const std::string& name) {
     Json json;
     json["name"] = name;
     json["index"] = light.index;
-    if (light.samples.empty()) {  // an area light has these per sample
+    if (light.samples.empty()) {  // an area light has these in its samples
         json["l"] = json_of(light.l);
         json["r"] = json_of(light.r);
         json["h"] = json_of(light.h);

@@ -1,5 +1,5 @@
 #pragma once
-// The lighting equation at one point, explained: for explain.cpp.
+// Explains the lighting equation at one point. Used by explain.cpp.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Returns the camera and the world coordinates of a vector or a position in camera coordinates.
+/// Converts a vector or position in camera coordinates to InBothFrames.
 class Frames {
   public:
     explicit Frames(const Camera& camera) : world_from_view_(world_from_view(camera)) {}
@@ -26,21 +26,21 @@ class Frames {
     glm::dmat4 world_from_view_;
 };
 
-/// What may be in the way of the lights of a picture. References must outlive it.
+/// The inputs for shadow rays and paths. The references must outlive this object.
 struct PointTransport {
     LitPointFinder points;
     const TransportInputs& inputs;
     const Scene& scene;
 };
 
-/// What reaches one point: everything, without a transport.
+/// The light that arrives at a point. Without a transport, nothing is blocked.
 struct PointArrivals {
     const PointTransport* transport = nullptr;
     TracedPoint point = {};
 };
 
-/// Evaluates the equation at one point and keeps every step; the sum is added in the picture's own order.
-/// Unless `lit`, only position, normal and view vector are filled in.
+/// Evaluates the equation at one point and records every step; adds the sum in the same order as the picture.
+/// Unless `lit`, fills in only position, normal and view vector.
 [[nodiscard]] ExplainedPoint explain_point(const Lighting& lighting, const LightJob& job,
                                            const PositionNormal& place, const Frames& frames, bool lit,
                                            const PointArrivals& arrivals);

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// Writes a number ten columns wide, with aligned decimal points if no exponent is needed.
+/// Formats a number ten columns wide, with aligned decimal points if no exponent is needed.
 std::string in_column(float x) {
     const float size = std::abs(x);
     if (!std::isfinite(x)) return fmt::format("{:>10}", x);
@@ -25,7 +25,7 @@ std::string in_column(float x) {
 }
 std::string in_columns(glm::vec3 v) { return in_column(v.x) + in_column(v.y) + in_column(v.z); }
 
-/// Inside an equation: as short as possible.
+/// For use inside an equation: as short as possible.
 std::string brief(float x) { return fmt::format("{:.4g}", x); }
 std::string brief(glm::vec3 v) {
     if (v.x == v.y && v.y == v.z) return brief(v.x);
@@ -47,7 +47,7 @@ std::string vector(std::string_view symbol, const InBothFrames& v, std::string_v
     return fmt::format("  {:<3}{}   {}    {}\n", symbol, in_columns(v.camera), in_columns(v.world), meaning);
 }
 
-/// A result in its column, without leading spaces.
+/// Formats a result as in its column, without leading spaces.
 std::string result_text(double x) {
     const std::string text = in_column(static_cast<float>(x));
     return text.substr(text.find_first_not_of(' '));
@@ -93,7 +93,7 @@ class Writer {
         return text;
     }
 
-    /// The interpolation of the corners' weights, and the results of the others.
+    /// The interpolation that determines the corners' weights, and the results with the other interpolations.
     [[nodiscard]] std::string weights() const {
         std::string text;
         for (const ExplainedInterpolation& each : e_.interpolations) {
@@ -113,7 +113,7 @@ class Writer {
         return info_of(e_.reflection).is_lit && !scene_.shading.mistakes.lit_after_projection;
     }
 
-    /// Numbers divided by w, which is 0 for points in the eye's plane.
+    /// The numbers after division by w, which is 0 for points in the eye's plane.
     static std::string divided(const std::vector<float>& numbers) {
         const auto is_finite = [](float x) { return std::isfinite(x); };
         if (!std::all_of(numbers.begin(), numbers.end(), is_finite)) return "      none: divided by 0";
@@ -122,7 +122,7 @@ class Writer {
         return text;
     }
 
-    /// The point in every space from the mesh to the screen.
+    /// The point in every coordinate system from the mesh to the screen.
     [[nodiscard]] std::string spaces() const {
         const ExplainedSpaces& in = e_.spaces;
         const auto line = [](std::string_view name, const std::string& values, std::string_view note) {
@@ -151,7 +151,7 @@ class Writer {
         return text;
     }
 
-    /// The terms that need no light.
+    /// The terms that do not depend on a light.
     [[nodiscard]] std::string unlit(const ExplainedPoint& at) const {
         std::string text;
         for (const EquationLine& line : unlit_lines(scene_, e_, at)) text += term(line);

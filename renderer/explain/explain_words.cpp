@@ -44,13 +44,13 @@ std::string dark_reason(const ExplainedLight& explained, const Light& light) {
     }
     const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
     const bool is_outside = cone && explained.spot_angle_deg > light.spot.cutoff_deg;
-    if (is_outside && explained.spot == 0)  // a mistake's cone may be wider
+    if (is_outside && explained.spot == 0)  // a mistake may widen the cone
         return fmt::format("outside the cone by {:.1f}°", explained.spot_angle_deg - light.spot.cutoff_deg);
-    const bool adds = explained.diffuse + explained.specular != glm::vec3(0);  // a mistake lights the back
+    const bool adds = explained.diffuse + explained.specular != glm::vec3(0);  // a mistake may light the back
     if (explained.n_dot_l < 0 && !adds) return "behind the surface: n·l < 0";
     if (explained.reached == 0) return "in the shadow of " + on_one_line(explained.blocked_by);
     if (explained.n_dot_l == 0 && !adds) return "grazes the surface: n·l = 0";
-    const float arrives = light.intensity * explained.falloff;  // a strong light reaches far
+    const float arrives = light.intensity * explained.falloff;  // a strong light has a long range
     if (arrives < 0.01f && explained.falloff < 0.01f)
         return fmt::format("hardly reaches: falloff {:.2g}", explained.falloff);
     if (arrives * explained.spot < 0.01f && explained.spot < 0.01f)

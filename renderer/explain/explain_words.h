@@ -1,5 +1,5 @@
 #pragma once
-// The phrases of an explanation, shared by the window and text.
+// Phrases of an explanation, shared by the window and the text output.
 
 #include <string>
 
@@ -8,20 +8,21 @@
 
 namespace glint {
 
-/// The visible side of the surface, and the direction of its normal if it is not towards the eye: "front
-/// side", "back side", "back side, n turned to the eye", "front side, n points away from the eye".
+/// The visible side of the surface, with the direction of the normal if it does not point towards the eye:
+/// "front side", "back side", "back side, n turned to the eye", "front side, n points away from the eye".
 /// Precondition: hit.
 [[nodiscard]] std::string side_words(const Explanation& explanation);
-/// Whether the pixel is as on a closed surface with outward normals: front side, n towards the eye.
-/// Precondition: hit.
+/// Whether the pixel looks as expected on a closed surface with outward normals: front side, n towards the
+/// eye. Precondition: hit.
 [[nodiscard]] bool is_plain_front(const Explanation& explanation);
 
-/// The first reason for this light adding little or nothing at the point: "behind the surface: n·l < 0", "in
-/// the shadow of Cube", "outside the cone by 4.2°", "hardly reaches: falloff 0.003"; empty when it shines.
+/// The main reason why this light contributes little or nothing at the point: "behind the surface: n·l < 0",
+/// "in the shadow of Cube", "outside the cone by 4.2°", "hardly reaches: falloff 0.003". Empty if the light
+/// reaches the point.
 [[nodiscard]] std::string dark_reason(const ExplainedLight& explained, const Light& light);
 
-/// One sentence about why the point is dark: "Sun: in the shadow of Box; Fill: behind the surface: n·l < 0."
-/// Empty if no light is blocked there.
+/// One sentence that explains why the point is dark: "Sun: in the shadow of Box; Fill: behind the surface:
+/// n·l < 0." Empty if no light is blocked there.
 [[nodiscard]] std::string shadow_sentence(const ExplainedPoint& point, const Scene& scene);
 
 }  // namespace glint

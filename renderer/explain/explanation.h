@@ -1,6 +1,6 @@
 #pragma once
-// Every number behind one pixel: `glint explain` prints it and the inspector shows it. Filled by the
-// functions that make the picture; docs/explain.md documents the JSON's fields.
+// All numbers that determine one pixel. `glint explain` prints them and the inspector shows them. Computed by
+// the functions that draw the picture; docs/explain.md documents the JSON fields.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace glint {
 
-/// A vector or a position in both frames; illumination is computed in camera coordinates.
+/// A vector or a position in both frames. Lighting is computed in camera coordinates.
 struct InBothFrames {
     glm::vec3 camera{0}, world{0};
 };
@@ -25,12 +25,12 @@ struct ExplainedFacets {
     glm::vec3 f{0};
 };
 
-/// The contribution of one light (or of one sample of an area light) at one point.
+/// The contribution of one light, or of one sample of an area light, at one point.
 struct ExplainedLight {
     std::string name;      // empty in the samples of an area light
     int index = 0;         // in Scene::lights
-    InBothFrames l, r, h;  // unit: towards the light; l mirrored at n; halfway between l and v
-    float n_dot_l = 0;     // not clamped: negative means the light is behind the surface
+    InBothFrames l, r, h;  // unit vectors: towards the light; l mirrored at n; halfway between l and v
+    float n_dot_l = 0;     // not clamped: negative if the light is behind the surface
     float r_dot_v = 0, n_dot_h = 0, l_dot_v = 0;
     float distance = 0;  // scene units; 0 for a directional light
     float falloff = 1, spot = 1;
@@ -38,19 +38,20 @@ struct ExplainedLight {
     float diffuse_factor = 0;      // multiplies light.diffuse * k_d: <n.l> for Lambert
     glm::vec3 specular_factor{0};  // S of docs/scene_file.md, per channel; 0 if n.l <= 0
     ExplainedFacets facets;        // under Cook-Torrance
-    glm::vec3 ambient{0}, diffuse{0}, specular{0};  // what reaches the eye
+    glm::vec3 ambient{0}, diffuse{0}, specular{0};  // light reflected towards the eye
     glm::vec3 share{0};  // added to the sum: the three terms together, rounded as in the picture;
                          // 0 for an area light, whose samples have one each
-    // Under the models `shadows` and `bounces`; the three terms and the share are 0 if something is in the
-    // way.
-    float reached = 1;  // 0 or 1; of an area light the share of the samples in front of the surface
-    int blocker = -1;   // first object in the way, in Scene::objects; of an area light, that of its first
-                        // blocked sample; -1: none
-    std::string blocked_by;               // its name
-    std::vector<ExplainedLight> samples;  // of an area light; the fields above are then their sums
+    // With the models `shadows` and `bounces`, the three terms and the share are 0 if the light is blocked.
+    // 0 or 1; for an area light, the share of unblocked samples among those in front of the surface.
+    float reached = 1;
+    // The first blocking object, an index of Scene::objects; for an area light, that of its first blocked
+    // sample; -1: none.
+    int blocker = -1;
+    std::string blocked_by;               // name of the blocker
+    std::vector<ExplainedLight> samples;  // of an area light; the fields above are sums over them
 };
 
-/// Cool-to-warm shading: the start of the sum instead of emission, ambient and diffuse terms.
+/// Cool-to-warm shading, which starts the sum instead of the emission, ambient and diffuse terms.
 struct ExplainedTone {
     bool used = false;
     float n_dot_l = 0;           // for the first enabled light; 0 without one
@@ -59,11 +60,11 @@ struct ExplainedTone {
     glm::vec3 color{0};          // k_w warm + (1 - k_w) cool
 };
 
-/// Light that arrives from other surfaces, under the model `bounces`.
+/// Light that arrives from other surfaces, with the model `bounces`.
 struct ExplainedBounces {
-    bool used = false;            // it replaces global ambient light
-    glm::vec3 arrives{0};         // mean of the paths' radiance
-    glm::vec3 standard_error{0};  // of `arrives`, estimated from the paths' variance; 0 for one path
+    bool used = false;            // whether it replaces global ambient light
+    glm::vec3 arrives{0};         // mean radiance of the paths
+    glm::vec3 standard_error{0};  // of `arrives`, estimated from the variance of the paths; 0 for one path
     int paths = 0;
     glm::vec3 term{0};  // k_d times `arrives`
 };
@@ -71,39 +72,39 @@ struct ExplainedBounces {
 /// The lighting equation at one point.
 struct ExplainedPoint {
     InBothFrames point, normal, view;
-    std::vector<ExplainedLight> lights;  // enabled ones, in the scene's order
+    std::vector<ExplainedLight> lights;  // enabled lights, in scene order
     glm::vec3 emission{0}, global_ambient{0};
     ExplainedBounces bounces;
     ExplainedTone cool_to_warm;
-    /// The start of the sum: emission + global ambient light or bounced light, rounded like the shares, or
-    /// the tone.
+    /// The initial value of the sum: emission plus global ambient light or bounced light, rounded like the
+    /// light contributions; or the tone.
     glm::vec3 base{0};
     glm::vec3 sum{0};
 };
 
-/// One corner of the interpolation under Gouraud, or the flat point (weight 1).
+/// One corner of the Gouraud interpolation, or the flat point (weight 1).
 struct ExplainedCorner {
     float weight = 0;
     ExplainedPoint at;
 };
 
-/// The picked point in every space of the pipeline (lecture: "Projective Rendering Pipeline"). Lighting takes
-/// place between camera and clip coordinates.
+/// The picked point in every coordinate system of the pipeline (lecture: "Projective Rendering Pipeline").
+/// Lighting is computed between camera and clip coordinates.
 struct ExplainedSpaces {
     glm::vec3 object{0}, world{0}, camera{0};
     glm::vec4 clip{0};
     glm::vec3 ndc{0};    // -1 to 1
-    glm::vec2 pixel{0};  // y down, (0, 0) the picture's upper left corner
+    glm::vec2 pixel{0};  // y down, with (0, 0) at the picture's upper left corner
 };
 
 /// The last step of a pixel's sum: (1 - coverage) shaded + coverage color.
 struct ExplainedStroke {
-    float coverage = 0;  // share of the pixel under strokes; 0: no stroke, nothing to add
+    float coverage = 0;  // share of the pixel covered by strokes; 0: no stroke
     glm::vec3 color{0};
-    glm::vec3 shaded{0};  // the sum before
+    glm::vec3 shaded{0};  // the sum before the stroke
 };
 
-/// The colour that the pixel would have with one interpolation of the corners.
+/// The colour that the pixel would have with this interpolation of the corners.
 struct ExplainedInterpolation {
     Interpolation interpolation = Interpolation::Perspective;
     glm::vec3 sum{0};  // before strokes
@@ -114,8 +115,8 @@ struct Explanation {
     bool hit = false;  // false: background
     std::string object;
     int object_index = -1;
-    std::uint32_t face = 0;      // polygon, in the file's order from 0
-    std::uint32_t triangle = 0;  // of that polygon's triangles, from 0
+    std::uint32_t face = 0;      // polygon index in file order, from 0
+    std::uint32_t triangle = 0;  // index among the polygon's triangles, from 0
     bool front_facing = true;
     ShadingMode mode = ShadingMode::Phong;
     Reflection reflection = Reflection::Phong;
@@ -123,13 +124,14 @@ struct Explanation {
     std::array<std::uint32_t, 3> corner{};  // the drawn triangle's corners: indices into Mesh::positions
     glm::vec3 weights{0};                   // perspective-correct weights of those corners at the pixel
     ExplainedSpaces spaces;
-    ExplainedPoint at;  // phong and facet: the pixel's own point, lit. Others: its position and normal, unlit
+    // Phong and facet: the pixel's own point, lit. Others: its position and normal, unlit.
+    ExplainedPoint at;
     std::vector<ExplainedCorner> corners;  // gouraud and flat: the lit points and their weights
     Interpolation interpolation = Interpolation::Perspective;  // gouraud: determines the corners' weights
-    std::vector<ExplainedInterpolation> interpolations;  // gouraud: each of them, in the enumerators' order
-    bool lit_per_corner = false;                         // true if the sum blends `corners`
-    ExplainedStroke stroke;                              // over surface or background
-    glm::vec3 sum{0};        // linear, before exposure: the pixel of the PFM / exposure
+    std::vector<ExplainedInterpolation> interpolations;        // gouraud: results of all, in enumerator order
+    bool lit_per_corner = false;                               // whether the sum blends `corners`
+    ExplainedStroke stroke;                                    // over the surface or the background
+    glm::vec3 sum{0};        // linear, before exposure: the pixel in the PFM divided by the exposure
     glm::vec3 displayed{0};  // after exposure, transfer and clamp, 0 to 1
     std::array<int, 3> byte{};
 };

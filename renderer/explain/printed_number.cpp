@@ -23,7 +23,7 @@ const char* decimal_format(double x, int decimals) {
 
 std::string decimal_text(double x, int decimals) {
     char text[64];
-    std::snprintf(text, sizeof text, decimal_format(x, decimals), x == 0 ? 0 : x);  // no sign for -0
+    std::snprintf(text, sizeof text, decimal_format(x, decimals), x == 0 ? 0 : x);  // omits the sign of -0
     return text;
 }
 

@@ -12,15 +12,15 @@ namespace glint {
 /// The maximum number of decimals: a float has no more.
 inline constexpr int most_decimals = 9;
 
-/// The printf format for x with this many decimals (0 to most_decimals): a plain number, or powers of ten
-/// from 1e6 on and below 1e-4.
+/// The printf format for x with this many decimals (0 to most_decimals): fixed, or scientific from 1e6 on and
+/// below 1e-4.
 [[nodiscard]] const char* decimal_format(double x, int decimals);
 /// x in that format.
 [[nodiscard]] std::string decimal_text(double x, int decimals);
 /// Returns decimal_text() without trailing zeros: "0.5", "1".
 [[nodiscard]] std::string short_text(double x, int decimals);
 
-/// Formats x with this many decimals. A number that rounds to 0 has no sign.
+/// Formats x with this many decimals. Omits the sign of a number that rounds to 0.
 [[nodiscard]] std::string fixed_text(double x, int decimals);
 /// Returns the number of decimals that show two significant digits of an x between 0.0001 and 1, at least
 /// `decimals`; returns `decimals` for any other x.
@@ -31,9 +31,9 @@ inline constexpr int most_decimals = 9;
 /// One unit of the last digit of a formatted number: 0.001 of "0.713", 1e-7 of "3.21e-05".
 [[nodiscard]] double last_digit_of(std::string_view number);
 
-/// Returns how many decimals each of `values` needs, at least its entry in `least`, for the formula of the
-/// written values to differ by at most `tolerance` from the formula of the exact values. Returns the minimum;
-/// most_decimals if no number is enough.
+/// Returns the minimum number of decimals for each of `values`, at least its entry in `least`, for which the
+/// formula of the rounded values differs by at most `tolerance` from the formula of the exact values. Returns
+/// most_decimals if no number of decimals is sufficient.
 [[nodiscard]] std::vector<int> decimals_for(std::span<const double> values, std::span<const int> least,
                                             const std::function<double(std::span<const double>)>& formula,
                                             double tolerance);

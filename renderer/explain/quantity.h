@@ -1,6 +1,6 @@
 #pragma once
-// The letters of the lighting equation. The window, text and LaTeX all read these rows, so that each letter
-// has one meaning.
+// The symbols of the lighting equation. The window, the text and the LaTeX output all use this table, so that
+// each symbol has one meaning.
 
 #include <array>
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace glint {
 
-/// The meaning of a letter.
+/// The meaning of a symbol.
 enum class Quantity {
     Result,
     EmissionTerm,
@@ -130,11 +130,11 @@ inline constexpr std::array quantity_rows{
 [[nodiscard]] constexpr const QuantityRow& row_of(Quantity quantity) {
     return quantity_rows[static_cast<std::size_t>(quantity)];
 }
-/// Whether it is the cosine between two vectors.
+/// Whether the quantity is the cosine between two vectors.
 [[nodiscard]] constexpr bool is_cosine(Quantity quantity) {
     return quantity >= Quantity::NL && quantity <= Quantity::NV;
 }
-/// "k_d".
+/// The symbol as text, such as "k_d".
 [[nodiscard]] inline std::string text_of(Quantity quantity) {
     const QuantityRow& row = row_of(quantity);
     return *row.index == 0 ? row.letter : std::string(row.letter) + "_" + row.index;

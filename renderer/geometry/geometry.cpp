@@ -1,5 +1,5 @@
-// Stage 1, from object to clip coordinates. Points are transformed by the matrices of model, camera and
-// projection, normals by the inverse transpose of the first two (transform_objects).
+// Stage 1, from object to clip coordinates. Points are transformed by the model, camera and projection
+// matrices, normals by the inverse transpose of the first two (transform_objects).
 #include "renderer/geometry/geometry.h"
 
 #include <tbb/blocked_range.h>
@@ -34,8 +34,8 @@ void transform_vertices(ObjectGeometry& object, VertexJob job) {
 
 using VertexList = std::shared_ptr<const std::vector<std::uint32_t>>;
 
-/// The vertex of each triangle's corner. Computed once for each mesh, because a lookup through the triangle's
-/// corner is one more indirection.
+/// The vertex of each triangle corner. Computed once for each mesh, because a lookup through the corner would
+/// be another indirection.
 VertexList list_triangle_vertices(const Mesh& mesh) {
     std::vector<std::uint32_t> list;
     list.reserve(3 * mesh.triangles.size());
@@ -44,8 +44,8 @@ VertexList list_triangle_vertices(const Mesh& mesh) {
     return std::make_shared<const std::vector<std::uint32_t>>(std::move(list));
 }
 
-/// Updates objects whose mesh has changed with the new mesh and its list, which all objects of one mesh
-/// share.
+/// Assigns the new mesh and its list, which all objects with that mesh share, to objects whose mesh has
+/// changed.
 void take_meshes(std::vector<ObjectGeometry>& objects, const Scene& scene) {
     std::map<const Mesh*, VertexList> lists;
     for (std::size_t i = 0; i < objects.size(); ++i) {

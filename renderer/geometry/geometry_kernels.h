@@ -1,5 +1,5 @@
 #pragma once
-// The input and output of the geometry kernels: plain numbers, shared by all instruction sets.
+// The inputs and outputs of the geometry kernels as plain numbers, shared by all instruction sets.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,10 +7,10 @@
 namespace glint {
 
 inline constexpr int subpixel_bits = 8;
-inline constexpr int subpixels = 1 << subpixel_bits;  // the rasteriser's grid, per pixel
+inline constexpr int subpixels = 1 << subpixel_bits;  // of the rasteriser's grid, per pixel
 
-/// Which planes a vertex is outside of: the six planes of the view volume, and the guard band, beyond which
-/// screen coordinates do not fit the rasteriser's integers or products do not fit a float.
+/// The planes that a vertex is outside of: the six planes of the view volume, and the guard band, beyond
+/// which screen coordinates do not fit the rasteriser's integers or products do not fit a float.
 enum OutsideBits : std::uint32_t {
     OutsideLeft = 1,
     OutsideRight = 2,
@@ -22,24 +22,24 @@ enum OutsideBits : std::uint32_t {
 };
 inline constexpr std::uint32_t needs_clipping = OutsideNear | OutsideFar | OutsideGuard;
 
-/// The extent of the guard band, in half picture widths: |x|, |y| <= guard_band w. The largest picture,
-/// 16384, times 32, times 256 subpixels, is 2^27: edge functions then easily fit 64 bits.
+/// The extent of the guard band, in half picture widths: |x|, |y| <= guard_band w. The largest picture has
+/// 16384 pixels per side; times 32, times 256 subpixels, that is 2^27, so edge functions easily fit 64 bits.
 inline constexpr double guard_band = 64;
 
-/// From this w on, products of two corners' clip coordinates keep a float's precision for nearby corners.
-/// Below it, pixels are located in doubles.
+/// If w is at least this large, products of two nearby corners' clip coordinates keep a float's precision.
+/// For smaller w, positions are computed in doubles.
 inline constexpr double min_float_w = 1e-12;
 
-/// A vertex on the rasteriser's grid, y down, (0, 0) the picture's upper left corner. Four numbers, loaded
-/// together.
+/// A vertex on the rasteriser's grid, y down, with (0, 0) at the picture's upper left corner. Four numbers,
+/// loaded together.
 struct alignas(16) ScreenVertex {
     std::int32_t x = 0, y = 0;  // 1/256 pixel
     float inv_w = 0;  // depth, linear on the screen, larger is nearer: inv_w_of (vertex_transform.h)
-    /// OutsideBits; if one of `needs_clipping` is set, the other members are undefined.
+    /// OutsideBits. If one of `needs_clipping` is set, the other members are undefined.
     std::uint32_t outside = 0;
 };
 
-/// A vertex as shading needs it: two records of four numbers, each loaded together.
+/// The vertex data for shading: two records of four numbers, each loaded together.
 struct alignas(32) TransformedVertex {
     float clip_x = 0, clip_y = 0, clip_w = 0;  // clip coordinates
     std::uint32_t outside = 0;                 // OutsideBits
@@ -52,18 +52,18 @@ struct alignas(16) CameraNormal {
     float x = 0, y = 0, z = 0, unused = 0;
 };
 
-/// 4 x 4, column by column.
+/// A 4 x 4 matrix in column-major order.
 struct Matrix4 {
     double column[4][4];
 };
 
-/// The picture as the target of the projection (vertex_transform.h).
+/// The target picture of the projection (vertex_transform.h).
 struct Viewport {
     double width = 0, height = 0;  // pixels
     bool orthographic = false;
 };
 
-/// The vertices of one object. Each array has as many entries as there are positions.
+/// The vertices of one object. Each array has one entry per position.
 struct VertexJob {
     const float* positions = nullptr;  // object coordinates, three per vertex
     Matrix4 view_from_object, clip_from_view;
@@ -83,13 +83,13 @@ struct NormalJob {
 
 /// The kernels of one instruction set.
 struct GeometryKernels {
-    /// The vertices begin .. end - 1.
+    /// Transforms the vertices begin .. end - 1.
     void (*transform_vertices)(const VertexJob& job, std::size_t begin, std::size_t end);
-    /// The normals begin .. end - 1, normalised; (0, 0, 0) is unchanged.
+    /// Transforms and normalises the normals begin .. end - 1; (0, 0, 0) is unchanged.
     void (*transform_normals)(const NormalJob& job, std::size_t begin, std::size_t end);
 };
 
-/// The kernels of the current instruction set (instruction_set.h).
+/// The kernels of the selected instruction set (instruction_set.h).
 const GeometryKernels& geometry_kernels();
 
 }  // namespace glint
