@@ -1,15 +1,15 @@
 #pragma once
-// Weights of a triangle's corners at a pixel, from the corners' clip coordinates alone: no clipping, no
-// division by a w that may be 0 or negative, so that a triangle through the eye's plane needs no special
-// case. Lecture: "Gouraud Shading Artifacts" (perspective); M. Olano, T. Greer 1997 for the homogeneous edge
-// functions.
+// Computes weights of a triangle's corners at a pixel directly from their clip coordinates. This needs no
+// clipping and no division by a w that may be 0 or negative, so a triangle that crosses the eye's plane is
+// not a special case. Lecture: "Gouraud Shading Artifacts" (perspective); M. Olano, T. Greer 1997 for the
+// homogeneous edge functions.
 
 #include "renderer/simd/vec3.h"
 
 namespace glint::inline GLINT_ISA {
 
-/// x, y and w in clip coordinates: the corner's position on the screen times w, and its distance in front of
-/// the eye (1 for an orthographic camera).
+/// A corner's x, y and w in clip coordinates: its screen position times w, and its distance in front of the
+/// eye (1 for an orthographic camera).
 template <Number F> struct ClipCorner { F x{}, y{}, w{}; };
 
 /// A position on the screen in NDC: x and y from -1 (left, bottom) to 1 (right, top).
@@ -21,10 +21,10 @@ template <Number F> ScreenPoint<F> to_ndc(F x, F y, F width, F height) {
 }
 
 /// Returns numbers proportional to the weights of three corners where the ray through `at` intersects their
-/// plane. They are not negative inside the triangle, seen from either side.
+/// plane. They are non-negative inside the triangle, seen from either side.
 template <Number F>
 Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
-    // Corners relative to the ray: differences first, so that a small triangle far away keeps its precision.
+    // Subtracts first, so that a small triangle far away keeps its precision.
     const F ax = a.x - at.x * a.w, ay = a.y - at.y * a.w;
     const F bx = b.x - at.x * b.w, by = b.y - at.y * b.w;
     const F cx = c.x - at.x * c.w, cy = c.y - at.y * c.w;
@@ -32,9 +32,9 @@ Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, Screen
     return select<F>(e.x + e.y + e.z < F(0), -e, e);  // seen from behind
 }
 
-/// Perspective-correct weights (of points, colours or normals in space) of three corners where the ray
-/// through `at` intersects their plane; they sum to 1. A sample just outside the triangle, which the
-/// rasteriser's grid of 1/256 pixel can cause, gets the nearest weights inside; a triangle seen exactly
+/// Perspective-correct weights (for points, colours or normals in space) of three corners where the ray
+/// through `at` intersects their plane; they sum to 1. A sample slightly outside the triangle, due to the
+/// rasteriser's grid of 1/256 pixel, gets the weights of the nearest position inside. A triangle seen exactly
 /// edge-on gets 1/3 each.
 template <Number F>
 Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
@@ -44,10 +44,10 @@ Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, S
     return select<F>(inverse > F(0), inverse * e, Vec3<F>{third, third, third});
 }
 
-/// Converts perspective-correct weights to weights that are linear on the screen. Precondition: all w > 0.
-/// If products exceed the range of floats, returns the perspective-correct ones.
-/// Source: perspective-correct interpolation, a = sum(b_i a_i / w_i) / sum(b_i / w_i) with weights b on the
-/// screen, as in Heckbert and Moreton 1991, solved for b.
+/// Converts perspective-correct weights to weights that are linear on the screen. Precondition: all w > 0. If
+/// products exceed the range of floats, returns the weights unchanged. Source: perspective-correct
+/// interpolation, a = sum(b_i a_i / w_i) / sum(b_i / w_i) with screen weights b, as in Heckbert and Moreton
+/// 1991, solved for b.
 template <Number F> Vec3<F> screen_weights(Vec3<F> perspective, F wa, F wb, F wc) {
     const Vec3<F> e{perspective.x * wa, perspective.y * wb, perspective.z * wc};
     const F inverse = inverse_or_zero(e.x + e.y + e.z);
@@ -58,8 +58,8 @@ template <Number F> Vec3<F> blend(Vec3<F> weights, Vec3<F> a, Vec3<F> b, Vec3<F>
     return weights.x * a + weights.y * b + weights.z * c;
 }
 
-/// Adds one corner to a weighted sum. Skips a corner of weight 0, so that such corners do not change a bit of
-/// the sum.
+/// Adds one corner to a weighted sum. Skips a corner of weight 0, so that it does not change a bit of the
+/// sum.
 template <Number F> Vec3<F> add_weighted(Vec3<F> sum, F weight, Vec3<F> value) {
     return select<F>(weight > F(0), sum + weight * value, sum);
 }

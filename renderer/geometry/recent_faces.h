@@ -1,6 +1,6 @@
 #pragma once
-// Caches values of the last few faces. Computing a value visits all corners of a face, which is too expensive
-// per pixel, and neighbouring pixels show the same few faces.
+// Caches values of the most recent faces. Computing a value visits all corners of a face, which is too
+// expensive for every pixel, and neighbouring pixels show the same few faces.
 
 #include <array>
 #include <cstddef>
@@ -9,20 +9,20 @@
 
 namespace glint {
 
-/// Faces with this many corners are worth caching.
+/// The minimum number of corners for which caching a face pays off.
 inline constexpr std::size_t many_corners = 64;
 
-/// A face of an object of a Geometry.
+/// Identifies a face of an object of a Geometry.
 struct GeometryFace {
     std::uint64_t geometry = 0;  // Geometry::state
     std::uint32_t object = 0, face = 0;
     bool operator==(const GeometryFace&) const = default;
 };
 
-/// The values of the last few faces, for one thread.
+/// The values of the most recent faces, for one thread.
 template <class Face, class Value> class RecentFaces {
   public:
-    /// Returns the value of a face: make() if it is not among the last few.
+    /// Returns the value of a face, computed by make() if it is not cached.
     template <class Make> Value& of(const Face& face, const Make& make) {
         for (std::optional<Known>& known : known_)
             if (known && known->face == face) return known->value;

@@ -1,5 +1,5 @@
 #pragma once
-// Transforms eight vertices at once to the screen, and eight normals to camera coordinates.
+// Transforms vertices to the screen and normals to camera coordinates, eight at a time.
 
 #include "renderer/geometry/vertex_transform.h"
 #include "renderer/simd/transpose.h"
@@ -8,13 +8,13 @@ namespace glint::inline GLINT_ISA {
 
 inline constexpr int together = 8;  // a multiple of every vector width of doubles
 
-/// Transformed vertices as lists of numbers, in the order of the records' members: the two halves of
-/// TransformedVertex, and ScreenVertex.
+/// Transformed vertices as arrays of numbers, in the order of the members of TransformedVertex (in two
+/// halves) and ScreenVertex.
 struct VertexLists {
     float clip[4][together], camera[4][together] = {}, screen[4][together];
 };
 
-/// Transforms as many vertices as D has lanes, from i on. `p`: object coordinates.
+/// Transforms as many vertices as D has lanes, starting at i. `p`: object coordinates.
 template <Number D>
 void transform_lanes(const VertexJob& job, const float (&p)[3][together], int i, VertexLists& out) {
     const Point4<D> object{widened<D>(p[0] + i), widened<D>(p[1] + i), widened<D>(p[2] + i), D(1)};
@@ -22,7 +22,7 @@ void transform_lanes(const VertexJob& job, const float (&p)[3][together], int i,
     const Point4<D> clip = transformed(job.clip_from_view, camera);
     const Outside<D> outside = outside_of(clip);
     const GridPoint<D> at = grid_point(job.viewport, clip);
-    const auto whole = outside.cut <= D(0);  // else it has no position on the grid
+    const auto whole = outside.cut <= D(0);  // otherwise it has no position on the grid
     store_narrowed(out.clip[0] + i, clip.x);
     store_narrowed(out.clip[1] + i, clip.y);
     store_narrowed(out.clip[2] + i, clip.w);
@@ -36,7 +36,7 @@ void transform_lanes(const VertexJob& job, const float (&p)[3][together], int i,
     store_truncated(out.screen[3] + i, outside.sides + outside.cut);
 }
 
-/// Transforms eight vertices from `first` on; those past the first `count` repeat the first.
+/// Transforms eight vertices, starting at `first`. Entries past the first `count` repeat the first.
 template <Number F>
 void transform_eight(const VertexJob& job, std::size_t first, std::size_t count, TransformedVertex* vertices,
                      ScreenVertex* on_screen) {
@@ -50,7 +50,7 @@ void transform_eight(const VertexJob& job, std::size_t first, std::size_t count,
     store_transposed(lists.screen, on_screen, sizeof(ScreenVertex));
 }
 
-/// The vertices begin .. end - 1.
+/// Transforms the vertices begin .. end - 1.
 template <Number F> void transform_all_vertices(const VertexJob& job, std::size_t begin, std::size_t end) {
     std::size_t first = begin;
     for (; end - first >= together; first += together)
@@ -65,7 +65,7 @@ template <Number F> void transform_all_vertices(const VertexJob& job, std::size_
     }
 }
 
-/// Transforms eight normals from `first` on; those past the first `count` repeat the first.
+/// Transforms eight normals, starting at `first`. Entries past the first `count` repeat the first.
 template <Number F>
 void eight_normals(const NormalJob& job, std::size_t first, std::size_t count, CameraNormal* out) {
     using D = typename HalfAsMany<F>::Type;
@@ -81,7 +81,7 @@ void eight_normals(const NormalJob& job, std::size_t first, std::size_t count, C
     store_transposed(lists, out, sizeof(CameraNormal));
 }
 
-/// The normals begin .. end - 1.
+/// Transforms the normals begin .. end - 1.
 template <Number F> void transform_normals(const NormalJob& job, std::size_t begin, std::size_t end) {
     std::size_t first = begin;
     for (; end - first >= together; first += together)

@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-constexpr int longest_webp_side = 16383;  // its files have 14 bits for it
+constexpr int longest_webp_side = 16383;  // the file format stores it in 14 bits
 
 }  // namespace
 

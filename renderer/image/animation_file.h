@@ -1,5 +1,5 @@
 #pragma once
-// Writes a sequence of pictures of one size as a file that repeats for ever: GIF and WebP.
+// Writes a sequence of pictures of equal size as an endlessly looping GIF or WebP file.
 
 #include <memory>
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace glint {
 
-/// Gif: at most 256 colours per frame, chosen for that frame and dithered; every program shows it. WebP:
-/// exactly the pictures' colours, in a smaller file.
+/// Gif: at most 256 colours per frame, chosen for each frame and dithered; supported by every program. WebP:
+/// the exact colours, in a smaller file.
 enum class AnimationFormat { Gif, WebP };
 
-/// Returns the format by the extension of `path`, in any case; nothing for another extension.
+/// Returns the format for the extension of `path`, in any case; nothing for an unknown extension.
 [[nodiscard]] std::optional<AnimationFormat> animation_format(const std::string& path);
 
 class AnimationWriter {
@@ -22,11 +22,13 @@ class AnimationWriter {
     virtual ~AnimationWriter() = default;
     /// Adds a frame. Precondition: the picture has the writer's size.
     [[nodiscard]] virtual std::optional<Problem> add(const Picture& picture) = 0;
-    /// Returns the bytes of the file. Precondition: this is the first call, and at least one frame was added.
+    /// Returns the bytes of the file. Preconditions: not called before, and at least one frame has been
+    /// added.
     [[nodiscard]] virtual Result<std::string> finish() = 0;
 };
 
-/// Returns a writer, or the problem with pictures of that size. Precondition: 1 to 50 frames a second.
+/// Returns a writer, or a problem if the format does not support pictures of this size. Precondition: 1 to 50
+/// frames per second.
 [[nodiscard]] Result<std::unique_ptr<AnimationWriter>> animation_writer(AnimationFormat format,
                                                                         PictureSize size,
                                                                         int frames_a_second);

@@ -1,5 +1,5 @@
-// Animations as GIF, written by giflib. The palettes are our own: the library's keep 5 bits of each channel
-// and split where most pixels are, which flattens a shaded object to one colour.
+// Animations as GIF, written by giflib. Uses its own palettes: those of the library keep 5 bits of each
+// channel and split at the most frequent colours, which flattens a shaded object to one colour.
 #include <gif_lib.h>
 
 #include <algorithm>
@@ -28,18 +28,18 @@ Rgb rgb_of(std::uint32_t colour) {
 Rgb difference(const Rgb& a, const Rgb& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double dot(const Rgb& a, const Rgb& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// A colour of the picture and its number of pixels.
+/// A colour of the picture and its pixel count.
 struct Counted {
     Rgb rgb;
     double pixels;
 };
 
-/// Colours that share one entry of the palette, their mean.
+/// Colours that share one palette entry, which is their mean.
 struct Box {
     std::span<Counted> colours;
     Rgb mean{};
     double error = 0;        // the sum of the squared distances from the mean
-    std::size_t widest = 0;  // the channel with the largest part of it
+    std::size_t widest = 0;  // the channel with the largest part of the error
 
     explicit Box(std::span<Counted> all) : colours(all) {
         double pixels = 0;
@@ -61,9 +61,9 @@ struct Box {
     }
 };
 
-/// At most 256 colours, from dark to bright: the picture's own if it has no more. Otherwise repeatedly splits
-/// the box with the largest error at its mean (after Wan, Wong and Prusinkiewicz, "An algorithm for
-/// multidimensional data clustering", 1988).
+/// At most 256 colours, from dark to bright: the picture's own colours if it has no more. Otherwise
+/// repeatedly splits the box with the largest error at its mean (after Wan, Wong and Prusinkiewicz, "An
+/// algorithm for multidimensional data clustering", 1988).
 Palette palette_of(std::vector<Counted> colours) {
     std::vector<Box> boxes{Box(colours)};
     while (boxes.size() < palette_size) {
@@ -89,15 +89,15 @@ Palette palette_of(std::vector<Counted> colours) {
     return palette;
 }
 
-/// Two entries of the palette, the darker first, and the part of the pixels that gets the second.
+/// Two palette entries, the darker one first, and the fraction of pixels that get the second.
 struct Mixture {
     std::uint8_t first = 0, second = 0;
     double share = 0;
 };
 
-/// The two entries whose mixture is closest to a colour: the nearest entry and a second one.
+/// The two entries whose mixture best matches a colour: the nearest entry and one other.
 Mixture mixture(const Rgb& colour, const Palette& palette) {
-    // The average must be right; of two such mixtures, take the one with less grain.
+    // The average must match the colour. Among equally good mixtures, prefers the one with less grain.
     constexpr double grain = 0.1;
     const auto distance = [&](const Rgb& entry) {
         const Rgb away = difference(colour, entry);
@@ -127,8 +127,8 @@ Mixture mixture(const Rgb& colour, const Palette& palette) {
     return {entry(nearest), entry(other), share};
 }
 
-/// Bayer's threshold matrix of 8x8, between 0 and 1. A pattern that is fixed on the screen does not flicker
-/// in static parts of the picture, unlike error diffusion.
+/// Bayer's 8x8 threshold matrix, values between 0 and 1. Unlike error diffusion, a fixed screen pattern does
+/// not flicker in static parts of the picture.
 double threshold(int x, int y) {
     int rank = 0;
     for (int bit = 0; bit < 3; ++bit) {
@@ -138,7 +138,7 @@ double threshold(int x, int y) {
     return (rank + 0.5) / 64;
 }
 
-/// A picture as palette entries, one per pixel.
+/// A picture as palette indices, one per pixel.
 struct Indexed {
     Palette palette;
     std::vector<GifByteType> entries;
@@ -220,7 +220,7 @@ class GifWriter final : public AnimationWriter {
     }
     void check(int result) { failed_ |= result != GIF_OK; }
 
-    /// "Repeat for ever", by Netscape's extension.
+    /// The Netscape extension for endless looping.
     void loop_extension() {
         static constexpr GifByteType forever[] = {1, 0, 0};
         check(EGifPutExtensionLeader(file_, APPLICATION_EXT_FUNC_CODE));
@@ -229,7 +229,8 @@ class GifWriter final : public AnimationWriter {
         check(EGifPutExtensionTrailer(file_));
     }
 
-    /// Integer hundredths of a second, whose sum over many frames preserves the speed.
+    /// The delay in integer hundredths of a second. Rounding errors do not accumulate, so the speed is
+    /// preserved over many frames.
     void delay() {
         const auto begin_of = [this](int frame) {
             return (100 * frame + frames_a_second_ / 2) / frames_a_second_;

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// 0 to 9. The next level makes files a tenth smaller and takes one and a half times as long.
+/// 0 to 9. The next higher level reduces file size by a tenth and takes one and a half times as long.
 constexpr int effort = 2;
 
 struct DeleteEncoder {
@@ -20,7 +20,7 @@ struct DeleteEncoder {
 };
 using Encoder = std::unique_ptr<WebPAnimEncoder, DeleteEncoder>;
 
-/// An empty picture of the library.
+/// An empty libwebp picture.
 struct Frame {
     WebPPicture picture;
     Frame() { WebPPictureInit(&picture); }
@@ -30,7 +30,7 @@ struct Frame {
 };
 
 Encoder encoder_for(PictureSize size) {
-    WebPAnimEncoderOptions options;  // by default, they repeat for ever
+    WebPAnimEncoderOptions options;  // loops endlessly by default
     WebPAnimEncoderOptionsInit(&options);
     return Encoder(WebPAnimEncoderNew(size.width, size.height, &options));
 }
@@ -70,7 +70,7 @@ class WebPWriter final : public AnimationWriter {
     static Problem no_memory() {
         return {"", "", "the WebP does not fit in memory", "fewer or smaller frames"};
     }
-    /// In milliseconds.
+    /// The frame's start time in milliseconds.
     [[nodiscard]] int begin_of(int frame) const { return 1000 * frame / frames_a_second_; }
 
     int frames_a_second_, frame_ = 0;

@@ -26,7 +26,7 @@ Result<Comparison> compare(const Picture& a, const Picture& b) {
     Comparison result;
     result.size = a.size;
     std::array<std::uint64_t, 3> sum{},
-        sum_of_squares{};  // integers, so that the order of addition does not matter
+        sum_of_squares{};  // integers, so that the sum does not depend on the order of addition
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
         const int alpha = difference(a, b, i + 3);
         bool differs = alpha > 0;

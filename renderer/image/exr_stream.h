@@ -1,5 +1,5 @@
 #pragma once
-// In-memory streams for the OpenEXR library. Only for renderer/image.
+// In-memory streams for the OpenEXR library. Internal to renderer/image.
 
 #include <ImfIO.h>
 

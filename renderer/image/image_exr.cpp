@@ -1,4 +1,4 @@
-// Writes OpenEXR by its own library.
+// Writes OpenEXR files with the OpenEXR library.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>

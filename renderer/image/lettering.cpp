@@ -43,7 +43,7 @@ char32_t take_character(std::string_view& text) {
     return utf8_length(first) == 0 ? U'\uFFFD' : code_point(first);
 }
 
-/// Blends `grey` over the picture by the glyph's coverage of each pixel.
+/// Blends `grey` over the picture, weighted by the glyph's coverage of each pixel.
 void put_glyph(Picture& picture, const FT_GlyphSlot glyph, int x, int y, std::uint8_t grey) {
     const FT_Bitmap& bitmap = glyph->bitmap;
     for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {
@@ -77,7 +77,7 @@ struct Font::Face {
                FT_IS_SCALABLE(face);
     }
 
-    /// Loads each character in turn and calls visit(x), x the pixels from the start; returns the width.
+    /// Loads each character in turn and calls visit(x), with x in pixels from the start. Returns the width.
     int set(std::string_view text, int size, FT_Int32 flags, const std::function<void(int)>& visit) const {
         FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size));
         FT_Pos x = 0;  // 1/64 pixel
@@ -117,11 +117,11 @@ int Font::width(std::string_view text, int size) const {
 
 std::string Font::fitted(std::string_view text, int size, int most) const {
     if (width(text, size) <= most) return std::string(text);
-    // The positions between characters, where the text may be cut.
+    // The positions between characters where the text may be truncated.
     std::vector<std::size_t> cut{0};
     for (std::string_view left = text; !left.empty(); cut.push_back(text.size() - left.size()))
         (void)take_character(left);
-    std::size_t low = 0, high = cut.size() - 1;  // the first `low` characters fit, or none do
+    std::size_t low = 0, high = cut.size() - 1;  // the first `low` characters fit, or no text fits
     while (low + 1 < high) {
         const std::size_t middle = (low + high) / 2;
         const bool fits = width(std::string(text.substr(0, cut[middle])) + "…", size) <= most;

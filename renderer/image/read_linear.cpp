@@ -1,4 +1,4 @@
-// Reads pictures of linear floats that other programs wrote: PFM and OpenEXR.
+// Reads linear float pictures, PFM and OpenEXR, written by other programs.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -31,14 +31,14 @@ bool fits(long long width, long long height) {
     return width >= 1 && height >= 1 && width <= max_picture_side && height <= max_picture_side;
 }
 
-/// A black linear picture of this size.
+/// A black linear picture of the given size.
 Picture empty_linear(long long width, long long height) {
     Picture picture{{static_cast<int>(width), static_cast<int>(height)}, {}, {}};
     picture.linear.resize(3 * picture.size.pixels());
     return picture;
 }
 
-/// The fields of a PFM's header and the offset of its numbers.
+/// The fields of a PFM header and the offset of its pixel data.
 struct PfmHeading {
     int channels = 0;
     long long width = 0, height = 0;
@@ -63,7 +63,7 @@ std::optional<PfmHeading> pfm_heading(std::string_view bytes) {
         at = end;
     }
     PfmHeading heading;
-    heading.end = at + 1;  // exactly one space follows the last word
+    heading.end = at + 1;  // exactly one whitespace character follows the last word
     heading.channels = words[0] == "PF" ? 3 : words[0] == "Pf" ? 1 : 0;
     const bool numbers = read_number(words[1], heading.width) && read_number(words[2], heading.height) &&
                          read_number(words[3], heading.scale);
@@ -79,15 +79,15 @@ float pfm_number(const char* at, bool little) {
     return std::bit_cast<float>(bits);
 }
 
-/// Throws if a list of channels is long: the library takes quadratic time to read it, 17 s for 100,000
+/// Throws if a list of channels is too long: the library's reader takes quadratic time, 17 s for 100,000
 /// channels. Source of the layout: "OpenEXR File Layout", header attributes.
 void require_short_channel_lists(std::string_view bytes) {
-    constexpr std::size_t longest = 256 << 10;  // some 5,000 channels, which take a tenth of a second
+    constexpr std::size_t longest = 256 << 10;  // about 5,000 channels, which take a tenth of a second
     constexpr std::size_t begin = 8;            // after the magic number and the version
     const bool has_parts = bytes.size() > begin && (static_cast<unsigned char>(bytes[5]) & 0x10) != 0;
     for (std::size_t at = begin; at < bytes.size();) {
         const std::size_t name_end = bytes.find('\0', at);
-        if (name_end == at) {  // the end of a part's header, or of all headers
+        if (name_end == at) {  // the end of one part's header or of all headers
             if (!has_parts || bytes.substr(at + 1).starts_with('\0')) return;
             ++at;
             continue;
@@ -102,15 +102,15 @@ void require_short_channel_lists(std::string_view bytes) {
     }
 }
 
-/// Returns the number of rows that are compressed together; 0 for a tiled file. Throws if the header is
-/// invalid or claims more than the file contains. The library's pixel reader allocates everything that the
-/// header claims before it notices that the data is missing: gigabytes for a file of 300 bytes. The part of
-/// the library used here does not.
+/// Returns the number of rows that are compressed together, or 0 for a tiled file. Throws if the header is
+/// invalid or declares more data than the file contains. The library's pixel reader allocates everything that
+/// the header declares before it notices missing data: gigabytes for a file of 300 bytes. The part of the
+/// library used here does not.
 int sound_rows_of_block(const std::string& bytes) {
     exr_context_initializer_t source = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    source.user_data = const_cast<std::string*>(&bytes);  // only read
+    source.user_data = const_cast<std::string*>(&bytes);  // not modified
     source.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {
-    };  // the default handler prints
+    };  // the default handler prints messages
     source.size_fn = [](exr_const_context_t, void* file) {
         return static_cast<std::int64_t>(static_cast<const std::string*>(file)->size());
     };
@@ -133,8 +133,8 @@ int sound_rows_of_block(const std::string& bytes) {
     return rows;
 }
 
-/// Throws if a block of the picture, or a tile of its largest level, is not at its offset. The library would
-/// notice that only after filling the memory of all pixels.
+/// Throws if a block of the picture, or a tile of its largest level, is missing at its offset. The library
+/// would notice that only after it has filled the memory of all pixels.
 void require_all_blocks(Imf::InputFile& file, int rows) {
     const Imath::Box2i window = file.header().dataWindow();
     const char* block = nullptr;
@@ -155,8 +155,8 @@ void require_all_blocks(Imf::InputFile& file, int rows) {
     }
 }
 
-/// Crops or pads the pixels of an EXR's data window to its display window: a renderer may store only pixels
-/// that are not black, or more than it displays.
+/// Crops or pads the pixels of an EXR's data window to its display window. A renderer may store only the
+/// pixels that are not black, or more pixels than it displays.
 Picture displayed_part(Picture stored, const Imath::Box2i& data, const Imath::Box2i& display) {
     if (data == display) return stored;
     Picture shown = empty_linear(1LL + display.max.x - display.min.x, 1LL + display.max.y - display.min.y);
@@ -170,7 +170,7 @@ Picture displayed_part(Picture stored, const Imath::Box2i& data, const Imath::Bo
     return shown;
 }
 
-/// Whether a display window is so much larger than the stored pixels that a small file would need gigabytes.
+/// Whether the display window is so much larger than the data window that a small file would need gigabytes.
 bool is_nearly_empty(const Imath::Box2i& data, const Imath::Box2i& display) {
     constexpr double harmless = 4096.0 * 4096, most = 64;  // pixels; ratio to stored pixels
     const auto pixels = [](const Imath::Box2i& box) {
@@ -179,7 +179,7 @@ bool is_nearly_empty(const Imath::Box2i& data, const Imath::Box2i& display) {
     return pixels(display) > std::max(harmless, most * pixels(data));
 }
 
-/// Throws the library's exception for an incomplete file.
+/// Throws the library's exception if the file is incomplete.
 Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path) {
     require_short_channel_lists(bytes);
     const int rows = sound_rows_of_block(bytes);
@@ -242,8 +242,8 @@ Result<Picture> read_pfm(const std::string& path) {
     const auto height = static_cast<std::size_t>(heading->height);
     const std::size_t pixel_bytes = 4 * channels * width * height;
     const bool has_line_end = bytes[heading->end - 1] == '\r' && bytes[heading->end] == '\n';
-    // Some programs end the header with both \r and \n. Skips the \n, unless the file's length shows that it
-    // belongs to the first pixel.
+    // Some programs end the header with \r\n. Skips the \n, unless the file size shows that it belongs to the
+    // first pixel.
     const std::size_t first =
         heading->end + (has_line_end && bytes.size() - heading->end > pixel_bytes ? 1 : 0);
     if (bytes.size() - first < pixel_bytes) return unreadable(path, "ends too early", "a PFM");

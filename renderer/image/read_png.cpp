@@ -1,4 +1,4 @@
-// Reads PNG files of any program.
+// Reads PNG files written by any program.
 #include <fmt/core.h>
 #include <png.h>
 
@@ -16,23 +16,24 @@
 namespace glint {
 namespace {
 
-// An incompressible picture of the maximum size, with 16 bits per channel.
+// The size of an incompressible picture of maximum size with 16 bits per channel.
 constexpr std::size_t max_png_bytes = std::size_t{9} * max_picture_side * max_picture_side;
-// Deflate expands a byte to at most 1032, so a larger claim is false (zlib, "Technical Details").
+// Deflate expands a byte to at most 1032 bytes, so a larger declared size is invalid (zlib, "Technical
+// Details").
 constexpr std::size_t max_inflation = 1032;
 
 Problem unreadable(const std::string& path, const std::string& what) {
     return {.file = path, .pointer = {}, .what = what, .expected = "a PNG picture of 1x1 to 16384x16384"};
 }
 
-/// libpng's message about an invalid file.
+/// An error message of libpng about an invalid file.
 struct PngFault {
     std::string what;
 };
 
-/// Reads a picture by libpng from `bytes`, which must outlive it. Throws PngFault and std::bad_alloc. Does
-/// not use png_image, libpng's simpler reader, which misreads interlaced files when it converts 16 bits to 8
-/// (seen in Debian 12's 1.6.39).
+/// Reads a picture with libpng from `bytes`, which must outlive this object. Throws PngFault and
+/// std::bad_alloc. Does not use png_image, libpng's simpler reader, which misreads interlaced files when
+/// converting 16 bits to 8 (observed with Debian 12's 1.6.39).
 class PngReader {
   public:
     explicit PngReader(std::string_view bytes)
@@ -43,8 +44,8 @@ class PngReader {
             throw std::bad_alloc();
         }
         png_set_read_fn(png_, &rest_, take);
-        // Besides the picture itself, only its transparent colour (tRNS) is read: pictures are compared by
-        // their stored bytes, regardless of the encoding that the file declares.
+        // Apart from the pixels, reads only the transparent colour (tRNS). Pictures are compared by their
+        // stored bytes, regardless of the declared colour encoding.
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
         png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_AS_DEFAULT,
                                     reinterpret_cast<png_const_bytep>("tRNS"), 1);
@@ -53,12 +54,12 @@ class PngReader {
     PngReader& operator=(const PngReader&) = delete;
     ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-    /// Everything before the picture.
+    /// Reads everything before the pixels.
     void read_header() { png_read_info(png_, info_); }
     [[nodiscard]] std::size_t width() const { return png_get_image_width(png_, info_); }
     [[nodiscard]] std::size_t height() const { return png_get_image_height(png_, info_); }
 
-    /// Call after read_header(). Converts any format to red, green, blue and alpha of 8 bits.
+    /// Converts any format to red, green, blue and alpha of 8 bits each. Requires read_header().
     void read_rows(std::vector<std::uint8_t>& rgba) {
         png_set_expand(png_);
         png_set_scale_16(png_);
@@ -93,7 +94,7 @@ Problem unreadable(const std::string& path, const PngFault& fault) {
     return unreadable(path, "cannot be read as a PNG (" + fault.what + ")");
 }
 
-/// The problem of a file that does not begin like a PNG.
+/// The problem with a file that does not begin with a PNG signature.
 Problem not_a_png(std::string_view bytes, const std::string& path) {
     try {
         PngReader(bytes).read_header();

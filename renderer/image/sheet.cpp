@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint8_t ink = 25, pale_ink = 110, paper = 255;
 
-/// The last token of a pointer, or the last two if the last is an index of a list: "shininess", "position 0".
+/// The last token of a pointer, or the last two if the last one is a list index: "shininess", "position 0".
 std::string name_of(const std::string& pointer) {
     const std::size_t last = pointer.rfind('/');
     const std::string token = pointer.substr(last + 1);
@@ -18,11 +18,11 @@ std::string name_of(const std::string& pointer) {
     return pointer.substr(before + 1, last - before - 1) + " " + token;
 }
 
-/// The lengths of a sheet in pixels, computed from the size of its cells.
+/// The dimensions of a sheet in pixels, computed from the size of its cells.
 struct Layout {
-    int value_size, name_size;          // of the letters
+    int value_size, name_size;          // font sizes
     int margin, gap;                    // around the sheet; between cells
-    int heading_height, heading_width;  // of the columns' and of the rows' headings
+    int heading_height, heading_width;  // for the column and row headings
     PictureSize cell;
 
     [[nodiscard]] int left(std::size_t column) const {

@@ -8,13 +8,13 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// The width of the distribution of facets, from roughness 0 to 1: roughness^2, not below min_alpha.
+/// The width of the facet distribution for a roughness of 0 to 1: roughness^2, at least min_alpha.
 inline constexpr float min_alpha = 0.001f;
 template <Number F> F ggx_alpha(F roughness) { return max(roughness * roughness, F(min_alpha)); }
 
-/// Density of facets with normal h, per unit solid angle; integrates to 1 with the cosine n.h. The
-/// denominator uses the sine, |n x h|, because 1 - (n.h)^2 would lose the narrow peak of a smooth surface to
-/// rounding.
+/// Density of facets with normal h per unit solid angle; its integral with the cosine n.h is 1. The
+/// denominator uses the sine |n x h|, because rounding 1 - (n.h)^2 would lose the narrow peak of a smooth
+/// surface.
 template <Number F> F d_ggx(Vec3<F> n, Vec3<F> h, F a) {
     const F cosine = max0(dot(n, h));
     const Vec3<F> sine = cross(n, h);
@@ -22,13 +22,13 @@ template <Number F> F d_ggx(Vec3<F> n, Vec3<F> h, F a) {
     return a * a / (F(3.14159265f) * (t * t));
 }
 
-/// Smith's Lambda for the cosine c > 0 of a direction with n.
+/// Smith's Lambda for a direction whose cosine with n is c > 0.
 template <Number F> F lambda_ggx(F c, F a) {
     const F tan2 = F(1) / (c * c) - F(1);
     return F(0.5f) * (square_root(F(1) + a * a * max0(tan2)) - F(1));
 }
 
-/// Schlick's Fresnel factor for the cosine c of h with v.
+/// Schlick's Fresnel factor for the cosine c between h and v.
 template <Number F> F f_schlick(F f0, F c) {
     const F grazing = F(1) - c, squared = grazing * grazing;
     return f0 + (F(1) - f0) * (squared * squared * grazing);

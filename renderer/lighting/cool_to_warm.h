@@ -1,8 +1,8 @@
 #pragma once
-// Cool-to-warm shading: the side towards the light is warm, the side away from it cool, and nothing is black,
-// so that strokes and highlights stand out. Lecture: "Non-photorealistic shading: cool to warm"; A. Gooch,
-// B. Gooch, P. Shirley, E. Cohen 1998 (whose printed equation swaps the two weights; these are the
-// lecture's).
+// Cool-to-warm shading: the side facing the light is warm, the side facing away is cool, and nothing is
+// black, so that strokes and highlights are clearly visible. Lecture: "Non-photorealistic shading: cool to
+// warm"; A. Gooch, B. Gooch, P. Shirley, E. Cohen 1998. The weights follow the lecture; the paper's printed
+// equation swaps them.
 
 #include "renderer/lighting/light_job.h"
 #include "renderer/lighting/light_source.h"
@@ -10,9 +10,9 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// The steps of the tone at one point; linear RGB, not clamped.
+/// The intermediate values of the tone at one point; linear RGB, not clamped.
 template <Number F> struct CoolToWarmTerms {
-    F n_dot_l{};         // not clamped; 0 without a light, at the light itself and if n is zero
+    F n_dot_l{};         // not clamped; 0 without a light, at the light's position and if n is zero
     F k_w{};             // share of the warm tone, 0 to 1: (1 + n.l) / 2
     Vec3<F> cool, warm;  // cool + alpha k_d, warm + beta k_d
     Vec3<F> color;       // k_w warm + (1 - k_w) cool

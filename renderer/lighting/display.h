@@ -1,6 +1,6 @@
 #pragma once
-// Linear colour -> displayed colour: exposure, transfer, clamp, byte.
-// sRGB: IEC 61966-2-1. Bytes: nearest of 256, halves up.
+// Converts linear colours to displayed colours: exposure, transfer, clamp, byte. sRGB: IEC 61966-2-1. Bytes:
+// nearest of 256, halves up.
 
 #include "renderer/lighting/light_job.h"
 #include "renderer/simd/pow.h"
@@ -12,12 +12,12 @@ namespace glint::inline GLINT_ISA {
 template <Number F> F srgb_encoded(F x) {
     const F curve = F(1.055f) * power(x, F(1 / 2.4f)) - F(0.055f);
     const F encoded = select(x <= F(0.0031308f), F(12.92f) * x, curve);
-    // The curve misses 1 because its two constants are rounded.
+    // The curve does not reach exactly 1 because its two constants are rounded.
     return select(mask_and(x >= F(1), x <= F(1)), x, encoded);
 }
 
-/// Returns 0 to 1; NaN gives 0. The transfer function is monotonic and maps 0 and 1 to themselves, so
-/// clamping first gives the same result.
+/// Returns a value from 0 to 1; NaN gives 0. The transfer function is monotonic and leaves 0 and 1 unchanged,
+/// so clamping first gives the same result.
 template <Number F> F displayed(const DisplayJob& job, F linear) {
     const F exposed = min(max0(linear * F(job.exposure)), F(1));
     return job.srgb ? srgb_encoded(exposed) : exposed;
@@ -26,7 +26,7 @@ template <Number F> F displayed(const DisplayJob& job, F linear) {
 /// Converts a displayed value in 0..1 to 0..255.
 template <Number F> IntOf<F> byte_of(F shown) { return to_int(shown * F(255) + F(0.5f)); }
 
-/// The value that a wrong program shows: encoded once more, or not clamped; NaN and infinity give 0.
+/// The value with display mistakes: encoded twice or not clamped; NaN and infinity give 0.
 template <Number F> F mistakenly_displayed(const DisplayJob& job, F linear) {
     const F exposed = linear * F(job.exposure);
     F shown = min(max0(exposed), F(1));
@@ -43,7 +43,7 @@ template <Number F> F floor_of(F a) {
     return select(has_fraction, below, a);
 }
 
-/// The byte of any value: 0 to 255, the rest modulo 256.
+/// Converts a value of any size to a byte modulo 256.
 template <Number F> IntOf<F> wrapped_byte_of(F shown) {
     const F whole = floor_of(shown * F(255) + F(0.5f));
     const F rest = whole - F(256) * floor_of(whole * F(1 / 256.0f));

@@ -29,7 +29,7 @@ Response<F> respond(Reflection model, const Directions<F>& d, const MaterialAt<F
     case Reflection::CookTorrance:
         return cook_torrance(d, m, at);
     }
-    return {};  // not reached
+    return {};  // unreachable
 }
 
 }  // namespace glint::inline GLINT_ISA

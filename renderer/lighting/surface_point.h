@@ -1,13 +1,13 @@
 #pragma once
-// A point to be lit, and its material.
+// A surface point to be lit, and its material.
 
 #include "renderer/simd/pow.h"
 #include "renderer/simd/vec3.h"
 
 namespace glint::inline GLINT_ISA {
 
-/// A point to be lit: position, normal and direction to the eye. Camera coordinates, scene units. n and v
-/// unit (n may be zero where nothing defines it); v points towards the eye.
+/// A point to be lit: position, normal and direction to the eye. Camera coordinates, scene units. n and v are
+/// unit vectors (n may be zero if it is undefined); v points towards the eye.
 template <Number F> struct PointAt {
     Vec3<F> p, n, v;
     F n_dot_v{};
@@ -16,30 +16,31 @@ template <Number F> struct PointAt {
         : p(position), n(normal), v(to_eye), n_dot_v(dot(normal, to_eye)) {}
 };
 
-/// The material; the same at all points of an object.
+/// The material, which is the same at all points of an object.
 template <Number F> struct MaterialAt {
     Vec3<F> k_a, k_d, k_s;  // linear RGB
     Exponent<F> shininess;
-    F min_cosine_squared{};  // no highlight unless c |c| is above this: cos^shininess would be invisible
+    F min_cosine_squared{};  // no highlight unless c |c| is above this; otherwise cos^shininess would be
+                             // invisible
     F roughness{};           // 0 to 1
     Vec3<F> f0;              // reflectance at normal incidence
 };
 
-/// The response of a reflection model to one light: the factors of the diffuse and of the specular term.
+/// The response of a reflection model to one light: the factors of the diffuse and specular terms.
 template <Number F> struct Response {
     F diffuse{};
-    Vec3<F> specular;  // S, per channel; the caller drops it if the light is behind the surface
+    Vec3<F> specular;  // S, per channel; the caller ignores it if the light is behind the surface
 };
 
-/// The vectors and cosines that all models use. l, r, h unit, camera coordinates. The compiler omits what a
-/// model does not use.
+/// The vectors and cosines used by the models. l, r, h are unit vectors in camera coordinates. The compiler
+/// omits those that a model does not use.
 template <Number F> struct Directions {
     Vec3<F> l, r, h;  // towards the light; l mirrored at n; halfway between l and v (0 when l = -v)
     F n_dot_l{}, r_dot_v{}, n_dot_h{}, l_dot_v{};        // not clamped
-    F n_dot_unnormalized_h{}, unnormalized_h_squared{};  // n.h and |h|^2 before h is normalised
+    F n_dot_unnormalized_h{}, unnormalized_h_squared{};  // n.h and |h|^2 before normalising h
 };
 
-/// The vector from a point to a light, not unit (for a directional light the unit direction itself), and its
+/// The vector from a point to a light, not normalised (for a directional light, the unit direction), and its
 /// product with n.
 template <Number F> struct LightVector {
     Vec3<F> xyz;
@@ -53,8 +54,8 @@ template <Number F> struct Attenuation {
 };
 
 /// The vectors and cosines for l = light_vector / distance. Lecture: "Calculating R Vector", "Blinn-Phong
-/// Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v, and h has the direction of l + v, as has
-/// light_vector + distance v, without a division.
+/// Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v. h has the direction of l + v, and so has
+/// light_vector + distance v, which needs no division.
 template <Number F>
 Directions<F> directions_for(const LightVector<F>& light_vector, const Attenuation<F>& attenuation,
                              const PointAt<F>& at) {
@@ -80,14 +81,14 @@ template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at
     return directions_for(LightVector<F>{l, dot(at.n, l)}, Attenuation<F>{}, at);
 }
 
-/// c^shininess for the cosine c = scaled / length, of any sign, as (c^2)^(shininess / 2), so that no
-/// square root is taken. 0 unless c^2, with c's sign, is above `min_cosine_squared`, which it is not in much
-/// of a picture.
+/// c^shininess for the cosine c = scaled / length, of any sign, computed as (c^2)^(shininess / 2) to avoid
+/// the square root. 0 unless c^2, with the sign of c, is above `min_cosine_squared`; it is not in much of a
+/// typical picture.
 template <Number F> F highlight(F scaled, F length_squared, const MaterialAt<F>& m) {
     const F squared = max(length_squared, F(smallest_normal));
     const auto seen = scaled * abs(scaled) > m.min_cosine_squared * squared;
     if (!any(seen)) return F(0);
-    // If h is almost lost to rounding, the quotient may be anything.
+    // If h is almost lost to rounding, the quotient is arbitrary.
     const F cosine_squared = min(max(scaled * scaled / squared, m.min_cosine_squared), F(1));
     return select(seen, power_of_root(cosine_squared, m.shininess), F(0));
 }
