@@ -1,5 +1,5 @@
 #pragma once
-// The stages as the renderer keeps them between frames.
+// The stages, which the renderer keeps between frames.
 
 #include "models/scene/scene.h"
 #include "renderer/geometry/geometry.h"
@@ -12,7 +12,7 @@
 namespace glint {
 
 struct KeptStages {
-    Scene scene;  // drawn last
+    Scene scene;  // the last scene drawn
     Geometry geometry;
     Visibility visibility;
     Surface surface;

@@ -41,7 +41,7 @@ std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Lig
                                  std::span<const SeenPoint> points) {
     std::vector<double> highlights;
     highlights.reserve(points.size());
-    std::optional<LightAlone> lit;  // on the previous point's object
+    std::optional<LightAlone> lit;  // for the previous point's object
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!lit || points[i].object != points[i - 1].object)
             lit.emplace(scene, size, light, mirror_like(scene, points[i].object));
@@ -74,7 +74,7 @@ glm::vec3 peak_direction(const Scene& scene, PictureSize size, const SeenPoint& 
 
 namespace {
 
-constexpr double most = 10'000;  // the largest shininess that a scene may have
+constexpr double most = 10'000;  // the maximum shininess of a scene
 
 double misfit(Reflection reflection, double shininess, std::span<const glm::dvec2> points) {
     double sum = 0;
@@ -102,8 +102,8 @@ std::vector<glm::dvec2> highlight_shape(HighlightShape shape, double n, int step
 
 std::optional<HighlightFit> fitted_highlight(Reflection reflection, std::span<const glm::dvec2> points) {
     if (points.size() < 2) return {};
-    // The error for points drawn by hand may have several minima, so first search the entire range in steps
-    // of a tenth of a decade; then narrow the interval around the best by thirds.
+    // The error for points drawn by hand may have several minima. First searches the entire range in steps of
+    // a tenth of a decade, then refines the interval around the best step by ternary search.
     const auto step = [](int i) { return i < 0 ? 0 : std::min(std::pow(10, -1 + 0.1 * i), most); };
     constexpr int last = 50;
     int best = -1;
@@ -140,7 +140,7 @@ MirrorSteps mirror_steps(glm::vec3 n, glm::vec3 l) {
     MirrorSteps steps;
     steps.n_dot_l = d.n_dot_l;
     steps.r = to_glm(d.r);
-    steps.twice_p = steps.r + l;  // from r, so that the formula is written only once
+    steps.twice_p = steps.r + l;  // computed from r, so that the formula is written only once
     steps.p = 0.5f * steps.twice_p;
     return steps;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The highlight of one light at single points of a surface, and the light direction for which it peaks there,
-// for dragging a highlight. Uses the picture's own equation, including mistakes.
+// Evaluates the highlight of one light at single points of a surface, and finds the light direction for which
+// it peaks there, for dragging a highlight. Uses the picture's own equation, including mistakes.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -15,33 +15,33 @@
 
 namespace glint {
 
-/// Returns the specular term of `light` (which need not be in the scene or be on) at each of `points`, for a
-/// white light on a material with k_s = 1: the sum of the channels, falloff and cone included; for an area
-/// light, the sum over its samples. Each point is lit itself, as in the mode `phong`. The term is >= 0, and 0
-/// if the model has no highlight or the light is behind the surface.
+/// Returns the specular term of `light` (which need not be in the scene or enabled) at each of `points`, for
+/// a white light and a material with k_s = 1: the sum over the channels, including falloff and cone; for an
+/// area light, the sum over its samples. Each point is lit individually, as in the mode `phong`. The term is
+/// >= 0, and 0 if the model has no highlight or the light is behind the surface.
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points);
 
-/// Returns the same with `material` instead of the objects' materials.
+/// Overload that uses `material` instead of the objects' materials.
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points, const Material& material);
 
-/// n.l of a light at a point, not clamped; of an area light, of its middle sample (of four, the third).
+/// n.l of a light at a point, not clamped; for an area light, of its middle sample (of four, the third).
 [[nodiscard]] double cosine_at(const Scene& scene, PictureSize size, const Light& light,
                                const SeenPoint& point);
 
-/// Unit direction from a point towards a light whose highlight has its largest factor there: v mirrored at
-/// n, which is the same for (r.v)^n and (n.h)^n, and v itself for retro-reflection. Camera coordinates.
-/// (0, 0, 0) if the surface faces away from the viewer (n.v <= 0).
+/// Unit direction from a point towards a light whose highlight factor is largest there: v mirrored at n,
+/// which is the same for (r.v)^n and (n.h)^n, or v itself for retro-reflection. Camera coordinates. (0, 0, 0)
+/// if the surface faces away from the viewer (n.v <= 0).
 [[nodiscard]] glm::vec3 peak_direction(const Scene& scene, PictureSize size, const SeenPoint& point);
 
-// Possible falloffs of a highlight, and the power of a cosine that fits best. Lecture: "How might we model
+// Alternative falloffs of a highlight, and the best-fitting power of a cosine. Lecture: "How might we model
 // this falloff?"
 
-/// Alternatives to cos^n: a bell and a straight line, each 1 at 0 degrees and 1/2 where cos^n is.
+/// Alternatives to cos^n: a Gaussian and a straight line, each 1 at 0 degrees and 1/2 where cos^n is 1/2.
 enum class HighlightShape { Gaussian, Linear };
 
-/// The angle in degrees where cos^n is 1/2: 60 for n = 1; 90 if it stays above (n near 0). n >= 0.
+/// The angle in degrees where cos^n is 1/2: 60 for n = 1; 90 if cos^n stays above 1/2 (n near 0). n >= 0.
 [[nodiscard]] double half_angle_deg(double n);
 
 /// Returns the shape as (degrees, value) from 0 to 90.
@@ -51,26 +51,26 @@ struct HighlightFit {
     double shininess = 0;  // 0 to 10,000
     double error = 0;      // root mean square of the residuals
 };
-/// The shininess for which a reflection model's highlight (Phong or Blinn-Phong, light at the normal) best
-/// fits points (degrees from the highlight's middle, 0 to 90; value), by least squares. Nothing with fewer
+/// The shininess for which the highlight of a reflection model (Phong or Blinn-Phong, light at the normal) is
+/// the least-squares fit to points (degrees from the highlight's centre, 0 to 90; value). Nothing for fewer
 /// than two points.
 [[nodiscard]] std::optional<HighlightFit> fitted_highlight(Reflection reflection,
                                                            std::span<const glm::dvec2> points);
 
-/// The shininess n' for which Blinn-Phong's highlight best fits Phong's with `shininess` (>= 0), by least
-/// squares over angles from 0 to 90 degrees. About 4 n.
+/// The shininess n' for which Blinn-Phong's highlight is the least-squares fit to Phong's with `shininess`
+/// (>= 0) over angles from 0 to 90 degrees. About 4 n.
 [[nodiscard]] double blinn_shininess_like(float shininess);
 
-// The derivation of r, step by step. Lecture: "Calculating R Vector": P is the projection of l on n, R = 2 P
-// - L.
+// The derivation of r, step by step. Lecture: "Calculating R Vector": P is the projection of l onto n, R = 2
+// P - L.
 
 struct MirrorSteps {
     float n_dot_l = 0;
     glm::vec3 p{0}, twice_p{0}, r{0};  // n (n.l); 2 n (n.l); 2 n (n.l) - l
 };
 
-/// The equation's own r for a normal of any length: with |n| = k, p is k^2 times as long as it should be, and
-/// r is not a mirror direction. n and l are in one frame, and so are the results.
+/// The equation's r for a normal of any length. If |n| = k, p is too long by a factor of k^2, and r is not
+/// the mirror direction. All vectors are in the same frame.
 [[nodiscard]] MirrorSteps mirror_steps(glm::vec3 n, glm::vec3 l);
 
 }  // namespace glint

@@ -22,8 +22,8 @@ using Vec = Vec3<float>;
 using std::numbers::pi;
 
 /// The integral of value(d) over the directions d within horizon(side) radians of `axis`, by the midpoint
-/// rule: samples are dense near the axis, for smooth surfaces, and at the horizon, near which a lobe of
-/// grazing light is steep. In each half-plane of axis and `side`, they end exactly at the horizon.
+/// rule. Samples are dense near the axis, for smooth surfaces, and near the horizon, where the lobe of a
+/// grazing light is steep. In each half-plane of axis and `side` they end exactly at the horizon.
 glm::dvec3 around_axis(glm::dvec3 axis, const std::function<double(glm::dvec3 side)>& horizon,
                        const std::function<glm::dvec3(glm::dvec3 d)>& value) {
     constexpr int around = 256, outward = 256;
@@ -43,13 +43,13 @@ glm::dvec3 around_axis(glm::dvec3 axis, const std::function<double(glm::dvec3 si
 }
 
 /// The integral of value(v) n.v over the hemisphere of v. A lobe is narrower across the plane of incidence
-/// than along it, the more so the lower the light is; the distribution of its half vectors about n is round.
+/// than along it, especially for a low light, but the distribution of its half vectors about n is circular.
 glm::dvec3 over_hemisphere(const Reflector& reflector, double light_deg,
                            const std::function<glm::dvec3(glm::vec3 v)>& value) {
     const ReflectionInfo& model = info_of(reflector.reflection);
     if (model.uses_h) {
         const glm::dvec3 l = glm::normalize(glm::dvec3(in_plane(-light_deg)));
-        // v = 2 (l.h) h - l, and n.v = l.z cos(2 polar) + l.side sin(2 polar) falls to 0 here:
+        // v = 2 (l.h) h - l, and n.v = l.z cos(2 polar) + l.side sin(2 polar) reaches 0 at this angle:
         const auto horizon = [&](glm::dvec3 side) { return std::atan2(l.z, -glm::dot(l, side)) / 2; };
         return around_axis({0, 0, 1}, horizon, [&](glm::dvec3 h) {
             const double l_dot_h = glm::dot(l, h);
@@ -59,7 +59,7 @@ glm::dvec3 over_hemisphere(const Reflector& reflector, double light_deg,
     }
     const bool back = model.peak == HighlightPeak::Light;
     const glm::dvec3 axis = glm::normalize(glm::dvec3(in_plane(back ? -light_deg : light_deg)));
-    // n.v = axis.z cos(polar) + side.z sin(polar) falls to 0 here:
+    // n.v = axis.z cos(polar) + side.z sin(polar) reaches 0 at this angle:
     const auto horizon = [&](glm::dvec3 side) { return std::atan2(side.z, axis.z) + pi / 2; };
     return around_axis(axis, horizon, [&](glm::dvec3 v) { return value(glm::vec3(v)) * v.z; });
 }
@@ -151,14 +151,14 @@ namespace {
 constexpr int bins = 18;
 constexpr double bin_deg = 90.0 / bins;
 
-/// The share of facets, projected along n, whose normals are within a step of angles about n.
+/// The share of facets, projected along n, whose normals are within an interval of polar angles.
 double share_of_facets(double alpha, double polar, double polar_step, double azimuth_step) {
     const Vec3<float> h{static_cast<float>(std::sin(polar)), 0, static_cast<float>(std::cos(polar))};
     const auto d = static_cast<double>(d_ggx<float>({0, 0, 1}, h, static_cast<float>(alpha)));
     return d * std::cos(polar) * std::sin(polar) * polar_step * azimuth_step;
 }
 
-/// Spreads a share evenly over the angles between two directions, as far as they are above the horizon.
+/// Distributes a share evenly over the angles between two directions, ignoring angles below the horizon.
 void spread(std::vector<LobeBin>& lobe, double share, double a_deg, double b_deg) {
     const double low = std::min(a_deg, b_deg), width = std::max(std::abs(a_deg - b_deg), 1e-9);
     for (auto i = static_cast<std::size_t>(low / bin_deg); i < lobe.size(); ++i) {
@@ -168,10 +168,10 @@ void spread(std::vector<LobeBin>& lobe, double share, double a_deg, double b_deg
     }
 }
 
-/// Adds to each bin the integral of D(h) (n.h) / (4 v.h) over the directions l in it, as that of D(h) (n.h)
-/// over their half vectors: dl = 4 v.h dh. Steps are dense where D is large, for any smoothness.
+/// Adds to each bin the integral of D(h) (n.h) / (4 v.h) over its directions l, computed as the integral of
+/// D(h) (n.h) over their half vectors: dl = 4 v.h dh. Steps are dense where D is large, for any smoothness.
 void add_expected(std::vector<LobeBin>& lobe, double alpha, glm::dvec3 v) {
-    constexpr int outward = 512, around = 360;  // half of the circle: the other half is symmetric
+    constexpr int outward = 512, around = 360;  // half of the circle; the other half is symmetric
     const auto polar_at = [alpha](double t) { return std::atan2(alpha * t, 1 - t); };
     for (int j = 0; j < around; ++j) {
         const double azimuth = pi * (j + 0.5) / around;

@@ -1,10 +1,10 @@
 #pragma once
-// Samples how a reflection model reflects light from one direction: slices f(l, v) for plots, and measures of
-// the entire lobe: its energy, its albedo, its reciprocity. All values come from the equation's own
-// illuminate(). Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and 0 degrees.
+// Samples how a reflection model reflects light from one direction: slices f(l, v) for plots, and properties
+// of the entire lobe: energy, albedo and reciprocity. All values come from the equation's own illuminate().
+// Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and 0 degrees.
 //
-// The surface has n = (0, 0, 1); the light is white, of intensity 1, at `light_deg` from n on the side of -x,
-// so that the mirror direction is at the same angle towards +x.
+// The surface has n = (0, 0, 1). The light is white, of intensity 1, at `light_deg` from n on the -x side, so
+// that the mirror direction is at the same angle towards +x.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -26,49 +26,50 @@ struct Reflector {
     bool operator==(const Reflector&) const = default;
 };
 
-/// The equation's terms, per channel. `ambient` is k_a, as if the light had an ambient part of 1.
+/// The terms of the equation, per channel. `ambient` is k_a, as for a light with an ambient part of 1.
 struct Reflected {
     glm::vec3 ambient{0}, diffuse{0}, specular{0};
     [[nodiscard]] glm::vec3 intensity() const { return ambient + diffuse + specular; }
 };
 
-/// l, v: unit, towards light and viewer; n = (0, 0, 1).
+/// l, v: unit vectors towards light and viewer. n = (0, 0, 1).
 [[nodiscard]] Reflected reflected(const Reflector& reflector, glm::vec3 l, glm::vec3 v);
 
-/// f = (diffuse + specular) / (pi n.l), 1/sr: the pi because the equation's Lambert term is k_d n.l for a
-/// surface whose f is k_d / pi. 0 if light or viewer is not above the surface.
+/// f = (diffuse + specular) / (pi n.l), 1/sr. The factor pi is needed because the equation's Lambert term is
+/// k_d n.l for a surface whose f is k_d / pi. 0 if light or viewer is not above the surface.
 [[nodiscard]] glm::vec3 brdf(const Reflector& reflector, glm::vec3 l, glm::vec3 v);
 
-/// The direction at `deg` from n in the plane of incidence, positive on the mirror side; the light's own is
-/// in_plane(-light_deg).
+/// The direction at `deg` from n in the plane of incidence, positive on the mirror side. The light's
+/// direction is in_plane(-light_deg).
 [[nodiscard]] glm::vec3 in_plane(double deg);
 
 struct LobeSample {
-    double view_deg = 0;  // of v from n, positive on the mirror side
+    double view_deg = 0;  // angle between v and n, positive on the mirror side
     Reflected reflected;
     glm::vec3 brdf{0};
 };
-/// Samples the lobe from -90 to 90 degrees in the plane of incidence, in `steps` steps. 0 <= light_deg < 90,
+/// Samples the lobe from -90 to 90 degrees in the plane of incidence in `steps` steps. 0 <= light_deg < 90,
 /// steps >= 1.
 [[nodiscard]] std::vector<LobeSample> lobe_slice(const Reflector& reflector, double light_deg, int steps);
 
 /// The integral of the specular term times n.v over all v: for Phong at light_deg = 0 it is k_s 2 pi /
 /// (shininess + 2).
 [[nodiscard]] glm::dvec3 specular_energy(const Reflector& reflector, double light_deg);
-/// The share of the light's power that is reflected, the integral of f n.v over all v; above 1, energy would
-/// be created.
+/// The reflected share of the light's power, which is the integral of f n.v over all v. Above 1 the surface
+/// would create energy.
 [[nodiscard]] glm::dvec3 directional_albedo(const Reflector& reflector, double light_deg);
 
-/// Largest |f(l, v) - f(v, l)| / max(f(l, v), f(v, l)) over 4096 pairs of directions with cosines above 0.05:
-/// 0, up to rounding, for a reciprocal surface (Helmholtz). Same numbers on every run.
+/// Largest |f(l, v) - f(v, l)| / max(f(l, v), f(v, l)) over 4096 pairs of directions with cosines above 0.05.
+/// 0, up to rounding, for a reciprocal surface (Helmholtz). The numbers are the same in every run.
 [[nodiscard]] double reciprocity_error(const Reflector& reflector);
 
-/// A header and a line per sample: view_deg, then r, g, b of ambient, diffuse, specular, intensity and brdf.
+/// A header and one line per sample: view_deg, then r, g, b of ambient, diffuse, specular, intensity and
+/// brdf.
 [[nodiscard]] std::string lobe_csv(const std::vector<LobeSample>& slice);
 
-// A microfacet lobe in space: facets drawn from the GGX density reflect rays, and the histogram of the
-// outgoing directions tends to D(h) (n.h) / (4 v.h), the lobe of cook-torrance before shadowing and Fresnel.
-// Lecture: microfacets; B. Walter and others 2007 for the sampling.
+// A microfacet lobe in space. Facets drawn from the GGX density reflect rays, and the histogram of the
+// outgoing directions converges to D(h) (n.h) / (4 v.h), the lobe of cook-torrance before shadowing and
+// Fresnel. Lecture: microfacets; B. Walter and others 2007 for the sampling.
 
 /// A facet's normal about n = (0, 0, 1), with density D(h) (n.h): tan(angle) = a sqrt(u / (1 - u)), a =
 /// roughness^2.
@@ -76,24 +77,24 @@ struct LobeSample {
 
 struct LobeBin {
     double from_deg = 0, to_deg = 0;  // of the outgoing direction, from n
-    double share = 0, expected = 0;   // of all rays: measured, and according to the density
+    double share = 0, expected = 0;   // fraction of all rays: measured, and according to the density
 };
-/// Reflects `rays` rays from view_deg at facets that face them; 18 bins of 5 degrees from n. Rays that leave
-/// below the horizon are in no bin. D is the equation's own d_ggx.
+/// Reflects `rays` rays from view_deg at facets that face them. Returns 18 bins of 5 degrees from n. Rays
+/// that leave below the horizon are not counted in any bin. D is the equation's own d_ggx.
 [[nodiscard]] std::vector<LobeBin> facet_lobe(double roughness, double view_deg, int rays,
                                               std::uint32_t seed);
 
-// A scene of one light, for measurements of single lights.
+// A scene with one light, for measuring single lights.
 
-/// The light, switched on, white and of intensity 1 instead of its own diffuse and specular colours.
+/// The light, enabled, white and of intensity 1, ignoring its own diffuse and specular colours.
 [[nodiscard]] Light white(Light light);
 
-/// The scene's camera and shading with only this light, switched on, and without objects.
+/// The scene's camera and shading with only this light, enabled, and no objects.
 [[nodiscard]] Scene alone(const Scene& scene, const Light& light);
 
-/// Evaluates the picture's equation, mistakes included, for one light at any point of a material. The light
-/// is treated as white, of intensity 1 and switched on. Camera and shading are the scene's; diffuse and
-/// specular terms are on. Points and normals are in camera coordinates.
+/// Evaluates the picture's equation, including mistakes, for one light at any point of a material. Treats the
+/// light as white, of intensity 1 and enabled. Uses the camera and shading of the scene, with diffuse and
+/// specular terms enabled. Points and normals are in camera coordinates.
 class LightAlone {
   public:
     LightAlone(const Scene& scene, PictureSize size, const Light& light, const Material& material);
@@ -101,10 +102,10 @@ class LightAlone {
     LightAlone& operator=(const LightAlone&) = delete;
 
     [[nodiscard]] PointAt<float> seen(glm::vec3 position, glm::vec3 normal) const;
-    /// One source: the light itself or, of an area light, each of its samples.
+    /// The light itself or, for an area light, each of its samples.
     [[nodiscard]] const std::vector<LightSource>& sources() const { return sources_; }
     [[nodiscard]] LightTerms<float> terms(const LightSource& source, const PointAt<float>& at) const;
-    /// The light's terms; of an area light, those of its middle sample (of four, the third).
+    /// The light's terms; for an area light, those of its middle sample (of four, the third).
     [[nodiscard]] LightTerms<float> middle(const PointAt<float>& at) const {
         return terms(sources_[sources_.size() / 2], at);
     }
@@ -114,8 +115,8 @@ class LightAlone {
     LightJob job_;
 };
 
-// Random numbers that are the same on every machine: bits of a generator, because the distributions of std::
-// differ between libraries.
+// Random numbers that are the same on every platform. Uses the bits of a generator directly, because the
+// distributions of std:: differ between libraries.
 
 /// Uniform in [0, 1).
 [[nodiscard]] inline double uniform(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-32; }

@@ -15,7 +15,7 @@ namespace {
 
 glm::dvec2 direction(double deg) { return {std::sin(deg * degree), std::cos(deg * degree)}; }
 
-/// Normal with mean 0 and deviation 1. Box and Muller 1958.
+/// A normally distributed number with mean 0 and deviation 1. Box and Muller 1958.
 double normal(std::mt19937& random) {
     const double u = 1 - uniform(random), v = uniform(random);
     return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi * v);
@@ -28,8 +28,8 @@ double random_tilt(std::mt19937& random, double sigma_deg) {
     }
 }
 
-/// Creates the facets one after the other. The distribution of tilts is symmetric, so their signs are free:
-/// if the profile strays too far, the sign leads it back.
+/// Creates the facets one after another. The distribution of tilts is symmetric, so their signs are
+/// arbitrary. If the height deviates too far from 0, the sign brings it back.
 void make_profile(MicrofacetPicture& p, const MicrofacetOptions& options, std::mt19937& random) {
     glm::dvec2 at(0);
     p.profile.push_back(at);
@@ -43,11 +43,12 @@ void make_profile(MicrofacetPicture& p, const MicrofacetOptions& options, std::m
     }
 }
 
-/// The first hit of the ray from `start` on facet `from` with another facet; nothing if it leaves.
+/// The first intersection of the ray from `start` on facet `from` with another facet; nothing if there is
+/// none.
 std::optional<glm::dvec2> meets(const MicrofacetPicture& p, int from, glm::dvec2 start, glm::dvec2 d,
                                 double highest) {
     const int step = d.x < 0 ? -1 : 1, end = static_cast<int>(p.tilt_deg.size());
-    if (std::abs(d.x) < 1e-12) return std::nullopt;  // straight up: there are no overhangs
+    if (std::abs(d.x) < 1e-12) return std::nullopt;  // straight up; there are no overhangs
     for (int i = from + step; i >= 0 && i < end; i += step) {
         const glm::dvec2 a = p.profile[static_cast<std::size_t>(i)],
                          b = p.profile[static_cast<std::size_t>(i) + 1];
@@ -64,7 +65,7 @@ std::optional<glm::dvec2> meets(const MicrofacetPicture& p, int from, glm::dvec2
     return std::nullopt;
 }
 
-/// One ray aimed at a point of a facet that faces the light.
+/// Traces one ray to a point of a facet that faces the light.
 FacetRay trace(const MicrofacetPicture& p, int facet, double along, double light_deg, double highest) {
     FacetRay ray;
     ray.facet = facet;
@@ -91,8 +92,8 @@ FacetRay trace(const MicrofacetPicture& p, int facet, double along, double light
     return ray;
 }
 
-/// Aims parallel rays, as from a distant lamp, at the facets of the middle half, in proportion to the width
-/// of each facet seen from the light.
+/// Aims parallel rays, as from a distant lamp, at the facets in the middle half, in proportion to the width
+/// of each facet as seen from the light.
 void aim_rays(MicrofacetPicture& p, const MicrofacetOptions& options, std::mt19937& random) {
     const int first = options.facets / 4, last = options.facets - first;
     std::vector<double> shown{0};  // running sum
@@ -101,7 +102,7 @@ void aim_rays(MicrofacetPicture& p, const MicrofacetOptions& options, std::mt199
         const double width = std::cos((options.light_deg + tilt) * degree) / std::cos(tilt * degree);
         shown.push_back(shown.back() + std::max(width, 0.0));
     }
-    if (!(shown.back() > 0)) return;  // none of them faces the light
+    if (!(shown.back() > 0)) return;  // no facet faces the light
     double highest = p.profile.front().y;
     for (const glm::dvec2& point : p.profile) highest = std::max(highest, point.y);
     for (int i = 0; i < options.rays; ++i) {
@@ -135,7 +136,8 @@ void count_rays(MicrofacetPicture& p) {
     }
 }
 
-/// The density of tilts, per degree: normal with deviation sigma_deg, cut at steepest_deg. sigma_deg > 0.
+/// The density of tilts per degree: normal with deviation sigma_deg, truncated at steepest_deg. sigma_deg >
+/// 0.
 double tilt_density(double sigma_deg, double tilt_deg) {
     if (std::abs(tilt_deg) > steepest_deg) return 0;
     const double kept = std::erf(steepest_deg / (sigma_deg * std::numbers::sqrt2));
@@ -143,7 +145,7 @@ double tilt_density(double sigma_deg, double tilt_deg) {
     return std::exp(-x * x / 2) / (sigma_deg * std::sqrt(2 * std::numbers::pi) * kept);
 }
 
-/// The share of tilts within `half_width` of a given one, by the midpoint rule.
+/// The share of tilts within `half_width` of the given tilt, by the midpoint rule.
 double share_of_tilts(double sigma_deg, double tilt_deg, double half_width) {
     constexpr int steps = 64;
     double sum = 0;

@@ -27,7 +27,7 @@ std::array<glm::dvec3, 2> across(glm::dvec3 a) {
     return {first, glm::cross(a, first)};
 }
 
-/// The three terms for these vectors, in the frame in which n is (0, 0, 1).
+/// The three terms for these vectors in the frame where n is (0, 0, 1).
 std::array<glm::vec3, 3> terms(const Reflector& reflector, glm::dvec3 n, glm::dvec3 l, glm::dvec3 v) {
     const auto [x, y] = across(n);
     const glm::dmat3 local = glm::transpose(glm::dmat3(x, y, n));
@@ -37,7 +37,7 @@ std::array<glm::vec3, 3> terms(const Reflector& reflector, glm::dvec3 n, glm::dv
 
 float largest(glm::vec3 d) { return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}); }
 
-/// The relative change that rounding may cause in a term that does not depend on a vector.
+/// The relative change that rounding may cause in a term that is independent of a vector.
 constexpr float rounding = 2e-6f;
 
 }  // namespace
@@ -65,7 +65,7 @@ std::array<TermSensitivity, 3> term_sensitivity(const Reflector& reflector, glm:
 namespace {
 
 using Vec = Vec3<float>;
-constexpr float step = 0.1f;                                  // of a distance
+constexpr float step = 0.1f;                                  // relative change of a distance
 constexpr float turn_step = std::numbers::pi_v<float> / 180;  // one degree
 
 std::array<Vec, 2> across(Vec a) {
@@ -77,7 +77,7 @@ struct TwoTerms {
     Vec diffuse, specular;
 };
 
-/// Sums of all sources.
+/// The sum of the terms over all sources.
 TwoTerms terms_of(const LightAlone& lit, const PointAt<float>& at) {
     TwoTerms sum;
     for (const LightSource& source : lit.sources()) {
@@ -110,7 +110,7 @@ LightSensitivity light_sensitivity(const Scene& scene, PictureSize size, const L
         sensitivity.specular.*what =
             std::max(sensitivity.specular.*what, largest(then.specular, now.specular));
     };
-    // A directional light has no distance, so use the eye's.
+    // A directional light has no distance; uses the distance to the eye instead.
     const bool has_place = light.kind != LightKind::Directional;
     const float eye = square_root(dot(p, p)), away = step * (has_place ? middle.distance : eye);
     const Vec l = middle.directions.l;

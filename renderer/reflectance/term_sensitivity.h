@@ -1,5 +1,5 @@
 #pragma once
-// Measures which terms of the equation depend on the normal, the light's direction and the viewer. Lecture:
+// Measures which terms of the equation depend on the normal, the light direction and the viewer. Lecture:
 // "Lighting Review".
 
 #include <array>
@@ -11,24 +11,25 @@
 
 namespace glint {
 
-/// The change of a term, in its strongest channel, when one vector is rotated by a degree (the larger of two
-/// perpendicular rotations); 0 if it does not change at all.
+/// The change of a term, in the channel that changes most, when one vector is rotated by one degree (the
+/// larger of two perpendicular rotations). 0 if the term does not change at all.
 struct TermSensitivity {
     float normal = 0, light = 0, viewer = 0;
 };
 
-/// Ambient, diffuse and specular, in this order. n, l, v unit, in one frame; the light is white.
+/// Ambient, diffuse and specular, in this order. n, l, v: unit vectors in one frame. The light is white.
 [[nodiscard]] std::array<TermSensitivity, 3> term_sensitivity(const Reflector& reflector, glm::vec3 n,
                                                               glm::vec3 l, glm::vec3 v);
 
-// The dependence of a kind of light on its position, the viewer's position and the surface's angle. Lecture:
-// the table of "Light Sources", measured with the picture's equation.
+// The dependence of a type of light on its position, the viewer's position and the orientation of the
+// surface. Lecture: the table of "Light Sources", measured with the picture's equation.
 
-/// The change of a term, in its strongest channel, when one thing is moved; 0 if it does not change at all.
+/// The change of a term, in the channel that changes most, due to one movement; 0 if it does not change at
+/// all.
 struct Moved {
-    float light = 0;    // surface and viewer together, away from the light: by a tenth of its distance
-    float viewer = 0;   // the viewer alone, across the line of sight: by a tenth of its distance
-    float surface = 0;  // the normal: rotated by one degree
+    float light = 0;    // surface and viewer together away from the light, by a tenth of its distance
+    float viewer = 0;   // the viewer alone, perpendicular to the line of sight, by a tenth of its distance
+    float surface = 0;  // the normal, by a rotation of one degree
     bool operator==(const Moved&) const = default;
 };
 
@@ -37,9 +38,9 @@ struct LightSensitivity {
     float falloff = 1, spot = 1;  // at the point; for an area light, of its middle sample
 };
 
-/// The change of each term when the light, the viewer or the surface is moved slightly. The light is treated
-/// as white, of intensity 1 and switched on. `place`, `normal` (unit): position and normal of the surface,
-/// camera coordinates. Camera, shading and mistakes are the scene's; its lights and objects are ignored.
+/// The change of each term when the light, the viewer or the surface is moved slightly. Treats the light as
+/// white, of intensity 1 and enabled. `place`, `normal` (unit): position and normal of the surface, camera
+/// coordinates. Uses the scene's camera, shading and mistakes; ignores its lights and objects.
 [[nodiscard]] LightSensitivity light_sensitivity(const Scene& scene, PictureSize size, const Light& light,
                                                  const Material& material, glm::vec3 place, glm::vec3 normal);
 

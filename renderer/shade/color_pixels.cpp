@@ -1,5 +1,5 @@
-// From lit points to pixels: Phong and facet shading have one point per pixel, Gouraud blends corners, flat
-// uses the face's point; then strokes, exposure and bytes.
+// Computes pixels from lit points. Phong and facet shading have one point per pixel, Gouraud blends corners,
+// flat shading uses the point of the face. Then adds strokes, exposure and conversion to bytes.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -46,7 +46,7 @@ void write_group(Lighting& l, const PixelGroup& group, const ColorBlock& color, 
     }
 }
 
-/// Colours of `count` groups from `first` on.
+/// Computes the colours of `count` groups, starting at `first`.
 void color_groups(Lighting& l, const Surface& s, std::size_t first, std::size_t count, ColorBlock* colors) {
     const ColorRecord* lit = l.point_colors.data();
     if (const auto* faces = std::get_if<PerFace>(&s.kept))
@@ -59,8 +59,8 @@ void color_groups(Lighting& l, const Surface& s, std::size_t first, std::size_t 
     light_points(l, s, first, count, colors);
 }
 
-/// Copies the bytes of lit points to pixels. Unrolled, and with local pointers: byte stores may alias
-/// anything, so the compiler would reload members after each.
+/// Copies the bytes of lit points to pixels. The loop is unrolled and uses local pointers: byte stores may
+/// alias anything, so the compiler would reload members after each.
 void show_points(const std::uint32_t* point_rgba, const std::uint32_t (&points)[block_size],
                  std::uint16_t mask, std::uint8_t* to) {
     if (mask == 0xFFFF) {
@@ -72,7 +72,7 @@ void show_points(const std::uint32_t* point_rgba, const std::uint32_t (&points)[
         if (mask >> i & 1u) std::memcpy(to + 4 * i, point_rgba + points[i], 4);
 }
 
-/// Flat without strokes: a pixel shows the bytes of its lit point.
+/// Flat shading without strokes: each pixel shows the bytes of its lit point.
 void show_faces(Lighting& l, const Surface& s, const PerFace& faces) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.groups.size(), 8 * batch_size),
                       [&](const auto& range) {
@@ -85,7 +85,7 @@ void show_faces(Lighting& l, const Surface& s, const PerFace& faces) {
                       });
 }
 
-/// Calls visit(first, count) for each stretch of set bits.
+/// Calls visit(first, count) for each run of set bits.
 template <class Visit> void for_stretches(unsigned bits, const Visit& visit) {
     while (bits != 0) {
         const int first = std::countr_zero(bits), count = std::countr_one(bits >> first);
@@ -94,7 +94,7 @@ template <class Visit> void for_stretches(unsigned bits, const Visit& visit) {
     }
 }
 
-/// The groups of objects of which only the material has changed.
+/// The groups that show objects whose material alone has changed.
 GroupsToDo of_objects_again(const Lighting& l, const Surface& s, std::size_t first) {
     GroupsToDo todo{0, 0};
     for (std::size_t i = 0; i < std::min(batch_size, s.groups.size() - first); ++i)
@@ -102,7 +102,7 @@ GroupsToDo of_objects_again(const Lighting& l, const Surface& s, std::size_t fir
     return todo;
 }
 
-/// Colours up to 16 groups from `first` on: colour, strokes over it, bytes. Skips groups that are up to date.
+/// Computes up to 16 groups, starting at `first`: colours, strokes, bytes. Skips groups that are up to date.
 void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display,
                  std::size_t first) {
     std::array<ColorBlock, batch_size> colors;
@@ -124,7 +124,7 @@ void color_batch(Lighting& l, const Surface& s, const Strokes& strokes, const Di
         lighting_kernels().encode(display, &colors[begin], &rgba[begin * block_size], count);
         for (std::size_t i = begin; i < begin + count; ++i) {
             write_group(l, s.groups[first + i], colors[i], &rgba[i * block_size]);
-            if (first + i + batch_size < s.groups.size())  // the next batch's pixels
+            if (first + i + batch_size < s.groups.size())  // prefetches the next batch's pixels
                 prefetch_to_write(
                     &l.picture.rgba[4 * std::size_t{s.groups[first + i + batch_size].first_pixel}]);
         }
@@ -139,7 +139,7 @@ void color_groups_to_bytes(Lighting& l, const Surface& s, const Strokes& strokes
     });
 }
 
-/// Adds one group's share to its pixels.
+/// Adds one group's contribution to its pixels.
 void add_share(ColorBlock& sum, std::array<float, block_size>& covered, const PixelGroup& group,
                const GroupSamples& samples, const ColorBlock& color) {
     for (std::size_t i = 0; i < block_size; ++i) {
@@ -152,7 +152,7 @@ void add_share(ColorBlock& sum, std::array<float, block_size>& covered, const Pi
     }
 }
 
-/// Adds the background to the part of each pixel that no face covers.
+/// Adds the background to the part of each pixel that is not covered by a face.
 void add_background(ColorBlock& sum, const std::array<float, block_size>& covered,
                     const glm::vec3& background) {
     for (std::size_t i = 0; i < block_size; ++i) {
@@ -164,7 +164,7 @@ void add_background(ColorBlock& sum, const std::array<float, block_size>& covere
     }
 }
 
-/// Colours the pixels from several samples each: shares are added in linear light, group by group.
+/// Computes pixels with several samples each: adds the contributions in linear light, group by group.
 void color_sampled_pixels(Lighting& l, const Surface& s, const Strokes& strokes, const DisplayJob& display) {
     std::vector<std::size_t>& begins = l.block_begins;
     begins.assign(1, 0);

@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// The first enabled light, camera coordinates: its position (w = 1; the centre of an area light) or the
+/// The first enabled light in camera coordinates: its position (w = 1; the centre of an area light) or the
 /// direction towards it (w = 0).
 glm::dvec4 first_light(const std::vector<LightSource>& sources) {
     glm::dvec3 sum(0);
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> culled_by_light(const Scene& scene, const Geometry& g)
         const bool flip = scene.objects[o].normals.flip;
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size()), [&](const auto& range) {
             std::uint32_t face =
-                no_index;  // of the previous triangle: a polygon of many triangles is tested once
+                no_index;  // of the previous triangle, so that a polygon of many triangles is tested once
             std::uint8_t away = 0;
             for (std::size_t t = range.begin(); t != range.end(); ++t) {
                 if (triangles[t].face != face) {

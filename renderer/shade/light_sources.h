@@ -1,6 +1,6 @@
 #pragma once
-// Converts the scene's lights to the kernels' input: camera coordinates, colours times intensity. Lecture:
-// "Light Sources": standard: world coordinates; alternative: camera coordinates (car headlights).
+// Converts the scene's lights to the input of the kernels: camera coordinates, colours times intensity.
+// Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car headlights).
 
 #include <glm/mat4x4.hpp>
 #include <vector>
@@ -10,23 +10,23 @@
 
 namespace glint {
 
-/// The enabled lights in the scene's order; an area light gives one source per sample.
+/// The enabled lights in scene order. An area light gives one source per sample.
 [[nodiscard]] std::vector<LightSource> light_sources(const Scene& scene);
 
-/// Puts the enabled lights into `sources`, reusing its memory.
+/// Stores the enabled lights in `sources`, reusing its memory.
 void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 
-/// The transform of a light to camera coordinates: the view matrix for a light in world coordinates, and the
-/// identity for one in camera coordinates; mistakes may replace it.
+/// The transform of a light to camera coordinates: the view matrix for a light in world coordinates, the
+/// identity for one in camera coordinates. Mistakes may replace it.
 [[nodiscard]] glm::dmat4 camera_from_light(LightSpace space, const glm::dmat4& view_from_world,
                                            const Mistakes& mistakes = {});
 
-/// The divisor of every light's share: 1, or with the mistake of averaging, the number of enabled lights, at
-/// least 1.
+/// The divisor of every light's contribution: 1, or with the averaging mistake, the number of enabled lights,
+/// at least 1.
 [[nodiscard]] double share_divisor(const Scene& scene);
 
-/// One object's part of the equation. `lights` must outlive the job. `at_corners`: the colours will be
-/// blended over faces; OpenGL's rules clamp them first.
+/// The input of the equation for one object. `lights` must outlive the job. `at_corners`: the colours will be
+/// blended over faces; under OpenGL's rules they are clamped first.
 [[nodiscard]] LightJob light_job(const Scene& scene, PictureSize size, const Material& material,
                                  const std::vector<LightSource>& lights, bool at_corners);
 

@@ -1,5 +1,5 @@
-// Stage 4: decides which part of the lighting to recompute, and how: by lighting each point, by adding one
-// light to a cached sum, or by blending the colours of corners.
+// Stage 4. Determines which part of the lighting must be recomputed, and how: by lighting each point, by
+// adding one light to a cached sum, or by blending the colours of corners.
 #include "renderer/shade/lighting.h"
 
 #include <tbb/blocked_range.h>
@@ -15,7 +15,7 @@ namespace glint {
 void light_blocks(const std::vector<LightJob>& jobs, const Surface& s, std::size_t first, std::size_t count,
                   const ColorBlock* partial_sums, const std::optional<Arrivals>& arrivals,
                   ColorBlock* colors) {
-    for (std::size_t i = 0; i < count;) {  // one call for neighbouring blocks of one object
+    for (std::size_t i = 0; i < count;) {  // one call for adjacent blocks of one object
         const std::size_t same = s.blocks_of_one_object(first + i, first + count);
         const Arrivals here = arrivals ? arrivals->from(first + i) : Arrivals{};
         lighting_kernels().light(jobs[s.point_object[first + i]], &s.points[first + i],
@@ -34,7 +34,7 @@ void light_points(const Lighting& l, const Surface& s, std::size_t first, std::s
 
 namespace {
 
-/// The mesh's own colours.
+/// Copies the mesh's vertex colours.
 void take_vertex_colors(const Surface& s, const Geometry& g, std::size_t block, ColorBlock& colors) {
     const std::vector<ShadingPoint>& points = s.lit_points().shading_points;
     for (std::size_t i = 0; i < block_size; ++i) {
@@ -95,7 +95,7 @@ bool same_materials(const std::vector<Material>& kept, const Scene& scene) {
                       [](const Material& m, const Object& o) { return m == o.material; });
 }
 
-/// Records the objects of which only the material differs; none if anything else differs.
+/// Records the objects of which only the material has changed; none if anything else has changed.
 void find_objects_again(Lighting& l, const Scene& scene, bool same_but_materials) {
     l.objects_again.clear();
     if (!same_but_materials || l.materials.size() != scene.objects.size()) return;
@@ -103,8 +103,8 @@ void find_objects_again(Lighting& l, const Scene& scene, bool same_but_materials
         l.objects_again.push_back(l.materials[i] != scene.objects[i].material);
 }
 
-/// The members of `npr` that this stage reads: all except those of the strokes stage, so that a new member
-/// counts unless it is named here.
+/// The members of `npr` that this stage reads: all except those of the strokes stage. A new member is
+/// included unless it is reset here.
 Npr without_strokes(Npr npr) {
     const Npr none;
     npr.silhouettes = none.silhouettes;
@@ -115,11 +115,11 @@ Npr without_strokes(Npr npr) {
     return npr;
 }
 
-/// The inputs that have not changed since the cached picture.
+/// The inputs that are unchanged since the cached picture.
 struct Unchanged {
-    bool ground = false;     // background, strokes and display: the inputs of pixels without a surface
+    bool ground = false;     // background, strokes and display: the inputs of pixels that show no surface
     bool pixels = false;     // ground, and the surface that each pixel shows
-    bool equation = false;   // the surface, and the equation except lights and materials
+    bool equation = false;   // the surface, and the equation's inputs except lights and materials
     bool materials = false;  // of all objects
     bool lights = false;
 
@@ -144,12 +144,12 @@ Unchanged compare(const Lighting& kept, const Scene& scene, const Strokes& strok
     return same;
 }
 
-/// Recomputes sources and jobs, reusing their memory; returns false if some object's grid differs.
+/// Recomputes sources and jobs, reusing their memory. Returns false if the grid of an object has changed.
 bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_corners) {
     std::swap(kept.sources, kept.sources_before);
     light_sources(scene, kept.sources);
     if (kept.sources != kept.sources_before)
-        kept.objects_again.clear();  // the materials enter the lights' bounds
+        kept.objects_again.clear();  // the bounds of the lights depend on the materials
     bool same_grids = kept.jobs.size() == scene.objects.size();
     kept.materials.resize(scene.objects.size());
     kept.jobs.resize(scene.objects.size());
@@ -162,8 +162,8 @@ bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_cor
     return same_grids;
 }
 
-/// Fills in the background in all pixels without a surface. `same_ground`: background, strokes and display
-/// are those of the last picture, so that most of it is up to date.
+/// Draws the background in all pixels without a surface. `same_ground`: background, strokes and display are
+/// unchanged since the last picture, so most of it is up to date.
 void prepare_picture(Lighting& kept, PictureSize size, const Visibility& visibility, const Strokes& strokes,
                      const DisplayJob& display, bool same_ground) {
     const bool plain = visibility.samples == 1 && strokes.coverage.empty();

@@ -1,4 +1,4 @@
-// While only one light moves, the sum of all the others is cached, and each frame adds the moving one to it.
+// While only one light moves, caches the sum of all others and adds the moving light in each frame.
 #include "renderer/shade/moving_light.h"
 
 #include <tbb/blocked_range.h>
@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::size_t grain = 128;  // blocks per task
 
-/// A sphere around those of 16 vectors that belong to pixels; the first of these replaces the rest.
+/// A bounding sphere of those of 16 vectors that belong to pixels. The other vectors are replaced by the
+/// first of these.
 struct Sphere {
     float x = 0, y = 0, z = 0, radius = 0;
 
@@ -42,7 +43,7 @@ struct Sphere {
     }
 };
 
-/// Bounds of group i of 16.
+/// Computes the bounds of group i of 16.
 void bound_group(BoundsBlock& bounds, std::size_t i, const PointBlock& points, unsigned mask) {
     const Sphere positions(points.x, points.y, points.z, mask);
     const Sphere normals(points.nx, points.ny, points.nz, mask);
@@ -52,7 +53,7 @@ void bound_group(BoundsBlock& bounds, std::size_t i, const PointBlock& points, u
     bounds.spread[i] = normals.radius;
 }
 
-/// A sphere around the positions and one around the normals of each pixel group; empty for per-vertex and
+/// Computes bounding spheres of the positions and normals of each pixel group. Empty for per-vertex and
 /// per-face shading, which have few points to light.
 void bound_groups(const Surface& s, std::vector<BoundsBlock>& bounds) {
     const std::size_t groups = s.choice.kind == SurfaceKind::Pixels ? s.groups.size() : 0;
@@ -70,7 +71,8 @@ void give_lights(LightJob& job, const std::vector<LightSource>& lights) {
 
 float max_product(const Float3& a, const Float3& b) { return std::max({a.x * b.x, a.y * b.y, a.z * b.z}); }
 
-/// An upper bound of one light's share at any point; infinity for an area light, which has no known bound.
+/// An upper bound of one light's contribution at any point. Infinite for an area light, for which no bound is
+/// known.
 double max_share(const LightJob& job, const LightSource& light) {
     if (light.is_patch) return HUGE_VAL;
     const SurfaceMaterial& m = job.material;
@@ -83,8 +85,8 @@ double max_share(const LightJob& job, const LightSource& light) {
 }  // namespace
 
 float rounding_grid(const LightJob& job, float exposure) {
-    constexpr std::size_t fewest_lights = 3;  // of two, a cached sum would save only the other one
-    constexpr double coarsest = 0x1p-18;      // of white: a hundredth of a level where sRGB is steepest
+    constexpr std::size_t fewest_lights = 3;  // with two lights, caching would save only one of them
+    constexpr double coarsest = 0x1p-18;  // relative to white: a hundredth of a level where sRGB is steepest
     const bool bounded = info_of(job.model).is_bounded;
     if (job.light_count < fewest_lights || !bounded || job.bounced || job.tone.on || job.power_table > 0 ||
         job.clamp)
@@ -100,7 +102,7 @@ float rounding_grid(const LightJob& job, float exposure) {
     }
     const double steps = std::max(std::ldexp(most, -22), std::ldexp(sum, -24));  // as rounded() requires
     if (!(steps > 1e-30 && steps < 1e30)) return 0;
-    // A light that is far away, or falls off quickly, may add far less than its bound.
+    // A light that is far away or falls off quickly may contribute far less than its bound.
     const double grid = std::exp2(std::ceil(std::log2(steps)));
     return grid * double(exposure) <= coarsest ? static_cast<float>(grid) : 0;
 }
@@ -136,7 +138,7 @@ void MovingLight::light_others(const std::vector<LightJob>& jobs, const Surface&
 
 void MovingLight::follow(int moving, bool same_grids, const std::vector<LightSource>& sources,
                          const std::vector<LightJob>& jobs, const Surface& surface) {
-    // With a mistake, shares may be so large that their sum depends on its order.
+    // With a mistake, contributions may be so large that the sum depends on the order.
     const bool exact =
         std::all_of(jobs.begin(), jobs.end(), [](const LightJob& j) { return j.grid > 0 && !j.any_mistake; });
     if (!allowed || moving < 0 || !exact) {
@@ -154,7 +156,7 @@ void MovingLight::follow(int moving, bool same_grids, const std::vector<LightSou
 
 GroupsToDo MovingLight::groups_to_do(std::size_t batch) {
     if (!is_followed() || bounds_.empty()) return {};
-    unsigned lit = 0;  // the groups to which the moving light may add something
+    unsigned lit = 0;  // groups that the moving light may reach
     for (const LightSource& source : moving_sources_) lit |= shade_kernels().find_lit(source, bounds_[batch]);
     const unsigned shown = shown_lit_[batch];
     shown_lit_[batch] = static_cast<std::uint16_t>(lit);

@@ -1,16 +1,16 @@
 #pragma once
-// The input and output of the shading kernels: plain numbers, shared by all instruction sets.
+// The inputs and outputs of the shading kernels as plain numbers, shared by all instruction sets.
 
 #include "renderer/lighting/light_job.h"
 
 namespace glint {
 
-/// The colour of one lit point, in a record that is loaded at once: linear RGB, not clamped.
+/// The colour of one lit point, linear RGB, not clamped. The record is loaded at once.
 struct ColorRecord {
     float r = 0, g = 0, b = 0, unused = 0;
 };
 
-/// Bounds of 16 blocks of points, each a sphere around the positions and one around the normals
+/// Bounds of 16 blocks of points: for each a bounding sphere of the positions and one of the normals
 /// (GroupBounds).
 struct alignas(64) BoundsBlock {
     float x[block_size], y[block_size], z[block_size], radius[block_size];
@@ -19,17 +19,17 @@ struct alignas(64) BoundsBlock {
 
 /// The kernels of one instruction set.
 struct ShadeKernels {
-    /// Bit i: whether the light may add something at some point of block i.
+    /// Bit i: whether the light may contribute to a point of block i.
     std::uint16_t (*find_lit)(const LightSource& light, const BoundsBlock& bounds);
-    /// Colour groups of 16 pixels from the colours of lit points: blend() mixes `each` points, with numbers
-    /// and weights [group][which][pixel]; pick() takes one point, with numbers [group][pixel].
+    /// Compute groups of 16 pixels from the colours of lit points. blend() blends `each` points, with numbers
+    /// and weights [group][which][pixel]; pick() copies one point, with numbers [group][pixel].
     void (*blend)(const ColorRecord* points, const std::uint32_t* numbers, const float* weights, int each,
                   ColorBlock* colors, std::size_t groups);
     void (*pick)(const ColorRecord* points, const std::uint32_t* numbers, ColorBlock* colors,
                  std::size_t groups);
 };
 
-/// The kernels of the current instruction set (instruction_set.h).
+/// The kernels of the selected instruction set (instruction_set.h).
 const ShadeKernels& shade_kernels();
 
 }  // namespace glint

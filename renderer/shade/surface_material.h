@@ -1,5 +1,5 @@
 #pragma once
-// Converts a material to the kernels' input, with mistakes applied.
+// Converts a material to the kernels' input, including mistakes.
 
 #include <glm/vec3.hpp>
 
@@ -8,7 +8,7 @@
 
 namespace glint {
 
-/// OpenGL 2.1 allows a shininess up to 128.
+/// The maximum shininess in OpenGL 2.1.
 inline constexpr float opengl_max_shininess = 128;
 
 [[nodiscard]] inline Float3 to_float3(const glm::vec3& c) { return {c.x, c.y, c.z}; }
@@ -22,8 +22,8 @@ inline constexpr float opengl_max_shininess = 128;
 /// A material in the equation's form, without k_a I_a: `global_ambient` is 0.
 [[nodiscard]] SurfaceMaterial surface_material(const Material& material);
 
-/// The square of the cosine whose power is 2^-24, the last bit of a highlight of 1. For a shininess of 0, at
-/// which every cosine counts (0^0 is 1), the lowest float, which is below every signed square.
+/// The square of the cosine whose power is 2^-24, the last bit of a highlight of 1. For a shininess of 0, for
+/// which every cosine gives a highlight (0^0 is 1), the lowest float, which is less than any signed square.
 [[nodiscard]] float min_cosine_squared(float shininess);
 
 }  // namespace glint

@@ -1,12 +1,12 @@
 #pragma once
-// Vectors of doubles, for positions: half as many as the instruction set has floats, so that they fill a
-// register. Operations round identically in every width, as in lanes.h.
+// Vectors of doubles, for positions: half as many lanes as for floats, so that they fill a register.
+// Operations round identically for every width, as in lanes.h.
 
 #include "renderer/simd/lanes.h"
 
 namespace glint::inline GLINT_ISA {
 
-template <class Number, int N> struct Vector {  // N of them as the compiler's vector type
+template <class Number, int N> struct Vector {  // N numbers as the compiler's vector type
     typedef Number Type __attribute__((vector_size(N * sizeof(Number))));
 };
 template <int N> struct Doubles {
@@ -24,7 +24,7 @@ template <int N> struct NumberTraits<Doubles<N>> {
     static constexpr int width = N;
 };
 
-/// Correctly rounded, as IEEE 754 requires, in every width.
+/// Correctly rounded, as IEEE 754 requires, for every width.
 template <int N> Doubles<N> square_root(Doubles<N> a) {
 #ifdef __AVX512F__
     if constexpr (N == 8) return Doubles<N>((typename Doubles<N>::V)_mm512_maskz_sqrt_pd(0xFF, (__m512d)a.v));
@@ -40,7 +40,7 @@ template <int N> Doubles<N> square_root(Doubles<N> a) {
     return root;
 }
 
-/// The doubles for a number type: as many as `width`.
+/// The type for `width` doubles.
 template <int N> struct DoublesOf {
     using Type = Doubles<N>;
     static constexpr int width = N;
@@ -51,7 +51,7 @@ template <> struct DoublesOf<1> {
 };
 template <Number F> using HalfAsMany = DoublesOf<(NumberTraits<F>::width + 1) / 2>;
 
-/// Loads as many floats or ints as D has lanes, and converts them to doubles without rounding.
+/// Loads as many floats or ints as D has lanes, and converts them exactly to doubles.
 template <class D, class Narrow> D widened(const Narrow* from) {
     if constexpr (sizeof(D) == sizeof(double)) {
         return static_cast<double>(*from);
@@ -64,13 +64,13 @@ template <class D, class Narrow> D widened(const Narrow* from) {
     }
 }
 
-/// Rounded to floats.
+/// Stores numbers rounded to floats.
 inline void store_narrowed(float* to, double a) { *to = static_cast<float>(a); }
 template <int N> void store_narrowed(float* to, Doubles<N> a) {
     const auto few = __builtin_convertvector(a.v, typename Vector<float, N>::Type);
     __builtin_memcpy(to, &few, sizeof(few));
 }
-/// Truncates numbers, |a| < 2^31: store_truncated() stores them as ints, truncated() returns them as doubles.
+/// Truncates numbers, |a| < 2^31. store_truncated() stores them as ints, truncated() returns them as doubles.
 inline void store_truncated(void* to, double a) { store_ints(to, static_cast<int>(a)); }
 template <int N> void store_truncated(void* to, Doubles<N> a) {
     const auto few = __builtin_convertvector(a.v, typename Vector<int, N>::Type);

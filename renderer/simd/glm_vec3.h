@@ -1,5 +1,5 @@
 #pragma once
-// Converts between GLM's vectors and the equation's.
+// Converts between GLM vectors and those of the equation.
 
 #include <glm/vec3.hpp>
 

@@ -1,11 +1,11 @@
 #pragma once
-// Operations of the rasteriser on the integers of lanes.h: multiply, compare and select, lane by lane.
+// Integer operations of the rasteriser on the types of lanes.h: multiply, compare and select, lane by lane.
 
 #include "renderer/simd/lanes.h"
 
 namespace glint::inline GLINT_ISA {
 
-/// 0, 1, 2, ..., one per lane of the widest set.
+/// 0, 1, 2, ..., one number per lane of the widest set.
 static constexpr int iota[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 template <class I> I broadcast(int a) {
@@ -42,14 +42,14 @@ inline IntLanes<16> select(Mask16 m, IntLanes<16> a, IntLanes<16> b) {
     return {(LanesOf<16>::Ints)_mm512_mask_blend_epi32(m.bits, (__m512i)b.v, (__m512i)a.v)};
 }
 #endif
-/// The lanes 0 .. count - 1.
+/// A mask of the lanes 0 .. count - 1.
 template <Number F> MaskOf<F> first_n(int count) {
 #ifdef __AVX512F__
     if constexpr (NumberTraits<F>::width == 16) return {static_cast<unsigned short>((1u << count) - 1)};
 #endif
     return broadcast<IntOf<F>>(count) > load_ints<IntOf<F>>(iota);
 }
-/// Lane i receives lane i - 1; the first lane is unchanged.
+/// Moves lane i - 1 to lane i. The first lane is unchanged.
 inline IntLanes<4> slide1up(IntLanes<4> a) { return {__builtin_shufflevector(a.v, a.v, 0, 0, 1, 2)}; }
 inline IntLanes<8> slide1up(IntLanes<8> a) {
     return {__builtin_shufflevector(a.v, a.v, 0, 0, 1, 2, 3, 4, 5, 6)};
@@ -75,11 +75,12 @@ inline unsigned mask_bits(Mask16 m) { return m.bits; }
 #endif
 inline unsigned mask_bits(bool m) { return m ? 1 : 0; }
 
-/// Stores the selected lanes contiguously, in memory with room for all lanes; returns their number.
+/// Stores the selected lanes contiguously, in memory with room for all lanes. Returns the number of selected
+/// lanes.
 template <int N> unsigned compress_store(IntLanes<N> mask, IntLanes<N> a, int* to) {
     const unsigned bits = mask_bits(mask);
     unsigned count = 0;
-    for (int i = 0; i < N; ++i) {  // without a branch, which could not be predicted
+    for (int i = 0; i < N; ++i) {  // without branches, which would be unpredictable
         to[count] = a.v[i];
         count += bits >> i & 1u;
     }

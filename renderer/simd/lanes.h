@@ -1,11 +1,11 @@
 #pragma once
-// The number type of the equation: `float`, or a vector of N floats (`Lanes<N>`), with the same operations
-// and bit-identical results. Only this header and its three additions (double_lanes.h,
-// transpose.h, int_lanes.h) know the compiler's vector types and the processor's intrinsics. Everything here
-// is in a namespace per instruction set, so that the linker can never merge AVX code with the baseline's.
+// The number type of the equation: `float`, or a vector of N floats (`Lanes<N>`) with the same operations and
+// bit-identical results. Only this header and its three extensions (double_lanes.h, transpose.h, int_lanes.h)
+// use the compiler's vector types and the processor's intrinsics. Everything here is in a separate namespace
+// for each instruction set, so that the linker can never merge AVX code with baseline code.
 //
-// Allowed in the equation: + - * / square_root, comparisons, select, and the bit moves of pow.h. With nothing
-// else, and -ffp-contract=off, every width and every optimisation level gives the same bits.
+// The equation may use only + - * / square_root, comparisons, select, and the bit operations of pow.h. With
+// -ffp-contract=off, every width and every optimisation level then gives the same bits.
 
 #ifndef GLINT_ISA
 #define GLINT_ISA baseline
@@ -22,7 +22,7 @@ template <int N> struct LanesOf {  // N floats and N ints as the compiler's vect
     typedef int Ints __attribute__((vector_size(N * sizeof(int))));
 };
 
-/// N integers; as a mask, a lane is 0 (false) or -1 (true), as comparisons return.
+/// N integers. As a mask, each lane is 0 (false) or -1 (true), as returned by comparisons.
 template <int N> struct IntLanes { typename LanesOf<N>::Ints v; };
 
 template <int N> struct Lanes {
@@ -42,7 +42,7 @@ template <int N> struct MaskOfLanes { using Type = IntLanes<N>; };
 template <> struct MaskOfLanes<16> { using Type = Mask16; };
 #endif
 
-// The types of a number type's masks and integers.
+// The mask and integer types of a number type.
 template <class F> struct NumberTraits;
 template <> struct NumberTraits<float> {
     using Mask = bool;
@@ -50,7 +50,7 @@ template <> struct NumberTraits<float> {
     static constexpr int width = 1;
 };
 template <>
-struct NumberTraits<double> {  // for positions on faces too large for floats; never in the equation
+struct NumberTraits<double> {  // for positions on faces that are too large for floats; never in the equation
     using Mask = bool;
     using Int = long long;
     static constexpr int width = 1;
@@ -67,7 +67,7 @@ concept Number = requires {
 template <Number F> using MaskOf = typename NumberTraits<F>::Mask;
 template <Number F> using IntOf = typename NumberTraits<F>::Int;
 
-/// Vectors of numbers: Lanes, and Doubles (double_lanes.h).
+/// A vector of numbers: Lanes or Doubles (double_lanes.h).
 template <class L>
 concept SideBySide = Number<L> && requires {
     typename L::V;
@@ -80,7 +80,7 @@ template <SideBySide L> L operator*(L a, L b) { return L(a.v * b.v); }
 template <SideBySide L> L operator/(L a, L b) { return L(a.v / b.v); }
 template <SideBySide L> L operator-(L a) { return L(-a.v); }
 
-// Comparisons give masks.
+// Comparisons return masks.
 template <SideBySide L> MaskOf<L> operator<(L a, L b) { return {a.v < b.v}; }
 template <SideBySide L> MaskOf<L> operator>(L a, L b) { return {a.v > b.v}; }
 template <SideBySide L> MaskOf<L> operator<=(L a, L b) { return {a.v <= b.v}; }
@@ -102,7 +102,7 @@ inline bool any(Mask16 m) { return m.bits != 0; }
 template <int N> IntLanes<N> mask_and(IntLanes<N> a, IntLanes<N> b) { return {a.v & b.v}; }
 inline bool mask_and(bool a, bool b) { return a && b; }
 
-/// a where the mask is true, else b; both sides are evaluated.
+/// a where the mask is true, otherwise b. Evaluates both.
 template <SideBySide L> L select(MaskOf<L> m, L a, L b) { return L(m.v ? a.v : b.v); }
 inline float select(bool m, float a, float b) { return m ? a : b; }
 inline double select(bool m, double a, double b) { return m ? a : b; }
@@ -121,7 +121,7 @@ template <int N> bool any(IntLanes<N> m) {
 }
 inline bool any(bool m) { return m; }
 
-// Integers, for the bit moves of pow.h.
+// Integers, for the bit operations of pow.h.
 template <int N> IntLanes<N> operator+(IntLanes<N> a, int b) { return {a.v + b}; }
 template <int N> IntLanes<N> operator+(IntLanes<N> a, IntLanes<N> b) { return {a.v + b.v}; }
 template <int N> IntLanes<N> operator-(IntLanes<N> a, int b) { return {a.v - b}; }
@@ -136,7 +136,7 @@ template <int N> Lanes<N> to_number(IntLanes<N> a) {
     return Lanes<N>(__builtin_convertvector(a.v, typename Lanes<N>::V));
 }
 inline float to_number(int a) { return static_cast<float>(a); }
-/// Truncates towards zero; the number must fit.
+/// Truncates towards zero. The result must fit.
 template <int N> IntLanes<N> to_int(Lanes<N> a) {
     return {__builtin_convertvector(a.v, typename LanesOf<N>::Ints)};
 }
@@ -149,12 +149,12 @@ inline bool any_bit(int a) { return a != 0; }
 inline void store_ints(void* to, int a) { __builtin_memcpy(to, &a, sizeof(a)); }
 template <int N> void store_ints(void* to, IntLanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
 
-/// Correctly rounded, as IEEE 754 requires, in every width.
+/// Correctly rounded, as IEEE 754 requires, for every width.
 inline float square_root(float a) { return __builtin_sqrtf(a); }
 inline double square_root(double a) { return __builtin_sqrt(a); }
 template <int N> Lanes<N> square_root(Lanes<N> a) {
 #ifdef __AVX512F__
-    // maskz: g++ 12 warns about the undefined register inside _mm512_sqrt_ps; the code is the same.
+    // maskz: g++ 12 warns about an undefined register inside _mm512_sqrt_ps; the generated code is the same.
     if constexpr (N == 16) return Lanes<N>((typename Lanes<N>::V)_mm512_maskz_sqrt_ps(0xFFFF, (__m512)a.v));
 #endif
 #ifdef __AVX__
@@ -172,7 +172,7 @@ template <int N> Lanes<N> square_root(Lanes<N> a) {
 inline constexpr float smallest_normal = 0x1p-126f;  // smaller numbers are denormal
 template <Number F> F max(F a, F b) { return select(a > b, a, b); }
 template <Number F> F min(F a, F b) { return select(a < b, a, b); }
-template <int N> Lanes<N> max(Lanes<N> a, Lanes<N> b) {  // one instruction with the same result, also for NaN
+template <int N> Lanes<N> max(Lanes<N> a, Lanes<N> b) {  // one instruction with the same result, even for NaN
 #ifdef __AVX512F__
     if constexpr (N == 16)
         return Lanes<N>((typename Lanes<N>::V)_mm512_maskz_max_ps(0xFFFF, (__m512)a.v, (__m512)b.v));
@@ -222,8 +222,8 @@ template <class I> I load_ints(const void* from) {
 }
 inline void store(float* to, float a) { *to = a; }
 template <int N> void store(float* to, Lanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
-/// Prefetches the cache lines of `bytes` bytes from `from` on. Unmapped addresses do no harm. Always inlined:
-/// g++ 12 would drop calls of a function that does nothing else.
+/// Prefetches the cache lines of `bytes` bytes, starting at `from`. Unmapped addresses are harmless. Always
+/// inlined: g++ 12 would remove calls of a function that does nothing else.
 [[gnu::always_inline]] inline void prefetch(const void* from, unsigned long bytes) {
     for (unsigned long i = 0; i < bytes; i += 64) __builtin_prefetch(static_cast<const char*>(from) + i);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Vectors with an entry for every pixel: megabytes that many threads write at once.
+// Vectors with one element per pixel: megabytes written by many threads at once.
 
 #include <cstddef>
 #include <memory>
@@ -14,15 +14,15 @@
 
 namespace glint {
 
-/// Leaves new elements uninitialised unless they have values (std::vector sets them to 0, on one thread), and
-/// requests large pages: with pages of 4 KiB, page faults took a third of a first picture's time.
+/// Leaves new elements without values uninitialised (std::vector sets them to 0, on one thread), and requests
+/// large pages: with pages of 4 KiB, page faults took a third of the time of the first picture.
 template <class T> struct PixelAllocator {
     static_assert(std::is_trivially_copyable_v<T>);
     using value_type = T;
 
     PixelAllocator() = default;
     template <class Other>
-    PixelAllocator(const PixelAllocator<Other>& /*same*/) {}  // NOLINT: as the standard's
+    PixelAllocator(const PixelAllocator<Other>& /*same*/) {}  // NOLINT: implicit, as in std::allocator
 
     [[nodiscard]] T* allocate(std::size_t count) {
         T* memory = std::allocator<T>().allocate(count);
@@ -30,7 +30,7 @@ template <class T> struct PixelAllocator {
         constexpr std::size_t large_page = std::size_t{1} << 21;
         void* first = memory;
         std::size_t bytes = count * sizeof(T);
-        // Only a hint, which may be refused.
+        // Only a hint, which the system may ignore.
         if (std::align(large_page, large_page, first, bytes) != nullptr)
             (void)madvise(first, bytes / large_page * large_page, MADV_HUGEPAGE);
 #endif

@@ -1,7 +1,7 @@
 #pragma once
 // Transposes between records of four floats, one per lane, and four vectors (AoS and SoA): one 16-byte load
-// per lane instead of four gathers of four bytes; the transpose is done in registers. Uses only shuffles, so
-// no bit can change.
+// per lane instead of four gathers of four bytes, followed by a transpose in registers. Uses only shuffles,
+// so values are unchanged to the last bit.
 
 #include <cstddef>
 
@@ -21,9 +21,9 @@ inline Row row(const char* from) {
     return r;
 }
 
-// The shuffles of a transpose, for each width. `rows` loads N floats, four from each of N / 4 records; the
-// others interleave two vectors: single floats of the lower or of the upper half of each row,
-// or pairs of floats.
+// The shuffles of a transpose, for each width. `rows` loads N floats, four from each of N / 4 records. The
+// others interleave two vectors: single floats of the lower or the upper half of each row, or pairs of
+// floats.
 template <int N> struct Rows;
 template <> struct Rows<4> {
     using V = LanesOf<4>::Floats;
@@ -84,7 +84,7 @@ template <Number F> Columns<F> gather_transposed(const void* from, const unsigne
         return record;
     } else {
         typename transposing::Rows<width>::V rows[4];
-#pragma GCC unroll 4  // otherwise the rows would go through memory
+#pragma GCC unroll 4  // otherwise the rows would be spilled to memory
         for (int k = 0; k < 4; ++k) {
             const char* record[width / 4];
 #pragma GCC unroll 4
@@ -95,13 +95,13 @@ template <Number F> Columns<F> gather_transposed(const void* from, const unsigne
     }
 }
 
-/// Transposes `count` triples of numbers into three lists of N; entries past the count repeat the first.
+/// Transposes `count` triples of numbers into three arrays of N. Entries past `count` repeat the first.
 template <int N> void transpose_triples(const float* triples, std::size_t count, float (&lists)[3][N]) {
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t k = 0; k < 3; ++k) lists[k][i] = triples[3 * (i < count ? i : 0) + k];
 }
 
-/// Transposes four lists of N numbers of four bytes into N records, `step` bytes apart.
+/// Transposes four arrays of N four-byte numbers into N records, `step` bytes apart.
 template <int N> void store_transposed(const float (&lists)[4][N], void* records, std::size_t step) {
     auto* to = static_cast<char*>(records);
     for (int i = 0; i < N; i += 4) {

@@ -1,6 +1,6 @@
 #pragma once
-// Three numbers of any width: a vector or a linear RGB colour. Not GLM's, whose dot and normalize take only
-// scalars.
+// Three numbers of any width: a vector or a linear RGB colour. GLM's vec3 is not used because its dot and
+// normalize support only scalars.
 
 #include "renderer/simd/lanes.h"
 
@@ -12,7 +12,7 @@ template <Number F> Vec3<F> operator+(Vec3<F> a, Vec3<F> b) { return {a.x + b.x,
 template <Number F> Vec3<F> operator-(Vec3<F> a, Vec3<F> b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 template <Number F> Vec3<F> operator-(Vec3<F> a) { return {-a.x, -a.y, -a.z}; }
 template <Number F> Vec3<F> operator*(F s, Vec3<F> a) { return {s * a.x, s * a.y, s * a.z}; }
-/// Component by component: a light's colour times a material's (red light on green is black).
+/// Multiplies component by component: a light's colour times a material's (red light on green is black).
 template <Number F> Vec3<F> operator*(Vec3<F> a, Vec3<F> b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
 template <Number F> F dot(Vec3<F> a, Vec3<F> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -21,7 +21,7 @@ template <Number F> Vec3<F> cross(Vec3<F> a, Vec3<F> b) {
 }
 template <Number F> F length(Vec3<F> a) { return square_root(dot(a, a)); }
 
-/// a / |a|. (0, 0, 0) stays (0, 0, 0): a missing normal lights black, never NaN.
+/// a / |a|. (0, 0, 0) is unchanged: a missing normal gives black, never NaN.
 template <Number F> Vec3<F> unit(Vec3<F> a) { return inverse_or_zero(length(a)) * a; }
 
 /// A unit vector perpendicular to the unit vector a. Scalars only (float or double).
@@ -34,7 +34,7 @@ template <Number F> Vec3<F> select(MaskOf<F> m, Vec3<F> a, Vec3<F> b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 
-/// Broadcasts anything with x, y, z to all lanes.
+/// Broadcasts anything with members x, y, z to all lanes.
 template <Number F, class V> Vec3<F> broadcast(const V& a) { return {F(a.x), F(a.y), F(a.z)}; }
 
 }  // namespace glint::inline GLINT_ISA

@@ -1,6 +1,6 @@
 #pragma once
-// For kernels that are compiled once for each instruction set: the set's number type, Wide, and the attribute
-// that inlines everything. Only for those (GLINT_LANES, renderer/CMakeLists.txt, add_kernels).
+// For kernels compiled once for each instruction set: the set's number type, Wide, and the attribute that
+// inlines everything. Internal to these kernels (GLINT_LANES, renderer/CMakeLists.txt, add_kernels).
 
 #include "renderer/simd/lanes.h"
 

@@ -1,5 +1,5 @@
-// Selects the edges drawn as strokes: silhouettes, between a facet seen from the front and one that is not,
-// and creases, between two facets at a sharp angle.
+// Selects the edges drawn as strokes: silhouettes, between a front-facing facet and one that is not, and
+// creases, between two facets at a sharp angle.
 #include "renderer/strokes/stroke_edges.h"
 
 #include <tbb/parallel_for.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t chunk_size = 16384;  // edges per task
 
-/// Tests single edges; stores the values that they share.
+/// Tests single edges. Stores the values common to all of them.
 class Selector {
   public:
     Selector(const MeshEdges& edges, const EdgeView& view, const EdgeChoice& choice)
@@ -53,10 +53,10 @@ class Selector {
     // In floating point, cos 90 degrees is not exactly 0, and the facets of a rotated cube are not exactly at
     // right angles.
     static constexpr double crease_tolerance = 1e-6;
-    // The sine of the angle below which a facet counts as seen edge-on; only rounding errors are this small.
+    // The sine of the angle below which a facet counts as seen edge-on. Only rounding errors are this small.
     static constexpr double edge_on = 1e-12;
-    // A crease compares every pair of facets; the limit keeps a file with a million facets at one edge from
-    // taking 10^12 steps.
+    // A crease compares every pair of facets. The limit prevents 10^12 steps for a file with a million facets
+    // at one edge.
     static constexpr std::size_t max_compared = 256;
 
     [[nodiscard]] glm::dvec3 to_eye(std::size_t edge) const {
@@ -66,7 +66,7 @@ class Selector {
         return glm::dvec3(view_.eye) - view_.eye.w * middle;
     }
 
-    /// 1 if the facet is seen from the front, -1 from behind, 0 edge-on.
+    /// 1 if the facet is front-facing, -1 if back-facing, 0 if edge-on.
     static int side(const glm::dvec3& e, const glm::dvec3& n) {
         const double towards_eye = glm::dot(e, n), limit = edge_on * std::sqrt(glm::dot(e, e));
         return towards_eye > limit ? 1 : towards_eye < -limit ? -1 : 0;

@@ -1,5 +1,5 @@
-// The kernels of geometry, visibility and surface, compiled once for each instruction set
-// (renderer/CMakeLists.txt, add_kernels). No standard library inside, as in lighting_kernels_isa.cpp.
+// The kernels for geometry, visibility and surface, compiled once for each instruction set
+// (renderer/CMakeLists.txt, add_kernels). Does not use the standard library, as in lighting_kernels_isa.cpp.
 
 #include "renderer/geometry/transform_lanes.h"
 #include "renderer/simd/isa/kernel_set.h"

@@ -1,7 +1,7 @@
 #pragma once
-// Chooses the instruction set of the kernels: the widest that the processor has, or the one that the
-// environment variable GLINT_ISA names (scalar, sse2, avx2, avx512; on ARM scalar, neon), for tests and
-// measurements. The picture is the same.
+// Selects the instruction set of the kernels: the widest that the processor supports, or the one given by the
+// environment variable GLINT_ISA (scalar, sse2, avx2, avx512; on ARM scalar, neon), for tests and
+// measurements. All sets give the same picture.
 
 #include <optional>
 
@@ -9,13 +9,13 @@
 
 namespace glint {
 
-/// The name of the set in use.
+/// The name of the selected set.
 [[nodiscard]] const char* instruction_set_name();
 
-/// Why GLINT_ISA cannot be used: an unknown name, or a set that this processor lacks.
+/// The reason why GLINT_ISA cannot be used: an unknown name, or a set that this processor does not support.
 struct InstructionSetProblem {
     Problem problem;
-    bool unknown = false;  // the name is unknown; else the processor lacks the set
+    bool unknown = false;  // true: the name is unknown; false: the processor does not support the set
 };
 [[nodiscard]] std::optional<InstructionSetProblem> instruction_set_problem();
 

@@ -6,16 +6,16 @@
 
 namespace glint {
 
-/// drawing_kernels_isa.cpp
+/// The kernels in drawing_kernels_isa.cpp.
 struct DrawingKernels {
     GeometryKernels geometry;
     VisibilityKernels visibility;
     SurfaceKernels surface;
 };
 
-/// lighting_kernels_isa.cpp
+/// The kernels in lighting_kernels_isa.cpp.
 struct ColorKernels {
-    const char* name;  // of the set
+    const char* name;  // of the instruction set
     LightingKernels lighting;
     ShadeKernels shade;
 };

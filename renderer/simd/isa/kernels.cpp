@@ -1,4 +1,4 @@
-// Chooses the instruction set for this processor, once.
+// Selects the instruction set for this processor, once.
 
 #include <cstdlib>
 #include <string>
@@ -38,10 +38,10 @@ namespace {
 struct Set {
     const ColorKernels* colors;
     const DrawingKernels* drawing;
-    bool usable;  // the processor has it
+    bool usable;  // whether the processor supports it
 };
 
-/// From the widest to the narrowest.
+/// All sets, from the widest to the narrowest.
 std::vector<Set> sets() {
     std::vector<Set> all;
 #ifdef GLINT_X86

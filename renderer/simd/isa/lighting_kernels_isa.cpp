@@ -1,5 +1,6 @@
-// The lighting kernels, compiled once for each instruction set (renderer/CMakeLists.txt, add_kernels). No
-// standard library inside: a function with one name in two instruction sets would be merged by the linker.
+// The lighting kernels, compiled once for each instruction set (renderer/CMakeLists.txt, add_kernels). They
+// do not use the standard library, because the linker would merge functions with the same name from two
+// instruction sets.
 
 #include "renderer/geometry/interpolate.h"
 #include "renderer/lighting/display.h"
@@ -21,7 +22,7 @@ static void store_colors(ColorBlock& out, std::size_t k, Vec3<Wide> c) {
     store(out.b + k, c.z);
 }
 
-/// `Wide` points of a batch, and their partial sums.
+/// One group of `Wide` points in a batch, with their partial sums.
 struct Group {
     PointAt<Wide> at;
     Vec3<Wide> sum;
@@ -31,8 +32,8 @@ union Slot {  // avoids zero-initialising the group
     Slot() {}
 };
 
-/// Prefetches group i's share of the next batch. Spread over the first light's pass: issuing all lines at
-/// once overflows the line-fill buffers.
+/// Prefetches part i of the next batch. Prefetches are spread over the first light's pass, because issuing
+/// all of them at once would overflow the line-fill buffers.
 [[gnu::always_inline]] static inline void prefetch_next(const PointBlock* points,
                                                         const ColorBlock* partial_sums, std::size_t i) {
     constexpr std::size_t share = block_size / GLINT_LANES;
@@ -44,7 +45,7 @@ union Slot {  // avoids zero-initialising the group
     if (partial_sums) part_of(partial_sums);
 }
 
-/// 1 where light `l` reaches a point of group i of a batch, else 0.
+/// 1 where light `l` reaches a point of group i of a batch, otherwise 0.
 [[gnu::always_inline]] static inline Wide reached_lanes(const Arrivals& arrivals, std::size_t l,
                                                         std::size_t i) {
     const std::size_t first = i * GLINT_LANES;
@@ -55,13 +56,13 @@ union Slot {  // avoids zero-initialising the group
     return load<Wide>(reached);
 }
 
-/// Lights a batch by one reflection model, a template argument so that the compiler omits what other models
-/// need; the source of the equation is the same for all. flatten: the equation is many small functions, and
-/// each call would pass its vectors through memory. The loop runs light by light over a batch of points: the
-/// light stays in registers, the branch on whether it reaches the points is predictable, and independent
-/// points hide the latency of a power. One function on purpose: split into three that are always inlined, it
-/// took 2.3 times as long. `general`: there may be mistakes or something in the way of the lights; the other
-/// copy contains no code for either.
+/// Lights a batch with one reflection model. The model is a template argument so that the compiler omits
+/// unused computations; the source of the equation is the same for all models. flatten: the equation consists
+/// of many small functions, and each call would pass its vectors through memory. The outer loop runs over the
+/// lights and the inner loop over a batch of points: the light stays in registers, the branch on whether it
+/// reaches the points is predictable, and independent points hide the latency of a power. This is
+/// deliberately one function: split into three that are always inlined, it took 2.3 times as long. `general`:
+/// supports mistakes and blocked lights; the other instantiation contains no code for them.
 template <Reflection model, bool general>
 GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* points,
                                       const ColorBlock* partial_sums,
@@ -96,7 +97,7 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
         const auto add = [&](const LightAt<Wide>& light) {
             const LightColors<Wide> reflected = colors_on(material, light);
             // Software pipelining, depth 1: starts group i's square root and divisions, then finishes the
-            // group before. Out-of-order execution alone looks ahead only a group or two.
+            // previous group. Out-of-order execution alone looks ahead only one or two groups.
             std::size_t behind = count;
             LightVector<Wide> towards_behind;
             Attenuation<Wide> attenuation_behind;
@@ -153,7 +154,7 @@ static void light_as(const LightJob& job, const PointBlock* points, const ColorB
     }
 }
 
-/// Dispatches on the job's model, starting at model number `model`.
+/// Calls the function for the job's model, starting the search at model number `model`.
 template <bool general, int model = 0>
 static void light_with(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
                        const Arrivals* arrivals, ColorBlock* colors, std::size_t blocks) {
@@ -214,7 +215,7 @@ template <Number F> Vec3<F> colors_of(const ColorRecord* points, const std::uint
     return {color.a, color.b, color.c};
 }
 
-/// Gouraud shading: the colour of a pixel is the sum of its corners' colours, each times its weight. `each`
+/// Gouraud shading: the colour of a pixel is the weighted sum of its corners' colours. `each`: the number of
 /// corners (lit points) per pixel, whose numbers and weights are in groups of 16.
 template <Number F>
 Vec3<F> blended_colors(const ColorRecord* points, const std::uint32_t* number, const float* weight,
