@@ -10,8 +10,8 @@ namespace {
 
 constexpr int max_threads = 256;
 
-/// Lets the library start more threads than there are cores. The process keeps a single limit object: of
-/// several, the smallest would apply.
+/// Allows TBB to start more threads than there are cores. The process keeps a single limit object, because
+/// with several objects the smallest limit would apply.
 void allow_threads() {
     static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, max_threads);
 }

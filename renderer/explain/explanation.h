@@ -42,8 +42,7 @@ struct ExplainedLight {
     glm::vec3 share{0};  // added to the sum: the three terms together, rounded as in the picture;
                          // 0 for an area light, whose samples have one each
     // With the models `shadows` and `bounces`, the three terms and the share are 0 if the light is blocked.
-    // 0 or 1; for an area light, the share of unblocked samples among those in front of the surface.
-    float reached = 1;
+    float reached = 1;  // 0 or 1; for an area light, the unblocked share of samples in front of the surface
     // The first blocking object, an index of Scene::objects; for an area light, that of its first blocked
     // sample; -1: none.
     int blocker = -1;

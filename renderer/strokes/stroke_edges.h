@@ -3,8 +3,9 @@
 // and creases".
 //
 // Silhouette: (e.n0)(e.n1) <= 0, with e from the edge to the eye, and n0 and n1 the normals of its two
-// facets: one is seen from the front and the other is not. Crease: n0.n1 <= cos(crease_deg); an edge of
-// exactly that angle is a crease here, while averaged normals (models/mesh/normals.h) still join across it.
+// facets: one facet is front-facing and the other is not. Crease: n0.n1 <= cos(crease_deg). An edge of
+// exactly that angle is a crease here, although averaged normals (models/mesh/normals.h) still join across
+// it.
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -24,11 +25,12 @@ struct MeshEdges {
 };
 [[nodiscard]] MeshEdges mesh_edges(MeshPtr mesh);
 
-/// How the mesh is seen.
+/// The view for which edges are selected.
 struct EdgeView {
-    glm::dvec4 eye{0, 0, 0,
-                   1};  // object coordinates: w = 1: position of the eye, w = 0: direction towards it
-    glm::dmat3 normal_matrix{1.0};  // inverse transpose to the frame in which creases are measured
+    // Object coordinates: w = 1: position of the eye, w = 0: direction towards it.
+    glm::dvec4 eye{0, 0, 0, 1};
+    // Inverse transpose of the transform to the frame in which creases are measured.
+    glm::dmat3 normal_matrix{1.0};
 };
 
 struct EdgeChoice {
@@ -40,21 +42,21 @@ struct EdgeChoice {
 
 /// The orientation of the surface at an edge.
 enum class EdgeFacing {
-    Towards,  // all its facets are seen from the front
-    Away,     // all are seen from behind
-    Rim       // both kinds, or a single facet: at most one side of the edge shows the surface
+    Towards,  // all adjacent facets are front-facing
+    Away,     // all are back-facing
+    Rim       // both, or a single facet: at most one side of the edge shows the surface
 };
 
 struct StrokeEdge {
-    std::uint32_t edge = 0;  // of Topology::edges
+    std::uint32_t edge = 0;  // index of Topology::edges
     EdgeFacing facing = EdgeFacing::Rim;
 };
 
-/// Returns the edges to draw, in rising order. Silhouettes include all boundary edges. An edge of three or
-/// more facets is drawn if any two of them qualify (for creases, of the first 256); a facet seen exactly
-/// edge-on qualifies with every other. A polygon without an area is not a facet, but an edge that it shares
-/// with one is not a boundary. Omits edges whose facets are all culled. Supports every transform that is not
-/// singular, including reflections.
+/// Returns the edges to draw, in ascending order. Silhouettes include all boundary edges. An edge of three or
+/// more facets is drawn if any two of them qualify (for creases, of the first 256). A facet seen exactly
+/// edge-on qualifies with every other. A polygon without area does not count as a facet, but an edge that it
+/// shares with a facet is not a boundary. Omits edges whose facets are all culled. Supports all non-singular
+/// transforms, including reflections.
 [[nodiscard]] std::vector<StrokeEdge> stroke_edges(const MeshEdges& edges, const EdgeView& view,
                                                    const EdgeChoice& choice);
 

@@ -20,8 +20,8 @@ Occlusion::Occlusion(const Geometry& g)
       half_pixel_(glm::abs(1 / (g.clip_from_view[1][1] * g.size.height))) {}
 
 bool Occlusion::hides(std::uint32_t triangle, glm::dvec2 pixel, double inv_w) const {
-    // inv_w over a plane is k . (x, y, 1) on the screen, so at each corner, in clip coordinates, k . (x, y,
-    // w) = inv_w w: 1 in perspective, for any corner. Solved by Cramer's rule.
+    // On the screen, inv_w over a plane is k . (x, y, 1). At each corner, in clip coordinates, k . (x, y, w)
+    // = inv_w w, which is 1 in perspective for any corner. Solved by Cramer's rule.
     const std::uint32_t o = g_.object_of(triangle);
     const auto corner = g_.position_indices(o, g_.triangle(o, triangle));
     glm::dmat3 corners;
@@ -46,7 +46,7 @@ bool Occlusion::hides(std::uint32_t triangle, glm::dvec2 pixel, double inv_w) co
 namespace {
 
 constexpr std::size_t edges_a_task = 256;  // edges per task
-/// In pixels. No edge in a picture is longer. An edge so far away that its length is NaN is omitted.
+/// In pixels. No edge in a picture is longer. Edges so far away that their length is NaN are omitted.
 constexpr double longest = 1e6;
 
 /// An edge on the screen.
@@ -57,7 +57,7 @@ struct Projected {
     [[nodiscard]] double inv_w(double t) const { return inv_w_a + t * (inv_w_b - inv_w_a); }
 };
 
-/// Traces edges of one object.
+/// Traces the edges of one object.
 class Follower {
   public:
     Follower(const Geometry& g, const Visibility& visibility, std::uint32_t object, const MeshEdges& mesh,
@@ -89,13 +89,14 @@ class Follower {
     }
 
   private:
-    /// The part of the edge within near, far and the picture with its margin; nothing if there is none.
+    /// The part of the edge between the near and far planes and within the picture plus margin; nothing if it
+    /// is empty.
     [[nodiscard]] std::optional<Projected> project(std::uint32_t edge) const {
         const auto& p = mesh_.mesh->positions;
         const auto [i, j] = mesh_.topology.edges[edge];
         const glm::dvec4 a = clip_from_object_ * glm::dvec4(glm::dvec3(p[i]), 1.0);
         const glm::dvec4 d = clip_from_object_ * glm::dvec4(glm::dvec3(p[j]), 1.0) - a;
-        double from = 0, to = 1;  // parameters from a to b
+        double from = 0, to = 1;  // parameters on the line from a to b
         for (const glm::dvec4& plane : view_planes(reach_x_, reach_y_)) {
             const double at_a = glm::dot(plane, a), change = glm::dot(plane, d);
             if (change > 0) from = std::max(from, -at_a / change);
@@ -108,8 +109,8 @@ class Follower {
                          inv_w_of(viewport_, end)};
     }
 
-    /// Returns an end of the part; if the edge is so long that the position is lost to rounding, a position
-    /// near the picture.
+    /// Returns an end of the part. If the edge is so long that the position is lost to rounding, returns a
+    /// position near the picture.
     [[nodiscard]] glm::dvec4 held(const glm::dvec4& clip) const {
         const glm::dvec4 c = before_eye(g_.camera.projection, clip);
         const double x = 2 * reach_x_ * c.w, y = 2 * reach_y_ * c.w;
@@ -134,7 +135,7 @@ class Follower {
 
     static int pixel_index(double coordinate) { return static_cast<int>(std::floor(coordinate)); }
 
-    /// The triangle that a pixel shows; positions outside the picture are clamped to its border.
+    /// The triangle visible at a pixel. Positions outside the picture are clamped to its border.
     [[nodiscard]] std::uint32_t triangle_at(int x, int y) const {
         x = std::clamp(x, 0, g_.size.width - 1);
         y = std::clamp(y, 0, g_.size.height - 1);
@@ -166,7 +167,7 @@ class Follower {
     Occlusion occlusion_;
     glm::dmat4 clip_from_object_;
     Viewport viewport_;
-    double reach_x_, reach_y_;  // extent of relevant lines, in half picture widths and heights
+    double reach_x_, reach_y_;  // extent of the relevant lines, in half picture widths and heights
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int band_height = 32;  // rows per task
 
-/// Pixels of a row from..to, inclusive; none when to < from.
+/// Pixels from..to of a row, inclusive; empty if to < from.
 struct Span {
     int from = 0, to = -1;
 };
@@ -23,7 +23,7 @@ struct Span {
 /// The pixels of row y whose centres may be within `reach` of the line.
 Span pixels_near(const StrokeLine& line, float reach, int y, int width) {
     const double ax = line.a.x, ay = line.a.y, dx = line.b.x - ax, dy = line.b.y - ay;
-    double low = std::min(0.0, dx) - reach, high = std::max(0.0, dx) + reach;  // from a.x
+    double low = std::min(0.0, dx) - reach, high = std::max(0.0, dx) + reach;  // relative to a.x
     const double length = std::hypot(dx, dy);
     if (std::abs(dy) > 1e-3 * length) {  // the slanted strip around the line is narrower
         const double middle = (y + 0.5 - ay) * dx / dy, half = reach * length / std::abs(dy);
@@ -35,7 +35,7 @@ Span pixels_near(const StrokeLine& line, float reach, int y, int width) {
     return {static_cast<int>(std::max(first, 0.0)), static_cast<int>(std::min(last, width - 1.0))};
 }
 
-/// Fills the rows of the picture.
+/// Draws strokes into the rows of the picture.
 class Filler {
   public:
     Filler(const Geometry& g, const Visibility& visibility, std::span<const StrokeLine> lines, float width_px,
@@ -79,7 +79,7 @@ class Filler {
             f(band);
     }
 
-    /// One row of one line.
+    /// Draws one row of one line.
     void draw(const StrokeLine& line, int y) const {
         const Span span = pixels_near(line, reach_, y, g_.size.width);
         float* const row = &coverage_[g_.size.index(0, y)];
@@ -108,22 +108,22 @@ class Filler {
     std::span<const StrokeLine> lines_;
     float width_px_, reach_;
     std::vector<float>& coverage_;
-    std::vector<std::vector<std::uint32_t>> bands_;  // numbers of the lines that may touch each
+    std::vector<std::vector<std::uint32_t>> bands_;  // indices of the lines that may touch each band
 };
 
 }  // namespace
 
 float stroke_share(float distance_px, float width_px) {
-    // The overlap of a stroke of that width with a pixel, across the stroke.
+    // The overlap between a pixel and a stroke of that width, measured across the stroke.
     const float overlap = 0.5f * width_px + 0.5f - distance_px;
     return std::clamp(std::min(overlap, width_px), 0.0f, 1.0f);
 }
 
 namespace {
 
-/// Returns width x height shares, 0 to 1: the largest share of any line, so that lines are not darker where
-/// they meet or overlap; ends are round. A line does not cover a pixel that shows another object in front of
-/// it. The order of the lines does not change a bit.
+/// Returns width x height coverages, 0 to 1: the maximum over all lines, so that lines are not darker where
+/// they meet or overlap. Ends are round. A line does not cover a pixel that shows another object in front of
+/// it. The result is bit-identical for any order of the lines.
 std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibility,
                                    std::span<const StrokeLine> lines, float width_px) {
     std::vector<float> coverage(g.size.pixels(), 0.0f);
@@ -132,7 +132,7 @@ std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibili
     return coverage;
 }
 
-/// Drops the edges of removed meshes and finds those of new ones.
+/// Removes the edges of deleted meshes and finds those of new ones.
 void update_meshes(std::vector<MeshEdges>& meshes, const Geometry& g) {
     const auto is_gone = [&g](const MeshEdges& m) {
         return std::none_of(g.objects.begin(), g.objects.end(),
@@ -148,8 +148,8 @@ const MeshEdges& edges_of(const std::vector<MeshEdges>& meshes, const MeshPtr& m
     return *std::find_if(meshes.begin(), meshes.end(), [&](const MeshEdges& m) { return m.mesh == mesh; });
 }
 
-/// The eye in object coordinates, transformed directly from world coordinates, so that an eye in a facet's
-/// plane remains in it.
+/// The eye in object coordinates, transformed directly from world coordinates, so that an eye in the plane of
+/// a facet stays in it.
 EdgeView edge_view(const Camera& camera, const ObjectGeometry& object) {
     const glm::dmat4 object_from_world = glm::inverse(world_from_object(object.transform));
     const glm::dvec4 eye = is_orthographic(camera.projection)

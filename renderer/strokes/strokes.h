@@ -1,7 +1,7 @@
 #pragma once
-// Silhouettes and creases as strokes over the picture, with hidden lines removed: a small separate stage.
-// Inputs: the geometry, the visibility, and of `npr` silhouettes, creases, crease_deg and stroke_width_px.
-// The meshes' topology is not built before the first stroke.
+// Draws silhouettes and creases as strokes over the picture, with hidden lines removed. A small separate
+// stage. Inputs: the geometry, the visibility, and from `npr` silhouettes, creases, crease_deg and
+// stroke_width_px. The topology of the meshes is not built before the first stroke.
 
 #include <span>
 #include <vector>
@@ -15,14 +15,14 @@
 
 namespace glint {
 
-/// A wider stroke is clamped to this, with a warning.
+/// Wider strokes are clamped to this width, with a warning.
 inline constexpr float max_stroke_width_px = 100;
 
 struct Strokes {
-    /// width x height, 0 to 1: the share of each pixel under strokes; empty without strokes.
+    /// width x height, 0 to 1: the fraction of each pixel covered by strokes. Empty without strokes.
     std::vector<float> coverage;
-    std::vector<MeshEdges> meshes;  // of the scene's meshes, each once; cached while the scene has them
-    // The inputs of the cached coverage, in addition to geometry and visibility.
+    std::vector<MeshEdges> meshes;  // of each mesh of the scene, cached while the scene contains it
+    // The other inputs of the cached coverage, apart from geometry and visibility.
     EdgeChoice choice;
     float width_px = 0;
 
@@ -31,31 +31,31 @@ struct Strokes {
     }
 };
 
-/// Runs the stage again if any of its inputs differ; returns whether it did. `visibility_redone`: whether
-/// that stage has run again, as it does whenever the geometry changes.
+/// Runs the stage again if any of its inputs has changed; returns whether it did. `visibility_redone`:
+/// whether that stage has run again, as it does whenever the geometry changes.
 bool update_strokes(Strokes& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 
-/// Draws the strokes over the shaded colours of those of 16 pixels, `first_pixel` and the next ones, whose
-/// bit is set in `mask`; true if there was anything to draw.
+/// Draws the strokes over the shaded colours of 16 consecutive pixels, starting at `first_pixel`, for those
+/// whose bit is set in `mask`. Returns whether there was anything to draw.
 bool draw_over(const Strokes& strokes, const glm::vec3& stroke, std::size_t first_pixel, std::uint16_t mask,
                ColorBlock& colors);
 
-// Computes the share of each pixel that lines cover.
+// Computes the fraction of each pixel that is covered by lines.
 
-/// Share of a pixel covered by a stroke of `width_px` whose middle is `distance_px` from the pixel's centre:
-/// exact for a straight stroke along rows or columns, including widths below a pixel.
+/// The fraction of a pixel covered by a stroke of `width_px` whose centre line is `distance_px` from the
+/// pixel's centre. Exact for a straight stroke along rows or columns, including widths below a pixel.
 [[nodiscard]] float stroke_share(float distance_px, float width_px);
 
 }  // namespace glint
 
 namespace glint::inline GLINT_ISA {
 
-// A stroke over the shaded picture: the last step of a pixel's sum, in linear light, before exposure and
-// transfer.
+// Blends strokes over the shaded picture: the last step of a pixel's sum, in linear light, before exposure
+// and transfer.
 
-/// Blends the stroke over the shaded colour. `coverage`, 0 to 1: the share of the pixel that the stroke
-/// hides; at 1 it replaces the colour completely.
+/// Blends the stroke over the shaded colour. `coverage`, 0 to 1: the fraction of the pixel covered by the
+/// stroke; at 1 it replaces the colour completely.
 template <Number F> Vec3<F> drawn_over(Vec3<F> shaded, F coverage, Vec3<F> stroke) {
     return select<F>(coverage >= F(1), stroke, (F(1) - coverage) * shaded + coverage * stroke);
 }

@@ -1,6 +1,5 @@
-// Weights of a face's corners in the colour or the normal of a pixel: perspective-correct, linear on the
-// screen, or along edges and then along scanlines. Lecture: "Gouraud Shading", "Shading Artifacts:
-// Orientation".
+// Weights of a face's corners for the colour or normal of a pixel: perspective-correct, linear on the screen,
+// or along edges and then scanlines. Lecture: "Gouraud Shading", "Shading Artifacts: Orientation".
 #include <algorithm>
 #include <cmath>
 #include <memory_resource>
@@ -18,8 +17,8 @@ template <Number F> ScreenPoint<F> ndc_of(PictureSize size, PixelPosition at) {
     return to_ndc(F(at.x), F(at.y), static_cast<F>(size.width), static_cast<F>(size.height));
 }
 
-/// Computes the weights of three corners, given in clip coordinates, and from them the position, given the
-/// corners in camera coordinates.
+/// Computes the weights of three corners, given in clip coordinates, and from them the position, with the
+/// corners given in camera coordinates.
 template <Number F>
 void place(SampleFace& face, const std::array<ClipCorner<F>, 3>& clip, const std::array<Vec3<F>, 3>& camera,
            ScreenPoint<F> at) {
@@ -44,17 +43,17 @@ void add_clipped(CornerWeights& weights, const ClippedCorner& corner, double wei
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// Weights that are linear on the screen over the fan of a triangle that the near plane cuts;
-/// perspective-correct ones if no part of the fan contains the sample (a sliver, or numbers so large that the
-/// cut is lost to rounding).
+/// Weights that are linear on the screen, over the fan of a triangle that the near plane clips. Returns
+/// perspective-correct weights if no part of the fan contains the sample (a sliver, or numbers so large that
+/// the intersection is lost to rounding).
 CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
     ClipMemory memory;
     const auto cut = clip_at_near(g, face.object, triangle.corner, memory);
     const glm::dvec2 at(face.at.x, face.at.y);
     CornerWeights best = of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
-    // The triangle of the fan whose smallest weight is largest contains the sample. Because corners are
-    // rounded to the rasteriser's grid, the sample may be slightly outside it, so weights down to -1 are
-    // accepted, and then clamped to the inside.
+    // The triangle of the fan with the largest minimum weight contains the sample. Because corners are
+    // rounded to the rasteriser's grid, the sample may be slightly outside, so weights down to -1 are
+    // accepted and then clamped to the inside.
     double best_inside = -1;
     for (std::size_t i = 2; i < cut.size(); ++i) {
         const ClippedCorner &a = cut[0], &b = cut[i - 1], &c = cut[i];
@@ -90,13 +89,13 @@ Polygon clipped_face(const Geometry& g, std::uint32_t object, std::uint32_t face
 
 /// An intersection of the scanline with an edge of the polygon.
 struct Crossing {
-    double x = 0, t = 0;  // t: parameter from `from` to `to`
+    double x = 0, t = 0;  // t: parameter between the ends of the edge
     const ClippedCorner *from = nullptr, *to = nullptr;
 };
 using Crossings = std::pmr::vector<Crossing>;
 
 /// Crossings of the scanline at height y, from left to right. An edge is crossed if y0 <= y < y1 or y1 <= y <
-/// y0, so that a corner counts once and a horizontal edge never.
+/// y0, so that a corner counts once and a horizontal edge never counts.
 void find_crossings(Crossings& found, const Polygon& polygon, double y) {
     found.clear();
     found.reserve(polygon.size());
@@ -109,7 +108,7 @@ void find_crossings(Crossings& found, const Polygon& polygon, double y) {
     std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
 }
 
-/// The height of the sample, moved onto the polygon if the rasteriser's grid left it slightly outside.
+/// The height of the sample, clamped to the polygon if the rasteriser's grid placed it slightly outside.
 double height_within(const Polygon& polygon, double y) {
     const auto [low, high] = std::minmax_element(
         polygon.begin(), polygon.end(),
@@ -117,9 +116,8 @@ double height_within(const Polygon& polygon, double y) {
     return std::clamp(y, low->pixel.y, std::nextafter(high->pixel.y, low->pixel.y));
 }
 
-/// Caches this thread's last large polygon, with its crossings in the last row. Pixels are visited row by
-/// row. Without the cache, a polygon of n corners costs O(n) per pixel, which takes minutes for 100,000
-/// corners.
+/// Caches this thread's last large polygon and its crossings in the last row. Pixels are visited row by row.
+/// Without the cache, a polygon of n corners costs O(n) per pixel, which takes minutes for 100,000 corners.
 struct KnownFace {
     KnownFace(const Geometry& g, std::uint32_t of_object, std::uint32_t of_face)
         : geometry(g.state),
@@ -147,13 +145,14 @@ const Crossings& known_crossings(const Geometry& g, std::uint32_t object, std::u
     return known->crossings;
 }
 
-/// The first of the two crossings around x. A concave polygon may have several such pairs; if x is in none,
-/// returns the nearest, or the left of equally near ones. Precondition: there are two crossings.
+/// The first of the two crossings around x. A concave polygon may have several such pairs. If x is in none of
+/// them, returns the nearest pair, or the left one of two at equal distance. Precondition: there are at least
+/// two crossings.
 std::size_t nearest_two(const Crossings& crossings, double x) {
     const auto outside = [&](std::size_t two) {
         return std::max({crossings[2 * two].x - x, x - crossings[2 * two + 1].x, 0.0});
     };
-    // Finds the first that ends at or after x, or the last.
+    // Finds the first pair that ends at or after x, or the last pair.
     std::size_t low = 0, end = crossings.size() / 2 - 1;
     while (low < end) {
         const std::size_t middle = low + (end - low) / 2;
@@ -181,7 +180,7 @@ CornerWeights weights_between(const Crossings& crossings, double x) {
 }
 
 CornerWeights scanline_weights(const Geometry& g, const SampleFace& face, const Triangle& triangle) {
-    constexpr std::uint32_t few = 16;  // not worth caching
+    constexpr std::uint32_t few = 16;  // fewer corners are not worth caching
     const Mesh& mesh = *g.objects[face.object].mesh;
     const auto or_perspective = [&](const Crossings& crossings) {
         return crossings.size() >= 2
@@ -226,7 +225,7 @@ void locate_on_face(SampleFace& face, const Geometry& g) {
         place(face, clip, camera, ndc_of<float>(g.size, face.at));
         return;
     }
-    // A clipped face may extend far beyond the picture: its corners are in double, because float would lose
+    // A clipped face may extend far beyond the picture. Its corners are in double, because float would lose
     // the position between them.
     std::array<ClipCorner<double>, 3> clip;
     std::array<Vec3<double>, 3> camera;
@@ -244,7 +243,7 @@ CornerWeights corner_weights(Interpolation interpolation, const Geometry& g, con
     const Triangle& triangle = g.triangle(face.object, face.triangle);
     const Vec3<float> perspective{face.weights.x, face.weights.y, face.weights.z};
     switch (interpolation) {
-    case Interpolation::Perspective:  // groups of pixels: renderer/surface/interpolate_group.h
+    case Interpolation::Perspective:  // for groups of pixels: renderer/surface/interpolate_group.h
         break;
     case Interpolation::Scanline:
         return scanline_weights(g, face, triangle);

@@ -1,6 +1,5 @@
 #pragma once
-// Interpolates many pixels at once: finds the intersection of each pixel's ray with its face, and the normal
-// there.
+// Interpolates many pixels at once: intersects each pixel's ray with its face and computes the normal there.
 
 #include "renderer/geometry/interpolate.h"
 #include "renderer/simd/int_lanes.h"
@@ -9,17 +8,19 @@
 
 namespace glint::inline GLINT_ISA {
 
-// The corners of the triangles that neighbouring pixels show, one triangle per lane. If there are few
-// triangles, each is looked up once and copied to its lanes; otherwise they are looked up lane by lane.
+// The corners of the triangles visible at neighbouring pixels, one triangle per lane. If there are few
+// different triangles, each is looked up once and copied to its lanes. Otherwise they are looked up lane by
+// lane.
 
-/// One corner of each lane's triangle: on the screen, its position and its normal in camera coordinates.
+/// One corner of each lane's triangle: its screen position, and its position and normal in camera
+/// coordinates.
 template <Number F> struct CornerOfLanes {
     ClipCorner<F> clip;
     Vec3<F> p, n;
 };
 template <Number F> struct FacesOfLanes {
     CornerOfLanes<F> a, b, c;
-    bool clipped = false;  // some are clipped
+    bool clipped = false;  // whether some of them are clipped
 };
 
 /// The records of a corner: its position and its normal. `triangle`: number within the object.
@@ -34,7 +35,7 @@ inline CornerRecords corner_records(const InterpolateJob& job, unsigned triangle
     return {job.vertices + vertex, job.normals + normal};
 }
 
-/// Loads corner `c`; put(old, value) selects the lanes that receive each of its numbers.
+/// Loads corner `c`. put(old, value) selects the lanes that receive each of its numbers.
 template <Number F, class Put>
 void put_corner(const InterpolateJob& job, unsigned triangle, unsigned c, CornerOfLanes<F>& out,
                 bool& clipped, const Put& put) {
@@ -53,7 +54,7 @@ void put_face(const InterpolateJob& job, unsigned triangle, FacesOfLanes<F>& out
     put_corner(job, triangle, 2, out.c, out.clipped, put);
 }
 
-/// Corner `c` of each lane's own triangle.
+/// Loads corner `c` of each lane's own triangle.
 template <Number F>
 CornerOfLanes<F> take_corner(const InterpolateJob& job, const unsigned* triangle, unsigned c, bool& clipped) {
     constexpr int width = NumberTraits<F>::width;
@@ -75,7 +76,7 @@ CornerOfLanes<F> take_corner(const InterpolateJob& job, const unsigned* triangle
             p[k] = T::rows(vertex, 16);
             n[k] = T::rows(normal, 0);
         };
-        take_rows(0);  // one by one, to keep them in registers
+        take_rows(0);  // separate calls, to keep the rows in registers
         take_rows(1);
         take_rows(2);
         take_rows(3);
@@ -86,7 +87,7 @@ CornerOfLanes<F> take_corner(const InterpolateJob& job, const unsigned* triangle
     }
 }
 
-/// With more triangles in a group than this, lookup lane by lane is faster.
+/// If a group contains more triangles than this, lookup lane by lane is faster.
 inline constexpr int max_looked_up_once = 4;
 
 /// Loads the corners of each lane's triangle. `triangles`: numbers within the object.
@@ -112,14 +113,14 @@ template <Number F> FacesOfLanes<F> faces_of_lanes(const InterpolateJob& job, In
     return faces;
 }
 
-/// The centres, in NDC, of the pixels from k on of a group that begins at pixel (x, y).
+/// The centres, in NDC, of consecutive pixels starting at pixel k of a group that begins at pixel (x, y).
 template <Number F> ScreenPoint<F> centers_of_lanes(const InterpolateJob& job, std::size_t k, int x, int y) {
     const F at_x = to_number(load_ints<IntOf<F>>(iota + k) + x) + F(0.5f), at_y = to_number(y) + 0.5f;
     return to_ndc(at_x, at_y, F(job.width), F(job.height));
 }
 
-/// Interpolates position and normal (not yet unit) of the pixels from k on, of a group that begins at (x, y)
-/// and shows `seen`. Returns false if some lane shows a clipped triangle.
+/// Interpolates position and normal (not yet normalised) of consecutive pixels, starting at pixel k of a
+/// group that begins at (x, y) and shows `seen`. Returns false if any lane shows a clipped triangle.
 template <Number F>
 bool blend_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
                  PointBlock& out) {
@@ -141,8 +142,8 @@ bool blend_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size
     return !face.clipped;
 }
 
-/// Computes the corners' weights at the same pixels; `out` is the destination of the first corner's weight of
-/// pixel k. Returns false if some lane shows a clipped triangle.
+/// Computes the corners' weights at the same pixels. `out` is the destination of the first corner's weight
+/// for pixel k. Returns false if any lane shows a clipped triangle.
 template <Number F>
 bool weigh_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
                  float* out) {
@@ -156,7 +157,7 @@ bool weigh_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size
     return !face.clipped;
 }
 
-/// False if some normal is too short.
+/// Normalises the normals. Returns false if any of them is too short.
 template <Number F> bool make_normals_unit(PointBlock& block) {
     bool long_enough = true;
     for (std::size_t k = 0; k < block_size; k += NumberTraits<F>::width) {
@@ -170,8 +171,8 @@ template <Number F> bool make_normals_unit(PointBlock& block) {
     return long_enough;
 }
 
-/// Returns the codes of the 16 pixels. Pixels that are not in the group receive the code of its first pixel,
-/// in `filled`.
+/// Returns the codes of the 16 pixels. Pixels outside the group receive the code of its first pixel, using
+/// `filled` as memory.
 inline const std::uint32_t* seen_in_group(const InterpolateJob& job, const PixelGroup& group,
                                           std::uint32_t (&filled)[block_size]) {
     const std::uint32_t* seen = job.seen + group.first_pixel;
@@ -181,7 +182,7 @@ inline const std::uint32_t* seen_in_group(const InterpolateJob& job, const Pixel
     return filled;
 }
 
-/// The pixel at which a group's 16 pixels begin.
+/// The pixel at which a group of 16 pixels begins.
 struct GroupPlace {
     int x, y;
 };

@@ -1,5 +1,5 @@
 // The surface of kind Pixels: position and normal of every visible pixel. The fast path computes 16 pixels at
-// once, by the same formulas as for a single pixel (sample.cpp); the others are computed one by one.
+// once, by the same formulas as for a single pixel (sample.cpp). Other pixels are computed one by one.
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -17,7 +17,7 @@
 namespace glint {
 namespace {
 
-// The kernels read a mesh's triangles as plain numbers.
+// The kernels access a mesh's triangles as plain numbers.
 static_assert(sizeof(Triangle) == 4 * sizeof(std::uint32_t) && offsetof(Triangle, corner) == 0);
 
 InterpolateJob interpolate_job(const Surface& s, const Geometry& g, const Visibility& visibility,
@@ -51,7 +51,7 @@ void place_one_by_one(const Surface& s, const Geometry& g, const Visibility& vis
     }
 }
 
-/// Groups first .. first + count - 1, all of one object.
+/// Computes groups first .. first + count - 1, all of one object.
 void place_together(Surface& s, const Geometry& g, const Visibility& visibility, std::size_t first,
                     std::size_t count) {
     std::array<std::uint8_t, max_together> on_fast_path;

@@ -1,6 +1,6 @@
-// The points that several pixels share: one per face with flat shading (SurfaceKind::Faces), the corners with
-// Gouraud shading (SurfaceKind::Corners). blended_colors() in renderer/simd/isa/lighting_kernels_isa.cpp
-// blends their colours. Phong and facet light each pixel.
+// The lit points shared by several pixels: one per face with flat shading (SurfaceKind::Faces), the corners
+// with Gouraud shading (SurfaceKind::Corners). blended_colors() in renderer/simd/isa/lighting_kernels_isa.cpp
+// blends their colours. Phong and facet shading light each pixel.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -26,8 +26,8 @@ void number_items(LitPoints& lit, const Surface& s, const Geometry& g) {
     lit.point.assign(lit.first.back(), no_index);
 }
 
-/// Calls visit(lane, end, face) for the pixels of a group: for each run of neighbours that show the same side
-/// of the same triangle, lanes `lane` to before `end`, with the face of the first.
+/// Calls visit(lane, end, face) for each run of adjacent pixels of a group that show the same side of the
+/// same triangle. The run consists of lanes `lane` to `end` - 1; `face` is that of the first pixel.
 template <class Visit>
 void visit_runs(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t group,
                 const Visit& visit) {
@@ -42,7 +42,7 @@ void visit_runs(const Surface& s, const Geometry& g, const Visibility& visibilit
     }
 }
 
-/// Calls visit(lane, face) for each pixel of a group, located on its face.
+/// Calls visit(lane, face) for each pixel of a group, with its position on the face.
 template <class Visit>
 void visit_lanes(const Surface& s, const Geometry& g, const Visibility& visibility, std::size_t group,
                  const Visit& visit) {
@@ -54,7 +54,7 @@ void visit_lanes(const Surface& s, const Geometry& g, const Visibility& visibili
     }
 }
 
-/// Numbers the seen items of each object consecutively. Each object begins a new block.
+/// Numbers the visible items of each object consecutively. Each object begins a new block.
 void number_seen(LitPoints& lit, Surface& s) {
     lit.shading_points.clear();
     s.point_object.clear();
@@ -84,10 +84,10 @@ void place_points(const LitPoints& lit, Surface& s, const Geometry& g) {
     });
 }
 
-/// Finds the lit points that the pixels show.
+/// Finds the lit points used by the visible pixels.
 void find_lit_points(LitPoints& lit, Surface& s, const Geometry& g, const Visibility& visibility) {
     number_items(lit, s, g);
-    // Perspective blends the three corners of a triangle at every pixel.
+    // Perspective interpolation blends the three corners of a triangle at every pixel.
     const bool weighted =
         s.choice.kind == SurfaceKind::Corners && s.choice.interpolation != Interpolation::Perspective;
     const auto mark = [&](const SampleFace& face) {
@@ -105,7 +105,7 @@ void find_lit_points(LitPoints& lit, Surface& s, const Geometry& g, const Visibi
     place_points(lit, s, g);
 }
 
-/// Stores the lit point of the face that each pixel of a group shows.
+/// Stores the lit point of the face visible at each pixel of a group.
 void refer_to_faces(PerFace& faces, const Surface& s, const Geometry& g, const Visibility& visibility,
                     std::size_t group) {
     FaceRefs refs{};
@@ -116,7 +116,7 @@ void refer_to_faces(PerFace& faces, const Surface& s, const Geometry& g, const V
     faces.refs[group] = refs;
 }
 
-/// Stores the lit points and the weights that each pixel of a group blends, pixel by pixel. The colours are
+/// Stores the lit points and weights to blend at each pixel of a group, pixel by pixel. The colours are
 /// blended later (blended_colors() in renderer/simd/isa/lighting_kernels_isa.cpp).
 void store_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
                       std::size_t group) {
@@ -131,15 +131,15 @@ void store_one_by_one(PerVertex& vertices, const Surface& s, const Geometry& g, 
             vertices.ref_point[at] = vertices.lit.point[vertices.lit.number(sample.point[which])];
             vertices.ref_weight[at] = sample.weight[which];
         }
-        // Unused entries have weight 0 and the first entry's point: another point might contain NaN, and 0
-        // times NaN is NaN.
+        // Unused entries have weight 0 and the first entry's point. Another point might be NaN, and 0 times
+        // NaN is NaN.
         for (int k = sample.count; k < max_blended(s.choice); ++k)
             vertices.ref_point[s.corner_ref(group, k) + lane] =
                 vertices.ref_point[s.corner_ref(group, 0) + lane];
     });
 }
 
-/// Stores the three lit corners that each pixel of a group blends. The kernel has already stored their
+/// Stores the three lit corners to blend at each pixel of a group. The kernel has already stored their
 /// weights.
 void store_weighed(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
                    std::size_t group) {
@@ -157,8 +157,8 @@ void store_weighed(PerVertex& vertices, const Surface& s, const Geometry& g, con
         if (!(mask >> i % block_size & 1u)) weight[i] = 0;
 }
 
-/// Stores the corners and weights of the groups first .. first + count - 1. All show one object, with one
-/// sample per pixel and perspective-correct weights.
+/// Stores the corners and weights of the groups first .. first + count - 1. All of them show one object, with
+/// one sample per pixel and perspective-correct weights.
 void store_together(PerVertex& vertices, const Surface& s, const Geometry& g, const Visibility& visibility,
                     std::size_t first, std::size_t count) {
     std::array<std::uint8_t, max_together> on_fast_path;

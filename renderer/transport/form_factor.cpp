@@ -17,7 +17,7 @@
 namespace glint {
 namespace {
 
-/// Chooses points of an object, evenly by area.
+/// Samples points of an object uniformly by area.
 class EmittingObject {
     using Corners = std::array<glm::dvec3, 3>;
 
@@ -46,7 +46,7 @@ class EmittingObject {
         const auto triangle = static_cast<std::size_t>(
             std::upper_bound(area_to_.begin(), area_to_.end() - 1, at) - area_to_.begin());
         const Corners& c = corners_[triangle];
-        // Evenly over a parallelogram, the half beyond the diagonal turned back.
+        // Uniform over a parallelogram; points beyond the diagonal are reflected into the triangle.
         double u = random.number(), v = random.number();
         if (u + v > 1) u = 1 - u, v = 1 - v;
         const glm::dvec3 p = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
@@ -57,8 +57,8 @@ class EmittingObject {
   private:
     std::uint32_t number_;
     std::vector<Corners> corners_;  // of each triangle, world coordinates
-    std::vector<double> area_to_;   // sum of the areas up to each triangle
-    float outside_ = 1;             // -1: mirrored
+    std::vector<double> area_to_;   // cumulative area up to each triangle
+    float outside_ = 1;             // -1 for a mirrored object
 };
 
 }  // namespace

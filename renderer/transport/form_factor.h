@@ -1,5 +1,5 @@
 #pragma once
-// Form factors by random rays. Lecture: "Local vs. Global Illumination" (radiosity).
+// Form factors estimated with random rays. Lecture: "Local vs. Global Illumination" (radiosity).
 
 #include <cstdint>
 
@@ -9,18 +9,18 @@ namespace glint {
 
 inline constexpr int max_form_factor_rays = 1'000'000'000;
 
-/// The fraction of the light that leaves the front of an object, evenly from all its points and by the cosine
-/// in all directions, and arrives at another object without meeting anything before.
+/// The fraction of the light emitted by the front of an object, uniformly from all points and cosine-weighted
+/// in direction, that reaches another object without being blocked.
 struct FormFactor {
-    double estimate = 0, standard_error = 0;  // of a share of `rays` independent rays
+    double estimate = 0, standard_error = 0;  // the fraction of `rays` independent rays
     std::int64_t rays = 0, arrived = 0;
-    double area = 0;  // of the object that emits, square scene units
+    double area = 0;  // of the emitting object, in square scene units
 };
 
-/// `from`, `to`: in Scene::objects, visible and with loaded meshes; they may be the same. The front of a
-/// triangle is the side from which its corners run counter-clockwise (clockwise if the object is mirrored).
-/// The same seed gives the same numbers on any number of threads (0: all cores). An object without area emits
-/// nothing.
+/// `from`, `to`: indices of Scene::objects, visible and with loaded meshes; they may be equal. The front of a
+/// triangle is the side from which its corners are counter-clockwise (clockwise if the object is mirrored).
+/// The same seed gives the same numbers for any number of threads (0: all cores). An object without area
+/// emits nothing.
 [[nodiscard]] FormFactor form_factor(const Scene& scene, std::size_t from, std::size_t to, int rays, int seed,
                                      int threads);
 

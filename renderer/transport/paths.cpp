@@ -26,7 +26,7 @@ LightSource in_world(LightSource source, const glm::dmat4& world_from_view) {
     return source;
 }
 
-/// The light of all lights that a surface reflects: that of one light, times their number.
+/// The reflected light of all lights: that of one random light, times their number.
 glm::vec3 direct_light(const RayScene& rays, const TransportInputs& inputs, const PathMaterial& material,
                        const TracedPoint& point, PathRandom& random, PathStep& step) {
     const auto count = static_cast<std::uint32_t>(inputs.begins.size() - 1);
@@ -47,8 +47,8 @@ glm::vec3 direct_light(const RayScene& rays, const TransportInputs& inputs, cons
     return step.reached ? reflected : glm::vec3(0);
 }
 
-/// The direction on the other side of the facet that a ray from the point must not take: mirrored at the
-/// facet, so that no light is lost where the normal of the equation is not that of the facet.
+/// Mirrors a direction that points below the facet to the other side of the facet. No light is lost where the
+/// shading normal differs from the facet normal.
 glm::vec3 above_facet(const glm::vec3& direction, const TracedPoint& point) {
     const glm::vec3 n = glm::dot(point.start.n, point.n) < 0 ? -point.start.n : point.start.n;
     const float height = glm::dot(direction, n);

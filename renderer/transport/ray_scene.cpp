@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-constexpr double half_ulp = 0x1p-24;  // the relative error of rounding to a float
+constexpr double half_ulp = 0x1p-24;  // the relative error of rounding to float
 
 void release(RTCDevice device) { rtcReleaseDevice(device); }
 void release(RTCScene scene) { rtcReleaseScene(scene); }
@@ -29,7 +29,7 @@ template <class Handle> struct Release {
 };
 template <class Handle> using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<Handle>>;
 
-/// Throws if Embree has reported an error since the last call; `device` is null if it could not be made.
+/// Throws if Embree has reported an error since the last call. `device` is null if it could not be created.
 void check(RTCDevice device) {
     const RTCError error = rtcGetDeviceError(device);
     if (error == RTC_ERROR_NONE) return;
@@ -42,8 +42,8 @@ void check(RTCDevice device) {
 /// Three corners in the order of the mesh.
 using Corners = std::array<glm::dvec3, 3>;
 
-/// The weights of the corners at the point of the triangle whose weights are nearest to those of p: the
-/// perpendicular from p to the plane, clamped to the triangle.
+/// The weights of the corners at the point of the triangle closest to p: the perpendicular projection of p
+/// onto the plane, with weights clamped to the triangle.
 glm::dvec3 weights_at(const Corners& c, const glm::dvec3& p) {
     const glm::dvec3 u = c[1] - c[0], v = c[2] - c[0], to = p - c[0], n = glm::cross(u, v);
     const double squared = glm::dot(n, n);
@@ -53,11 +53,12 @@ glm::dvec3 weights_at(const Corners& c, const glm::dvec3& p) {
     return w / (w.x + w.y + w.z);
 }
 
-/// `away`: the point is the weighted mean of the corners, exact in doubles and then rounded to floats, which
-/// moves it by up to half_ulp |p| along each axis. Embree subtracts the ray's start from the corners, takes
-/// the cross product of two edges and the product of that with a corner: about 6 roundings of numbers up to
-/// (distance to the corners) x (edge) x (edge), divided by the area; 8 allows for those of p itself. Compare
-/// M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 3rd ed., 3.9 (Managing Rounding Error).
+/// Derivation of `away`: the point is the weighted mean of the corners, computed in doubles and then rounded
+/// to floats, which moves it by up to half_ulp |p| along each axis. Embree subtracts the ray's origin from
+/// the corners, and computes the cross product of two edges and the product of that with a corner: about 6
+/// roundings of numbers up to (distance to the corners) x (edge) x (edge), divided by the area. The factor 8
+/// includes the roundings of p itself. Compare M. Pharr, W. Jakob, G. Humphreys, "Physically Based
+/// Rendering", 3rd ed., 3.9 (Managing Rounding Error).
 RayStart start_at(const Corners& c, const glm::dvec3& weights) {
     const glm::dvec3 p = weights.x * c[0] + weights.y * c[1] + weights.z * c[2];
     const glm::dvec3 u = c[1] - c[0], v = c[2] - c[0], w = c[2] - c[1], across = glm::cross(u, v);
@@ -92,7 +93,7 @@ struct RayObject {
     MeshPtr mesh;
     Transform transform;
     bool visible = true;
-    std::vector<glm::vec3> positions;    // #V, and one more, because Embree reads 16 bytes at once
+    std::vector<glm::vec3> positions;    // #V, plus one, because Embree reads 16 bytes at once
     std::vector<std::uint32_t> corners;  // 3 x #triangles, indices into `positions`
 
     [[nodiscard]] bool is_of(const Object& object) const {
@@ -163,19 +164,19 @@ bool RayScene::update(const Scene& scene) {
     if (is_of(scene)) return false;
     built_ = std::make_unique<Built>();
     Built& now = *built_;
-    // Without the number of threads: Embree would limit those of the whole process to it.
+    // Does not set the number of threads: Embree would impose that limit on the entire process.
     now.device.reset(rtcNewDevice(nullptr));
     if (!now.device) check(nullptr);
     now.scene.reset(rtcNewScene(now.device.get()));
     check(now.device.get());
-    rtcSetSceneFlags(now.scene.get(), RTC_SCENE_FLAG_ROBUST);  // no ray passes between two triangles
+    rtcSetSceneFlags(now.scene.get(), RTC_SCENE_FLAG_ROBUST);  // rays cannot pass between two triangles
     now.objects.resize(scene.objects.size());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         place(now.objects[i], scene.objects[i]);
         now.add(now.objects[i], static_cast<unsigned>(i));
     }
-    // Embree lets denormal numbers be 0 while it builds. In an arena of its own this ends with the build; the
-    // calling thread's arena would keep it, if this is its first work, and change our numbers.
+    // Embree sets denormal numbers to 0 while it builds. In a separate arena this setting ends with the
+    // build. The calling thread's arena might keep it, if this is its first work, and change our results.
     tbb::task_arena(tbb::this_task_arena::max_concurrency()).execute([&] {
         rtcCommitScene(now.scene.get());
     });
@@ -237,7 +238,8 @@ RayStart RayScene::at_corner(std::uint32_t object, const glm::dvec3& p, const gl
     RayStart start;
     start.p = glm::vec3(p);
     start.n = glm::vec3(glm::normalize(n));
-    // The facets of the corner are not known here: their edges are at most as long as the object is large.
+    // The facets at the corner are not known here. Their edges are at most as long as the object's bounding
+    // box.
     start.away = static_cast<float>(8 * half_ulp * (glm::length(p) + glm::length(size * scale)));
     return start;
 }
@@ -245,7 +247,7 @@ RayStart RayScene::at_corner(std::uint32_t object, const glm::dvec3& p, const gl
 glm::vec3 RayStart::towards(const glm::vec3& direction) const {
     const glm::vec3 offset = (glm::dot(n, direction) < 0 ? -away : away) * n;
     glm::vec3 from = p + offset;
-    for (int i = 0; i < 3; ++i)  // rounding must not bring it back
+    for (int i = 0; i < 3; ++i)  // rounding must not move the point back
         if (offset[i] != 0) from[i] = std::nextafter(from[i], std::copysign(HUGE_VALF, offset[i]));
     return from;
 }

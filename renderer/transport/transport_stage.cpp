@@ -17,14 +17,14 @@ glm::dvec3 position_in_world(const glm::dmat4& world_from_view, const glm::vec3&
     return glm::dvec3(world_from_view * glm::dvec4(glm::dvec3(p), 1));
 }
 
-/// Unit, or 0.
+/// A unit normal, or 0.
 glm::dvec3 normal_in_world(const glm::dmat4& world_from_view, const glm::vec3& n) {
     const glm::dvec3 world(world_from_view * glm::dvec4(glm::dvec3(n), 0));
     const double length = glm::length(world);
     return length > 0 ? world / length : glm::dvec3(0);
 }
 
-/// The triangle of a polygon to which the point p is nearest.
+/// The origin of rays on the polygon's triangle closest to the point p.
 RayStart on_polygon(const RayScene& rays, const Mesh& mesh, std::uint32_t object, std::uint32_t face,
                     const glm::dvec3& p) {
     const auto first = std::lower_bound(mesh.triangles.begin(), mesh.triangles.end(), face,
@@ -41,13 +41,13 @@ RayStart on_polygon(const RayScene& rays, const Mesh& mesh, std::uint32_t object
     return nearest;
 }
 
-/// The lit points of a block. Bit i of `mask`: place i of the block is a pixel, a corner or a face.
+/// The lit points of a block. Bit i of `mask`: entry i of the block is a pixel, a corner or a face.
 struct TracedBlock {
     unsigned mask = 0;
     std::array<TracedPoint, block_size> point;
 };
 
-/// The inputs of the stage while it runs.
+/// The inputs of a running stage.
 struct Run {
     TransportStage& kept;
     const Geometry& geometry;
@@ -79,7 +79,7 @@ struct Run {
         }
     }
 
-    /// Calls work(block, points) for all blocks on all threads. Throws LoadCancelled.
+    /// Calls work(block, points) for all blocks, on all threads. Throws LoadCancelled.
     template <class Work> void for_blocks(const Work& work) const {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.points.size(), 8),
                           [&](const auto& range) {
@@ -108,7 +108,7 @@ struct Run {
         });
     }
 
-    /// Follows the paths from number `kept.paths` to before `end` of all points.
+    /// Traces the paths kept.paths .. end - 1 of all points.
     void follow_paths(int end) const {
         for_blocks([&](std::size_t block, const TracedBlock& traced) {
             for (unsigned lane = 0; lane < block_size; ++lane) {
@@ -141,7 +141,7 @@ struct Run {
     }
 };
 
-/// Whether the same shadow rays are needed for both.
+/// Whether both sources need the same shadow rays.
 bool same_rays(const LightSource& a, const LightSource& b) {
     return a.xyz == b.xyz && a.w == b.w && (a.ambient == Float3{}) == (b.ambient == Float3{});
 }
@@ -155,7 +155,7 @@ std::vector<std::size_t> changed_lights(const TransportInputs& before, const Tra
     return which;
 }
 
-/// Whether the paths of `before` are among those of `now`.
+/// Whether the paths of `before` are a subset of those of `now`.
 bool continues(TransportInputs before, const TransportInputs& now, int followed) {
     if (followed > now.settings.paths) return false;
     before.settings.paths = now.settings.paths;
@@ -180,7 +180,7 @@ bool update_transport(TransportStage& kept, const Scene& scene, const Geometry& 
     const bool was_on = kept.any_shadow, had_paths = kept.paths > 0;
     if (!has_transport(scene)) {
         if (!was_on) return false;
-        RayScene rays = std::move(kept.rays);  // meshes and transforms may still be the same next time
+        RayScene rays = std::move(kept.rays);  // meshes and transforms may be unchanged next time
         kept = {};
         kept.rays = std::move(rays);
         return true;
@@ -226,7 +226,7 @@ TracedPoint LitPointFinder::pixel(const SurfaceInputs& surface, const SampleFace
 TracedPoint LitPointFinder::item(const SurfaceChoice& choice, const ShadingPoint& source,
                                  const PositionNormal& at) const {
     const glm::dvec3 p = position_in_world(world_from_view, at.p), n = normal_in_world(world_from_view, at.n);
-    // Apart from the numbers of pixels.
+    // Distinct from the pixel numbers.
     const std::uint64_t key = std::uint64_t{1} << 63 | std::uint64_t{source.object} << 33 |
                               std::uint64_t{source.item} << 1 | (source.turned ? 1u : 0u);
     if (choice.kind == SurfaceKind::Corners)

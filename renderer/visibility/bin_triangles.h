@@ -1,5 +1,5 @@
 #pragma once
-// Finds the tiles that each of many triangles may touch, and the triangles that must be clipped first.
+// Finds the tiles that each of several triangles may touch, and the triangles that must be clipped first.
 
 #include "renderer/simd/int_lanes.h"
 #include "renderer/simd/transpose.h"
@@ -7,14 +7,14 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// -1 where any of the bits is set, else 0; bits are below 2^31.
+/// -1 where any bit is set, otherwise 0. The bits are below 2^31.
 template <class I> I mask_of_bits(I a) { return negative(0 - a); }
 
-/// A corner on the grid, relative to the triangle's first.
+/// A corner on the grid, relative to the triangle's first corner.
 template <class I> struct FromFirst { I x, y; };
 
-/// Returns -1 where a triangle is culled or has no area, else 0. `small`: -1 where the triangle is less than
-/// a tile wide and high, so that the products fit 32 bits; the others are culled when they are drawn.
+/// Returns -1 where a triangle is culled or has no area, otherwise 0. `small`: -1 where the triangle is less
+/// than a tile wide and high, so that the products fit 32 bits. Others are culled when they are drawn.
 template <class I> I culled(const BinJob& job, I small, FromFirst<I> b, FromFirst<I> c) {
     const I area = doubled_area(b.x & small, b.y & small, c.x & small, c.y & small);
     const I clockwise = negative(0 - area), counterclockwise = negative(area);
@@ -24,7 +24,7 @@ template <class I> I culled(const BinJob& job, I small, FromFirst<I> b, FromFirs
     return small & inverted(kept);
 }
 
-/// Bins the triangles of an object from `t` on, one per lane; those past `end` are left out.
+/// Bins an object's triangles, one per lane, starting at `t`. Ignores those past `end`.
 template <Number F>
 void bin_lanes(const BinJob& job, std::uint32_t t, std::uint32_t end, BinnedTriangles& out) {
     constexpr unsigned width = NumberTraits<F>::width;
@@ -52,7 +52,7 @@ void bin_lanes(const BinJob& job, std::uint32_t t, std::uint32_t end, BinnedTria
     store_ints(wanted, (beyond | cut | empty | unseen) + 1);
     store_ints(clipped, cut - (cut & beyond));
     const unsigned count = end - t < width ? end - t : width;
-    for (unsigned i = 0; i < count; ++i) {  // without a branch, which could not be predicted
+    for (unsigned i = 0; i < count; ++i) {  // without branches, which would be unpredictable
         out.boxes[out.box_count] = {job.first_triangle + t + i, static_cast<std::uint32_t>(tiles[i])};
         out.box_count += static_cast<std::size_t>(wanted[i]);
     }

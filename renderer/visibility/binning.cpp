@@ -1,5 +1,5 @@
-// Sorts triangles into the tiles of the picture that they touch, after clipping and culling. Each tile is
-// then drawn by one thread.
+// Sorts triangles into the picture's tiles that they touch, after clipping and culling. Each tile is then
+// drawn by one thread.
 #include "renderer/visibility/binning.h"
 
 #include <fmt/core.h>
@@ -15,7 +15,7 @@ namespace glint {
 namespace {
 
 constexpr std::uint32_t chunk_size = 8192;                // triangles per task
-constexpr std::size_t max_pieces = std::size_t{1} << 30;  // their vertices' numbers are 4 i, 4 i + 1, ...
+constexpr std::size_t max_pieces = std::size_t{1} << 30;  // their vertices have the numbers 4 i, 4 i + 1, ...
 
 /// Appends a chunk without parts.
 BinnedChunk& add_chunk(TileLists& lists, std::size_t& count) {
@@ -32,17 +32,17 @@ BinJob sort_job(const ObjectGeometry& object, const BinJob& like, Cull cull) {
     job.screen = object.screen.data();
     job.first_triangle = object.first_triangle;
     if (object.double_sided) return job;
-    // Clockwise as seen is the back, unless the transform turned it over.
+    // Clockwise on the screen is the back, unless the transform mirrors the object.
     job.drop_clockwise = cull == (object.mirrored ? Cull::Front : Cull::Back);
     job.drop_counterclockwise = cull == (object.mirrored ? Cull::Back : Cull::Front);
     return job;
 }
 
 /// Divides the triangles into chunks, one per task. A task has a counter for each cell, so small objects
-/// share one: with a task per object there would be objects x cells counters.
+/// share a task. One task per object would require objects x cells counters.
 void lay_out_chunks(TileLists& lists, const Geometry& g, const BinJob& like, Cull cull) {
     std::size_t count = 0;
-    std::uint32_t room = 0;  // number of triangles that still fit the last chunk
+    std::uint32_t room = 0;  // number of triangles that still fit in the last chunk
     for (std::uint32_t o = 0; o < g.objects.size(); ++o) {
         if (!g.objects[o].visible) continue;
         const auto triangles = static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size());
@@ -88,8 +88,8 @@ void visit_cells(const CellGrid& grid, const BinnedChunk& chunk, std::size_t beg
     }
 }
 
-/// Removes hidden triangles from the entries that a part of a chunk added to `out`. `before`: `out` before
-/// that.
+/// Removes hidden triangles from the entries that a part of a chunk has added to `out`. `before`: `out`
+/// before they were added.
 void leave_out_hidden(const std::vector<std::uint8_t>& hidden, const ChunkPart& part,
                       const BinnedTriangles& before, BinnedTriangles& out) {
     const std::uint32_t first = part.job.first_triangle;
@@ -101,7 +101,7 @@ void leave_out_hidden(const std::vector<std::uint8_t>& hidden, const ChunkPart& 
     out.to_clip_count = static_cast<std::size_t>(clip_end - out.to_clip);
 }
 
-/// Finds a chunk's boxes, and counts the entries of each cell. `hidden`: as in Visibility.
+/// Finds a chunk's boxes and counts the entries of each cell. `hidden`: as in Visibility.
 void bin_chunk(const CellGrid& grid, BinnedChunk& chunk, const std::vector<std::uint8_t>& hidden) {
     std::size_t room = 1;
     for (const ChunkPart& part : chunk.parts) room += part.end - part.begin;
@@ -132,7 +132,7 @@ void clip_triangle(TileLists& lists, const Geometry& g, const ObjectGeometry& ob
     polygon.clear();
     for (std::size_t k = 0; k < 3; ++k) {
         const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
-        // In the same two steps as the kernels (transform_lanes.h), so that there is no crack.
+        // Uses the same two steps as the kernels (transform_lanes.h), so that there are no cracks.
         polygon.push_back(g.clip_from_view * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
     }
     clip_polygon(polygon, lists.spare_polygon);
@@ -161,7 +161,7 @@ void clip_triangles(TileLists& lists, const Geometry& g) {
 }
 
 /// Adds the clipped pieces as the last chunk. For the kernel they are an object in which every triangle has
-/// its own vertices, four records apart; they are culled when they are drawn.
+/// its own vertices, four records apart. They are culled when they are drawn.
 void bin_pieces(TileLists& lists, const Geometry& g, const BinJob& like) {
     static_assert(sizeof(ClippedTriangle) == 4 * sizeof(ScreenVertex));
     const auto count = static_cast<std::uint32_t>(lists.clipped.size());
@@ -173,7 +173,7 @@ void bin_pieces(TileLists& lists, const Geometry& g, const BinJob& like) {
     part.job.screen = count > 0 ? lists.clipped.front().corner : nullptr;
     part.job.first_triangle = g.triangle_count;
     lists.pieces.parts.assign(1, part);
-    bin_chunk(lists.grid, lists.pieces, {});  // none of them hidden: those are not clipped
+    bin_chunk(lists.grid, lists.pieces, {});  // none is hidden, because hidden triangles are not clipped
 }
 
 void refuse_too_many_tiles(std::uint64_t met) {
@@ -183,8 +183,8 @@ void refuse_too_many_tiles(std::uint64_t met) {
              fmt::format("at most {}: fewer or smaller triangles, or a smaller picture", max_met_tiles)});
 }
 
-/// Converts each chunk's counts to the offsets of its entries in their cells, so that the order never depends
-/// on threads. The entries of one cell are fewer than 2^31; all together may be more than 2^32.
+/// Converts each chunk's counts to the offsets of its entries in their cells, so that the order does not
+/// depend on threads. One cell has fewer than 2^31 entries; the total may exceed 2^32.
 void number_places(TileLists& lists) {
     std::uint32_t levels = lists.pieces.levels;
     for (const BinnedChunk& chunk : lists.chunks) levels |= chunk.levels;

@@ -1,6 +1,6 @@
 #pragma once
-// Draws all triangles of one tile: sets up several at once (triangle_lanes.h), then draws them one after the
-// other.
+// Draws all triangles of one tile: sets up several at once (triangle_lanes.h), then draws them one after
+// another.
 
 #include "renderer/visibility/fill_triangle.h"
 #include "renderer/visibility/triangle_lanes.h"
@@ -13,11 +13,11 @@ struct TileRun {
     unsigned count;
     const ScreenVertex* screen;
     std::uint32_t first_number;
-    const ClippedTriangle* pieces;  // null: of an object
+    const ClippedTriangle* pieces;  // null for triangles of an object
     bool mirrored, double_sided;
 };
 
-/// The corners of the triangles i .. i + N - 1 of a run, with the last repeated past its end.
+/// The corners of the triangles i .. i + N - 1 of a run. Repeats the last triangle past the end of the run.
 template <Number F> CornerLanes<F> corner_lanes(const TileJob& job, const TileRun& run, unsigned i) {
     constexpr unsigned width = NumberTraits<F>::width;
     unsigned at[width], vertex[3][width];
@@ -37,7 +37,7 @@ template <Number F> CornerLanes<F> corner_lanes(const TileJob& job, const TileRu
     return corners;
 }
 
-/// Draws one lane; `number`: the triangle's global number.
+/// Draws one lane. `number`: the triangle's global number.
 template <Number F, unsigned N>
 void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane, std::uint32_t number,
                bool mirrored, bool double_sided, TilePixels& tile) {
@@ -57,7 +57,7 @@ void draw_lane(const TileJob& job, const TriangleLanes<N>& lanes, unsigned lane,
     fill_large_triangle<F>(large, tile);
 }
 
-/// Draws the tiny triangles among the first `count` lanes together. Returns the other lanes as bits, to be
+/// Draws all tiny triangles among the first `count` lanes together. Returns the other lanes as bits, to be
 /// drawn one by one. All lanes belong to one object.
 template <Number F>
 unsigned draw_tiny(const TileJob& job, const TriangleLanes<NumberTraits<F>::width>& lanes, unsigned count,
@@ -136,7 +136,7 @@ template <Number F> void draw_tile(const TileJob& job, TilePixels& tile) {
     }
 }
 
-/// Returns the pixels of a patch that show a triangle: bit i is pixel i.
+/// Returns which pixels of a patch show a triangle: bit i is pixel i.
 template <Number F> unsigned covered_of_patch(const std::int32_t* seen) {
     unsigned bits = 0;
     for (int i = 0; i < patch_pixels; i += NumberTraits<F>::width)
@@ -144,10 +144,10 @@ template <Number F> unsigned covered_of_patch(const std::int32_t* seen) {
     return bits;
 }
 
-/// The rows of a line of patches, from `y` on.
+/// Copies the rows of a line of patches, starting at `y`.
 template <Number F> void take_patches(const TilePixels& tile, int y, const TileRows& out) {
     const std::ptrdiff_t first = std::ptrdiff_t{y / patch_side} * patches_a_row * patch_pixels;
-    std::uint64_t covered[patch_side] = {};  // of each row: bit i is pixel i
+    std::uint64_t covered[patch_side] = {};  // for each row: bit i is pixel i
     for (int p = 0; p < patches_a_row && p * patch_side < out.width; ++p) {
         const std::int32_t* patch = tile.seen + first + std::ptrdiff_t{p} * patch_pixels;
         const int x = p * patch_side, within = min(out.width - x, patch_side);

@@ -1,5 +1,5 @@
 #pragma once
-// Draws one triangle into one tile, by the edge functions of fill_rule.h.
+// Draws one triangle into one tile, using the edge functions of fill_rule.h.
 
 #include "renderer/simd/double_lanes.h"
 #include "renderer/visibility/fill_rule.h"
@@ -17,7 +17,7 @@ struct TileTriangle {
     TileCorner corner[3];
     long long area;      // doubled
     int x0, y0, x1, y1;  // the pixels of the tile whose samples its bounding box contains, inclusive
-    int code;            // the value of its visible pixels (seen_code)
+    int code;            // the value to write to its visible pixels (seen_code)
 };
 
 /// Positive if the corners are clockwise.
@@ -33,15 +33,15 @@ inline void turn_over(TileTriangle& t) {
     t.area = -t.area;
 }
 
-/// inv_w over a triangle, linear on the screen: its value at the sample of pixel (x0, y0), and its steps from
-/// one pixel to the next.
+/// inv_w over a triangle, linear on the screen: its value at the sample of pixel (x0, y0), and its steps
+/// between adjacent pixels.
 template <class D> struct DepthPlane { D value, step_x, step_y; };
 
-/// A corner on the grid, and pixel (x0, y0) of the tile.
+/// A corner on the grid with its depth, and pixel (x0, y0) of the tile.
 template <class D> struct PlaneCorner { D x, y, inv_w; };
 template <class D> struct TilePixel { D x0, y0; };
 
-/// `area`: doubled, positive if the corners are clockwise; both windings give the same plane.
+/// `area`: doubled, positive if the corners are clockwise. Both windings give the same plane.
 template <class D>
 DepthPlane<D> depth_plane(const PlaneCorner<D> (&corner)[3], D area, const TilePixel<D>& pixel) {
     const auto& [a, b, c] = corner;
@@ -52,10 +52,10 @@ DepthPlane<D> depth_plane(const PlaneCorner<D> (&corner)[3], D area, const TileP
     return {value, per_x * D(subpixels), per_y * D(subpixels)};
 }
 
-/// Depth and code that a triangle writes to its visible pixels.
+/// The depth and code that a triangle writes to its visible pixels.
 struct TilePlane {
     DepthPlane<float> inv_w;
-    TilePixel<int> from;  // position of its value
+    TilePixel<int> from;  // pixel of `inv_w.value`
     int code;             // seen_code
 };
 
@@ -79,11 +79,11 @@ struct PatchEdges {
     int value[3], step_x[3], step_y[3];
 };
 
-/// The lanes' pixels within a patch: step s has those from s on.
+/// The columns and rows of the lanes' pixels within a patch. The first lane is pixel s.
 template <Number F> IntOf<F> patch_column(int s) { return load_ints<IntOf<F>>(iota + s) & (patch_side - 1); }
 template <Number F> IntOf<F> patch_row(int s) { return load_ints<IntOf<F>>(iota + s) >> patch_bits; }
 
-/// The plane's inv_w at the pixel `column` to the right of and `row` below its first one; at least 0.
+/// The plane's inv_w at the pixel `column` to the right of and `row` below its first pixel; at least 0.
 template <Number F> F inv_w_at(const DepthPlane<F>& plane, F column, F row) {
     return max0((plane.value + row * plane.step_y) + column * plane.step_x);
 }
@@ -91,7 +91,7 @@ template <Number F> DepthPlane<F> broadcast(const DepthPlane<float>& plane) {
     return {F(plane.value), F(plane.step_x), F(plane.step_y)};
 }
 
-/// The depth test for lanes of a patch: keeps the nearer of the stored surface and the triangle.
+/// The depth test for the lanes of a patch: keeps the nearer of the stored surface and the triangle.
 template <Number F>
 void keep_nearer(MaskOf<F> inside, F inv_w, int triangle_code, float* nearest, std::int32_t* seen) {
     const F before = load<F>(nearest);
@@ -135,8 +135,8 @@ template <Number F> void fill_patches(const PatchEdges& e, const TilePlane& plan
     }
 }
 
-// Large triangles, whose edge functions may not fit 32 bits: they are computed in 64 bits and moved to the
-// tile.
+// Large triangles, whose edge functions may not fit 32 bits. They are computed in 64 bits and then moved to
+// the tile.
 
 using LongEdge = EdgeFunction<long long>;
 
@@ -146,7 +146,7 @@ inline LongEdge edge_from(const TileCorner& a, const TileCorner& b) {
 
 enum class Fit { Outside, Fits, TooLarge };
 
-/// Sets edge `k` of `out`, whose patches are given. Outside: no pixel of the patches is inside the edge.
+/// Sets edge `k` of `out`, whose patches are given. Outside: none of the patches' pixels is inside the edge.
 inline Fit fit_edge(const LongEdge& edge, PatchEdges& out, int k) {
     const int x0 = out.x0 * patch_side, x1 = out.x1 * patch_side + patch_side - 1;
     const int y0 = out.y0 * patch_side, y1 = out.y1 * patch_side + patch_side - 1;
@@ -165,7 +165,7 @@ inline Fit fit_edge(const LongEdge& edge, PatchEdges& out, int k) {
     return Fit::Fits;
 }
 
-/// Draws the patches x0..x1, y0..y1. Returns false, and draws nothing, if an edge does not fit.
+/// Draws the patches x0..x1, y0..y1. If an edge does not fit, returns false without drawing.
 template <Number F>
 bool fill_long_edges(const TilePlane& plane, const LongEdge (&edges)[3], int x0, int y0, int x1, int y1,
                      TilePixels& tile) {
@@ -185,7 +185,7 @@ template <Number F> void fill_large_triangle(const TileTriangle& t, TilePixels& 
     const int x0 = t.x0 / patch_side, y0 = t.y0 / patch_side;
     const int x1 = t.x1 / patch_side, y1 = t.y1 / patch_side;
     if (fill_long_edges<F>(plane, edges, x0, y0, x1, y1, tile)) return;
-    for (int y = y0; y <= y1; ++y)  // 100 000 pixels long: one patch always fits
+    for (int y = y0; y <= y1; ++y)  // more than 100,000 pixels long; a single patch always fits
         for (int x = x0; x <= x1; ++x) fill_long_edges<F>(plane, edges, x, y, x, y, tile);
 }
 

@@ -1,15 +1,15 @@
 #pragma once
-// Sets up several triangles at once: boxes, areas and edges by the formulas of fill_rule.h, with the same
-// results as for one triangle if they fit 32 bits.
+// Sets up several triangles at once: boxes, areas and edges, by the formulas of fill_rule.h. The results are
+// the same as for single triangles if they fit 32 bits.
 
 #include "renderer/simd/transpose.h"
 #include "renderer/visibility/fill_triangle.h"
 
 namespace glint::inline GLINT_ISA {
 
-/// The corners of several triangles, on the grid, relative to the sample of the tile's first pixel.
+/// The corners of several triangles on the grid, relative to the sample of the tile's first pixel.
 template <Number F> struct CornerLanes {
-    IntOf<F> number;  // their triangle's
+    IntOf<F> number;  // of their triangle
     IntOf<F> x[3], y[3];
     F inv_w[3];
 };
@@ -21,7 +21,7 @@ template <unsigned N> struct TriangleLanes {
     float inv_w[3][N];
     int x0[N], y0[N], x1[N], y1[N];  // as in TileTriangle
     int empty[N];                    // -1: the box contains no sample of the tile
-    int small[N];                    // -1: the members below are valid, else they may not fit
+    int small[N];                    // -1: the members below are valid; 0: they may not fit
     int area[N];
     int value[3][N], step_x[3][N], step_y[3][N];  // as in PatchEdges, of the triangle reordered clockwise
     DepthPlane<float[N]> plane;                   // at pixel (x0, y0)
@@ -55,7 +55,7 @@ template <Number F> void make_ready(const CornerLanes<F>& in, TriangleLanes<Numb
     const I(&x)[3] = in.x;
     const I(&y)[3] = in.y;
     const auto [x0, y0, x1, y1, small] = sample_box(x, y, 0, 0, tile_size - 1, tile_size - 1);
-    I sx[3], sy[3];  // zeros if the products below would not fit
+    I sx[3], sy[3];  // zero if the products below would not fit
     for (int k = 0; k < 3; ++k) {
         sx[k] = small & x[k];
         sy[k] = small & y[k];
@@ -118,13 +118,14 @@ template <unsigned N> PatchEdges edges_of_lane(const TriangleLanes<N>& lanes, un
     return e;
 }
 
-// Triangles of a few pixels, one per lane: all lanes step through their boxes together and list the covered
+// Triangles of a few pixels, one per lane. All lanes step through their boxes together and list the covered
 // pixels, which are then depth-tested against the tile one by one.
 
-/// A triangle whose box has a longer side than this, in pixels, is drawn faster on its own, patch by patch.
+/// Triangles whose box has a side longer than this, in pixels, are drawn faster individually, patch by patch.
 inline constexpr int tiny_side = 6;
 
-/// The pixels of N triangles' boxes, one per triangle and step, with depths; and the list of covered ones.
+/// The pixels of N triangles' boxes, one per triangle and step, with their depths, and the list of covered
+/// pixels.
 template <unsigned N> struct Fragments {
     static constexpr unsigned most = N * tiny_side * tiny_side;
     int at[most];  // indices in the tile (TilePixels)
@@ -146,7 +147,7 @@ template <unsigned N> void keep_nearer(const Fragments<N>& fragments, TilePixels
     }
 }
 
-/// Draws the lanes of `chosen` (-1; others 0), whose boxes are tiny; `code`: the value of their pixels.
+/// Draws the lanes of `chosen` (-1; others 0), whose boxes are tiny. `code`: the value of their pixels.
 template <Number F>
 void fill_tiny(const TriangleLanes<NumberTraits<F>::width>& lanes, IntOf<F> chosen, IntOf<F> code,
                TilePixels& tile) {

@@ -9,7 +9,8 @@
 namespace glint {
 namespace {
 
-/// A tile's part of one sample's plane of the picture; at the right and lower border it may extend beyond.
+/// A tile's part of one sample plane of the picture. At the right and lower borders it may extend beyond the
+/// picture.
 TileRows tile_rows(const TileJob& job, PictureSize size, int sample, Visibility& out) {
     const auto x = static_cast<std::size_t>(job.x0), y = static_cast<std::size_t>(job.y0);
     TileRows rows;
@@ -29,7 +30,7 @@ void list_objects(const Geometry& g, std::vector<DrawnObject>& drawn) {
                          static_cast<std::uint32_t>(o.mesh->triangles.size()), o.mirrored, o.double_sided});
 }
 
-/// The lists of a tile's triangles: those of the cells that contain it, on every level.
+/// The lists of a tile's triangles: those of the cells that contain the tile, on every level.
 class CellLists {
   public:
     CellLists(const TileLists& lists, std::uint32_t tile) : lists_(lists) {
@@ -41,7 +42,7 @@ class CellLists {
     }
     [[nodiscard]] bool empty() const { return count_ == 0; }
 
-    /// Draws all of them, one after the other; the order does not matter (seen_code).
+    /// Draws all of them one after another. The order does not matter (seen_code).
     void draw(TileJob job, TilePixels& tile) const {
         std::size_t i = 0;
         do {
@@ -63,7 +64,7 @@ void rasterize_tiles(const Geometry& g, Visibility& out) {
     tbb::parallel_for(std::uint32_t{0}, out.tiles.grid.tile_count(), [&](std::uint32_t number) {
         const CellLists lists(out.tiles, number);
         if (lists.empty() && !out.tile_drawn[number])
-            return;  // background in the last picture and in this one
+            return;  // background both in the last picture and in this one
         out.tile_drawn[number] = !lists.empty();
         TileJob job;
         job.objects = out.objects.data();
@@ -87,7 +88,7 @@ void rasterize_tiles(const Geometry& g, Visibility& out) {
 }  // namespace
 
 SampleOffset sample_offset(int samples, int which) {
-    // In sixteenths of a pixel: Direct3D 11's standard patterns, which OpenGL drivers use as well.
+    // In sixteenths of a pixel: Direct3D 11's standard patterns, which OpenGL drivers also use.
     constexpr int two[2][2] = {{4, 4}, {-4, -4}};
     constexpr int four[4][2] = {{-2, -6}, {6, -2}, {-6, 2}, {2, 6}};
     constexpr int eight[8][2] = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5}, {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
