@@ -19,7 +19,7 @@ using Shown = std::optional<std::string>;
 bool is_figure(char c) { return c >= '0' && c <= '9'; }
 bool is_of_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
-/// Removes coordinates such as (0, 1, 0) and ranges such as (0–255), which a question gives.
+/// Removes coordinates such as (0, 1, 0) and ranges such as (0–255), which are part of a question.
 std::string without_coordinates(std::string_view text) {
     std::string rest;
     for (std::size_t at = 0; at < text.size(); ++at) {

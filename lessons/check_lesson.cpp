@@ -94,7 +94,7 @@ class Checker {
         for (const Exercise::Variable& variable : exercise.variables)
             first.push_back(variable.values.front());
         const Result<ExerciseInstance> made = exercise_with(exercise, first, lesson_.path);
-        if (problem_of(made) != nullptr) return fewest;  // posing it reports the problem
+        if (problem_of(made) != nullptr) return fewest;  // the problem is reported when the exercise is posed
         std::size_t drawn = 1;
         for (const LessonRun& run : std::get<ExerciseInstance>(made).runs) drawn += pixels_worth(run);
         return std::clamp(pixels / drawn, fewest, most);
@@ -205,7 +205,7 @@ std::optional<Checked> described(const LessonPart& part) {
     return {};
 }
 
-/// Throws if an assignment of a reveal is invalid.
+/// Throws if a reveal contains an invalid assignment.
 void require_reveals(const Lesson& lesson, const LessonStep& step, const SceneDocument& document) {
     for (const LessonPart& part : step.parts) {
         const auto* reveal = std::get_if<Reveal>(&part);

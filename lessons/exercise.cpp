@@ -1,4 +1,4 @@
-// Exercises: blocks whose {names} are replaced by numbers.
+// Exercises: blocks whose {names} are replaced by numbers for each sheet.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t max_values = 1000;
 constexpr double max_combinations = 1e9;
 
-/// `angle = 10 to 80 step 5`, or `n = 5, 10, 20`.
+/// Parses `angle = 10 to 80 step 5` or `n = 5, 10, 20`.
 Exercise::Variable read_variable(const BlockLine& line) {
     const std::size_t equals = std::min(line.value.find('='), line.value.size());
     Exercise::Variable variable;

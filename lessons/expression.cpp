@@ -121,7 +121,7 @@ bool all_hold(const std::string& symbol, const Json& a, const Json& b, double to
     return x >= y;
 }
 
-/// Whether any element differs by more than `tolerance`; NaN never differs.
+/// Whether any element differs by more than `tolerance`; false for NaN.
 bool differ(const Json& a, const Json& b, double tolerance) {
     const Json differences = combined(a, b, [](double x, double y) { return std::abs(x - y); });
     const auto is_more = [tolerance](const auto& self, const Json& value) -> bool {

@@ -18,8 +18,9 @@ using NamedValues = std::map<std::string, Json, std::less<>>;
 
 struct ExpressionNode;
 
-/// Numbers, lists of them, text, true and false; + - * / ^, comparisons, and, or, not; `a.lights[0].n_dot_l`;
-/// functions. Angles are in degrees. A number and a list are combined element by element.
+/// Numbers, lists of numbers, text, true and false; + - * / ^, comparisons, and, or, not; member access such
+/// as `a.lights[0].n_dot_l`; function calls. Angles are in degrees. A number and a list are combined element
+/// by element.
 class Expression {
   public:
     Expression() = default;  // an empty expression without a value

@@ -219,7 +219,7 @@ turn(0);
     const LessonStep* step_ = nullptr;
     SceneDocument document_, asked_;  // the step's scene; the same with its answer hidden
     std::optional<Scene> shown_;
-    std::vector<std::pair<const Prediction*, RightAnswer>> questions_;  // since the last reveal
+    std::vector<std::pair<const Prediction*, RightAnswer>> questions_;  // those since the last reveal
 };
 
 }  // namespace

@@ -91,7 +91,7 @@ struct Prediction {
 struct Reveal {
     std::vector<Assignment> set;                             // applied after the step's assignments
     std::optional<glm::ivec2> pick;                          // the pixel to explain
-    std::optional<std::pair<glm::ivec2, glm::ivec2>> along;  // ends of the scope's line
+    std::optional<std::pair<glm::ivec2, glm::ivec2>> along;  // ends of the intensity scope's line
     std::string play;  // JSON pointer of a number to animate back and forth, or empty
     double play_from = 0, play_to = 0;
     int line = 0;
@@ -116,7 +116,7 @@ struct Claim {
     int line = 0;
 };
 
-/// A question whose numbers vary from sheet to sheet.
+/// A question whose numbers differ between sheets.
 struct Exercise {
     struct Variable {
         std::string name;
@@ -138,7 +138,7 @@ struct ExerciseInstance {
     std::vector<LessonRun> runs;
     Expression answer, tolerance;
     Expression closed;   // a formula for the answer, or empty; must agree with the engine's answer
-    NamedValues values;  // of the variables
+    NamedValues values;  // the values of the variables
 };
 
 using LessonPart = std::variant<std::vector<ProseBlock>, Prediction, Reveal, Task, Claim, Exercise>;
@@ -164,7 +164,7 @@ struct LessonStep {
 
 struct Lesson {
     std::string title, topic;
-    std::string path;            // of its file, as given
+    std::string path;            // path of the lesson's file, as given
     std::string name;            // file name without folder and extension: "05-lambert"
     std::string scene;           // path of its scene, relative to the working directory
     PictureSize size;            // picture size to which pixel coordinates refer

@@ -1,4 +1,4 @@
-// The runs of a block: commands in the syntax of the command line.
+// Parses the runs of a block: commands in command-line syntax.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 struct RunWord {
     std::string_view word;
     RunKind kind;
-    std::vector<std::string> options;  // in addition to --set and --size
+    std::vector<std::string> options;  // allowed in addition to --set and --size
 };
 
 const std::array<RunWord, 7>& kinds() {

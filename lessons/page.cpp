@@ -61,7 +61,7 @@ std::string spans_html(const ProseBlock& block) {
     return html;
 }
 
-/// The lines of a code block, each escaped.
+/// The lines of a code block, with HTML characters escaped.
 std::string code_html(const ProseBlock& block) {
     std::string html;
     const std::string whole = plain_text(block);
@@ -73,7 +73,7 @@ std::string code_html(const ProseBlock& block) {
     return "<pre><code>" + html + "</code></pre>\n";
 }
 
-/// Opens and closes lists around items.
+/// Writes the list tags before and after list items.
 class Lists {
   public:
     void close_to(std::string& html, std::size_t depth) {
@@ -127,7 +127,7 @@ std::string page_html(std::string_view title, std::string_view body) {
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width\"><title>{}</title><style>{}</style></head>\n<body>\n",
         html_escaped(title), style);
-    page.reserve(page.size() + body.size() + end.size());  // avoids copies of a large page
+    page.reserve(page.size() + body.size() + end.size());  // avoids reallocations of a large page
     return page.append(body).append(end);
 }
 

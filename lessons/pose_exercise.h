@@ -14,7 +14,7 @@ struct PosedQuestion {
     std::string question, unit;
     double answer = 0, tolerance = 0;
     std::optional<double> closed;           // the result of the exercise's formula, if it has one
-    int line = 0;                           // of the exercise, in the lesson's file
+    int line = 0;                           // line of the exercise in the lesson's file
     std::vector<std::string> working = {};  // the formula with numbers, simplified step by step
 };
 

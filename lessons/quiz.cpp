@@ -20,7 +20,7 @@
 namespace glint {
 namespace {
 
-/// A question and its scene.
+/// A question and the scene that it is about.
 struct Posed {
     const LessonStep* step = nullptr;
     const Prediction* question = nullptr;

@@ -17,13 +17,13 @@ namespace glint {
 /// the misconception behind each wrong one. Without `key` the page does not contain the right options.
 [[nodiscard]] Result<std::string> quiz_html(LessonRunner& runner, const Lesson& lesson, bool key);
 
-/// The questions with their pictures and right options.
+/// All questions with their pictures and right options.
 [[nodiscard]] Result<std::vector<ExportedQuestion>> quiz_questions(LessonRunner& runner,
                                                                    const Lesson& lesson);
 
 /// One person's answers, as saved by the page.
 struct QuizAnswers {
-    bool after = false;                               // after the lessons; else before them
+    bool after = false;                               // true: after the lessons; false: before them
     std::vector<std::optional<std::size_t>> options;  // chosen for each question, from 0; empty if none
     std::string person = {};                          // a number or code for the person, or empty
     std::vector<double> seconds = {};                 // for each question; an empty list if unknown
@@ -44,7 +44,7 @@ struct QuizAnswers {
 [[nodiscard]] Result<Json> quiz_statistics(LessonRunner& runner, const Lesson& lesson,
                                            const std::vector<QuizAnswers>& all);
 
-/// A form of a quiz and the answers to it.
+/// A form of a quiz and all answers to it.
 struct AnsweredForm {
     Lesson lesson;
     std::vector<QuizAnswers> answers;
@@ -54,7 +54,7 @@ struct AnsweredForm {
 /// each form, its reliability (Kuder-Richardson 20). Finally the mean gain of everyone who answered before
 /// and after, in whichever form.
 [[nodiscard]] Result<std::string> quiz_analysis(LessonRunner& runner, const std::vector<AnsweredForm>& forms);
-/// A line for each answer: person,form,when,item,answer,right,seconds.
+/// One line per answer: person,form,when,item,answer,right,seconds.
 [[nodiscard]] Result<std::string> quiz_csv(LessonRunner& runner, const std::vector<AnsweredForm>& forms);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// Interprets the blocks of a lesson.
+// Parses the blocks of a lesson.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// Two pixels separated by a space.
+/// Parses two pixels separated by a space.
 std::pair<glm::ivec2, glm::ivec2> read_ends(const BlockLine& line, PictureSize picture) {
     const std::vector<std::string> words = words_of(line.value);
     if (words.size() != 2)

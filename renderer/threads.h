@@ -1,5 +1,5 @@
 #pragma once
-// The number of threads.
+// Determines the number of threads.
 
 namespace glint {
 

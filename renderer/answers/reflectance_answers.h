@@ -1,5 +1,5 @@
 #pragma once
-// The JSON of `glint lobe` and `glint microfacets` (docs/command_line.md).
+// The JSON output of `glint lobe` and `glint microfacets` (docs/command_line.md).
 
 #include <string>
 #include <vector>

@@ -41,7 +41,7 @@ Rgb debug_view_color(DebugView view, const DebugViewScale& scale, double value) 
     if (view == DebugView::NDotL)
         return bytes(value < 0 ? between(unlit_ramp, -value) : between(lit_ramp, value));
     const double share = (value - scale.low) / (scale.high - scale.low);
-    // Near surfaces are light.
+    // Shows near surfaces in light colours.
     return bytes(between(dark_to_light, view == DebugView::Depth ? 1 - share : share));
 }
 

@@ -11,7 +11,7 @@ template <class Keep> void keep_mistakes(Mistakes& mistakes, const Keep& keep) {
     for (const MistakeName& m : mistake_names()) mistakes.*m.flag &= keep(m);
 }
 
-/// Whether a mistake changes normals or the position of a light.
+/// Whether a mistake affects normals or the position of a light.
 bool shows_in_measures(const MistakeName& m) {
     const bool reach = m.seen_as == SeenAs::WrongReach || m.seen_as == SeenAs::WrongBrightness;
     return m.stage == MistakeStage::Normals || m.stage == MistakeStage::Viewer ||
@@ -75,7 +75,7 @@ Scene silhouette_scene(const Scene& scene) {
     s.npr.silhouettes = true;
     s.npr.creases = false;
     s.npr.stroke_width_px = 2;
-    s.npr.stroke = {1, 0.25f, 0.6f};  // a hue that few materials have
+    s.npr.stroke = {1, 0.25f, 0.6f};  // a hue that is rare among materials
     return s;
 }
 

@@ -72,7 +72,7 @@ using SensitivityProgress = std::function<void(std::size_t done, std::size_t all
                                                   int y, int threads,
                                                   const SensitivityProgress& measured = {});
 
-/// A table for people; ends with a newline.
+/// A table as text; ends with a newline.
 [[nodiscard]] std::string sensitivity_text(const Sensitivities& s);
 
 }  // namespace glint

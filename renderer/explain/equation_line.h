@@ -36,7 +36,7 @@ struct EquationFactor {
 /// The reason for omitting a term that the scene switches off.
 inline constexpr const char* switched_off = "switched off";
 
-/// term = product of the factors = result.
+/// One line of the equation: term = product of the factors = result.
 struct EquationLine {
     Quantity term = Quantity::DiffuseTerm;
     std::vector<EquationFactor> factors;

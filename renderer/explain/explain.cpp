@@ -96,7 +96,7 @@ ExplainedSpaces explain_spaces(const Geometry& g, const SampleFace& face) {
     return s;
 }
 
-/// From the shaded sum to the displayed colour.
+/// Fills in the steps from the shaded sum to the displayed colour.
 void explain_display(Explanation& e, const ExplainedStages& stages, std::size_t pixel) {
     explain_stroke(e, stages, pixel);
     const DisplayJob job = display_job(stages.lighting.display, stages.lighting.shading.mistakes);

@@ -34,7 +34,7 @@ std::string brief(glm::vec3 v) {
 
 constexpr std::size_t product_width = 62;
 
-/// A term: its name, its product, and its red, green and blue (on the next line if it is long).
+/// Writes a term: its name, its product, and its red, green and blue (on the next line if the term is long).
 std::string term(std::string_view name, std::string_view product, glm::vec3 value) {
     const auto is_start = [](char byte) { return !continues_character(byte); };
     const auto width = static_cast<std::size_t>(std::count_if(product.begin(), product.end(), is_start));
@@ -53,7 +53,7 @@ std::string result_text(double x) {
     return text.substr(text.find_first_not_of(' '));
 }
 
-/// A term of the equation: the product of its factors and its result.
+/// Writes a term of the equation: the product of its factors and its result.
 std::string term(const EquationLine& line) {
     std::string_view name = "f";
     if (line.term == Quantity::EmissionTerm) name = "emission";

@@ -28,7 +28,7 @@ struct ExplainedFacets {
 /// The contribution of one light, or of one sample of an area light, at one point.
 struct ExplainedLight {
     std::string name;      // empty in the samples of an area light
-    int index = 0;         // in Scene::lights
+    int index = 0;         // index of Scene::lights
     InBothFrames l, r, h;  // unit vectors: towards the light; l mirrored at n; halfway between l and v
     float n_dot_l = 0;     // not clamped: negative if the light is behind the surface
     float r_dot_v = 0, n_dot_h = 0, l_dot_v = 0;
@@ -37,7 +37,7 @@ struct ExplainedLight {
     float spot_angle_deg = 0;      // between the cone's axis and the direction to the point; 0 without a cone
     float diffuse_factor = 0;      // multiplies light.diffuse * k_d: <n.l> for Lambert
     glm::vec3 specular_factor{0};  // S of docs/scene_file.md, per channel; 0 if n.l <= 0
-    ExplainedFacets facets;        // under Cook-Torrance
+    ExplainedFacets facets;        // used by Cook-Torrance
     glm::vec3 ambient{0}, diffuse{0}, specular{0};  // light reflected towards the eye
     glm::vec3 share{0};  // added to the sum: the three terms together, rounded as in the picture;
                          // 0 for an area light, whose samples have one each

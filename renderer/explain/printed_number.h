@@ -9,15 +9,15 @@
 
 namespace glint {
 
-/// The maximum number of decimals: a float has no more.
+/// The maximum number of decimals. A float does not have more.
 inline constexpr int most_decimals = 9;
 
 /// The printf format for x with this many decimals (0 to most_decimals): fixed, or scientific from 1e6 on and
 /// below 1e-4.
 [[nodiscard]] const char* decimal_format(double x, int decimals);
-/// x in that format.
+/// Formats x with that format.
 [[nodiscard]] std::string decimal_text(double x, int decimals);
-/// Returns decimal_text() without trailing zeros: "0.5", "1".
+/// decimal_text() without trailing zeros: "0.5", "1".
 [[nodiscard]] std::string short_text(double x, int decimals);
 
 /// Formats x with this many decimals. Omits the sign of a number that rounds to 0.
@@ -25,7 +25,7 @@ inline constexpr int most_decimals = 9;
 /// Returns the number of decimals that show two significant digits of an x between 0.0001 and 1, at least
 /// `decimals`; returns `decimals` for any other x.
 [[nodiscard]] int significant_decimals(double x, int decimals);
-/// Formats x with `decimals` decimals, more if two significant digits need them: "0.00012", "1.2e-05".
+/// Formats x with `decimals` decimals, or more if needed for two significant digits: "0.00012", "1.2e-05".
 [[nodiscard]] std::string significant_text(double x, int decimals);
 
 /// One unit of the last digit of a formatted number: 0.001 of "0.713", 1e-7 of "3.21e-05".

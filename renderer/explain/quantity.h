@@ -59,7 +59,7 @@ struct QuantityRow {
     Quantity quantity;
     const char* letter;   // "k"; for a cosine both vectors with the dot, "n·l"
     const char* index;    // its subscript, or empty
-    const char* latex;    // in math mode
+    const char* latex;    // for LaTeX math mode
     const char* meaning;  // for a legend
 };
 

@@ -29,7 +29,7 @@ Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, Screen
     const F bx = b.x - at.x * b.w, by = b.y - at.y * b.w;
     const F cx = c.x - at.x * c.w, cy = c.y - at.y * c.w;
     const Vec3<F> e{bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx};
-    return select<F>(e.x + e.y + e.z < F(0), -e, e);  // seen from behind
+    return select<F>(e.x + e.y + e.z < F(0), -e, e);  // for a triangle seen from behind
 }
 
 /// Perspective-correct weights (for points, colours or normals in space) of three corners where the ray

@@ -1,4 +1,4 @@
-// Animations as lossless WebP, written by libwebp and libwebpmux.
+// Writes animations as lossless WebP with libwebp and libwebpmux.
 #include <webp/encode.h>
 #include <webp/mux.h>
 

@@ -11,7 +11,7 @@
 
 namespace glint {
 
-/// A stream that reads from bytes, which must outlive it.
+/// An input stream over bytes, which must outlive it.
 class ExrSource : public Imf::IStream {
   public:
     explicit ExrSource(const std::string& bytes) : IStream("picture"), bytes_(bytes) {}
@@ -30,7 +30,7 @@ class ExrSource : public Imf::IStream {
     std::size_t at_ = 0;
 };
 
-/// A stream that writes to `bytes`.
+/// An output stream that writes to `bytes`.
 class ExrSink : public Imf::OStream {
   public:
     ExrSink() : OStream("picture") {}

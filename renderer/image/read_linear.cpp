@@ -42,7 +42,7 @@ Picture empty_linear(long long width, long long height) {
 struct PfmHeading {
     int channels = 0;
     long long width = 0, height = 0;
-    float scale = 0;  // below 0: little-endian
+    float scale = 0;  // negative: little-endian
     std::size_t end = 0;
 };
 

@@ -50,7 +50,7 @@ template <Number F> struct LightVector {
 /// The values that depend only on the distance to a light.
 template <Number F> struct Attenuation {
     F distance{1}, inverse{1};  // scene units, and 1 / distance; 1 for a directional light
-    F falloff{1};               // 1 if the light has none
+    F falloff{1};               // 1 for a light without falloff
 };
 
 /// The vectors and cosines for l = light_vector / distance. Lecture: "Calculating R Vector", "Blinn-Phong

@@ -24,7 +24,7 @@ Material mirror_like(const Scene& scene, int object) {
     return mirror_like(scene.objects[static_cast<std::size_t>(object)].material);
 }
 
-/// The sum over all samples and channels.
+/// The sum of the highlight over all samples and channels.
 double highlight_of(const LightAlone& lit, const SeenPoint& point) {
     const PointAt<float> at = lit.seen(point.position, point.normal);
     double sum = 0;

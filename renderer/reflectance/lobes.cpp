@@ -64,7 +64,7 @@ glm::dvec3 over_hemisphere(const Reflector& reflector, double light_deg,
     return around_axis(axis, horizon, [&](glm::dvec3 v) { return value(glm::vec3(v)) * v.z; });
 }
 
-/// A direction with n.v in [0.05, 1], any azimuth.
+/// A random direction with n.v in [0.05, 1] and any azimuth.
 glm::vec3 direction_above(std::mt19937& random) {
     const double z = 0.05 + 0.95 * uniform(random), azimuth = 2 * pi * uniform(random);
     const double s = std::sqrt(1 - z * z);

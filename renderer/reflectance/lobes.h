@@ -71,7 +71,7 @@ struct LobeSample {
 // outgoing directions converges to D(h) (n.h) / (4 v.h), the lobe of cook-torrance before shadowing and
 // Fresnel. Lecture: microfacets; B. Walter and others 2007 for the sampling.
 
-/// A facet's normal about n = (0, 0, 1), with density D(h) (n.h): tan(angle) = a sqrt(u / (1 - u)), a =
+/// A random facet normal about n = (0, 0, 1), with density D(h) (n.h): tan(angle) = a sqrt(u / (1 - u)), a =
 /// roughness^2.
 [[nodiscard]] glm::dvec3 sampled_normal(double roughness, std::mt19937& random);
 
@@ -118,7 +118,7 @@ class LightAlone {
 // Random numbers that are the same on every platform. Uses the bits of a generator directly, because the
 // distributions of std:: differ between libraries.
 
-/// Uniform in [0, 1).
+/// A uniformly distributed number in [0, 1).
 [[nodiscard]] inline double uniform(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-32; }
 
 }  // namespace glint

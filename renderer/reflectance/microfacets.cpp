@@ -36,7 +36,7 @@ void make_profile(MicrofacetPicture& p, const MicrofacetOptions& options, std::m
     const double band = 2 * std::tan(std::min(p.sigma_deg, 45.0) * degree);
     for (int i = 0; i < options.facets; ++i) {
         double tilt = random_tilt(random, p.sigma_deg);
-        if (std::abs(at.y) > band) tilt = std::copysign(tilt, at.y);  // a positive tilt descends
+        if (std::abs(at.y) > band) tilt = std::copysign(tilt, at.y);  // a positive tilt slopes downwards
         at += glm::dvec2(1, -std::tan(tilt * degree));
         p.profile.push_back(at);
         p.tilt_deg.push_back(tilt);

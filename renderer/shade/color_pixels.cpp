@@ -17,7 +17,7 @@ namespace {
 static_assert(batch_size == block_size,
               "GroupsToDo and BoundsBlock hold as many groups as a block has points");
 
-/// 16 pixels of one colour.
+/// 16 pixels with the same colour.
 struct UniformBlock {
     ColorBlock color;
     std::array<std::uint32_t, block_size> rgba{};
@@ -31,7 +31,7 @@ struct UniformBlock {
 };
 
 void write_group(Lighting& l, const PixelGroup& group, const ColorBlock& color, const std::uint32_t* rgba) {
-    if (group.mask == 0xFFFF && !l.linear) {  // the usual case
+    if (group.mask == 0xFFFF && !l.linear) {  // the typical case
         std::memcpy(&l.picture.rgba[4 * std::size_t{group.first_pixel}], rgba, 4 * block_size);
         return;
     }
@@ -156,7 +156,7 @@ void add_share(ColorBlock& sum, std::array<float, block_size>& covered, const Pi
 void add_background(ColorBlock& sum, const std::array<float, block_size>& covered,
                     const glm::vec3& background) {
     for (std::size_t i = 0; i < block_size; ++i) {
-        const float left = 1 - covered[i];  // exact: shares are multiples of 1/8
+        const float left = 1 - covered[i];  // exact, because coverages are multiples of 1/8
         if (left <= 0) continue;
         sum.r[i] += left * background.x;
         sum.g[i] += left * background.y;

@@ -169,7 +169,7 @@ template <int N> Lanes<N> square_root(Lanes<N> a) {
 }
 
 // Helpers in the lecture's notation.
-inline constexpr float smallest_normal = 0x1p-126f;  // smaller numbers are denormal
+inline constexpr float smallest_normal = 0x1p-126f;  // smaller positive numbers are denormal
 template <Number F> F max(F a, F b) { return select(a > b, a, b); }
 template <Number F> F min(F a, F b) { return select(a < b, a, b); }
 template <int N> Lanes<N> max(Lanes<N> a, Lanes<N> b) {  // one instruction with the same result, even for NaN

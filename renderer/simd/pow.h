@@ -10,7 +10,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-inline constexpr int sqrt_half_bits = 0x3f3504f3;  // of the float nearest sqrt(1/2)
+inline constexpr int sqrt_half_bits = 0x3f3504f3;  // bits of the float nearest to sqrt(1/2)
 
 /// log2(x) for normal x > 0, otherwise an unspecified finite number.
 template <Number F> F log2_of(F x) {
@@ -56,7 +56,7 @@ template <Number F> F power(F x, F s) {
 /// Integer exponents up to this value use squaring, which takes a third of the work and is as exact.
 inline constexpr float max_squared = 1024;
 
-/// An exponent s >= 0, the same in all lanes.
+/// An exponent s >= 0, equal in all lanes.
 template <Number F> struct Exponent {
     F value{};
     int whole = 0;  // the value if it is an integer up to `max_squared`, otherwise -1

@@ -9,7 +9,7 @@
 
 namespace glint::inline GLINT_ISA {
 
-/// The four floats of each lane's record, as four vectors.
+/// The four floats of each lane's record, transposed to four vectors.
 template <Number F> struct Columns { F a, b, c, d; };
 
 namespace transposing {

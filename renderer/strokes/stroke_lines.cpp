@@ -78,7 +78,7 @@ class Follower {
         const double length = glm::distance(line->a, line->b);
         if (!(length < longest)) return;
         const int steps = std::max(1, static_cast<int>(std::ceil(length)));
-        int first = -1;  // of the current run of visible steps; -1: none
+        int first = -1;  // start of the current run of visible steps; -1: none
         for (int i = 0; i <= steps; ++i) {
             const bool seen = i < steps && is_seen(edge, *line, (i + 0.5) / steps);
             if (seen && first < 0) first = i;

@@ -89,7 +89,7 @@ struct TracedPoint {
                                     const TracedPoint& point);
 /// The ray from the point to a light, or towards a directional light.
 [[nodiscard]] WorldRay shadow_ray(const LightSource& light, const RayStart& start);
-/// Whether the light reaches the point; true if it needs no shadow ray.
+/// Whether the light reaches the point; true if no shadow ray is needed.
 [[nodiscard]] bool reaches(const RayScene& rays, const TransportInputs& inputs, const LightSource& light,
                            const TracedPoint& point);
 
@@ -102,7 +102,7 @@ struct TracedPoint {
                                          const TracedPoint& point, int path,
                                          std::vector<PathStep>* steps = nullptr);
 
-/// Arrivals::bounced of a point from the sum of its paths' radiance.
+/// Computes Arrivals::bounced of a point from the sum of its paths' radiance.
 [[nodiscard]] inline glm::vec3 mean_of_paths(const glm::dvec3& sum, int paths) {
     return glm::vec3(sum / static_cast<double>(paths));
 }

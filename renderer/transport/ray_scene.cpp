@@ -39,7 +39,7 @@ void check(RTCDevice device) {
                          "the model local"});
 }
 
-/// Three corners in the order of the mesh.
+/// The three corners of a triangle, in mesh order.
 using Corners = std::array<glm::dvec3, 3>;
 
 /// The weights of the corners at the point of the triangle closest to p: the perpendicular projection of p

@@ -36,8 +36,8 @@ struct WorldRay {
 
 /// The first triangle that a ray hits.
 struct RayHit {
-    std::uint32_t object = 0;    // in Scene::objects
-    std::uint32_t triangle = 0;  // in Mesh::triangles
+    std::uint32_t object = 0;    // index of Scene::objects
+    std::uint32_t triangle = 0;  // index of Mesh::triangles
 };
 
 /// The visible objects of a scene. All functions except `update` are thread-safe.

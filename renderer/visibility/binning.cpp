@@ -60,7 +60,7 @@ void lay_out_chunks(TileLists& lists, const Geometry& g, const BinJob& like, Cul
     lists.chunks.resize(count);
 }
 
-/// The number of tiles that a box overlaps.
+/// The number of tiles overlapped by a box.
 std::uint64_t tiles_of(const TriangleBox& box) {
     return std::uint64_t{box.x1() - box.x0() + 1} * (box.y1() - box.y0() + 1);
 }

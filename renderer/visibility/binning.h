@@ -58,7 +58,7 @@ struct TileLists {
     std::vector<BinnedChunk> chunks;                 // of all triangles, in ascending order
     BinnedChunk pieces;                              // of the clipped triangles, binned as one more object
     std::vector<std::uint32_t> clipped_vertices;     // three separate vertices per piece
-    std::vector<glm::dvec4> polygon, spare_polygon;  // while a triangle is clipped
+    std::vector<glm::dvec4> polygon, spare_polygon;  // used while clipping a triangle
 
     [[nodiscard]] std::size_t count_in_cell(std::uint32_t cell) const {
         return cell_first[cell + 1] - cell_first[cell];

@@ -12,7 +12,7 @@ namespace glint::inline GLINT_ISA {
 /// -1 (all bits set) where a < 0, otherwise 0.
 template <class I> I negative(I a) { return a >> 31; }
 inline long long negative(long long a) { return a >> 63; }
-/// 0 where a is -1, and -1 where it is 0.
+/// 0 where a is -1, and -1 where a is 0.
 template <class I> I inverted(I a) { return -1 - a; }
 
 /// Twice the area of the triangle (0, 0), b, c; positive if it is clockwise on the screen.

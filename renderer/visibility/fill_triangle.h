@@ -101,7 +101,7 @@ void keep_nearer(MaskOf<F> inside, F inv_w, int triangle_code, float* nearest, s
     store_ints(seen, select(wins, code, shown));
 }
 
-/// Draws the triangle in the patches.
+/// Draws the triangle in the given patches.
 template <Number F> void fill_patches(const PatchEdges& e, const TilePlane& plane, TilePixels& tile) {
     constexpr int width = NumberTraits<F>::width, steps = patch_pixels / width;
     using I = IntOf<F>;

@@ -108,7 +108,7 @@ struct TileJob {
     int x0 = 0, y0 = 0;                        // the tile's first pixel
     int offset_x = 0, offset_y = 0;            // of the sample from the pixel's centre, in 1/256 pixel
     bool draw_front = true, draw_back = true;  // double-sided objects are always drawn on both sides
-    bool keep = false;                         // do not clear the tile first
+    bool keep = false;                         // true: does not clear the tile first
 };
 
 /// The kernels of one instruction set.
