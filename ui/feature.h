@@ -36,9 +36,9 @@ struct PictureNeeds {
     bool full_size = false;  // also during a motion
 };
 
-/// The change of positions on the picture, as shares of its size, when it gets another shape.
+/// How positions in the picture, as shares of its size, change with its aspect ratio.
 struct Reshape {
-    glm::dvec2 scale{1};      // of distances from its middle, in shares
+    glm::dvec2 scale{1};      // of distances from the picture's centre, in shares
     glm::vec2 in_heights{1};  // likewise, in heights of the picture
     void follow(glm::dvec2& share) const { share = (share - 0.5) * scale + 0.5; }
 };
@@ -46,7 +46,7 @@ struct Reshape {
 /// A modal dialog: ui/shell/modal.h.
 struct Dialog {
     bool (*is_open)(const UiState&) = nullptr;
-    void (*close)(UiState&) = nullptr;  // as Escape does: nothing happens
+    void (*close)(UiState&) = nullptr;  // as Escape does, without an answer
     void (*draw)(UiState&, const UiInput&) = nullptr;
     bool is_about_scene = false;  // closed when another scene replaces the present one
 };
@@ -64,16 +64,16 @@ struct Feature {
     void (*begin)(UiState&, const UiInput&) = nullptr;  // before any window is drawn
     void (*settle)(UiState&) = nullptr;                 // after the panels, before the picture is drawn
     void (*compose)(UiState&) = nullptr;                // changes the displayed picture
-    void (*update)(UiState&) = nullptr;                 // the picked pixel is explained
+    void (*update)(UiState&) = nullptr;                 // after the picked pixel has been explained
     void (*draw)(UiState&, const Layout&) = nullptr;    // its own windows
-    void (*end)(UiState&) = nullptr;                    // the frame's edits have become a step
+    void (*end)(UiState&) = nullptr;                    // after the frame's edits have become a step
 
     // On the picture.
     std::optional<OtherScene> (*shows)(const UiState&) = nullptr;  // in place of the edited scene
     PictureNeeds (*needs)(const UiState&) = nullptr;
     const Tool* tool = nullptr;
     void (*overlay)(ImDrawList&, UiState&, const PictureView&) = nullptr;
-    bool overlay_stays = false;  // also over a picture without bars, and during a question
+    bool overlay_stays = false;  // also drawn over a picture without bars, and during a question
     std::optional<PictureNote> (*note)(const UiState&, const Scene&) = nullptr;
     void (*reshape)(UiState&, const Reshape&) = nullptr;
 
@@ -83,13 +83,13 @@ struct Feature {
     float (*status)(UiState&, ImVec2 right) = nullptr;    // in the status line; returns its width
     std::optional<std::string> (*caption)(const UiState&) = nullptr;  // in place of the scene's own
     Dialog dialog = {};
-    PictureSheet* (*sheet)(UiState&) = nullptr;  // that is kept as a texture
+    PictureSheet* (*sheet)(UiState&) = nullptr;  // a sheet to keep as a texture
 
     // Keys and commands.
     std::vector<WindowCommand> (*commands)() = nullptr;
     void (*palette)(std::vector<PaletteEntry>&, UiState&) = nullptr;
     bool (*key)(UiState&, KeyPress) = nullptr;  // true: the key is consumed
-    bool (*escape)(UiState&) = nullptr;         // true: there was something to leave
+    bool (*escape)(UiState&) = nullptr;         // true: something was closed
 
     // Files and settings.
     std::optional<Opening> (*open)(const std::string& path) = nullptr;  // if it supports that kind of file
@@ -98,20 +98,20 @@ struct Feature {
     void (*read_settings)(UiState&, const Json&) = nullptr;  // untrusted; missing settings are reset
 
     // Interaction with others.
-    std::string (*why_held)(const UiState&) = nullptr;  // why the scene cannot be changed or picked; or empty
+    std::string (*why_held)(const UiState&) = nullptr;  // why the scene cannot be changed or picked, or empty
     bool (*is_presented)(const UiState&) = nullptr;     // to an audience: nothing pops up by itself
     void (*leave_document)(UiState&, const SceneDocument& next) = nullptr;
     void (*put_away)(UiState&) = nullptr;  // ends everything shown in place of the picture or over it
 };
 
-/// All features. If several want the same (the picture, the mouse, Escape), the first one gets it. Earlier
-/// ones are drawn over later ones.
+/// All features. If several request the same thing (the picture, the mouse, Escape), the first one gets it.
+/// Earlier ones are drawn over later ones.
 [[nodiscard]] std::span<const Feature* const> features();
 
 /// The combined needs of all features.
 [[nodiscard]] PictureNeeds picture_needs(const UiState& state);
 
-/// Why a feature keeps the scene from being changed and the picture from being picked; empty: none does.
+/// The reason why a feature prevents changes of the scene and picks in the picture; empty if none does.
 [[nodiscard]] std::string why_held(const UiState& state);
 [[nodiscard]] bool is_held(const UiState& state);
 

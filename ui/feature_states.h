@@ -6,7 +6,7 @@
 
 namespace glint {
 
-/// One value of each requested type, created by its first request. Its address never changes.
+/// One value of each requested type, created by the first request for it. Its address never changes.
 class FeatureStates {
   public:
     template <class T> [[nodiscard]] T& get() const {

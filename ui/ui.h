@@ -1,6 +1,6 @@
 #pragma once
 // One frame of the window's contents: input in, scene edited, picture drawn, requests out. Draws with ImGui
-// only without GLFW and GL, so that tests run it without a window.
+// only, without GLFW and GL, so that tests run it without a window.
 
 #include <imgui.h>
 
@@ -43,10 +43,11 @@ struct PlacedPicture {
     bool operator==(const PlacedPicture&) const = default;
 };
 
-/// The window's state from frame to frame, in addition to ImGui's own context and what ui/widgets keeps of
-/// the present one: the theme and scale applied last (theme.cpp), the fonts loaded last (fonts.cpp); the
-/// hovered item, the earliest requested frame, and the list in which tests find controls (tooltip.cpp); the
-/// number being edited and its messages (number_input.cpp); the requested field (field_panel.cpp).
+/// The window's state from frame to frame, in addition to ImGui's own context and the data that ui/widgets
+/// keeps for the present context: the theme and scale applied last (theme.cpp), the fonts loaded last
+/// (fonts.cpp); the hovered item, the earliest requested frame, and the list in which tests find controls
+/// (tooltip.cpp); the number being edited and its messages (number_input.cpp); the requested field
+/// (field_panel.cpp).
 struct UiState {
     explicit UiState(int thread_count)
         : threads(thread_count), renderer(std::make_unique<Renderer>(thread_count)) {}
@@ -65,9 +66,9 @@ struct UiState {
     Loading loading;
     Persistence persistence;
     Pending pending;
-    double letters_from = 0;     // ImGui time: a letter meant for a dialog that has just closed does nothing
+    double letters_from = 0;     // ImGui time: earlier letters were meant for a dialog that has just closed
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
-    int mesh_for_object = -1;    // whose mesh the file dialog chooses; -1: a new object's
+    int mesh_for_object = -1;    // the object whose mesh the file dialog chooses; -1: a new object
     bool dark = true, shows_shortcuts = false;
     bool left_shows_inspector = false, left_shows_scene = false;  // if the left column has tabs
     bool types_into_panel = false;  // requested: focus the selected item's first field
@@ -83,23 +84,21 @@ struct UiState {
     int threads;               // of each renderer
     float parts_progress = 1;  // of the parts of a comparison: as Refinement::progress
     std::unique_ptr<Renderer> renderer;
-    Refinement refinement;              // of its pictures
+    Refinement refinement;              // of the renderer's pictures
     const Picture* rendered = nullptr;  // the last one drawn
     PictureSize full_size;              // of the picture in the window; `rendered` may be temporarily smaller
-    PictureSize failed_size{0, 0};      // a picture of that size failed: the last one drawn keeps its own
-    const Picture* displayed = nullptr;  // the picture in the window: `rendered`, or what features made of it
+    PictureSize failed_size{0, 0};  // a picture of that size failed: the last one drawn keeps its own size
+    const Picture* displayed = nullptr;  // the picture in the window: `rendered`, or one composed by features
     const Picture* unpainted = nullptr;  // the same without stripes and false colours
-    std::uint64_t picture_serial = 0;    // incremented with each shown picture, so that the texture is
-                                         // updated
+    std::uint64_t picture_serial = 0;    // incremented with each shown picture, to update the texture
     std::vector<ShownPart> parts;        // of `displayed`
     double parts_ms = 0;                 // of the parts, in addition to `rendered`
     PlacedPicture picture_rect;          // its position in the window
     float legend_width = 0, label_height = 0;  // of a feature's overlay at its left and upper edge
     Scene rendered_scene;                      // the scene in `rendered`
-    bool rendered_is_edited = false;  // whether that was the edited scene: no preview, none that awaits a
-                                      // mesh
-    ImGuiID active_before = 0;        // the active control of the previous frame; 0: none
-    Scene edited_drawn;  // the last drawn state of the edited scene, even if another is shown since
+    bool rendered_is_edited = false;           // no preview, and no scene that awaits a mesh
+    ImGuiID active_before = 0;                 // the active control of the previous frame; 0: none
+    Scene edited_drawn;  // the last drawn state of the edited scene, even if another has been shown since
     OnScreen on_screen;
 
     Jobs jobs;  // last: they use the others

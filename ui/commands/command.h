@@ -1,7 +1,7 @@
 #pragma once
-// A command is anything that a menu item or a key does, defined once as a row of a table of functions. Menus,
-// keys, the palette, the tool bar and the sheet of shortcuts read the rows. The core's rows are in
-// commands_*.cpp, those of a feature in its folder.
+// A command is an action of a menu item or a key. Each is defined once, as a row of a table of functions;
+// menus, keys, the palette, the tool bar and the shortcuts sheet read the rows. The core's rows are in
+// commands_*.cpp, a feature's rows are in its folder.
 
 #include <optional>
 #include <span>
@@ -55,34 +55,34 @@ struct WindowCommand {
     Section section = Section::Other;
     void (*run)(UiState&) = nullptr;
     bool (*is_on)(const UiState&) = nullptr;                // null: not a switch
-    std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty reason: enabled
+    std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty result: enabled
     CommandId id = CommandId::None;
     bool line_above = false;       // in the menu
     bool changes_picture = false;  // draws over or replaces the picture, where hints would be in the way
     bool quiet = false;            // does not change or reveal the scene: allowed during a question
-    const char* noun = "";         // name of the switch, if different from the command's
-    const char* words = "";        // topics: Ctrl+K also finds it by the beginnings of these words
-    const char* sets = "";         // the value of the scene that it sets, as in keys_of_value()
+    const char* noun = "";         // name of the switch, if it differs from the command's name
+    const char* words = "";        // search terms: Ctrl+K also matches the beginnings of these words
+    const char* sets = "";         // the scene value that it sets, as in keys_of_value()
 };
 
 /// All commands, in section order.
 [[nodiscard]] std::span<const WindowCommand> commands();
 [[nodiscard]] const WindowCommand& command(CommandId id);
 
-/// All its keys: "Ctrl+Shift+Z or Ctrl+Y".
+/// All keys of the command: "Ctrl+Shift+Z or Ctrl+Y".
 [[nodiscard]] std::string keys_of(const WindowCommand& command);
-/// Why it is disabled now; empty when it is enabled.
+/// The reason why the command is disabled now; empty if it is enabled.
 [[nodiscard]] std::string why_disabled(const UiState& state, const WindowCommand& command);
 [[nodiscard]] inline bool can_run(const UiState& state, const WindowCommand& command) {
     return why_disabled(state, command).empty();
 }
 /// Whether a switch is on; nothing for other commands.
 [[nodiscard]] std::optional<bool> is_on(const UiState& state, const WindowCommand& command);
-/// Runs it if can_run().
+/// Runs the command if can_run().
 void run_command(UiState& state, const WindowCommand& command);
 inline void run_command(UiState& state, CommandId id) { run_command(state, command(id)); }
 
-/// Runs the commands of this frame's keys; Escape leaves the innermost thing.
+/// Runs the commands of the keys pressed in this frame; Escape ends the innermost active item.
 void run_keys(UiState& state, const UiInput& input);
 
 // The core's rows by topic, and the parts of a row. A new command is one new row.

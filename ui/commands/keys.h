@@ -1,5 +1,5 @@
 #pragma once
-// Keys as the window delivers them, without a library's codes. Letters follow the user's keyboard layout.
+// Keys, independent of the window library's key codes. Letters follow the user's keyboard layout.
 
 #include <array>
 #include <string>
@@ -14,7 +14,7 @@ enum class Key {
     Digit2,
     Digit3,
     Digit4,
-    Pad0, Pad1, Pad3, Pad5, Pad7, PadPoint,  // of the number pad
+    Pad0, Pad1, Pad3, Pad5, Pad7, PadPoint,  // on the numeric keypad
     Delete,
     Escape,
     Enter,
@@ -54,8 +54,9 @@ struct UiInput {
     bool close_asked = false;          // the window's own close button
 };
 
-/// Arrow keys in a list of `count` entries, or in a grid of several columns. `chosen` is -1 before one is
-/// chosen. A list wraps round, a grid does not. True when Enter confirms the chosen entry.
+/// Moves `chosen` with the arrow keys in a list of `count` entries, or in a grid if there are several
+/// columns. `chosen` is -1 before the first choice. A list wraps around, a grid does not. Returns true when
+/// Enter confirms the chosen entry.
 [[nodiscard]] bool choose_by_keys(int& chosen, int count, int columns, const UiInput& input);
 
 }  // namespace glint

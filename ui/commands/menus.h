@@ -1,5 +1,5 @@
 #pragma once
-// The menus, the sheet of keys and the palette, all filled from the table of commands.
+// The menus, the shortcuts sheet and the palette, all built from the table of commands.
 
 #include <imgui.h>
 
@@ -17,30 +17,30 @@ struct UiInput;
 /// An entry of the palette.
 struct PaletteEntry {
     std::string name, group;  // "Phong shading", "Action": the shown name, and the kind of entry
-    std::string keys;         // shortcut; or empty
-    std::string refused;      // why it is disabled; empty when it is enabled
+    std::string keys;         // shortcut, or empty
+    std::string refused;      // the reason why it is disabled; empty if it is enabled
     std::function<void(UiState&)> run;
-    std::string words = "";  // topics: also found by the beginnings of these words
+    std::string words = "";  // search terms: also found by the beginnings of these words
     bool quiet = false;      // allowed during a question
 };
 
 struct PaletteState {
     bool open = false;
-    bool takes_keyboard = false;  // in the next frame: the palette opens, or Enter took focus from its text
+    bool takes_keyboard = false;  // request for the next frame: focus the text
     std::string text;
     int chosen = -1;  // index in the matches; -1: none, until something is typed or an arrow key pressed
     std::vector<PaletteEntry> entries;
     std::vector<int> matches;          // entries that match the text
     ItemCounts made_for;               // scene that the entries' light and object numbers refer to
-    float width = 0;                   // that its entries need
-    bool has_keyboard = false;         // whether the text had focus in the frame before
-    std::vector<ImWchar> typed_ahead;  // until it has focus
+    float width = 0;                   // required by its entries
+    bool has_keyboard = false;         // whether the text had focus in the previous frame
+    std::vector<ImWchar> typed_ahead;  // letters typed before the text has focus
 };
 
 /// Draws the menus; called between ImGui::BeginMenuBar() and EndMenuBar().
 void menu_bar(UiState& state);
 
-/// The sheet of keys and mouse actions (F1 or ?), while it is open.
+/// Draws the sheet of keys and mouse actions (F1 or ?) while it is open.
 void shortcuts_sheet(UiState& state);
 
 // The palette (Ctrl+K) finds every action of the window from a few typed letters.
@@ -50,11 +50,11 @@ void shortcuts_sheet(UiState& state);
 /// open.
 [[nodiscard]] std::vector<PaletteEntry> palette_entries(UiState& state);
 
-/// Adds the entries that follow from the rows of models/fields/scene_fields.h.
+/// Adds the entries generated from the rows of models/fields/scene_fields.h.
 void add_field_entries(std::vector<PaletteEntry>& entries, const UiState& state);
 
-/// Returns the indices of the matching entries, best first, equal ones in table order; for an empty text,
-/// all.
+/// Returns the indices of the matching entries, best first, ties in table order; all indices for an empty
+/// text.
 [[nodiscard]] std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries,
                                                const std::string& text);
 

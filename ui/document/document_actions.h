@@ -1,6 +1,6 @@
 #pragma once
-// Opens, creates, saves and quits, asking first if work could be lost; and keeps the window running after an
-// exception.
+// Opening, creating, saving and quitting, with a question first if work could be lost. Also keeps the window
+// running after an exception.
 
 #include <exception>
 #include <filesystem>
@@ -14,35 +14,35 @@ namespace glint {
 
 inline constexpr const char* only_first_of_several = "Several files were dropped: only the first is opened";
 
-/// Whether a file of that path is, with links resolved, in the folder of the scenes that come with the
-/// program: they must not change, and no user file belongs there.
+/// Whether the file, with links resolved, is in the folder of the scenes that come with the program: they
+/// must not change, and no user file belongs there.
 [[nodiscard]] bool is_among_shipped(const UiState& state, const std::string& path);
 
 // The purposes of the file dialog.
 extern const FilePurpose open_purpose, mesh_purpose, save_purpose;
 
-/// Does `then` now, or after the answer to "save changes?" if there are unsaved changes. Changes of an
+/// Calls `then` now, or after the answer to "save changes?" if there are unsaved changes. Changes to an
 /// example are kept in RecentlyChanged instead, until the window closes.
 void ask_first(UiState& state, std::function<void(UiState&)> then);
-/// Opens the file `path`, asking first. `left_out`: number of files that were dropped with it and are not
-/// opened; reported when it is.
+/// Opens the file `path`, asking first. `left_out`: the number of files dropped with it that are not opened;
+/// it is reported when the file opens.
 void ask_to_open(UiState& state, const std::string& path, std::size_t left_out = 0);
 /// Continues the waiting action after the answer or after saving.
 void finish_pending(UiState& state);
-/// Whether `next` is a different scene from the open one, not that file again.
+/// Whether `next` is a different scene from the open one rather than the same file again.
 [[nodiscard]] bool is_another(const UiState& state, const SceneDocument& next);
-/// Ends everything shown in place of the picture or over it, for a scene about something else.
+/// Ends everything shown over or in place of the picture, because an unrelated scene follows.
 void put_away(UiState& state);
 /// Makes `document` the open one. Drops everything about the previous scene: gesture, probe, explanation, and
 /// pending actions on its lights or objects.
 void take_scene(UiState& state, SceneDocument document);
-/// Opens the dialog for the mesh file of the object with that index; of a new object for -1.
+/// Opens the dialog for the mesh file of the object with that index, or of a new object for -1.
 void ask_mesh(UiState& state, int object);
 /// The user's folder for pictures; empty, the working directory, if there is none.
 /// Source: xdg-user-dirs, user-dirs.dirs(5).
 [[nodiscard]] std::filesystem::path pictures_folder();
-/// A file name to offer: the document's own, with the matching extension. Without a file of the user's it is
-/// in pictures_folder(), or for a scene in the working directory.
+/// The suggested file name: the document's own, with the matching extension. If the document is not a user
+/// file, the suggestion is in pictures_folder(), or for a scene in the working directory.
 [[nodiscard]] std::string offered_name(const UiState& state, const char* ending);
 /// Saves the document. Requests a name if there is none yet, and asks first if another program has changed
 /// the file. True if it is saved now.
@@ -58,8 +58,9 @@ void reload(UiState& state);
 /// draws it again. Rethrows if nothing has been drawn yet.
 void draw_scene_before(UiState& state, bool previewed);
 
-/// Handles an exception anywhere in a frame: reports it, closes what ImGui has open, and closes the views
-/// drawn in addition to the picture. The next frame starts clean. Rethrows without a picture.
+/// Handles an exception anywhere in a frame: reports it, ends ImGui's unfinished windows and stacks, and
+/// closes the views drawn in addition to the picture. The next frame starts clean. Rethrows without a
+/// picture.
 void give_up_frame(UiState& state, const std::exception& error);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// The open document: a scene, its file, its saved state and its history. No drawing.
+// The open document: a scene, its file, its saved state and its history. Draws nothing.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,8 +16,8 @@
 
 namespace glint {
 
-// Undo and redo: a list of scenes. A step costs the memory of its plain data and of meshes that only it
-// keeps, because the present scene has lost or changed them.
+// Undo and redo: a list of scenes. A step costs the memory of its plain data and of the meshes that the
+// present scene no longer has.
 
 class History {
   public:
@@ -27,8 +27,8 @@ class History {
     /// Adds a step from the present scene to `scene`, named by the change, and drops undone steps. A scene
     /// with the same description adds nothing. True if the present scene changed.
     bool commit(const Scene& scene);
-    /// Sets the present step's view without adding a step. Later undos are seen from there too, unless the
-    /// undone step edited the camera.
+    /// Sets the present step's camera without adding a step. Later undos keep this view, unless the undone
+    /// step edited the camera.
     void look(const Camera& camera) { steps_[at_].scene.camera = camera; }
 
     [[nodiscard]] const Scene& present() const { return steps_[at_].scene; }
@@ -40,7 +40,7 @@ class History {
     [[nodiscard]] std::string undo_name() const { return can_undo() ? steps_[at_].name : std::string(); }
     [[nodiscard]] std::string redo_name() const { return can_redo() ? steps_[at_ + 1].name : std::string(); }
 
-    /// The steps from the oldest, which has no name; and the present one.
+    /// The steps, oldest first (the oldest has no name), and the index of the present one.
     [[nodiscard]] std::size_t size() const { return steps_.size(); }
     [[nodiscard]] std::size_t at() const { return at_; }
     [[nodiscard]] const std::string& name_of(std::size_t step) const { return steps_[step].name; }
@@ -51,14 +51,14 @@ class History {
 
   private:
     struct Step {
-        std::string name;  // of the change that led to this scene
+        std::string name;  // of the change that produced this scene
         Scene scene;
         Camera edited_camera;
         bool edits_camera = false;
     };
     void forget_oldest();
     [[nodiscard]] bool is_too_large() const;
-    /// Adds up the meshes of all steps that the present scene does not have, each once.
+    /// Sums the sizes of all meshes in the steps that the present scene does not have, each counted once.
     [[nodiscard]] std::uint64_t bytes_of_lost_meshes() const;
 
     std::vector<Step> steps_ = std::vector<Step>(1);
@@ -69,7 +69,7 @@ class History {
 /// if their descriptions are equal.
 [[nodiscard]] std::string step_name(const Scene& before, const Scene& after);
 
-/// The earlier views: one can go back to them and forward again, independently of undo.
+/// Earlier views: back and forward through them is independent of undo.
 class ViewHistory {
   public:
     /// Records `camera` before the view changes.
@@ -81,7 +81,7 @@ class ViewHistory {
     [[nodiscard]] Camera forward(const Camera& now);
 
   private:
-    std::vector<Camera> before_, after_;  // the nearest last
+    std::vector<Camera> before_, after_;  // nearest last
 };
 
 /// The source of a document without its own file: a lesson.
@@ -104,13 +104,13 @@ struct Editor {
 
     [[nodiscard]] Scene& scene() { return document.scene; }
     [[nodiscard]] const Scene& scene() const { return document.scene; }
-    /// Edits that are in no file. A change of view is not an edit.
+    /// Whether any edits are not in a file. A change of view is not an edit.
     [[nodiscard]] bool unsaved() const {
         return !same_but_camera(document.scene, saved) || history.edited_camera() != saved_edited_camera;
     }
-    /// file_title() its path.
+    /// file_title() of its path.
     [[nodiscard]] std::string title() const;
-    /// True if saving needs no question: the document is a scene file already.
+    /// True if saving needs no question, because the document is already a scene file.
     [[nodiscard]] bool has_scene_file() const;
 };
 
@@ -129,8 +129,8 @@ void take_document(Editor& editor, SceneDocument document);
 /// overwrite the changes of another program or window.
 [[nodiscard]] bool changed_by_another(const Editor& editor);
 
-/// Reverts edits that make the scene invalid as a file, and returns the problem: a number beyond its field's
-/// range, a violated condition. However the scene is edited, it can be saved, copied and recovered.
+/// Reverts edits that make the scene invalid as a file, and returns the problem: a number outside its field's
+/// range, or a violated condition. The scene can therefore be saved, copied and recovered after any edit.
 [[nodiscard]] std::optional<Problem> take_back_invalid(Editor& editor);
 
 /// Restores the scene of the history's newest step.
@@ -139,11 +139,12 @@ void take_back_edits(Editor& editor);
 /// Loads meshes that an edit left unloaded. On a problem, restores the history's newest step.
 [[nodiscard]] std::optional<Problem> settle(Editor& editor);
 
-/// Records the changes since, as an edit or a change of view. `join`: they continue the last such change.
-/// Returns true if it was an edit.
+/// Records the changes since the last step, as an edit or as a change of view. `join`: they continue the last
+/// such change. Returns true if it was an edit.
 bool remember_step(Editor& editor, bool join);
 
-/// Goes one step back or forward; false if there is none. The view stays, unless the step edited the camera.
+/// Goes one step back or forward; false if there is none. The view does not change, unless the step edited
+/// the camera.
 bool undo(Editor& editor);
 bool redo(Editor& editor);
 

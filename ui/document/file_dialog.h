@@ -1,5 +1,5 @@
 #pragma once
-// A small file browser: one types a path or clicks through folders.
+// A small file browser: the user types a path or clicks through folders.
 
 #include <optional>
 #include <string>
@@ -29,7 +29,7 @@ struct FolderEntry {
     std::string name;
     bool folder = false;
 };
-/// Entries of `folder` that fit the purpose (its extensions). Nothing if it cannot be read.
+/// The entries of `folder` that match the purpose (its extensions). Nothing if the folder cannot be read.
 [[nodiscard]] std::vector<FolderEntry> list_folder(const std::string& folder, const FilePurpose& purpose);
 
 /// Compares numbers within names by value and ignores case: "Step 2" < "step 10" < "step 10b".
@@ -44,8 +44,7 @@ struct FileDialog {
     std::string folder, name;
     std::vector<FolderEntry> entries;
     bool asks_overwrite = false;
-    bool offers_name = false;    // until the name is focused: all of it is selected then, and replaced by
-                                 // typing
+    bool offers_name = false;    // the name gets focus next, with all of its text selected
     bool asks_keyboard = false;  // focus the name in the next frame
     std::string warning;         // below the name, in place of the hint; ask() clears it
 

@@ -1,6 +1,6 @@
 #pragma once
 // Lights and objects are identified by their index in the scene's lists. When items before one are added or
-// deleted, everything that refers to it gets its new index.
+// deleted, every reference to it gets the new index.
 
 #include <cstddef>
 #include <optional>
@@ -18,9 +18,9 @@ struct FollowedItems {
     std::vector<Object> objects;
 };
 
-/// Returns where the item at `index` of `before` is in `after`, or -1 if it was deleted. Equal items at the
-/// beginning and at the end have stayed; those in between were added or deleted. In a list of the same length
-/// each item keeps its index.
+/// Returns the index in `after` of the item at `index` of `before`, or -1 if it was deleted. Equal items at
+/// the beginning and at the end are the same items; those in between were added or deleted. If the length has
+/// not changed, each item keeps its index.
 template <class Item>
 [[nodiscard]] int place_in(const std::vector<Item>& before, const std::vector<Item>& after, int index) {
     if (before.size() == after.size()) return index;
@@ -35,9 +35,9 @@ template <class Item>
     return static_cast<int>(place + after.size() - before.size());
 }
 
-/// Updates the indices in the window's tools after changes of the edited scene: the light of n·l, the cells
+/// Updates the indices in the window's tools after changes to the edited scene: the light of n·l, the cells
 /// of Light × term, the animated number, the highlighted quantity. Called after each action that may add or
-/// delete lights or objects, before anything of them is drawn.
+/// delete lights or objects, before any of them is drawn.
 void follow_items(UiState& state);
 
 }  // namespace glint

@@ -20,8 +20,8 @@
 
 namespace glint {
 
-/// Starts `work` on a thread. Returns why it cannot: the system's limit of threads is reached. `about`: for
-/// the screen.
+/// Starts `work` on a thread. Returns a problem if the system's limit of threads is reached. `about`: the
+/// subject of the problem's message.
 template <class Do>
 [[nodiscard]] std::optional<Problem> start_thread(std::thread& thread, const std::string& about, Do work) {
     try {
@@ -32,7 +32,7 @@ template <class Do>
     return {};
 }
 
-/// A job with any type of result.
+/// A job, whatever the type of its result.
 class AnyJob {
   public:
     explicit AnyJob(std::string name) : name_(std::move(name)) {}
@@ -42,7 +42,7 @@ class AnyJob {
 
     void cancel() { progress_.cancelled = true; }
     [[nodiscard]] bool done() const { return done_; }
-    /// Waits until it is done, but at most `longest`. Returns done().
+    /// Waits until the job is done, but at most `longest`. Returns done().
     bool wait_for(std::chrono::milliseconds longest) const {
         const auto end = std::chrono::steady_clock::now() + longest;
         while (!done_ && std::chrono::steady_clock::now() < end)
@@ -66,8 +66,9 @@ template <class T> class Job : public AnyJob {
   public:
     using Work = std::function<Result<T>(LoadProgress&)>;
 
-    /// Starts `work`, which may only touch its own data. Loads within it report to its LoadProgress, and so
-    /// may it. If no thread can start, the job is done, with a Problem. `name`: the subject, for the screen.
+    /// Starts `work`, which may only touch its own data. It and the loads within it may report to the job's
+    /// LoadProgress. If no thread can start, the job is done, with a Problem. `name`: the subject, shown on
+    /// the screen.
     Job(std::string name, Work work) : AnyJob(std::move(name)) {
         const auto problem = start_thread(thread_, name_, [this, work = std::move(work)] { run(work); });
         if (!problem) return;
@@ -94,7 +95,7 @@ template <class T> class Job : public AnyJob {
     }
 
     Result<T> result_;
-    std::thread thread_;  // last: it uses the others
+    std::thread thread_;  // last: it uses the other members
 };
 
 template <class T> using JobPtr = std::shared_ptr<Job<T>>;
@@ -126,12 +127,12 @@ template <class T> void leave(JobPtr<T>& job) {
     if (job) job->cancel();
     job.reset();
 }
-/// Likewise; `ending` is the last cancelled job, for work that runs one at a time.
+/// Likewise; `ending` receives the cancelled job, for work that runs one job at a time.
 template <class T> void leave(JobPtr<T>& job, JobPtr<T>& ending) {
     if (job) ending = job;
     leave(job);
 }
-/// Whether work that runs one at a time may begin.
+/// Whether the next job may begin, for work that runs one job at a time.
 template <class T> [[nodiscard]] bool has_ended(const JobPtr<T>& ending) { return !ending || ending->done(); }
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// Loads documents and meshes in the background: the present scene stays until the new one is complete.
+// Loads documents and meshes in the background: the present scene stays open until the new one is complete.
 
 #include <functional>
 #include <memory>
@@ -15,17 +15,16 @@ namespace glint {
 
 struct UiState;
 
-/// A mesh being loaded. Until then its object shows the old mesh.
+/// A mesh being loaded. Its object shows the old mesh until loading ends.
 struct AwaitedMesh {
     MeshSource wanted, before;
-    MeshPtr mesh_before;  // null: no object waits, a new one will be made from it
+    MeshPtr mesh_before;  // null: no object waits; a new one will be made from the mesh
 };
 
 /// An orphaned autosave, loaded like a file.
 struct Recovery {
     std::string autosave;            // its path
-    std::shared_ptr<Scene> in_file;  // the contents of its file, which are older than the copy; empty: no
-                                     // file
+    std::shared_ptr<Scene> in_file;  // the scene in the document's file, older than the copy; empty: no file
 };
 
 /// A file being opened.
@@ -41,22 +40,21 @@ struct Loading {
     std::function<void(UiState&)> opened;  // Opening::opened
     std::string path;                      // of the document being opened, or of the last one
     std::string failed;                    // that path, if it could not be opened or drawn
-    Scene scene_then;                      // the present scene when it began
+    Scene scene_then;                      // the present scene when the load began
     std::optional<SceneDocument> loaded;   // complete, and waiting for the answer to "save changes?"
-    JobPtr<SceneDocument> meshes;          // of `awaited`
+    JobPtr<SceneDocument> meshes;          // the meshes of `awaited`
     std::vector<AwaitedMesh> awaited;
-    std::vector<Object> known;  // the edited scene's objects after poll_loads(): show what an object without
-                                // a mesh was before the edit
+    std::vector<Object> known;  // the edited scene's objects after poll_loads(): the state before an edit
     double since = 0;           // ImGui time when the newest of them began
 
     [[nodiscard]] bool active() const { return document || meshes; }
 };
 
-/// Begins to open a scene, with the assignments applied to it, a mesh, or a file type of a feature.
+/// Begins to open a mesh, a file of a feature's type, or a scene with the assignments applied to it.
 [[nodiscard]] Opening opening_of(const std::string& path, const std::vector<Assignment>& assignments = {});
 
-/// Waits for a file as if it had been opened in the window, whose present scene stays until then; cancels any
-/// other opening.
+/// Opens a file in the background as if the user had opened it in the window; the present scene stays until
+/// then. Cancels any other opening.
 void await_opening(UiState& state, Opening opening);
 
 /// Begins to open a file; cancels any other opening.
@@ -68,29 +66,30 @@ void recover_autosave(UiState& state, const std::string& path);
 /// Begins to load `source` and assigns the mesh to object `index`; a negative index adds an object.
 void begin_mesh(UiState& state, const MeshSource& source, int index);
 
-/// Collects finished loads, once a frame, before anything is drawn. Meshes that an edit left unloaded are
-/// made at once if that is quick, else loading begins. A problem is reported as a notification, and the scene
-/// stays.
+/// Collects finished loads, once a frame, before anything is drawn. Meshes left unloaded by an edit are built
+/// at once if that is quick; otherwise loading begins. A problem is reported as a notification, and the scene
+/// does not change.
 void poll_loads(UiState& state);
 /// The part of poll_loads() that concerns meshes: ui/document/awaited_meshes.cpp.
 void poll_meshes(UiState& state);
 
-/// Whether an object waits for its mesh, or will from the next frame on: no undo step yet.
+/// Whether an object waits for its mesh, or will from the next frame on. Such an edit is not an undo step
+/// yet.
 [[nodiscard]] bool awaits_mesh(const UiState& state);
 
-/// Returns `scene` with each object that still waits for a mesh as it is visible, so that the scene can be
-/// opened again and gives the picture on the screen. During loading this scene is saved, exported or kept.
-/// `scene` is the edited one or shares its objects.
+/// Returns `scene` with the visible state of each object that still waits for a mesh, so that it can be
+/// opened again and gives the picture on the screen. This scene is the one saved, exported or kept during
+/// loading. `scene` is the edited one or shares its objects.
 [[nodiscard]] Scene as_made(const UiState& state, Scene scene);
-/// Returns the open document with that scene.
+/// Returns the open document with the scene of as_made().
 [[nodiscard]] SceneDocument document_as_made(const UiState& state);
 
-/// Cancels all loads; the scene is as before them.
+/// Cancels all loads and restores the scene from before them.
 void cancel_loads(UiState& state);
-/// Cancels those of meshes: each object gets the source of its present mesh again.
+/// Cancels the loads of meshes: each object gets the source of its present mesh again.
 void give_up_meshes(UiState& state);
-/// Reverts the edit that needed a mesh and is not a step yet. Other edits made in the meantime become a step
-/// and are undone too: it can be redone. The view stays.
+/// Reverts the edit that needs a mesh and is not a step yet. Other edits made in the meantime become a step
+/// and are undone too; redo restores it. The view does not change.
 void undo_awaiting(UiState& state);
 
 /// Draws the progress of a job that began at `since` (ImGui time), over the middle of the picture's upper
@@ -100,12 +99,12 @@ void undo_awaiting(UiState& state);
 /// Draws the progress bar of the present load, over the middle of the picture's upper edge.
 void loading_panel(UiState& state, const Rect& picture);
 
-/// Opens the first copy of unsaved work that a crash left, deletes it, or asks again at the next start.
-/// Precondition: there is one.
+/// Answers to the offer of the first copy that a crash left: open it, delete it, or ask again at the next
+/// start. Precondition: there is one.
 enum class CopyAnswer { Recover, Discard, NotNow };
 void answer_copy(UiState& state, CopyAnswer answer);
 
-/// Offers to recover unsaved work after a crash, in the same place, while nothing is being loaded.
+/// Offers to recover unsaved work after a crash, at the same position, while nothing is being loaded.
 void recovery_panel(UiState& state, const Rect& picture);
 
 /// "reading 12 of 37 MB", "building the mesh: 400000 faces": the progress of a load.

@@ -1,6 +1,6 @@
 #pragma once
-// Changes of scenes that are not files of the user's, such as the examples, are dropped without a question.
-// They are kept here until the window closes.
+// Closing a scene that is not a user file, such as an example, does not ask whether to save its changes. They
+// are kept here until the window closes.
 
 #include <string>
 #include <vector>
@@ -25,7 +25,7 @@ struct RecentlyChanged {
 [[nodiscard]] bool drops_changes(const UiState& state);
 /// Keeps the open document's changes.
 void keep_changes(UiState& state, const std::string& title);
-/// Opens a changed scene again, asking first; undo leads back to the unchanged one.
+/// Opens a changed scene again, asking first; undo restores the unchanged one.
 void reopen_changed(UiState& state, const ChangedScene& changed);
 
 }  // namespace glint

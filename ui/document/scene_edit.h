@@ -10,7 +10,7 @@
 
 namespace glint {
 
-/// The subject of the left column and of keys.
+/// The item that the left column and the keys act on.
 struct Selection {
     enum class Kind { Camera, Light, Object, Shading, Display };
     Kind kind = Kind::Shading;
@@ -29,10 +29,10 @@ struct Selection {
     return selection.kind == Selection::Kind::Light ? selection.index : -1;
 }
 
-/// The light or object that a pointer leads to or into, if there is one.
+/// The light or object that a pointer refers to or into, if any.
 [[nodiscard]] std::optional<Selection> selection_in(std::string_view pointer);
 
-/// The numbers of lights and objects. While these stay, an index remains valid.
+/// The numbers of lights and objects. An index stays valid while they do not change.
 struct ItemCounts {
     std::size_t lights = 0, objects = 0;
     bool operator==(const ItemCounts&) const = default;
@@ -47,19 +47,19 @@ struct ItemCounts {
 /// The name of a mesh: its file's name, or the primitive's name.
 [[nodiscard]] std::string short_name(const MeshSource& source);
 
-/// `wanted`, or with the first number that makes it unique: "Bulb", "Bulb 2".
+/// `wanted`, with the first number that makes it unique if it is taken: "Bulb", "Bulb 2".
 [[nodiscard]] std::string free_name(const std::string& wanted, const Scene& scene);
 
 inline constexpr const char* is_full = "There are as many as a scene may hold";
 
-/// Adds a light where it is visible and can be grabbed, above the scene, on the viewer's side, and selects
-/// it. Returns false and changes nothing if the scene is full.
+/// Adds a light above the scene on the viewer's side, where it is visible and can be grabbed, and selects it.
+/// Returns false and changes nothing if the scene is full.
 bool add_light(Scene& scene, Selection& selection, LightKind kind);
 
-/// Likewise an object next to the others. Its mesh is not loaded.
+/// Likewise adds an object next to the others. Its mesh is not loaded.
 bool add_object(Scene& scene, Selection& selection, const MeshSource& source);
 
-/// Adds a copy after the original, slightly offset (a light) or in the same place (an object), and selects
+/// Adds a copy after the original, slightly offset (a light) or at the same position (an object), and selects
 /// it.
 void duplicate(Scene& scene, Selection& selection);
 /// Deletes the selected light or object and selects its neighbour.

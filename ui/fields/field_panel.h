@@ -1,7 +1,7 @@
 #pragma once
 // Draws the fields of a struct as rows of a panel, from models/fields/scene_fields.h: label, control,
-// tooltip, default. A panel names the rows whose order or style matters and ends with rest(), so that a new
-// field appears by itself.
+// tooltip, default. A panel names the rows with a special order or style and ends with rest(), so that a new
+// field appears automatically.
 
 #include <algorithm>
 #include <functional>
@@ -72,8 +72,8 @@ class FieldPanel {
             if (Field* field = find(key)) draw(*field);
         return *this;
     }
-    /// Draws a field with the panel's own control: control(row, help, usual) returns whether it edited;
-    /// usual() draws the field's ordinary control.
+    /// Draws a field with the panel's own control: control(row, help, usual) returns whether the value was
+    /// edited; usual() draws the field's ordinary control.
     template <class Control> FieldPanel& draw_as(std::string_view key, const Control& control) {
         Field* field = find(key);
         if (field == nullptr) return *this;
@@ -159,8 +159,8 @@ template <class T> [[nodiscard]] bool field_rows(T& value, const std::string& po
 }
 
 /// Reverts an edit that breaks a condition between numbers (models/fields/scene_rules.h): the window must not
-/// produce what a scene file would reject. The fields keep each number in its own range. Returns true if the
-/// edit was kept.
+/// produce a scene that would be rejected as a file. The fields keep each number in its own range. Returns
+/// true if the edit was kept.
 template <class Item> bool keep_valid(Item& edited, const Item& before) {
     const auto found = violation_of(edited);
     if (!found) return true;

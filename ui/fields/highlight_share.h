@@ -15,7 +15,7 @@ namespace glint {
 /// centre. Nothing without a highlight. `object`: index in Scene::objects.
 [[nodiscard]] std::optional<double> highlight_share(const Scene& scene, std::size_t object, PictureSize size);
 
-/// That share, cached until the scene changes and settles.
+/// highlight_share(), cached until the scene changes and settles.
 struct HighlightShareState {
     struct Key {
         Scene scene;

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with an object's mesh, what other programs would draw because of it, and where.
+// Lists the defects of an object's mesh, how other programs would draw them, and where they are.
 
 #include <optional>
 #include <string>
@@ -10,15 +10,15 @@
 namespace glint {
 
 struct MeshCheck {
-    MeshPtr mesh;                  // that is or was checked
+    MeshPtr mesh;                  // the mesh that is being or was checked
     std::optional<MeshInfo> info;  // of `mesh`, when it is known
     JobPtr<MeshInfo> job, ending;  // computes it
-    bool is_wanted = false;        // by the selected object's panel: it is open, or the mesh is from a file
+    bool is_wanted = false;  // true while the selected object's panel needs it: open, or a mesh from a file
     int hovered = -1, shown = -1;  // findings whose places the picture shows
 };
 
-/// The findings about the object's mesh, with a repair of those that the scene can repair. True when the
-/// object was edited.
+/// Draws the findings about the object's mesh, with a repair for those that the scene can repair. True when
+/// the object was edited.
 [[nodiscard]] bool mesh_check_rows(MeshCheck& check, Object& object);
 
 }  // namespace glint

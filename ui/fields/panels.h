@@ -39,14 +39,14 @@ bool npr_panel(Npr& npr);
 
 /// `size` of the picture: switching to a frustum keeps the visible region.
 [[nodiscard]] bool camera_panel(Camera& camera, PictureSize size);
-/// Notes the effective view angle or height when a picture narrower than 16:9 changes it (fitted()).
+/// Notes the effective view angle or height when it differs in a picture narrower than 16:9 (fitted()).
 void note_fitted(const Camera& camera, PictureSize size);
 
 /// Returns the same view through another kind of projection: objects at the target's depth keep their size in
 /// the picture.
 [[nodiscard]] Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size);
 
-/// What a panel requests of its caller besides an edit, and what it needs from it.
+/// Requests of a panel to its caller besides an edit, and inputs from the caller.
 struct ObjectRequests {
     bool browse_mesh = false;           // choose a mesh file
     GizmoMode gizmo = GizmoMode::Move;  // in the picture: the current one; the panel may change it
@@ -59,17 +59,17 @@ struct ObjectRequests {
 [[nodiscard]] bool object_panel(Object& object, const std::string& pointer, Reflection reflection,
                                 ObjectRequests& requests);
 
-/// The state of the scene's list: the lights that the picture shows, regardless of the scene's own switches:
-/// one alone, or all but some; and the item that is being renamed.
+/// The state of the scene's list: the lights that the picture shows, regardless of the scene's own switches
+/// (one alone, or all but some), and the item that is being renamed.
 struct LightFocus {
     int renamed = -1;                   // number_of() the item whose name is typed in its row
-    bool is_typed = false;              // its field has the keyboard
+    bool is_typed = false;              // whether its field has the keyboard
     bool asks_setups = false;           // opens the menu of light setups
     int solo = -1;                      // in Scene::lights; -1: none
     std::vector<int> muted;             // likewise
     int hovered = -1;                   // the row under the mouse
     std::vector<std::string> warnings;  // per light: why it may not do what it seems to; or empty
-    std::size_t lights = 0;  // of the scene at that time: with another number, the indices are of others
+    std::size_t lights = 0;  // their number at that time: with another number, the indices are invalid
     [[nodiscard]] bool is_on() const { return solo >= 0 || !muted.empty(); }
     [[nodiscard]] bool shows(int light) const {
         return solo >= 0 ? light == solo : std::find(muted.begin(), muted.end(), light) == muted.end();
@@ -78,8 +78,8 @@ struct LightFocus {
     void toggle_muted(int light);
 };
 
-/// The list: edits the scene (adds, deletes, switches) and the selection; returns whether the scene changed.
-/// Sets `browse_mesh` to request a mesh file for a new object.
+/// Draws the list: edits the scene (adds, deletes, switches) and the selection; returns whether the scene
+/// changed. Sets `browse_mesh` to request a mesh file for a new object.
 [[nodiscard]] bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& browse_mesh);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// Draws the picture when needed, as large as time permits.
+// Draws the picture when needed, at the largest size that time permits.
 
 #include <memory>
 #include <optional>
@@ -24,24 +24,24 @@ struct UiState;
 inline constexpr double slow_picture_ms = 33;
 
 struct FramePace {
-    double slow_ms = slow_picture_ms;  // infinite if nobody is dragging
+    double slow_ms = slow_picture_ms;  // infinite while nothing is dragged
     int divisor = 1;                   // of the picture's width and height, for the next picture
     double full_ms = 0;                // time of a full-size picture, measured or estimated
     bool in_vain = false;              // smaller pictures are not faster: the time is spent elsewhere
     double rests_since = 0;            // time of the last change, seconds on the caller's clock
-    int drawn_at = 0;  // divisor of the picture drawn in this frame; 0: none was drawn, or nothing moves
+    int drawn_at = 0;  // divisor of the picture drawn in this frame; 0: none was drawn, or no motion
 };
 
 /// Smaller pictures are chosen to take about this.
 inline constexpr double wanted_picture_ms = 24;
 inline constexpr int largest_divisor = 4;
-/// After this many seconds without a change a motion has stopped, and the full picture is drawn.
+/// A motion ends after this many seconds without a change; then the full picture is drawn.
 inline constexpr double rest_before_full = 0.15;
 
 /// Called when a gesture ends: the next picture is a full one.
 void end_of_motion(FramePace& pace);
 
-/// Learns from a picture drawn at `divisor` in `ms` during a motion.
+/// Updates the estimate after a picture drawn at `divisor` in `ms` during a motion.
 void picture_took(FramePace& pace, int divisor, double ms);
 
 /// `full` divided by `divisor`, each side at least 1.
@@ -71,17 +71,17 @@ struct ShownPart {
 [[nodiscard]] bool same_surfaces(const Scene& a, const Scene& b);
 
 // Bounced light and the shadows of area lights are refined in the background while nothing changes: a job
-// follows more rays in a second renderer, which then replaces the first. So a picture always belongs to one
+// traces more rays in a second renderer, which then replaces the first. So every picture has one consistent
 // number of rays, and can be explained.
 
 class Refinement {
   public:
-    /// Draws a scene that has changed: with few rays, unless more of them are kept. `passes`: it is a
-    /// preview, after which the scene before returns with all its rays.
+    /// Draws a scene that has changed: with few rays, unless a picture with more of them is kept. `passes`:
+    /// it is a preview; afterwards the previous scene returns with all its rays.
     const Picture& begin(Renderer& renderer, const Scene& scene, PictureSize size, bool linear, bool passes);
-    /// Starts and collects jobs, once a frame. Returns the picture if one with more rays has come.
+    /// Starts and collects jobs, once a frame. Returns the picture when one with more rays is ready.
     const Picture* advance(Renderer& renderer, Jobs& jobs, int threads);
-    /// The share of the scene's rays that are followed, 0 to 1; 1 when the picture has all of them.
+    /// The share of the scene's rays that have been traced, 0 to 1; 1 when the picture has all of them.
     [[nodiscard]] float progress() const;
 
   private:
@@ -94,8 +94,8 @@ class Refinement {
     void exchange(Renderer& renderer);
 
     std::optional<Wanted> wanted_, kept_;  // the picture of the renderer, and of the second one
-    int rays_ = 0, kept_rays_ = 0;         // from each point of them, at most
-    std::shared_ptr<Renderer> spare_;      // the second one: of the job, or idle
+    int rays_ = 0, kept_rays_ = 0;         // the maximum from each of their points
+    std::shared_ptr<Renderer> spare_;      // the second renderer: used by the job, or idle
     JobPtr<int> job_, ending_;
     bool passing_ = false, failed_ = false;
     double since_ = 0;  // time of the last change, ImGui time
@@ -105,9 +105,9 @@ class Refinement {
 void draw_refinement(ImDrawList& list, const PictureView& view, float progress);
 
 /// Returns the renderer whose last picture identifies the open scene's items at each pixel. Null if that
-/// picture has another size, or shows other surfaces: keys changed the scene afterwards, or it is a preview
-/// of another scene. Hovering, picking and dragging use this function, so that they never get the index of an
-/// object that does not exist.
+/// picture has another size, or shows other surfaces: the scene has been changed by keys since, or the
+/// picture is a preview of another scene. Hovering, picking and dragging use this function, so that they
+/// never get the index of an object that does not exist.
 [[nodiscard]] const Renderer* renderer_of_open_scene(const UiState& state, PictureSize size);
 
 /// Draws the shown scene (edited or preview) if it or the size differs from the last picture; then explains

@@ -24,13 +24,13 @@ struct OtherScene {
     const char* name = "";                // in a sentence: "the frozen picture"
     std::string label = {};               // over a part of a comparison
     std::string note = {};                // on the badge
-    CommandId key = CommandId::None;      // of the command that ends it
+    CommandId key = CommandId::None;      // the command that ends it
     void (*end)(UiState&) = nullptr;      // ends it; null: it ends when the mouse moves on
     bool passes = false;                  // a preview while the mouse hovers over something
     bool is_partial = false;              // the edited scene with something left out
     bool of_edited = false;               // made from the edited scene, whose handles can be dragged in it
     Selection selection = {};             // whose handles are drawn if it is not made from the edited scene
-    std::string refusal = {}, hint = {};  // why its view and picked pixel cannot change, and the status line
+    std::string refusal = {}, hint = {};  // why its view and picked pixel cannot change; in the status line
     const Feature* by = nullptr;
     void (*press)(UiState&) = nullptr;  // handles a press of the left button; null: the viewport does
 };
@@ -49,7 +49,7 @@ struct OnScreen {
     [[nodiscard]] const OtherScene* drawn() const {
         return passing ? &*passing : resting ? &*resting : nullptr;
     }
-    /// Whether the picture shows a scene that dragging in it does not edit.
+    /// Whether the picture shows a scene that cannot be edited by dragging in the picture.
     [[nodiscard]] bool is_out_of_hand() const { return resting && !resting->of_edited; }
     /// Why the view and the picked pixel cannot be changed; empty: they can.
     [[nodiscard]] std::string refusal() const { return resting ? resting->refusal : std::string(); }
@@ -57,9 +57,9 @@ struct OnScreen {
 
 /// Decides which features show a scene: OnScreen::resting and OnScreen::passing.
 void decide_shown(OnScreen& shown, const UiState& state);
-/// The scene shown when `feature` and those before it are ignored.
+/// The scene shown without `feature` and those before it.
 [[nodiscard]] std::optional<OtherScene> resting_below(const UiState& state, const Feature& feature);
-/// Whether no feature before `feature` shows something.
+/// Whether no feature before `feature` shows a scene.
 [[nodiscard]] bool has_turn(const UiState& state, const Feature& feature);
 
 /// The scene in the picture, without previews: the one that is copied or exported.
@@ -71,10 +71,11 @@ void decide_shown(OnScreen& shown, const UiState& state);
 /// Whether there is an explanation of the edited scene: its lights and objects can be selected.
 [[nodiscard]] bool is_explained(const UiState& state);
 
-/// Explains the picked pixel: in a smaller picture, the larger pixel whose colour is on the screen.
+/// Explains the picked pixel: in a temporarily smaller picture, the larger pixel whose colour is on the
+/// screen.
 void explain_picked(UiState& state, const PictureView& view);
 
-/// Whether the pixel under the cursor is explained instead of the picked one: while Alt is down over the
+/// Whether the explanation follows the cursor instead of the picked pixel: while Alt is down over the
 /// picture.
 [[nodiscard]] bool asks_at_cursor(const UiState& state);
 

@@ -13,8 +13,8 @@
 
 namespace glint {
 
-/// Turns the eye round the target: right and down are positive. `up` stays, and the eye stays 1 degree clear
-/// of the poles, where up would be parallel to the view direction.
+/// Turns the eye round the target: right and down are positive. `up` does not change, and the eye stays 1
+/// degree away from the poles, where up would be parallel to the view direction.
 void orbit(Camera& camera, glm::dvec2 motion_px, PictureSize size);
 
 /// Moves eye and target equally, so that a point `depth` in front of the camera follows the cursor exactly.
@@ -33,8 +33,8 @@ void fill_picture(Scene& scene, int object, PictureSize size);
 /// Depth of the target in front of the camera: used by pan and dolly when the cursor is on the background.
 [[nodiscard]] double target_depth(const Camera& camera);
 
-/// Widens near and far to contain all of `bounds` if `before` contained it: moving the camera must not start
-/// to clip the scene. A near plane that already cuts the scene stays.
+/// Widens near and far to contain all of `bounds` if `before` contained it, so that moving the camera never
+/// starts to clip the scene. A near plane that already cuts the scene does not change.
 void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds);
 
 // Views of the scene from the front, the side or above, in perspective or in parallel projection, and saved
@@ -43,7 +43,7 @@ void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds
 /// Front looks along -z, Right along -x, Top along -y; the others from the opposite sides.
 enum class ViewFrom { Front, Back, Right, Left, Top, Bottom };
 
-/// The camera at the same distance from its target, on that side of it, y up. Above and below it stays a
+/// The camera at the same distance from its target, on that side of it, y up. Above and below, it stays a
 /// tenth of a degree off the pole, where up would be along the view. Unchanged if `up` is not y and the view
 /// would be along it.
 [[nodiscard]] Camera seen_from(Camera camera, ViewFrom from);

@@ -1,6 +1,6 @@
 #pragma once
-// What makes the picture on the screen differ from the edited scene's own, correct picture: one list for the
-// badge on the picture and for the message about a saved file.
+// The reasons why the picture on the screen differs from the edited scene's own, correct picture: one list
+// for the badge on the picture and for the message about a saved file.
 
 #include <string>
 #include <vector>
@@ -23,7 +23,7 @@ struct PictureNote {
     Kind kind = Kind::View;
     std::string name;
     void (*end)(UiState&) = nullptr;  // null: it ends with another note, or when the mouse moves on
-    CommandId key = CommandId::None;  // that also ends it
+    CommandId key = CommandId::None;  // the command that also ends it
 };
 
 /// Returns the notes of the shown picture, in the order of the badge; features add theirs (Feature::note).

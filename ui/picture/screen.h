@@ -90,9 +90,9 @@ struct WorldPen {
 
     /// Clipped at the eye. `width`: as ImGui draws it.
     void line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const;
-    /// Light on dark, so that it is visible on every picture; `width` in logical pixels.
+    /// A bright line on a dark one, visible on every picture; `width` in logical pixels.
     void cased(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float opacity, float width = 1.3f) const;
-    /// centre + cos u + sin v.
+    /// The circle centre + cos u + sin v.
     void circle(glm::dvec3 centre, glm::dvec3 u, glm::dvec3 v, ImU32 colour, float opacity) const;
     /// A small disc with a dark rim; larger while hovered.
     void mark(glm::dvec3 place, ImU32 colour, float opacity, bool hovered) const;

@@ -39,8 +39,8 @@ struct SurfacePatch {
     [[nodiscard]] glm::dvec2 slope_of_log(const std::vector<double>& values, int within) const;
     /// Length of the gradient at the centre of a patch of radius 1, per pixel; 0 if undefined.
     [[nodiscard]] double steepness(const std::function<double(const SeenPoint&)>& value) const;
-    /// Distance of the largest value from the centre, pixels; of equal ones the nearest. `radius` + 1 if the
-    /// centre is 0.
+    /// Distance of the largest value from the centre, pixels; among equal values, the nearest. `radius` + 1
+    /// if the centre is 0.
     [[nodiscard]] double distance_of_maximum(const std::vector<double>& values) const;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Tools on the picture: one at a time has the mouse. Each is a row of functions, and only picture_room.cpp
-// decides which one is active.
+// Tools on the picture: only one at a time receives the mouse. Each is a row of functions, and only
+// picture_room.cpp decides which one is active.
 
 #include <imgui.h>
 
@@ -54,7 +54,7 @@ struct ToolCapture {
 /// Returns what the tool under the mouse would do, for the status line.
 [[nodiscard]] std::string tools_hint(const UiState& state);
 
-/// Escape leaves the innermost thing: a drag, a dialog, a sheet, a tool, the picked pixel.
+/// Escape ends the innermost active item: a drag, a dialog, a sheet, a tool, the picked pixel.
 void escape(UiState& state);
 
 extern const Tool hand_tool;  // the camera, and all handles: ui/picture/viewport.cpp

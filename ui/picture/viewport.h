@@ -17,7 +17,7 @@ struct HeldEffect {
     LightEffect effect = LightEffect::Brightest;
     int light = 0;  // in Scene::lights
     Light start;
-    bool no_solution = false;  // no light can do that under the cursor: it does not move
+    bool no_solution = false;  // no position of the light has the effect under the cursor: it does not move
 };
 
 struct ViewportState {
@@ -27,21 +27,21 @@ struct ViewportState {
     Grip hovered_grip, pressed_grip;      // under the cursor now, and when the button was pressed
     Held held;                            // under Gesture::Hand
     HeldEffect effect;                    // under Gesture::Effect
-    std::optional<MainLight> main_light;  // of several lights, the one that contributes most under the cursor
+    std::optional<MainLight> main_light;  // the light that contributes most under the cursor, if several
     GizmoMode gizmo = GizmoMode::Move;
     std::optional<glm::dvec3>
         pivot;     // the pivot of GizmoMode::Rotate, world coordinates; default: the gizmo's position
     Scene before;  // when the gesture began: Esc restores it
     std::optional<glm::dvec2> probe;         // the picked pixel, as a share of the picture's size
-    std::optional<glm::dvec2> probe_before;  // the one picked before, likewise
+    std::optional<glm::dvec2> probe_before;  // the previously picked pixel, likewise
     PictureSize shares_of{0, 0};  // the picture size to which these shares, and the scope's line, refer
     bool hovered = false;         // the cursor is over the picture
     bool asked = false;           // a pixel was clicked in this frame
     bool wants_menu = false;      // the right button was clicked in this frame
-    bool pressed_mark = false;    // a light's handle or a gizmo was pressed in this frame
+    bool pressed_mark = false;    // whether a light's handle or a gizmo was pressed in this frame
     bool touched = false;         // the picture has been used: the hints disappear
     double last_wheel = -1e9;     // time
-    bool wheel_goes_on = false;   // this frame's notch continues the one before: one view
+    bool wheel_goes_on = false;   // this frame's notch continues the previous one: one change of view
 };
 
 /// Ends the gesture and restores the scene from its beginning. True if there was one.
@@ -49,10 +49,11 @@ bool cancel_gesture(ViewportState& state, Scene& scene);
 
 /// Picks another pixel (a share of the picture's size), or none.
 void ask_about(ViewportState& state, std::optional<glm::dvec2> probe);
-/// Picks the previous pixel; a second time, this one again.
+/// Picks the previous pixel; a second call returns to this one.
 void ask_as_before(ViewportState& state);
 
-/// Finds the light that contributes most under an idle cursor: of several, on the surfaces of the open scene.
+/// Finds the light that contributes most under an idle cursor, if there are several, on surfaces of the open
+/// scene.
 void find_main_light(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px);
 
 /// Makes the selected light (default: the one that contributes most under the cursor) follow the cursor by

@@ -17,9 +17,9 @@ namespace glint {
 
 struct UiState;
 
-// The window's settings: theme, columns, size, saved views, what features remember, recent files. Stored in
-// one small JSON file, which is read as untrusted. Overlays and replacements of the picture start switched
-// off: a picture that starts in false colours looks broken.
+// The window's settings: theme, columns, size, saved views, settings of features, recent files. Stored in one
+// small JSON file, which is read as untrusted. Overlays and replacements of the picture start switched off: a
+// picture that starts in false colours looks broken.
 
 inline constexpr std::size_t max_recent_files = 12;
 
@@ -70,7 +70,7 @@ struct Persistence {
     double autosaved_at = -1e9;            // ImGui time
     JobPtr<std::monostate> autosave_writing;
     bool autosave_failed = false;           // and the user has been notified
-    bool told_not_kept = false;             // the user knows that a requested setting cannot be kept
+    bool told_not_kept = false;             // whether the user knows that a requested setting cannot be kept
     std::vector<OrphanedAutosave> orphans;  // left by processes that have ended: offered one by one
 
     /// The path of a file in the folder. Precondition: there is a folder.
@@ -88,11 +88,11 @@ struct Persistence {
 /// Creates the folder if it is missing; returns why it cannot be used.
 [[nodiscard]] std::optional<Problem> why_no_folder(const std::string& folder);
 
-/// Reports once per window that something the user expects to keep cannot be kept; `what`: the subject,
+/// Reports once per window that something cannot be kept although the user expects it; `what`: the subject,
 /// "Answers".
 void tell_not_kept(UiState& state, const std::string& what, const Problem& why);
-/// Whether there is a folder for something that the user expects to keep; reports if a requested folder is
-/// missing.
+/// Whether there is a folder for something that the user expects to be kept; reports it if a requested folder
+/// is missing.
 [[nodiscard]] bool can_keep(UiState& state, const std::string& what);
 
 /// Reads the settings in `folder`, which is created if needed. Before the first frame. Without a usable
@@ -105,7 +105,7 @@ void poll_persistence(UiState& state);
 /// Writes changed settings at once. Removes the copy of the unsaved work unless `keeps_copy`.
 void end_persistence(UiState& state, bool keeps_copy = false);
 
-/// Resets columns, theme, sizes and what features remember; saved views stay.
+/// Resets columns, theme, sizes and the settings of features; saved views stay.
 void reset_layout(UiState& state);
 
 // The copy of unsaved work (unsaved_work.cpp).
@@ -114,7 +114,7 @@ void reset_layout(UiState& state);
 /// removes it when the scene is saved or discarded.
 void poll_unsaved_work(UiState& state);
 
-/// Reports that no copy can be written; once, until a copy can be written again.
+/// Reports that no copy can be written; only once, until a copy can be written again.
 void tell_no_copy(UiState& state, const Problem& problem);
 
 void drop_autosave(UiState& state);

@@ -1,5 +1,5 @@
 #pragma once
-// The positions of the columns. Three columns for three questions: what does the scene contain, what do I
+// The positions of the columns. Three columns answer three questions: what does the scene contain, what do I
 // see, why that colour.
 
 #include "ui/widgets/area.h"
@@ -8,12 +8,12 @@ namespace glint {
 
 struct LayoutState {
     bool left = true, right = true;                // columns shown
-    bool hides_columns = false;                    // F11: the picture alone
-    bool hides_all = false;                        // F10: and no bars
+    bool hides_columns = false;                    // F11: only the picture
+    bool hides_all = false;                        // F10: no bars either
     bool projector = false;                        // large type, strong contrast
     bool left_before = true, right_before = true;  // the columns before projector mode
     float left_width = 280, right_width = 360;     // logical pixels
-    bool lesson = false;  // the left column shows a lesson or a game, and has their width
+    bool lesson = false;  // the left column shows a lesson or a game, which has its own width
     float lesson_width = 350;
     bool scope = false;  // the panel below the picture is open
     float scope_height = 210;
@@ -34,7 +34,8 @@ struct Layout {
 /// the window is; columns shrink before the picture does.
 [[nodiscard]] Layout lay_out(ImVec2 window, const LayoutState& state, float scale);
 
-/// Takes the caption's lines, `height` high, from the centre; the picture keeps two thirds of it.
+/// Takes `height` for the caption's lines from the centre, unless the picture would keep less than two thirds
+/// of it.
 void make_room_for_caption(Layout& layout, float height);
 
 /// Draggable edges of the columns; double-click resets one. Drawn after the columns, so that they are on top.
@@ -49,7 +50,7 @@ inline constexpr float three_column_width = 1100;
     return window.x < three_column_width * scale;
 }
 inline constexpr float top_height = 38, status_height = 26, views_height = 30;
-// In narrower columns numbers would be cut off: three in a row, or the three channels of WHY's table.
+// In narrower columns, three numbers in a row, or the three channels of WHY's table, would be cut off.
 inline constexpr float least_column_width = 260, least_why_width = 310, max_column_width = 700;
 
 }  // namespace glint

@@ -20,11 +20,11 @@ extern const Dialog unsaved_dialog, changed_dialog, files_dialog;
 /// The dialog on the screen, now or at the end of this frame; null: none.
 [[nodiscard]] const Dialog* open_dialog(const UiState& state);
 
-/// Answers the dialog as Escape does: nothing happens.
+/// Cancels the dialog, as Escape does.
 void leave_modal(UiState& state);
 
-/// Closes the dialogs about the present scene before another scene replaces it, since an answer would be
-/// meant for the present one. Reports each in a notification.
+/// Closes the dialogs about the present scene before another scene replaces it, since an answer would refer
+/// to the present one. Reports each in a notification.
 void leave_dialogs_of_scene(UiState& state);
 
 /// Removes a dialog that is no longer requested from ImGui's list, before any window of a frame: a modal that
@@ -35,8 +35,8 @@ void close_left_modal(const UiState& state);
 /// false by its close button; null: it has none.
 [[nodiscard]] bool begin_modal(const char* id, bool* open, ImGuiWindowFlags flags);
 
-/// Whether a pressed Enter answers the current dialog: not in the frame in which it appears, whose Enter
-/// opened it from the palette.
+/// Whether a pressed Enter answers the current dialog: not in the frame in which the dialog appears, because
+/// that Enter opened it from the palette.
 [[nodiscard]] bool enter_answers(bool enter);
 
 /// Begins a dialog that fits its contents, in the middle of the window.

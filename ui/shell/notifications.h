@@ -28,10 +28,10 @@ struct Notification {
 
 struct Notifications {
     std::vector<Notification> list;  // at most one
-    int told = 0;                    // calls of tell()
+    int told = 0;                    // number of calls of tell()
 
-    /// Replaces the present notification; one of this frame, or a warning or an error of the last seconds,
-    /// gets another line. Cuts the middle out of a text of more than about nine lines.
+    /// Replaces the present notification. One from this frame, or a warning or an error from the last
+    /// seconds, gets another line instead. Cuts the middle out of a text of more than about nine lines.
     void add(Tone tone, const std::string& text);
     /// Reports what a key did. A refusal is a warning.
     void tell(const std::string& text, Tone tone = Tone::Done);
@@ -40,7 +40,7 @@ struct Notifications {
 };
 
 /// Draws it upwards from the corner `low_right` to at most `top`, or drops it once it has expired. In front
-/// of a dialog, one added while it was open stays for some seconds.
+/// of a dialog, a notification added while the dialog was open stays for some seconds.
 void draw_notifications(UiState& state, ImVec2 low_right, float top, float max_width);
 
 }  // namespace glint

@@ -23,8 +23,9 @@ struct FontFiles {
 };
 [[nodiscard]] FontFiles find_fonts();
 
-/// Fills the atlas of the current ImGui context. `scale`: dots per logical pixel; `dots_per_unit` of ImGui (2
-/// on a display that counts in points). Call before the first frame, or between frames to change the scale.
+/// Fills the atlas of the current ImGui context. `scale`: dots per logical pixel; `dots_per_unit`: of ImGui
+/// (2 on a display that counts in points). Call before the first frame, or between frames to change the
+/// scale.
 void load_fonts(const FontFiles& files, float scale, float dots_per_unit);
 
 /// The fonts loaded last.

@@ -28,19 +28,18 @@ void coloured(Symbol symbol, const std::string& text);
 void cut_text(ImDrawList& list, ImVec2 low, float right, std::string_view text);
 /// The light's icon at the cursor, which does not move.
 void light_icon(const Light& light);
-/// Each word in its symbol's colour, all in one line.
+/// Draws each word in its symbol's colour, all on one line.
 void legend(std::initializer_list<std::pair<Symbol, std::string>> words);
 void warning_text(const std::string& text);
 void wrapped_dim(const std::string& text);
 void small_dim(const std::string& text);
-/// A heading that folds away the controls below it; true if they are to be drawn. A click toggles it; it
-/// stays so while the window is open. `open_at_first`: its state before the first click. `opens`: it opens
-/// now.
+/// A heading that folds away the controls below it; true if they are to be drawn. A click toggles it, for as
+/// long as the window is open. `open_at_first`: its state before the first click. `opens`: opens it now.
 [[nodiscard]] bool fold(const char* title, bool open_at_first, bool opens = false);
 
 // Choices.
 
-/// A button on the accent's background while it is chosen, `width` wide, or as wide as its label for 0.
+/// A button with the accent's background while it is chosen; `width` wide, or as wide as its label if 0.
 bool chosen_button(const char* label, bool chosen, float width = 0);
 /// Padding that makes a control of a row of small text 24 high, as WCAG 2.2 (2.5.8) demands.
 [[nodiscard]] ImVec2 small_padding();
@@ -65,7 +64,7 @@ void same_line_if_fits(float width, float gap, float right);
 
 /// Extra width of a dark line around a bright one.
 inline constexpr float rim_width = 1.8f;
-/// The dark that surrounds bright lines and marks.
+/// The dark colour around bright lines and marks.
 [[nodiscard]] ImU32 rim_colour(float opacity = 1);
 /// A bright line on a wider dark one.
 void cased_line(ImDrawList& list, ImVec2 a, ImVec2 b, ImU32 colour, float width = 1.2f, float opacity = 1);

@@ -29,7 +29,7 @@ struct Help {
 /// The bare draggable number, `width` wide, for use within text; same behaviour and tooltip.
 [[nodiscard]] bool bare_number(const char* label, float& value, const Real& kind, float initial,
                                const Help& help, float width);
-/// Integers of `count`; the caller must reject one that is not allowed.
+/// Integers in the range of `count`; the caller must reject values that are not allowed.
 [[nodiscard]] bool integer_field(const char* label, int& value, const Count& count, int initial,
                                  const Help& help);
 /// Three numbers of that kind.

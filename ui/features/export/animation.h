@@ -33,7 +33,7 @@ constexpr Choice choice_of(Motion motion) {
     return {};
 }
 
-/// Through the camera's target.
+/// The axis of a circle; it passes through the camera's target.
 enum class CircleAxis { X, Y, Z, View };
 constexpr Choice choice_of(CircleAxis axis) {
     switch (axis) {
@@ -72,21 +72,20 @@ struct Animation {
     int frames = 48;          // of one period, after which it repeats; at least 1
     int light = 0;            // Circle: in Scene::lights
     CircleAxis axis = CircleAxis::Y;
-    double radius = 0;  // Circle: of a light with a position; 0: as far from the axis as it is
+    double radius = 0;  // Circle of a light with a position; 0: its present distance from the axis
     bool operator==(const Animation&) const = default;
 };
 
 /// The scene at frame `frame` (any integer: it repeats). Turntable: eye and up turned about the axis through
 /// the target along `up`, counter-clockwise seen from above, 360 degrees over the period; frame 0 is the
 /// scene itself. Circle: likewise the light, with its aim and edges, about `axis`. PingPong: the number goes
-/// linearly from `from` to `to` and back. Problems are those of
-/// --set.
+/// linearly from `from` to `to` and back. Problems are those of --set.
 [[nodiscard]] Result<Scene> scene_at(const SceneDocument& document, const Animation& animation, int frame);
 
-/// The list's text for a number that can be animated: "Bulb: intensity".
+/// The text of a list entry for a number that can be animated: "Bulb: intensity".
 [[nodiscard]] std::string number_words(const Scene& scene, const SceneNumber& number);
 
-/// The light's distance from the axis of its circle, and the axis, unit, in world coordinates.
+/// The light's distance from the axis of its circle; and that axis, unit, in world coordinates.
 [[nodiscard]] double radius_of(const Light& light, const Camera& camera, const glm::dvec3& axis);
 [[nodiscard]] glm::dvec3 axis_of(const Camera& camera, CircleAxis axis);
 
@@ -99,31 +98,31 @@ struct AnimateState {
     std::optional<Scene> frame;  // while it plays: the scene of the next picture
     Animation animation;
     std::string search;         // for the number to animate
-    bool takes_keys = false;    // the first field gets focus
+    bool takes_keys = false;    // requested: focus the first field
     bool has_keyboard = false;  // the panel was focused when last drawn
     std::string searched;       // the last search, and the pointers that it found, best first
     Kept<Scene, std::vector<std::string>> found;
-    std::string number;  // text of Animation::pointer when it was chosen: "Bulb: intensity"; empty: none yet
+    std::string number;  // the text of Animation::pointer when it was chosen: "Bulb: intensity"; empty: none
     int frames_a_second = 25;  // 1 to 50: GIF counts hundredths of a second
     AnimationFile file = AnimationFile::Gif;
     double began = 0;          // ImGui time at frame 0
-    std::string refused;       // why it cannot play; empty when it can
+    std::string refused;       // the reason why it cannot play; empty if it can
     JobPtr<Notification> job;  // its result: the notification after writing
 };
 
-/// The panel, while it is open.
+/// Draws the panel while it is open.
 void animate_panel(UiState& state);
 
-/// Opens the panel with that motion and focuses its first field: for a number's motion the search, where
-/// Enter takes the first match.
+/// Opens the panel with that motion and focuses its first field: for a number's motion the search field,
+/// where Enter chooses the first match.
 void begin_animation(UiState& state, Motion motion);
 /// Starts or stops playing.
 void switch_playing(UiState& state);
-/// Stops playing; the picture shows the scene.
+/// Stops playing; the picture shows the edited scene again.
 void stop_animation(UiState& state);
-/// Enter starts or stops playing while the panel has focus; true: the key is consumed.
+/// Enter starts or stops playing while the panel has focus. Returns true if the key is consumed.
 bool animate_by_key(UiState& state, KeyPress press);
-/// The files of all frames.
+/// For the file dialog: the files of all frames.
 extern const FilePurpose frames_purpose;
 /// The file of frame `frame`, from 0, of an animation: next to NAME.png as NAME-0001.png, NAME-0002.png, ...
 [[nodiscard]] std::string frame_path(const std::string& path, int frame);

@@ -12,28 +12,28 @@
 
 namespace glint {
 
-/// The program and its arguments that put a PNG from standard input on the clipboard: `wl-copy` under
-/// Wayland, `xclip` under X11, if $PATH has it. Empty if there is none.
+/// The command line that copies a PNG from standard input to the clipboard: `wl-copy` under Wayland, `xclip`
+/// under X11, if $PATH contains it. Empty if there is none.
 [[nodiscard]] std::vector<std::string> clipboard_command();
 
-/// Why there is none, as text for the user; empty if there is one.
+/// The reason why there is none, as text for the user; empty if there is one.
 [[nodiscard]] std::string clipboard_disabled_reason();
 
-/// Whether $PATH has the program.
+/// Whether $PATH contains the program.
 [[nodiscard]] bool is_installed(const std::string& program);
-/// The exit status of a program with the file `input` as its standard input, ended early when `cancelled` is
-/// set; -1 if it did not run or was ended. Not for the window's thread.
+/// Runs a program with the file `input` as its standard input and returns its exit status; -1 if it did not
+/// run, or was ended because `cancelled` was set. Not for the window's thread.
 [[nodiscard]] int run_tool(const std::vector<std::string>& command, int input,
                            const std::atomic<bool>* cancelled = nullptr);
-/// Why no MP4 can be written; empty if it can.
+/// The reason why no MP4 can be written; empty if one can.
 [[nodiscard]] std::string mp4_disabled_reason();
 
-/// Puts PNG bytes on the clipboard and waits until the tool has read them. Not for the window's thread.
+/// Copies PNG bytes to the clipboard and waits until the tool has read them. Not for the window's thread.
 [[nodiscard]] Result<std::monostate> copy_png(const std::string& bytes);
 
-/// The text as one word of a POSIX shell: unchanged if that is safe, else in single quotes.
+/// Quotes the text as one word of a POSIX shell: unchanged if that is safe, else in single quotes.
 [[nodiscard]] std::string shell_word(const std::string& text);
-/// A path as a word that is not an option: "./-a.json".
+/// A path as a word that cannot be read as an option: "./-a.json".
 [[nodiscard]] std::string file_word(const std::string& path);
 
 /// `glint render FILE --set … --size WxH -o OUT` for a POSIX shell in the working directory: differences from

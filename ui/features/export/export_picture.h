@@ -23,7 +23,7 @@ struct ExportOptions {
     int samples = 4;
 };
 
-/// The last export. "Copy as command" repeats it while the document is the same.
+/// The last export. "Copy as command" repeats it while the same document is open.
 struct LastExport {
     ExportOptions options;
     std::string file;      // its name
@@ -53,7 +53,7 @@ using CommandText = std::function<std::string(const SceneDocument& document, con
 [[nodiscard]] std::string shortest_command(const UiState& state, const CommandText& text);
 
 extern const FilePurpose save_picture_purpose, export_purpose;
-/// Opens the dialog for a picture file, and lists what the file will show or lack.
+/// Opens the dialog for a picture file, with a list of what the file will show or lack.
 void ask_for_picture(UiState& state, const FilePurpose& purpose);
 /// Draws and writes in the background; a notification then reports the file, its folder, and what the picture
 /// shows or lacks.
@@ -68,7 +68,7 @@ void copy_last_command(UiState& state);
 /// Once a frame: if the job is done, reports its result as a notification and clears it.
 void poll_job(JobPtr<Notification>& job, Notifications& notifications);
 
-/// The question about size and samples; the file dialog follows.
+/// The dialog for size and samples; the file dialog follows.
 void export_dialog(UiState& state, const UiInput& input);
 
 }  // namespace glint

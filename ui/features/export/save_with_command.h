@@ -7,7 +7,7 @@ namespace glint {
 
 /// Draws the picture into a new file of pictures_folder() and copies the command for it to the clipboard.
 void save_with_command(UiState& state, const ExportOptions& options);
-/// Does so with the options of the scene's last export, or for the shown picture if there was none.
+/// The same with the options of the scene's last export, or for the shown picture if there was none.
 /// Precondition: the picture is drawn.
 void save_with_command(UiState& state);
 

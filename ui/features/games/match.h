@@ -17,21 +17,22 @@ namespace glint {
 
 struct UiState;
 
-/// An initial scene and a target: they differ in these numbers only, so that the target can be reached.
+/// An initial scene and a target: they differ only in `numbers`, so that the target can be reached.
 struct MatchTask {
     Scene start, target;
     std::vector<std::string> numbers;  // pointers into the scene
 };
-/// Makes the task of a seed; the same on every machine.
+/// Makes the task for a seed; it is the same on every machine.
 [[nodiscard]] MatchTask match_task(std::uint64_t seed);
 
-/// The difference of two pictures of one size: root mean square over pixels and channels, in levels of 255.
+/// The difference between two pictures of equal size: root mean square over pixels and channels, in levels of
+/// 255.
 [[nodiscard]] double apart_of(const Picture& a, const Picture& b);
 /// A distance of at most this counts as matched.
 inline constexpr double match_tolerance = 2;
 inline constexpr PictureSize match_size{320, 180};
 
-/// The term that differs most, and how: "The specular term is off: its highlight is too small."
+/// The term that differs most, and how it differs: "The specular term is off: its highlight is too small."
 [[nodiscard]] std::string match_hint(Renderer& renderer, const Scene& scene, const Scene& target);
 
 struct MatchState {
@@ -40,9 +41,9 @@ struct MatchState {
     MatchTask task;
     std::unique_ptr<Renderer> renderer;  // of size match_size, separate from the window's
     Picture target;
-    Scene asked_of;                              // of the numbers below
+    Scene asked_of;                              // the scene that the following values refer to
     double first = 0, now = 0;                   // difference at the beginning and now
-    bool solved = false;                         // it was close enough once
+    bool solved = false;                         // whether the difference was once within the tolerance
     std::string hint;                            // for `asked_of`; computed on request
     PictureSheet sheet;                          // the target
     std::shared_ptr<const Scene> stored_before;  // B of the comparison before the game

@@ -26,7 +26,7 @@ struct QuizPage {
     std::vector<ProseBlock> text;
     std::string question;
     std::vector<std::string> options;
-    Picture picture;  // that does not reveal the answer
+    Picture picture;  // does not reveal the answer
 };
 struct QuizPages {
     Lesson lesson;
@@ -35,14 +35,14 @@ struct QuizPages {
 
 struct QuizState {
     bool open = false, after = false;  // after the lessons, else before them
-    bool form_b = false;               // the parallel form
+    bool form_b = false;               // whether it is the parallel form
     std::string person;                // a number or code, for the file
     std::vector<double> seconds;       // on each page
     double since = 0;                  // when the page was opened
     JobPtr<QuizPages> loading;
     std::optional<QuizPages> pages;
     std::vector<std::optional<std::size_t>> taken;     // an option for each page, from 0
-    std::vector<std::optional<std::size_t>> put_away;  // by *Begin again*, which can be reverted
+    std::vector<std::optional<std::size_t>> put_away;  // discarded by *Begin again*, which can be reverted
     QuizAnswers kept;                                  // as on disk
     std::size_t at = 0;                                // pages.size(): the end
     PictureSheet sheet;

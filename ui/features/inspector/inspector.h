@@ -1,5 +1,5 @@
 #pragma once
-// The state of the WHY column, independent of the scene, and the present selection: which pixel, which of its
+// The state of the WHY column, independent of the scene, and its current selection: which pixel, which of its
 // lit points, which light.
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace glint {
 
-/// Each answers "why that colour?"; their labels and order are in ui/features/inspector/tabs.cpp.
+/// Each tab answers "why that colour?"; labels and order are in ui/features/inspector/tabs.cpp.
 enum class InspectorTab {
     Equation,
     Vectors,
@@ -31,22 +31,22 @@ enum class InspectorTab {
     Program
 };
 
-/// A number of the equation that the user was led to.
+/// A number of the equation that is highlighted for the user.
 struct MarkedQuantity {
     Quantity quantity = Quantity::Result;
     int light = -1;                       // its light; -1: none
-    double scrolls_until = 0, until = 0;  // ImGui time: scrolled into view; marked
+    double scrolls_until = 0, until = 0;  // ImGui time: end of scrolling into view; end of the mark
 };
 
 struct InspectorState {
     InspectorTab tab = InspectorTab::Equation;
-    InspectorTab tab_before = InspectorTab::Equation;  // before the user's picture was opened
-    int corner = 0;                                    // whose numbers are listed under Gouraud and flat
-    int channel = 0;                                   // whose product is written out: 0 red, 1 green, 2 blue
-    bool shows_vectors = true, shows_facet = false;    // in the picture
-    bool world_frame = false;                          // vectors are listed in world coordinates, else camera
+    InspectorTab tab_before = InspectorTab::Equation;  // the tab before the user's picture was opened
+    int corner = 0;   // the corner whose numbers are listed under Gouraud and flat
+    int channel = 0;  // the channel written out as products: 0 red, 1 green, 2 blue
+    bool shows_vectors = true, shows_facet = false;  // in the picture
+    bool world_frame = false;                        // vectors are listed in world coordinates, else camera
     int mirror_step = 0;      // 1 to 4: r is built up in the picture; 0: r is simply drawn
-    float normal_length = 1;  // of the n that r is built from
+    float normal_length = 1;  // of the n from which r is constructed
     float look_at_y = 0;      // of the line gluLookAt() in the tab Program, when last drawn
     // The vector hovered in the column in the last frame: its arrow is drawn thick.
     std::optional<Symbol> pointed_vector;
@@ -56,11 +56,11 @@ struct InspectorState {
     std::vector<PathStep> path;                  // empty: none is shown
     bool shows_ray = false, shows_path = false;  // in the picture
     int path_number = 1;                         // from 1
-    // The scene that the next picture shows in place of the edited one, while a line that previews something
-    // is hovered (a term alone, another model, a mistake).
+    // The scene that the next picture shows in place of the edited one, while a line with a preview is
+    // hovered (a term alone, another model, a mistake).
     std::optional<Scene> instead;
-    bool instead_rests = false;                   // it stays when the mouse moves on: cells of the grid
-    std::string preview_name;                     // of it
+    bool instead_rests = false;                   // it remains after hovering ends: cells of the grid
+    std::string preview_name;                     // the name of `instead`
     std::optional<MarkedQuantity> marked;         // highlighted in the equation for a moment
     const MistakeName* wanted_mistake = nullptr;  // the Mistakes tab scrolls to it
     bool sorts_lights = false;                    // in the equation, largest share first
@@ -79,11 +79,11 @@ struct PictureView;
 
 // The rays behind the equation: to the lights, and one path of bounced light.
 
-/// Traces them from the shown point unless a preview is on the screen.
+/// Traces the rays and the path from the shown point, unless a preview is on the screen.
 void trace_shown(UiState& state);
-/// The error of bounced light, the switches, and the steps of the shown path.
+/// Draws the error of bounced light, the switches, and the steps of the shown path.
 void traced_controls(UiState& state, const ExplainedPoint& point);
-/// Draws those that are switched on.
+/// Draws the rays and the path if they are switched on.
 void draw_traced(ImDrawList& list, const UiState& state, const PictureView& view);
 
 // While a line of the equation is hovered, the picture shows a scene with only that part.
@@ -93,8 +93,8 @@ void draw_traced(ImDrawList& list, const UiState& state, const PictureView& view
 /// One light alone: no other, no emission, no global ambient light.
 [[nodiscard]] Scene with_light_alone(Scene scene, int light);
 
-/// Shows `scene` in the next frame, with its name on the badge. `rests`: it stays when the mouse moves on,
-/// and picking uses it.
+/// Shows `scene` in the next frame, with its name on the badge. `rests`: it remains after hovering ends, and
+/// picking uses it.
 void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests = false);
 
 }  // namespace glint

@@ -1,6 +1,6 @@
 #pragma once
-// Finds positions for labels without overlaps: each is as near to its preferred position as earlier ones
-// allow. The most important labels come first.
+// Places labels without overlaps, each as near to its preferred position as earlier labels allow. The most
+// important labels come first.
 
 #include <imgui.h>
 
@@ -21,10 +21,10 @@ class LabelRoom {
     void keep_free(const Rect& area) { taken_.push_back(area); }
 
     /// Finds a centre for a label of `size`, at most `reach` away from `wanted`, and reserves that area.
-    /// Returns nothing and reserves nothing without enough room.
+    /// Returns nothing and reserves nothing if there is not enough room.
     [[nodiscard]] std::optional<ImVec2> place(ImVec2 wanted, ImVec2 size, float reach);
 
-    /// Returns place(), or `wanted` without enough room.
+    /// Returns place(), or `wanted` if there is not enough room.
     [[nodiscard]] ImVec2 place_anyhow(ImVec2 wanted, ImVec2 size, float reach);
 
   private:

@@ -1,5 +1,5 @@
 #pragma once
-// A mistake in their list: its thumbnail, a switch, how to recognise it, and who reported it.
+// A row in the list of mistakes: its thumbnail, a switch, how to recognise it, and who reported it.
 
 #include <imgui.h>
 
@@ -19,7 +19,7 @@ struct SmallLook {
     PictureSize size;  // in ImGui's units
 
     [[nodiscard]] ImVec2 extent() const { return {float(size.width), float(size.height)}; }
-    /// A text about a picture, or in its place; empty before it is first drawn.
+    /// The text about a picture, or the text shown in its place; empty before the first drawing.
     [[nodiscard]] std::string words(int index) const;
 };
 
@@ -29,7 +29,7 @@ struct SmallLook {
 /// Draws a thumbnail with its corner at `low`, pale if it is outdated, or the text in its place.
 void draw_small(const SmallLook& look, int index, ImVec2 low);
 
-/// A click anywhere in it switches the mistake. True while hovered. `index`: of its thumbnail.
+/// Draws the row; a click anywhere in it toggles the mistake. True while hovered. `index`: of its thumbnail.
 [[nodiscard]] bool mistake_row(const MistakeName& mistake, bool& on, const SmallLook& look, int index);
 
 }  // namespace glint

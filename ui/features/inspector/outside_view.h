@@ -1,6 +1,6 @@
 #pragma once
-// The outside view draws, in lines, the eye with its view volume, the axes of world and camera, the lights,
-// and which of them are attached to the camera. It has its own camera, which is not part of any scene.
+// The outside view draws, in lines, the eye with its view volume, the axes of world and camera, and the
+// lights, marking those attached to the camera. It has its own camera, which is not part of any scene.
 
 #include <imgui.h>
 
@@ -20,11 +20,11 @@ struct OutsideState {
 /// this size: from the side of the scene's own camera and above it.
 [[nodiscard]] Camera outside_camera(const Scene& scene, const PictureView& main, PictureSize size);
 
-/// Draws into the current window. Dragging turns, the wheel moves closer, a click selects a light; the
-/// scene's camera does not move.
+/// Draws into the current window. Dragging orbits, the wheel zooms, a click selects a light; the scene's
+/// camera does not move.
 void outside_tab(UiState& state, const PictureView& main);
 
-// The functions that draw its lines.
+// Functions that draw the view's lines.
 
 struct OutsideScene {
     const Scene& scene;
@@ -32,15 +32,15 @@ struct OutsideScene {
     int selected_light = -1, hovered_light = -1;
 };
 
-/// How far the view volume is drawn, in depth: slightly behind the target, since the far plane may be
+/// The depth to which the view volume is drawn: slightly behind the target, since the far plane may be
 /// anywhere.
 [[nodiscard]] double drawn_depth(const Camera& camera);
 
 /// The length of the drawn axes, of the camera and of the world.
 [[nodiscard]] double axis_length(const Camera& camera);
 
-/// Draws meshes (of large ones some of the edges), the eye, its view volume and axes, the world's axes and
-/// the lights, as `view` shows them.
+/// Draws meshes (only some of the edges of large ones), the eye, its view volume and axes, the world's axes
+/// and the lights, as seen in `view`.
 void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what);
 
 }  // namespace glint

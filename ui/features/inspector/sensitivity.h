@@ -1,5 +1,5 @@
 #pragma once
-// The sensitivity of a pixel is measured in the background, with a renderer of its own.
+// Measures the sensitivity of a pixel in the background, with a separate renderer.
 
 #include <glm/vec2.hpp>
 #include <memory>
@@ -12,14 +12,14 @@
 
 namespace glint {
 
-/// The numbers with an effect, the largest effect on a channel first; without the w of positions.
+/// The numbers with an effect, largest effect on a channel first; without the w of positions.
 [[nodiscard]] std::vector<Sensitivity> ranked(const Sensitivities& sensitivities);
 
 /// The present job, the results shown until it is done, and cancelled jobs that are still running.
 struct SensitivityState {
     JobPtr<Sensitivities> job;
     JobPtr<Sensitivities> ending;  // the last cancelled one
-    double asked_since = 0;        // time since when scene and pixel are unchanged
+    double asked_since = 0;        // time of the last change of scene or pixel
     Scene asked_scene;
     glm::ivec2 asked_pixel{-1, -1};
     PictureSize asked_size;
@@ -29,7 +29,7 @@ struct SensitivityState {
     Scene shown_scene;              // of `shown`: its pointers refer to this scene
     bool current = false;           // `shown` belongs to the present scene and pixel
 
-    /// Another scene is open: its lights and objects differ.
+    /// Called when another scene is opened, because its lights and objects differ.
     void forget() {
         shown.reset();
         current = false;

@@ -19,7 +19,7 @@ namespace glint {
 struct UiState;
 struct PictureView;
 
-/// Seconds that the scene has to be still before something is measured or drawn in the background.
+/// Seconds without a change to the scene before background measuring or drawing begins.
 inline constexpr double stillness = 0.25;
 
 /// The scene of a tab.
@@ -37,39 +37,40 @@ struct InspectorTabInfo {
     void (*draw)(UiState&, const PictureView&);
     TabScene scene = TabScene::Edited;
     bool is_first = false;   // in the bar, not behind More
-    const char* words = "";  // topics: Ctrl+K also finds it by these
+    const char* words = "";  // search terms for Ctrl+K
 };
 
 /// All tabs: first those of the bar from left to right, then those behind More. To add one: a name in
 /// InspectorTab, its row here in tabs.cpp, its own file.
 [[nodiscard]] std::span<const InspectorTabInfo> inspector_tabs();
 
-/// Draws heading, tab bar and the chosen tab into the current window. After the picture, so that the numbers
-/// match the screen.
+/// Draws heading, tab bar and the chosen tab into the current window. Called after the picture is drawn, so
+/// that the numbers match the screen.
 void inspector(UiState& state, const PictureView& view);
 
-/// Draws a tab that needs a pixel before one is picked; `promise` describes what it would show.
+/// Draws a tab that needs a pixel while none is picked; `promise` describes what the tab would show.
 void inspector_empty_state(const char* promise);
 
 // The models tab shows the picked pixel under flat, facet, Gouraud and Phong shading, side by side, and how
 // each computes its colour.
 
-/// Hovering over a model previews the picture under it, a click applies it.
+/// Hovering over a model previews the picture under it; a click applies the model.
 void models_tab(UiState& state, const PictureView& view);
 
 /// The pixel under each mode of ShadingMode, in its order, regardless of the scene's own mode. Precondition:
 /// the picture is of the edited scene, or of one with other lights, materials or shading.
 [[nodiscard]] std::array<Explanation, 4> under_each_mode(const UiState& state,
                                                          const Explanation& explanation);
-/// The pixel lit at its own point. Nothing if the explanation is not of the edited scene.
+/// The pixel lit at its own point, as under Phong shading. Nothing if the explanation is not of the edited
+/// scene.
 [[nodiscard]] std::optional<Explanation> under_phong(const UiState& state, const Explanation& explanation);
 
-// The mistakes that students really make are switches: switched on, they show how each can be recognised;
-// hovering over one previews it.
+// Mistakes that students actually make, as switches: each shows how the mistake can be recognised. Hovering
+// over one previews it.
 
 void mistakes_tab(UiState& state, const PictureView& view);
 
-/// How many mistakes are on.
+/// The number of mistakes that are on.
 [[nodiscard]] int mistakes_on(const Mistakes& mistakes);
 /// "Mistake: Reflect sign", "3 mistakes: Reflect sign, Missing pi, …"; empty without any.
 [[nodiscard]] std::string mistakes_text(const Mistakes& mistakes);
@@ -77,11 +78,11 @@ void mistakes_tab(UiState& state, const PictureView& view);
 void show_mistake(UiState& state, const MistakeName* mistake = nullptr);
 
 // The matrices tab shows the camera's matrices and their effect: each light's position in camera coordinates,
-// and the picked point on its way from the mesh to its pixel, with the stage of lighting marked.
+// and the picked point's coordinates at each stage from mesh to pixel, with the stage of lighting marked.
 
 void matrices_tab(UiState& state, const PictureView& view);
 
-/// A light's position in both frames, w as in the scene: a direction stays a direction. `mistakes` may put
+/// A light's position in both frames, w as in the scene: a direction remains a direction. `mistakes` may put
 /// the light into wrong frames, as in the picture.
 struct CarriedLight {
     glm::dvec4 world{0}, camera{0};

@@ -25,7 +25,7 @@ struct ExamplesState {
     bool open = false;
     int chosen = -1;  // by the arrow keys
     std::vector<Example> list;
-    SmallPictures pictures;  // of the list, with the captions: begun when the dialog is first opened
+    SmallPictures pictures;  // of the list, with the captions; started when the dialog first opens
 };
 
 /// Opens the dialog; a click in it, or the arrow keys and Enter, opens a scene.

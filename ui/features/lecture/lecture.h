@@ -23,8 +23,8 @@ struct UiState;
 // A pen that draws over the picture, as on a blackboard. Strokes are not part of the scene or the saved
 // picture.
 
-/// A line of the pen. Positions are relative to the picture's middle, in its heights, so that a line stays in
-/// place when the window changes.
+/// A line of the pen. Positions are relative to the picture's centre, in units of its height, so that a line
+/// stays in place when the window is resized.
 struct PenLine {
     std::vector<glm::vec2> places;
     int colour = 0;  // of pen_colours
@@ -42,8 +42,8 @@ inline constexpr int pen_colour_count = 5;
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
 
-/// Draws the pen's colours, its undo and its eraser, at the upper edge of `picture`, its visible part, while
-/// the pen is active.
+/// Draws the pen's colours, its undo and its eraser, at the upper edge of `picture`, the visible part of the
+/// picture, while the pen is active.
 void pen_bar(PenState& pen, const Rect& picture);
 
 extern const Tool pen_tool;
@@ -51,17 +51,18 @@ extern const Tool pen_tool;
 /// Freezes the shown scene and its selection, until LectureState::frozen is reset.
 void freeze(UiState& state);
 
-// The wedge's patches differ little from their background: a projector, in its room, distinguishes only some.
+// The wedge's patches differ little from their background: in a given room, a projector distinguishes only
+// some.
 
 /// Differences in steps of 1/255 of the display's range.
 inline constexpr std::array<int, 10> wedge_steps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
 
-/// The patches on one background, and which of them are visible.
+/// The patches on one background, and the smallest visible one.
 struct WedgeRow {
     const char* name;  // "black"
     int ground;        // 0 .. 255
     int sign;          // patches are ground + sign * step
-    int seen = -1;     // index of the smallest visible step; -1: not asked yet; wedge_steps.size(): none
+    int seen = -1;     // index of the smallest visible step; -1: no answer yet; wedge_steps.size(): none
     bool operator==(const WedgeRow&) const = default;
 };
 
@@ -82,8 +83,8 @@ void step_wedge(WedgeState& wedge);
 /// cannot be read.
 [[nodiscard]] std::vector<std::string> folder_scenes(const std::string& folder);
 
-/// Returns the scene `step` positions after `path` (before it, if negative) in its folder; if `path` is not
-/// in the list, counted from where it would be. Empty if there is none.
+/// Returns the scene `step` positions after `path` (before it, if negative) in its folder. If `path` is not
+/// in the list, counts from the position at which it would be sorted. Empty if there is none.
 [[nodiscard]] std::string scene_beside(const std::string& path, int step);
 
 /// The scene `step` positions after `path` (before it, if negative) among those on the command line, empty if
@@ -91,14 +92,14 @@ void step_wedge(WedgeState& wedge);
 [[nodiscard]] std::optional<std::string> given_scene_beside(const std::vector<std::string>& given,
                                                             const std::string& path, int step);
 
-/// Type and widgets are this many times larger: the smallest type, 13 units, becomes 18.
+/// The scale of type and widgets: the smallest type, 13 units, becomes 18.
 inline constexpr float projector_scale = 1.4f;
 
 /// The scene last requested by PgDn or PgUp.
 struct AskedScene {
     std::string from;  // path of the document open at that time
     std::string path;
-    int step = 0;  // 1: by PgDn; -1: by PgUp. If it cannot be opened, the next one in that direction follows
+    int step = 0;  // 1: by PgDn; -1: by PgUp. If opening fails, the next one in that direction follows
 };
 
 struct LectureState {
@@ -107,7 +108,7 @@ struct LectureState {
     /// The scenes of the command line, a lecture in the user's own order: PgDn and PgUp go through these
     /// while one of them is open, else through the open scene's folder.
     std::vector<std::string> given_scenes;
-    std::string last_given;  // of these, the last one opened: a scene without a file comes after it
+    std::string last_given;  // the last one of these that was opened: a scene without a file comes after it
     AskedScene asked;
 };
 

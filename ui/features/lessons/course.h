@@ -22,25 +22,24 @@ struct StationQuestion {
 
 /// A part that follows the answer: text, or a task.
 struct StationPart {
-    const std::vector<ProseBlock>* told = nullptr;  // one of the two
+    const std::vector<ProseBlock>* told = nullptr;  // either text or a task
     const Task* task = nullptr;
 };
 
-/// The parts from one question to the next: text, questions, the reveal once all of them are answered,
-/// and what follows from it. A station without a question is revealed at once.
+/// The parts from one question to the next: text, questions, the reveal once all of them are answered, and
+/// the parts after it. A station without a question is revealed at once.
 struct Station {
     std::size_t step = 0;  // in Lesson::steps
     std::vector<const std::vector<ProseBlock>*> before;
     std::vector<StationQuestion> questions;
-    const Reveal* reveal = nullptr;  // or none
+    const Reveal* reveal = nullptr;  // null: none
     std::vector<StationPart> after;
     Scene asked, revealed;  // the step's scene, and with the reveal's changes
 };
 
 struct Course {
     Lesson lesson;
-    SceneDocument document;  // the lesson's scene with its meshes, and no path, so that nothing is saved over
-                             // it
+    SceneDocument document;  // the lesson's scene with its meshes; no path, so that saving overwrites nothing
     std::vector<Station> stations;  // at least one; they point into `lesson`
 };
 
@@ -55,7 +54,7 @@ struct Course {
 struct GivenAnswer {  // NOLINT(bugprone-exception-escape): moving a Json does not throw
     Json value;       // null: not given yet
     bool locked = false, skipped = false;
-    std::string why{};  // the user's reason; or empty
+    std::string why{};  // the user's reason, or empty
     [[nodiscard]] bool is_over() const { return locked || skipped; }
     bool operator==(const GivenAnswer&) const = default;
 };

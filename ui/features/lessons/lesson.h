@@ -1,6 +1,6 @@
 #pragma once
 // A lesson in the window: the open one, its progress, and the effect of each step on the scene. While a
-// question waits for its answer the picture is frozen, and nothing read from it is shown.
+// question waits for its answer, the picture is frozen and values read from it are hidden.
 
 #include <imgui.h>
 
@@ -46,20 +46,19 @@ struct LessonState {
     std::optional<SceneBefore> before;
     CourseProgress progress;
     bool lecturer = false;  // questions are shown without answer fields, and nothing is recorded
-    bool scrolls_up = false, scrolls_down = false;  // requested: to the top, to the newest text
+    bool scrolls_up = false, scrolls_down = false;  // requested: to the top; to the newest text
     bool takes_keys = false;                        // requested: focus the answer field
-    int lays_line = 0;  // frames in which pixel and line are set to the reveal's positions: the layout
-                        // changes
+    int lays_line = 0;  // remaining frames of applying the reveal's pixel and line while the layout changes
     // The answer being given to the first open question:
     std::string typed;                     // of a number
-    std::string reason;                    // why the user thinks so; may stay empty
+    std::string reason;                    // the user's reason for the answer; may stay empty
     Json chosen;                           // of all other kinds; null: none yet
     std::optional<glm::dvec2> sketched;    // the last position on a sketch: (index of the value, value)
     std::unique_ptr<LessonRunner> runner;  // of `watching`: it caches its pictures
     JobPtr<std::vector<bool>> watching;
-    WatchedTasks asked_of;                // the subject of `watching`: the lesson may be another by then
+    WatchedTasks asked_of;                // subject of `watching`; another lesson may be open by then
     std::optional<WatchedTasks> watched;  // the last answer
-    CourseProgress written;               // as in the file
+    CourseProgress written;               // the progress as written to the file
 
     [[nodiscard]] const Station& station() const { return course->stations[progress.station]; }
     [[nodiscard]] std::vector<GivenAnswer>& given() { return progress.given[progress.station]; }
@@ -69,13 +68,13 @@ struct LessonState {
 /// Begins to open a lesson from a file of any name.
 [[nodiscard]] Opening opening_of_lesson(const std::string& path);
 
-/// Opens the lesson's column where it was left. Precondition: Course::document is the open document, as made
-/// by take_scene().
+/// Opens the lesson's column at the last position. Precondition: Course::document is the open document, as
+/// made by take_scene().
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course);
 /// Closes the lesson; the scene stays.
 void leave_lesson(UiState& state);
-/// Closes the lesson and returns to the document from before, unless the lesson's scene was saved under a
-/// name. Changes of it are kept in RecentlyChanged.
+/// Closes the lesson and returns to the document that was open before, unless the lesson's scene was saved
+/// under a name. Changes to it are kept in RecentlyChanged.
 void close_lesson(UiState& state);
 
 /// Returns the first open question of this station; nothing if there is none.
@@ -84,11 +83,12 @@ void close_lesson(UiState& state);
 // Every action that opens a scene of the lesson asks first if the open scene was saved under a name and has
 // unsaved changes.
 
-/// Goes `steps` stations forward, or back if negative, and shows the scene there. Reports the ends.
+/// Goes `steps` stations forward, or back if negative, and shows the scene there. Notifies the user at either
+/// end.
 void go_on(UiState& state, int steps);
 /// Handles PgDn and PgUp; for a lecturer, PgDn first shows an open answer.
 void page_lesson(UiState& state, int steps);
-/// Restarts the lesson at its first station, with nothing answered.
+/// Restarts the lesson at its first station, without any answers.
 void begin_again(UiState& state);
 /// Restores the lesson's scene of this station, as one undo step.
 void back_to_scene(UiState& state);
@@ -103,22 +103,22 @@ bool answer_by_key(UiState& state, KeyPress press);
 void lock_in(UiState& state);
 /// Shows all answers of the station; answers that were not locked in do not count.
 void reveal_unanswered(UiState& state);
-/// Whether the scene differs from the lesson's here; a changed view counts too.
+/// Whether the scene differs from the station's scene; a changed view counts too.
 [[nodiscard]] bool has_strayed(const UiState& state);
 
-/// Plays or stops the reveal's animation.
+/// Starts or stops the reveal's animation.
 void play_reveal(UiState& state);
-/// Highlights the answer's number in its tab of the WHY column, for a moment.
+/// Briefly highlights the answer's number in its tab of the WHY column.
 void mark_in_equation(UiState& state, const Prediction& question);
 /// Picks the reveal's pixel and scrolls to the answer's number.
 void show_in_equation(UiState& state, const Prediction& question);
 
 /// During a question, undoes all edits of this frame. Call it before the picture is drawn.
 void hold_lesson(UiState& state);
-/// Once a frame: tests the tasks' conditions on the present scene and writes the progress.
+/// Once a frame: evaluates the tasks' conditions on the present scene and writes the progress.
 void poll_lesson(UiState& state);
 
-/// The lesson's column: title, text, question, answer, tasks, and navigation. Nothing without a lesson.
+/// The lesson's column: title, text, question, answer, tasks, and navigation. Draws nothing without a lesson.
 void lesson_column(UiState& state);
 extern const Tool lesson_tool;
 /// Draws the positions and lines of a station's questions into the picture.
@@ -127,14 +127,15 @@ void draw_lesson(ImDrawList& list, UiState& state, const PictureView& view);
 /// A short version of the lesson's question or text, for a picture without columns; empty without a lesson.
 [[nodiscard]] std::string lesson_caption(const UiState& state);
 
-/// A pixel of the lesson's pictures as a share of the window's picture, of the same camera; and back.
+/// Converts a pixel of the lesson's pictures to a share of the window's picture, which has the same camera;
+/// and back.
 [[nodiscard]] glm::dvec2 share_of_lesson_pixel(const UiState& state, glm::dvec2 pixel);
 [[nodiscard]] glm::dvec2 lesson_pixel_of_share(const UiState& state, glm::dvec2 share);
 
 /// Returns the number of values in a sketch from A to B: one for each pixel.
 [[nodiscard]] std::size_t sketch_length(const Prediction& question);
-/// Draws with the mouse: values between `from` and `to`, each (index, value), follow the line; others stay.
-/// Null values are not drawn yet.
+/// Adds a stroke of the mouse: values between `from` and `to`, each (index, value), follow the line; the
+/// others do not change. Null values have not been drawn yet.
 void sketch(Json& values, std::size_t count, glm::dvec2 from, glm::dvec2 to);
 
 }  // namespace glint

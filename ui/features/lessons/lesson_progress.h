@@ -13,7 +13,7 @@ struct UiState;
 
 /// A lesson's state in the list of lessons.
 struct LessonRecord {
-    std::size_t at = 0, stations = 1;  // the last station, from 0
+    std::size_t at = 0, stations = 1;  // the last open station, from 0
     CourseScore score;
 };
 
@@ -21,9 +21,9 @@ struct LessonRecord {
 /// path.
 [[nodiscard]] std::string record_key(const std::string& folder, const std::string& path);
 
-/// Writes as JSON the open station, the score, and every answer.
+/// Returns the open station, the score, and every answer as JSON.
 [[nodiscard]] Json progress_json(const Course& course, const CourseProgress& progress);
-/// Reads what progress_json() has written for that lesson; nothing if it no longer fits the questions.
+/// Reads the output of progress_json() for that lesson; nothing if it no longer matches the questions.
 [[nodiscard]] std::optional<CourseProgress> read_progress(const Json& json, const Course& course);
 [[nodiscard]] std::optional<LessonRecord> read_record(const Json& json);
 

@@ -31,12 +31,13 @@ void switch_prediction(UiState& state);
 /// Unfreezes the picture without an answer.
 void end_prediction(UiState& state);
 
-/// Enter focuses the colour's fields, locks it in, and begins again; true: the key is consumed.
+/// Enter focuses the colour's fields, then locks the colour in, then begins again. Returns true if the key is
+/// consumed.
 bool predict_by_key(UiState& state, KeyPress press);
 
 /// Once a frame, before the columns: follows the picked pixel, and stores the answer when it is drawn.
 void poll_prediction(UiState& state);
-/// Draws it into the WHY column. True if the usual contents may follow below it.
+/// Draws the prediction into the WHY column. True if the usual contents may follow below it.
 [[nodiscard]] bool predict_panel(UiState& state);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// Text of a lesson in a column: large, with its styles, and with the letters of the equation in their
+// Draws a lesson's text in a column: large, with its styles, and with symbols of the equation in their
 // colours.
 
 #include <string>
@@ -17,18 +17,18 @@ void prose(const std::vector<ProseBlock>& blocks);
 /// One paragraph of plain text.
 void prose_line(const std::string& text);
 void prose_line(const std::string& text, const ImVec4& colour);
-/// Its height at that width.
+/// The height of a paragraph at that width.
 [[nodiscard]] float prose_height(const std::string& text, float width);
-/// Draws it at a position of the window, at that width; the cursor stays.
+/// Draws a paragraph at a position in the window, at that width; the cursor does not move.
 void prose_at(ImDrawList& list, ImVec2 at, float width, const std::string& text, const ImVec4& colour);
 
-/// A piece of a word in one colour: a letter of the equation in its own.
+/// A piece of a word in one colour; a symbol of the equation has its own colour.
 struct ColouredPiece {
     std::string_view text;
     bool is_symbol = false;
     Symbol symbol = Symbol::N;
 };
-/// A word split where its colour changes. Vectors are letters next to a dot, "n·l"; factors have an index,
+/// Splits a word where its colour changes. Vectors are letters next to a dot, "n·l"; factors have an index,
 /// "k_d".
 [[nodiscard]] std::vector<ColouredPiece> coloured_pieces(std::string_view word);
 

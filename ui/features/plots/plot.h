@@ -20,8 +20,8 @@ struct Interval {
     [[nodiscard]] double length() const { return high - low; }
 };
 
-/// The smallest interval that contains the values, widened to at least `least` about its middle and by a
-/// margin of `margin` of its length on each side. Ignores values that are not finite; without any: 0 to 1.
+/// The smallest interval that contains the values, widened about its middle to at least `least`, then by
+/// `margin` times its length on each side. Ignores values that are not finite; without any: 0 to 1.
 [[nodiscard]] Interval range_of(std::span<const double> values, double least = 1e-9, double margin = 0.06);
 
 /// Round numbers inside the range, at most `most` (>= 2) of them, whose step is 1, 2 or 5 times a power of
@@ -56,8 +56,8 @@ struct PlotArea {
 [[nodiscard]] PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y,
                                  const AxisText& x_text, const AxisText& y_text);
 
-/// A line through points sorted by x, clipped to the area. If there are more than the screen can show, each
-/// piece keeps its lowest and highest.
+/// A line through points sorted by x, clipped to the area. If there are more points than the screen can show,
+/// each piece keeps its lowest and highest point.
 void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dvec2> points,
                 const ImVec4& colour, float width = 1.6f);
 
@@ -65,7 +65,7 @@ void draw_curve(ImDrawList& list, const PlotArea& area, std::span<const glm::dve
 void draw_mark(ImDrawList& list, const PlotArea& area, glm::dvec2 at, const ImVec4& colour,
                bool figures = true);
 
-/// A curve that can be read under the mouse.
+/// A curve whose value under the mouse is shown.
 struct ReadCurve {
     std::span<const glm::dvec2> points;  // sorted by x
     ImVec4 colour;
@@ -78,17 +78,17 @@ void draw_reading(ImDrawList& list, const PlotArea& area, std::initializer_list<
 /// A point of a plot: a disc on a ring of the background's colour.
 void draw_point(ImDrawList& list, ImVec2 at, const ImVec4& colour);
 
-/// The frame of a drawing without axes; drawings between the two calls are clipped to it.
+/// Draws the frame of a drawing without axes; drawings between the two calls are clipped to it.
 void begin_drawing(ImDrawList& list, const Rect& room);
 void end_drawing(ImDrawList& list, const Rect& room);
 
-/// A line across the area at an x.
+/// A vertical line across the area at x.
 void draw_upright(ImDrawList& list, const PlotArea& area, double x, const ImVec4& colour, float opacity = 1);
 
 /// Red, green or blue (0 to 2), as light or dark as the theme needs.
 [[nodiscard]] ImVec4 channel_colour(int channel);
 
-/// Text in the small font, with its corner or (centre) its middle at a position.
+/// Text in the small font. `at`: its corner, or (centre) its middle.
 void plot_text(ImDrawList& list, ImVec2 at, const ImVec4& colour, const std::string& text,
                bool centre = false);
 

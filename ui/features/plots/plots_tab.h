@@ -22,7 +22,7 @@ struct PictureView;
 struct HighlightSketch {
     HighlightSketch() { value.fill(-1); }
     std::array<float, 91> value{};
-    std::optional<glm::dvec2> last;  // the mouse position in the frame before, during a stroke
+    std::optional<glm::dvec2> last;  // the mouse position in the previous frame, during a stroke
 };
 /// Draws a straight stroke between two points (degrees 0 to 90, value).
 void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to);
@@ -44,7 +44,7 @@ struct PlotsState {
     HighlightSketch sketch;
     MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // of the profile
     bool follow_pick = true;                                      // its angles are those at the picked point
-    Kept<float, double> blinn_like;                               // of Phong's shininess: Blinn's closest
+    Kept<float, double> blinn_like;  // from a Phong shininess to the closest one for Blinn-Phong
     Kept<MicrofacetOptions, MicrofacetPicture> profile;
     Kept<EnergyKey, LobeEnergy> energy;
     Kept<Reflector, double> reciprocity;
@@ -56,8 +56,8 @@ struct PlotPoint {
     const ExplainedPoint* at = nullptr;
     const Material* material = nullptr;
 };
-/// Chooses, of several lit points (corners), the one with the largest weight in the pixel; of an area light,
-/// its middle sample.
+/// Chooses, among several lit points (corners), the one with the largest weight in the pixel; for an area
+/// light, its middle sample.
 [[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& explanation, int light);
 
 /// The mark's position on each plot, from the explanation.
@@ -97,8 +97,8 @@ struct PlotSubject {
     Material material;  // of the picked object, else of the first; defaults without objects
 };
 
-/// 1 / dist² at the distances of a falloff's curve, scaled so that it passes through the point; 1 at a
-/// distance of 1 if there is none.
+/// 1 / dist² at the distances of a falloff curve, scaled to pass through the point; without a point, 1 at a
+/// distance of 1.
 [[nodiscard]] std::vector<glm::dvec2> inverse_square(const std::vector<glm::dvec2>& falloff,
                                                      const PlotPoint& point);
 

@@ -22,7 +22,7 @@ struct DebugViewSet {
 
 struct DebugViewState {
     DebugViewSet set;
-    std::unique_ptr<DebugViewPainter> painter;  // once needed
+    std::unique_ptr<DebugViewPainter> painter;  // null until it is needed
     Picture striped;
     std::uint64_t clipped = 0;  // striped pixels
 };

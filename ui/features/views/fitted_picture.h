@@ -23,8 +23,8 @@ struct PixelsBetween {
 [[nodiscard]] std::optional<glm::ivec2> pixel_in(const PixelsBetween& between, glm::ivec2 pixel,
                                                  PictureSize to);
 
-/// Returns `picture` (bytes) at the size of `shown`, a picture of `scene`: each pixel is the one at that
-/// position. Pixels outside `picture` are grey, or taken from `shown` if `fills`. Linear colours are made
+/// Returns `picture` (bytes) at the size of `shown`, a picture of `scene`: each pixel is taken from the same
+/// position. Pixels outside `picture` are grey, or taken from `shown` if `fills`. Linear colours are computed
 /// from the bytes if `shown` has them.
 [[nodiscard]] Picture fitted_picture(const Picture& picture, const Scene& scene, const Picture& shown,
                                      bool fills);

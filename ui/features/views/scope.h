@@ -1,6 +1,7 @@
 #pragma once
-// The scan-line scope samples a line over the picture and plots below it the intensity with first and second
-// differences, so that Mach bands are visible in numbers. Lecture: "Gouraud Shading Artifacts".
+// The scan-line scope samples a line over the picture and plots its intensity with first and second
+// differences below the picture, so that Mach bands are visible in numbers. Lecture: "Gouraud Shading
+// Artifacts".
 
 #include <imgui.h>
 
@@ -25,8 +26,8 @@ struct ScopeState {
     bool card = false;
     glm::dvec2 card_at{0.5}, card_size{0.1, 0.3};
     bool channels = false;    // red, green and blue separately, in place of luminance
-    bool eye = false;         // the perceived curve too
-    double surround_px = 12;  // of the eye
+    bool eye = false;         // also plots the perceived curve
+    double surround_px = 12;  // of the eye model
     int hovered = -1;         // index of the hovered sample in the panel
     // Being dragged:
     Hand hand = Hand::None;
@@ -44,7 +45,8 @@ struct ScopeState {
 /// The pixel at a share of the picture's size.
 [[nodiscard]] glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size);
 
-/// Resets the line to the horizontal middle of the picture: its old position is unrelated to another scene.
+/// Resets the line to horizontal through the picture's centre, since its old position is unrelated to another
+/// scene.
 void lay_level(ScopeState& scope);
 
 extern const Tool scope_tool;
@@ -59,10 +61,10 @@ void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& pi
 
 /// Places the card to the right of the sharpest bend of the line, its edge on the pixel of the bend.
 void place_card(ScopeState& scope, PictureSize size);
-/// Shows the card, placed so, or hides it.
+/// Shows the card, placed by place_card(), or hides it.
 void switch_card(ScopeState& scope, PictureSize size);
 
-/// Where along the line, between two samples, the visible triangle changes.
+/// A position along the line, between two samples, at which the visible triangle changes.
 struct ScopeEdge {
     double position = 0;       // as ProfileSample::position
     bool is_diagonal = false;  // within a polygon: an edge of its triangulation

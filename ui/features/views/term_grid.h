@@ -50,7 +50,8 @@ struct TermGridState {
     BlocksInSight rows{5};
 };
 
-/// Draws the next few thumbnails if the scene's are not drawn yet. `size`: of the large picture.
+/// Draws the next few thumbnails if some of the scene's have not been drawn yet. `size`: of the large
+/// picture.
 void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size);
 
 void term_grid_tab(UiState& state, const PictureView& view);

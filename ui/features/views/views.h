@@ -73,7 +73,7 @@ struct ShownFrom {
     }
 };
 
-/// The ways in which the picture is viewed; none of it is part of the scene.
+/// The state of viewing the picture; none of it is part of the scene.
 struct ViewsState {
     // The inputs of the shown picture:
     ShownFrom shown_from;

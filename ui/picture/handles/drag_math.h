@@ -23,7 +23,7 @@ struct Across {
 [[nodiscard]] Across across(glm::dvec3 direction);
 
 /// Returns the t for which `place` + t `axis` is nearest to the cursor on the screen; 0 if the line is seen
-/// end on, or if the cursor is beyond its vanishing point.
+/// end-on, or if the cursor is beyond its vanishing point.
 [[nodiscard]] double along_line(const ScreenMap& map, glm::dvec3 place, glm::dvec3 axis,
                                 glm::dvec2 cursor_px);
 
@@ -31,12 +31,12 @@ struct Across {
 /// misses, the nearest point of the rim.
 [[nodiscard]] glm::dvec3 on_dome(const Dome& dome, const Ray& ray, bool nearer);
 
-/// Where the line of sight through the cursor meets the plane through `place` with unit normal `normal`.
-/// Nothing if the plane is within 2 degrees of edge on, or the point is behind the eye.
+/// The point where the line of sight through the cursor meets the plane through `place` with unit normal
+/// `normal`. Nothing if the plane is within 2 degrees of edge-on, or the point is behind the eye.
 [[nodiscard]] std::optional<glm::dvec3> on_plane(const ScreenMap& map, glm::dvec3 place, glm::dvec3 normal,
                                                  glm::dvec2 cursor_px);
 
-/// The angle, -pi to pi, of the turn of centre + radius `direction` round `axis` (both unit) to be
+/// The angle, -pi to pi, that turns centre + radius `direction` about `axis` (both unit) to the position
 /// nearest to the cursor.
 [[nodiscard]] double turn_towards(const ScreenMap& map, const Dome& circle, glm::dvec3 direction,
                                   glm::dvec3 axis, glm::dvec2 cursor_px);

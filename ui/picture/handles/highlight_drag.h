@@ -1,6 +1,6 @@
 #pragma once
 // A drag of a highlight: the light moves so that its specular term peaks under the cursor. It keeps its
-// distance from the surface (a directional light its dome); a spot or a panel turns along.
+// distance from the surface (a directional light stays on its dome); a spot or a panel turns with it.
 //
 // The direction in which (r.v)^n or (n.h)^n is largest is known: l is v mirrored at n. But falloff, a cone,
 // the samples of a panel and the angles of microfacets shift the picture's peak away from there, more so for
@@ -19,9 +19,8 @@ struct HighlightDrag {
     Light start;
     glm::dvec3 grabbed{0};  // the grabbed point on the surface, world
     double distance = 1;    // of the light from it
-    double nearer = 1;      // factor of the distance, from dragging in depth
-    // While the light is dragged in depth, the pixel where the highlight stays; and its offset from the
-    // cursor since.
+    double nearer = 1;      // the factor that dragging in depth applies to the distance
+    // During a drag in depth: the pixel where the highlight stays. Afterwards: its offset from the cursor.
     std::optional<glm::dvec2> stays_at;
     glm::dvec2 beside{0};
 };
@@ -38,14 +37,14 @@ struct HighlightDrag {
 [[nodiscard]] std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceView& view,
                                                      glm::dvec2 pixel);
 
-/// Applies one movement of the cursor. The highlight follows it; in depth the highlight stays, and the light
-/// moves away as the cursor goes up, by a factor e per third of the picture (a directional light has no
+/// Applies one movement of the cursor. The highlight follows it. In depth the highlight stays, and the light
+/// moves away as the cursor goes up, by a factor of e per third of the picture (a directional light has no
 /// distance). Returns the light, or nothing as above.
 [[nodiscard]] std::optional<Light> moved_highlight(HighlightDrag& drag, const SurfaceView& view,
                                                    glm::dvec2 cursor_px, glm::dvec2 last_px, bool in_depth);
 
-/// Returns the light moved in the direction `away` (world, unit) from `place`; a spot or a panel turns to
-/// shine at `place` as it shone at the grabbed point.
+/// Returns the light moved in the direction `away` (world, unit) from `place`. A spot or a panel turns so
+/// that `place` is lit as the grabbed point was.
 [[nodiscard]] Light carried(const HighlightDrag& drag, const SurfaceView& view, glm::dvec3 place,
                             glm::dvec3 away, double nearer = 1);
 

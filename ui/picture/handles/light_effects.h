@@ -1,6 +1,6 @@
 #pragma once
-// Positions a light by its effect at a surface point: brightest there, or from behind, so that the outline is
-// lit. Also finds the light that contributes most there. Pure functions.
+// Positions a light by its effect at a surface point: brightest there, or lit from behind, so that the
+// outline is lit. Also finds the light that contributes most there. Pure functions.
 
 #include <optional>
 
@@ -17,7 +17,7 @@ struct LightEffectInfo {
     LightEffect effect;
     const char* done;   // "Bulb ...", at the cursor
     const char* means;  // in the status line: the resulting position of the light
-    const char* waits;  // there, if no light can do it
+    const char* waits;  // there, if no position of the light has the effect
 };
 [[nodiscard]] const LightEffectInfo& info_of(LightEffect effect);
 
@@ -43,8 +43,8 @@ struct MainLight {
 /// Nothing if no light contributes.
 [[nodiscard]] std::optional<MainLight> main_light(const Explanation& explanation);
 
-/// The intensity after the cursor moved up by `up_px` in a picture `height` pixels high: a factor e per third
-/// of the height. From 0 it rises as from a hundredth.
+/// The intensity after the cursor moved up by `up_px` in a picture `height` pixels high: a factor of e per
+/// third of the height. An intensity of 0 rises as if from a hundredth.
 [[nodiscard]] float dimmed(float intensity, double up_px, int height);
 
 }  // namespace glint

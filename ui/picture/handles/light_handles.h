@@ -54,19 +54,19 @@ void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, 
 void draw_light_disc(ImDrawList& list, ImVec2 at, float radius, const Light& light, ImU32 colour,
                      float opacity);
 
-/// A note next to the cursor: a title and lines of figures, kept inside the picture and, if there is room,
-/// off `clear`, the part of the window where the effect of the drag is visible.
+/// A note next to the cursor: a title and lines of figures. It stays inside the picture and, if there is
+/// room, clear of `clear`, the part of the window where the effect of the drag is visible.
 void draw_note(ImDrawList& list, ImVec2 at, const HandNote& note, const std::optional<Rect>& clear);
 
 // A light has a shape in addition to its position: a spot's cone, a panel's rectangle. These pure functions
-// compute its place in the world, its draggable parts, and the effect of a drag.
+// compute its position in the world, its draggable parts, and the effect of a drag.
 
 /// The part of a cone that is drawn, world coordinates.
 struct ConeShape {
     glm::dvec3 place{0}, axis{0, -1, 0}, u{1, 0, 0}, v{0, 0, 1};  // unit, perpendicular
     double slant = 1;                                             // from the apex to the rim
     double angle = 0;                                             // from the axis to the rim, radians
-    double inner = 4;                                             // to the soft edge; from `angle` on: none
+    double inner = 4;  // to the soft edge; none if not below `angle`
 
     /// A point of the circle at `from_axis`, and its middle; radians, `azimuth` from u to v.
     [[nodiscard]] glm::dvec3 ring(double azimuth, double from_axis) const;
@@ -103,7 +103,7 @@ struct ShapeGrip {
     bool operator==(const ShapeGrip&) const = default;
 };
 
-/// The present position of a grip, world.
+/// The present position of a grip, in world coordinates.
 [[nodiscard]] glm::dvec3 place_of(const ShapeGrip& grip, const Light& light, const Dome& dome,
                                   const ScreenMap& map);
 
@@ -139,12 +139,12 @@ struct ShapeDrag {
 // A drag of a light by its handle, which stays under the cursor as exactly as float can represent the
 // position. Pure functions.
 
-/// What a light moves along. ViewPlane: parallel to the picture. Depth: along the line of sight, up is away
-/// (a directional light turns round the picture's axes instead, past the rim of its dome). X, Y, Z: along an
-/// axis of the light's own coordinates (a directional light turns round it).
+/// What a light moves along. ViewPlane: parallel to the picture. Depth: along the line of sight, away when
+/// the cursor goes up (a directional light turns round the picture's axes instead, past the rim of its dome).
+/// X, Y, Z: along an axis of the light's own coordinates (a directional light turns round it).
 enum class DragAlong { ViewPlane, Depth, X, Y, Z };
 
-/// A drag since it began, or since it last changed what it moves along.
+/// The state of a drag since it began, or since it last changed what it moves along.
 struct LightDrag {
     Light start;
     DragAlong along = DragAlong::ViewPlane;
@@ -153,7 +153,7 @@ struct LightDrag {
 
 /// The light after the cursor moved to `cursor_px`. `snap`: coordinates to multiples of the view's step,
 /// angles of a direction to multiples of 15 degrees. If the motion has no solution (along an axis that is
-/// seen end on, behind the eye), the initial light.
+/// seen end-on, behind the eye), the initial light.
 [[nodiscard]] Light dragged(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap);
 
 /// A step of 1, 2 or 5 times a power of ten, near a twentieth of the scene's size.

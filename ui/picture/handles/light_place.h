@@ -12,14 +12,15 @@ namespace glint {
 /// A box round all visible objects, in world coordinates; a cube of edge 2 at the target if there are none.
 [[nodiscard]] Bounds scene_bounds(const Scene& scene);
 
-/// The height of the widest level object, such as a floor; without one, the lowest height of the scene.
+/// The height of the widest horizontal object, such as a floor; without one, the lowest height of the scene.
 [[nodiscard]] double ground_height(const Scene& scene);
 
 /// A dome round the camera's target, sized to stay inside the view, so that every directional light has a
 /// visible handle; at most twice the scene.
 [[nodiscard]] Dome sun_dome(glm::vec3 target, const Bounds& bounds, const ScreenMap& map);
 
-/// The position of the light's handle: its own, or (directional) that on the dome. World coordinates.
+/// The position of the light's handle: the light's own, or (directional) the one on the dome. World
+/// coordinates.
 [[nodiscard]] glm::dvec3 handle_of(const Light& light, const Dome& dome, const ScreenMap& map);
 
 /// Unit direction from the dome's centre to the handle, world coordinates.
@@ -35,10 +36,10 @@ namespace glint {
 /// The inverse of to_world().
 [[nodiscard]] glm::dvec3 to_own(const Light& light, glm::dvec3 world, double w, const ScreenMap& map);
 
-/// A spot's axis or a panel's edges, turned by a rotation of the world.
+/// Turns a spot's axis or a panel's edges by a rotation of the world.
 void turn_shape(Light& light, const glm::dmat4& turn, const ScreenMap& map);
 
-/// Expresses the light in other coordinates: it stays where it is at this moment, with its shape and axis.
+/// Expresses the light in other coordinates, with its position, shape and axis unchanged at this moment.
 [[nodiscard]] Light in_space(Light light, LightSpace space, const Camera& camera);
 
 /// Changes the light's kind: a position becomes the direction from the dome's centre, and back.

@@ -22,7 +22,7 @@ enum class GizmoPart { X, Y, Z, PlaneX, PlaneY, PlaneZ, Free };
 
 /// The gizmo in world coordinates.
 struct ObjectGizmo {
-    glm::dvec3 origin{0};              // its position: what it turns and scales the object about
+    glm::dvec3 origin{0};              // its position: the centre of turning and scaling
     glm::dvec3 anchor{0};              // the same point in object coordinates
     std::array<glm::dvec3, 3> axes{};  // unit: the world's, or (Scale) the object's own
     double length = 1;                 // of an axis: constant on the screen
@@ -36,9 +36,9 @@ struct ObjectGizmo {
 /// bounds if the origin is outside them, or outside the picture while the centre is inside.
 [[nodiscard]] glm::dvec3 gizmo_anchor(const Object& object, const PictureView& view);
 
-/// The position of a gizmo. `pivot`: what Rotate turns about, world coordinates, in place of the anchor;
-/// other modes ignore it. gizmo_of() returns nothing under None, or if the gizmo would not be in front of the
-/// eye.
+/// The position of a gizmo. `pivot`: the centre of rotation under Rotate, world coordinates, in place of the
+/// anchor; other modes ignore it. gizmo_of() returns nothing under None, or if the gizmo would not be in
+/// front of the eye.
 struct GizmoPlace {
     glm::dvec3 anchor{0};  // object coordinates
     std::optional<glm::dvec3> pivot = {};
@@ -60,9 +60,9 @@ struct ObjectDrag {
 };
 
 /// The transform after the cursor moved to `cursor_px`. `snap`: positions to multiples of the view's step,
-/// turns to multiples of 15 degrees, scales to tenths. If the motion has no solution (an axis seen end on, a
-/// plane edge on), the initial transform. Scales never reach 0. A turned or scaled object keeps the gizmo in
-/// place: if the gizmo is not at its origin, the object moves too.
+/// turns to multiples of 15 degrees, scales to tenths. If the motion has no solution (an axis seen end-on, a
+/// plane edge-on), the initial transform. Scales never reach 0. The gizmo of a turned or scaled object stays
+/// in place: if the gizmo is not at the object's origin, the object moves too.
 [[nodiscard]] Transform dragged_object(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_px,
                                        bool snap);
 
@@ -70,8 +70,8 @@ struct ObjectDrag {
 /// `near_deg`. At y = +-90 degrees, where x and z turn round the same axis, x is that of `near_deg`.
 [[nodiscard]] glm::vec3 euler_deg(const glm::dmat3& rotation, glm::vec3 near_deg);
 
-/// The small squares between two axes that move an object in a plane: from this to this share of the axes'
-/// length.
+/// The small squares between two axes that move an object in a plane: where they begin and end, as shares of
+/// the axes' length.
 inline constexpr double plane_from = 0.28, plane_to = 0.46;
 
 // The gizmo of the selected object: arrows, rings or boxes, each axis in its colour with its letter.

@@ -19,8 +19,8 @@ namespace glint {
 /// Sets the value as near to `wanted` as the range allows; true if that changes it.
 bool assign(float& value, double wanted, const Range& range);
 
-/// A value's position on its slider: 0 at the low end of its range, 1 at Real::usual_max, more beyond; and
-/// back, within its range. Precondition: has_slider(kind).
+/// A value's position on its slider: 0 at the low end of its range, 1 at Real::usual_max, above 1 beyond it;
+/// and the inverse, within its range. Precondition: has_slider(kind).
 [[nodiscard]] double slider_share(double value, const Real& kind);
 [[nodiscard]] double slider_value(double share, const Real& kind);
 /// Whether the kind has a low end and a usual maximum, so that a bar can show the value.

@@ -1,5 +1,5 @@
 #pragma once
-// Fields of one line.
+// One-line text fields.
 
 #include <string>
 
@@ -11,8 +11,8 @@ namespace glint {
 /// Focus without an edit does not.
 [[nodiscard]] bool text_field(const char* label, const char* hint, std::string& text, int flags = 0);
 
-/// During its lifetime a line break within pasted text becomes a blank, and one at its end is dropped. Dear
-/// ImGui would drop all: a pasted column of numbers would become one number.
+/// During its lifetime a line break within pasted text becomes a space, and one at its end is dropped. Dear
+/// ImGui would drop all of them: a pasted column of numbers would become one number.
 class PasteInOneLine {
   public:
     PasteInOneLine();

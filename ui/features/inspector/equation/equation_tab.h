@@ -1,6 +1,6 @@
 #pragma once
 // The equation tab shows the lighting equation at the picked pixel, with its numbers. Everything comes from
-// the renderer's own explanation, so that it sums to the pixel.
+// the renderer's own explanation, so the terms sum to the pixel.
 
 #include <span>
 #include <string>
@@ -17,17 +17,17 @@ struct PictureView;
 
 void equation_tab(UiState& state, const PictureView& view);
 
-/// Draws I = emission + ambient + diffuse + specular: a row per term, a column per channel; a click on a
-/// channel chooses whose products are written out. Hovering over a term previews it alone in the picture.
+/// Draws I = emission + ambient + diffuse + specular: a row per term, a column per channel. A click on a
+/// channel writes out its products. Hovering over a term previews it alone in the picture.
 void sum_table(UiState& state, const Explanation& explanation);
 
-/// Shows how the sum is changed for the display: stroke, exposure, transfer, clipping.
+/// Shows how the sum is converted for display: stroke, exposure, transfer, clipping.
 void display_lines(const UiState& state, const Explanation& explanation);
 
 /// Draws one light's part of the equation at the picked point: name, angles, the common factor of all terms,
-/// and the three terms as products of the chosen channel. `which`: of point.lights. Numbers of the scene can
-/// be dragged. Hovering over the name shows the light alone, over a term that term of this light alone, over
-/// a letter its arrow.
+/// and the three terms as products of the chosen channel. `which`: index into point.lights. Numbers of the
+/// scene can be dragged. Hovering over the name shows the light alone; over a term, that term of this light
+/// alone; over a letter, its arrow.
 void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                 std::size_t which);
 
@@ -36,8 +36,9 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
 [[nodiscard]] std::string blocked_words(const UiState& state, const Explanation& explanation,
                                         std::size_t which);
 
-/// letter = factor × factor … = result, in one channel (0 red, 1 green, 2 blue), with as many digits as the
-/// result needs. Numbers of the scene can be dragged, the others copied. True when a number was edited.
+/// Draws letter = factor × factor … = result, in one channel (0 red, 1 green, 2 blue), with as many digits as
+/// the result needs. Numbers of the scene can be dragged, the others can be copied. True when a number was
+/// edited.
 bool draw_line(const EquationLine& line, const HandledScene& scene, int channel);
 
 enum class CopyAs { Text, Json, Latex };

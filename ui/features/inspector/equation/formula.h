@@ -1,11 +1,11 @@
 #pragma once
-// The equation in letters.
+// The lighting equation in symbols.
 
 #include "models/scene/reflection.h"
 
 namespace glint {
 
-/// Draws it on one line, each letter in its symbol's colour; hovering over a letter explains it.
+/// Draws it on one line, each symbol in its colour; hovering over a symbol explains it.
 void formula(Reflection reflection);
 
 }  // namespace glint

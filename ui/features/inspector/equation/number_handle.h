@@ -1,5 +1,5 @@
 #pragma once
-// A number of the scene that can be dragged in the equation.
+// A number of the scene that can be dragged within the equation.
 
 #include <string>
 
@@ -14,7 +14,7 @@ struct NumberHandle {
     std::string name;  // "shininess of Teapot"
 };
 
-/// A scene whose numbers are shown, and the same scene for editing: null if it is read-only.
+/// A scene whose numbers are shown, and the same scene for editing; the latter is null if read-only.
 struct HandledScene {
     const Scene& shown;
     Scene* edited = nullptr;

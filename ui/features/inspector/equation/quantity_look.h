@@ -11,7 +11,7 @@ namespace glint {
 /// The colour of a letter.
 [[nodiscard]] Symbol colour_of(Quantity quantity);
 
-/// The vectors of a cosine. Precondition: is_cosine().
+/// The two vectors of a cosine. Precondition: is_cosine().
 [[nodiscard]] std::pair<Quantity, Quantity> vectors_of(Quantity cosine);
 
 }  // namespace glint

@@ -34,16 +34,17 @@ class TextLine {
 
     TextLine& plain(const std::string& text);
     TextLine& plain(const std::string& text, const ImVec4& colour);
-    /// Text of a program, monospaced.
+    /// Monospaced program text.
     TextLine& code(const std::string& text, const ImVec4& colour);
     /// Monospaced figures; a right click copies them.
     TextLine& number(const std::string& text, const ImVec4& colour);
-    /// Its letter; of a cosine each in its vector's colour. Hovering over it explains it.
+    /// The letter of a quantity; for a cosine, each letter in its vector's colour. Hovering over it explains
+    /// it.
     TextLine& symbol(Quantity quantity);
     TextLine& times();
-    /// A number to drag, with a dotted underline. True when it was edited.
+    /// A draggable number, with a dotted underline. True when it was edited.
     bool handle(const NumberHandle& number, const ImVec4& colour);
-    /// A handle raised like an exponent; a plain number likewise.
+    /// A handle, or a plain number, raised like an exponent.
     bool exponent(const NumberHandle& number, const ImVec4& colour);
     TextLine& raised(const std::string& text, const ImVec4& colour);
     /// Sets the text of "Copy line" in the menus of the following numbers.
@@ -51,8 +52,8 @@ class TextLine {
     /// Writes the result at the right edge of the column.
     void result(const std::string& text, const ImVec4& colour);
     TextLine& gap(float width);
-    /// Keeps the output of draw() on one line if it fits: a value with its name. draw() is called twice, the
-    /// first time only to measure; handles return false then.
+    /// Keeps the output of draw(), such as a value with its name, on one line if it fits. draw() is called
+    /// twice, first only to measure; handles then return false.
     template <class Draw> TextLine& together(const Draw& draw) {
         const float x = x_;
         measures_ = true;
@@ -69,7 +70,7 @@ class TextLine {
 
   private:
     void place(float width);
-    /// Continues on a new line if the next `width` does not fit into this one.
+    /// Continues on a new line if the next `width` does not fit on this one.
     void keep_together(float width);
     TextLine& piece(const std::string& text, const ImVec4& colour, ImFont* font, float down);
     bool edit(const NumberHandle& number, const ImVec4& colour, float down);
@@ -83,7 +84,7 @@ class TextLine {
     int numbers_ = 0;
     bool measures_ = false;      // nothing is drawn: only x_ advances
     std::optional<Rect> mark_;   // the letter of the marked quantity, until its value is drawn
-    bool marks_result_ = false;  // and that is the line's result
+    bool marks_result_ = false;  // whether the marked quantity is the line's result
 };
 
 }  // namespace glint

@@ -14,7 +14,7 @@ namespace glint {
 /// Names the channels that exceed 1 after exposure: "clips: R 1.31 → 1"; empty if none does.
 [[nodiscard]] std::string clipping_reason(glm::vec3 sum, float exposure);
 
-/// The terms in the sum of one point; for corners and flat points, what enters after weighting.
+/// The terms in the sum at one point; for corners and flat points, after weighting.
 struct TermSums {
     glm::vec3 emission{0}, ambient{0}, diffuse{0}, specular{0};
     glm::vec3 tone{0};     // cool to warm: replaces emission, ambient and diffuse
@@ -26,11 +26,11 @@ struct TermSums {
 [[nodiscard]] double angle_deg(float cosine);
 
 /// Formats a number in a column: three decimals, fewer for large numbers, more for small ones until two
-/// significant digits show. Less than a millionth is 0, without a sign.
+/// significant digits show. A magnitude below one millionth becomes 0, without a sign.
 [[nodiscard]] std::string shown_number(float value);
 [[nodiscard]] std::string shown_vector(glm::vec3 v);
 
-// The text of a JSON pointer of the scene file, and the panel that contains its number.
+// The label of a JSON pointer of the scene file, and the panel that contains its number.
 
 struct NamedNumber {
     std::string owner;  // "Bulb", "Teapot", "Camera"
@@ -38,9 +38,9 @@ struct NamedNumber {
     Selection selection;
 };
 
-/// The item that a pointer leads into: NamedNumber::owner.
+/// The item that a pointer refers to or into: NamedNumber::owner.
 [[nodiscard]] std::string owner_of(const std::string& pointer, const Scene& scene);
-/// Names a number of this scene, or an entire object. Pointers into nothing keep their text.
+/// Names a number of this scene, or an entire object. An invalid pointer keeps its own text.
 [[nodiscard]] NamedNumber named_number(const std::string& pointer, const Scene& scene);
 
 }  // namespace glint

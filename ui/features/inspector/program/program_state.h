@@ -20,12 +20,12 @@ struct WrittenCalls {
 };
 
 struct ProgramState {
-    Kept<Scene, WrittenCalls> calls;     // for thousands of objects they take up to a second
+    Kept<Scene, WrittenCalls> calls;     // with thousands of objects, computing them takes up to a second
     Kept<Scene, std::string> program;    // whole_program_words()
-    BlocksInSight groups{1}, places{1};  // the groups; the calls of the group with the lights' positions
+    BlocksInSight groups{1}, places{1};  // the groups; within one, the calls of the lights' positions
 };
 
-/// The command that writes a program of this scene, in a supported language.
+/// The command that writes a program for this scene, in a supported language.
 [[nodiscard]] std::string whole_program_words(const Scene& scene);
 
 }  // namespace glint

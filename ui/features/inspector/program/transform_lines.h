@@ -1,5 +1,5 @@
 #pragma once
-// The calls of an object's transforms in the tab Program: one can be dragged past another. A scene file has a
+// The calls of an object's transforms in the Program tab can be dragged past each other. A scene file has a
 // fixed order, so the numbers stay as written and the object moves to where the other order puts it.
 
 #include <optional>
@@ -19,8 +19,8 @@ struct WrittenTransform {
     bool operator==(const WrittenTransform&) const = default;
 };
 
-/// Returns how the object of that index is written in the current window: as left, or in the file's order if
-/// something else has changed `transform` since.
+/// Returns how the object with that index is written in the current window: as kept last, or in the file's
+/// order if something else has changed `transform` since.
 [[nodiscard]] WrittenTransform written_transform(int object, const Transform& transform);
 /// Keeps the written form for the next frame; `transform` is the result.
 void keep_written(int object, const WrittenTransform& written, const Transform& transform);
@@ -28,15 +28,16 @@ void keep_written(int object, const WrittenTransform& written, const Transform& 
 /// The transform of a call; nothing for other calls.
 [[nodiscard]] std::optional<TransformStep> step_of(const GlCall& call);
 
-/// Puts the calls of the three transforms, which are consecutive, into that order.
+/// Puts the calls of the three transforms, which must be consecutive, into that order.
 void put_in_order(std::vector<GlCall>& calls, const TransformOrder& order);
 
-/// Returns the order while the step's lines are dragged to height `mouse_y`: they pass a neighbour once they
-/// would then be under the mouse. `areas`: of each step's lines, in written order.
+/// Returns the order while the step's lines are dragged to height `mouse_y`. They pass a neighbour once they
+/// would be under the mouse afterwards. `areas`: of each step's lines, in written order.
 [[nodiscard]] TransformOrder dragged_order(const TransformOrder& order, TransformStep held, float mouse_y,
                                            std::span<const Rect, 3> areas);
 
-/// Explains below the calls the effect of an order other than the file's; nothing in the file's order.
+/// Explains, below the calls, the effect of an order other than the file's; draws nothing in the file's
+/// order.
 void order_note(const WrittenTransform& written, const Transform& transform);
 
 }  // namespace glint

@@ -27,15 +27,15 @@ struct PointPen {
 /// A pen at `origin` whose unit vectors are `length` logical pixels long when seen from the side.
 [[nodiscard]] PointPen pen_at(ImDrawList& list, const PictureView& view, glm::dvec3 origin, float length);
 
-/// Labels that are written after all arrows are known, without covering each other or an arrow. Letters
-/// choose their positions before angles; earlier letters before later ones.
+/// Labels that are drawn after all arrows are known, without covering each other or an arrow. Letters are
+/// placed before angles, and earlier letters before later ones.
 class Words {
   public:
     /// Keeps labels off a line from `from` to `to`.
     void keep_off(ImVec2 from, ImVec2 to);
-    /// Writes the letter of an arrow, centred near `centre`; if displaced, it is tied to it by a line.
+    /// Draws the letter of an arrow, centred near `centre`; if displaced, a line connects it to `centre`.
     void letter(ImVec2 centre, const ImVec4& colour, const std::string& text);
-    /// Writes an angle, centred near `centre`; left out without enough room.
+    /// Draws an angle, centred near `centre`; omitted if there is not enough room.
     void degrees(ImVec2 centre, const ImVec4& colour, const std::string& text);
     void draw(ImDrawList& list) const;
 
@@ -53,14 +53,14 @@ struct ArrowLook {
     ImVec4 colour;
     float width = 2;  // logical pixels
     const char* letter = "";
-    Words* words = nullptr;  // that receives the letter; null: it is written at once
+    Words* words = nullptr;  // receives the letter; null: it is drawn at once
 };
 /// Draws an arrow from `from` to `to` with its letter at the tip; an arrow towards or away from the viewer
 /// becomes a circle with a dot.
 void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look);
 
-/// The arc from direction a to b (unit) with its degrees, at `radius` of the pen's reach. The degrees avoid
-/// other labels, and are left out without enough room.
+/// The arc from direction a to b (unit) with its angle in degrees, at `radius` of the pen's reach. The label
+/// avoids other labels, and is omitted if there is not enough room.
 void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
               Words& words);
 

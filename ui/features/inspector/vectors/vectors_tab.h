@@ -20,13 +20,13 @@ struct PictureView;
 void vectors_tab(UiState& state, const PictureView& view);
 
 /// Draws the plane of incidence at the picked point, seen from the side: n up, l, r, h and v with their
-/// angles, and the lobe of this surface for this light. As wide as the column; the lobe is that of
+/// angles, and the lobe of this surface for this light. It is as wide as the column. The lobe comes from
 /// renderer/reflectance/lobes.h, in the channel chosen in the equation.
 void lobe_diagram(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light);
 
-/// Draws n, l, v and r or h at the picked point in the picture, with their angles; the corners that a Gouraud
-/// pixel is interpolated from; the facet's edges and normal. Nothing while they are switched off or no object
-/// is picked.
+/// Draws n, l, v and r or h at the picked point in the picture, with their angles; the corners from which a
+/// Gouraud pixel is interpolated; the facet's edges and normal. Draws nothing while they are switched off or
+/// no object is picked.
 void draw_point_vectors(ImDrawList& list, const UiState& state, const PictureView& view);
 
 /// A row: a name in its symbol's colour, and three figures.
