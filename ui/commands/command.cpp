@@ -26,7 +26,7 @@ void tell(UiState& state, const WindowCommand& command, KeyPress press) {
     const std::string refused = why_disabled(state, command), key = " (" + text_of(press) + ")";
     const std::string_view sets = command.sets;
     std::string what = *command.noun != 0 ? command.noun : command.name;
-    // A choice from a closed set has no on or off state.
+    // A command that sets one value of a closed set has no on or off state.
     if (const auto on = is_on(state, command); on && sets.find('=') == std::string_view::npos)
         what += *on ? ": on" : ": off";
     if (refused.empty())
@@ -103,7 +103,7 @@ std::optional<bool> is_on(const UiState& state, const WindowCommand& command) {
 }
 
 void run_command(UiState& state, const WindowCommand& command) {
-    // The end of a drag or a load may have deleted the item since the last check.
+    // The end of a drag or of a load may have deleted the item since the last check.
     state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     if (!can_run(state, command)) return;
     state.viewport.touched |= command.changes_picture;
@@ -112,8 +112,8 @@ void run_command(UiState& state, const WindowCommand& command) {
 
 namespace {
 
-/// Whether a key belongs to the text being typed. Saving, opening, quitting and finding an action keep their
-/// keys, as do Page and F keys.
+/// Whether a key belongs to the text being typed. The keys for saving, opening, quitting and the palette
+/// still work, as do Page and F keys.
 bool is_for_text(KeyPress press) {
     constexpr std::array of_window{Key::K, Key::N, Key::O, Key::Q, Key::S};
     if (press.key >= Key::PageUp && press.key <= Key::F12) return false;
@@ -139,7 +139,8 @@ void run_keys(UiState& state, const UiInput& input) {
         };
         const auto found = std::find_if(commands().begin(), commands().end(), has_key);
         if (found == commands().end()) continue;
-        // Keys that are easily pressed by mistake report what they did; keys without effect report why.
+        // Keys that are easily pressed by mistake report what they did; keys without effect report the
+        // reason.
         const bool tells = is_letter(press) || !why_disabled(state, *found).empty();
         const int told_before = state.notifications.told;
         const ItemCounts before = item_counts(state.editor.scene());
@@ -148,7 +149,6 @@ void run_keys(UiState& state, const UiInput& input) {
         if (item_counts(state.editor.scene()) != before) let_go_of_fields();
         if (tells && state.notifications.told == told_before)
             tell(state, *found, press);  // some commands report a better text
-                                         // themselves
     }
 }
 
@@ -189,7 +189,7 @@ bool choose_by_keys(int& chosen, int count, int columns, const UiInput& input) {
 std::string text_of(KeyPress press) {
     std::string text = press.ctrl ? "Ctrl+" : "";
     if (press.alt) text += "Alt+";
-    if (press.shift && press.key != Key::Question) text += "Shift+";  // "?" is typed with Shift
+    if (press.shift && press.key != Key::Question) text += "Shift+";  // "?" is itself typed with Shift
     return text + name_of(press.key);
 }
 

@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-/// Removes messages about what keys did: after undo or redo they no longer hold.
+/// Removes messages about what keys did: after undo or redo they are outdated.
 void forget_told(Notifications& notifications) {
     std::erase_if(notifications.list, [](const Notification& note) { return note.of_key; });
 }
@@ -53,14 +53,14 @@ std::string unless_object(const UiState& state) {
                   "No object is selected: double-click one");
 }
 
-/// Shows a gizmo; the key of the visible one hides it.
+/// Shows a gizmo; the key of the visible gizmo hides it.
 void choose_gizmo(UiState& state, GizmoMode mode) {
     GizmoMode& shown = state.viewport.gizmo;
     shown = shown == mode && !state.viewport.pivot ? GizmoMode::None : mode;
     state.viewport.pivot.reset();
 }
 
-/// Makes the picked point the pivot: its pixel keeps showing it while everything else turns.
+/// Makes the picked point the pivot: it stays at its pixel while everything else turns.
 void rotate_about_picked(UiState& state) {
     state.editor.selection = {Selection::Kind::Object, state.on_screen.explanation->object_index};
     state.viewport.gizmo = GizmoMode::Rotate;
@@ -104,7 +104,7 @@ std::vector<WindowCommand> edit_commands() {
          .why_disabled =
              [](const UiState& s) {
                  if (!s.editor.history.can_redo()) return std::string("Nothing to redo");
-                 // Edits made in the meantime are not a step yet and would be lost.
+                 // Edits made in the meantime are not an undo step yet and would be lost.
                  return unless(!awaits_mesh(s), "A mesh is being built: wait for it, or Esc");
              },
          .id = CommandId::Redo},

@@ -9,8 +9,8 @@
 namespace glint {
 namespace {
 
-/// Opens the dialog in the open scene's folder, or the working directory; in the examples if that has no
-/// scene.
+/// Opens the dialog in the folder of the open scene, or in the working directory; in the examples' folder if
+/// that contains no scene.
 void ask_scene(UiState& state) {
     const std::string& path = state.editor.document.path;
     state.files.ask(open_purpose, path);

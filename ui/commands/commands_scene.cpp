@@ -1,4 +1,4 @@
-// Commands that set a value of the scene: its camera (menu View, and the directions of view that have only
+// Commands that set a value of the scene: its camera (the menu View, and view directions that have only
 // keys), and the shading mode and terms of the equation, which are in the tool bar and in no menu.
 #include "ui/commands/command.h"
 #include "ui/picture/orbit.h"
@@ -33,7 +33,7 @@ void switch_projection(UiState& state) {
     if (state.rendered != nullptr) camera = other_projection(camera, state.rendered->size);
 }
 
-/// Goes one view back or forward. This is a step within the view history and adds no view to it.
+/// Goes one view back or forward. This moves within the view history and adds no view to it.
 void go_to_view(UiState& state, Camera (ViewHistory::*step)(const Camera&)) {
     Editor& editor = state.editor;
     editor.scene().camera = (editor.views.*step)(editor.scene().camera);

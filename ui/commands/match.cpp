@@ -13,7 +13,7 @@ std::string folded(std::string_view text) {
     std::string plain = with_spaces(text);
     for (char& c : plain)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    // Both spellings of English match, also while the word is being typed.
+    // British and American spellings match each other, also while the word is being typed.
     constexpr std::pair<std::string_view, std::string_view> spellings[] = {
         {"colou", "colo"}, {"grey", "gray"}, {"alis", "aliz"}, {"centre", "center"}};
     for (const auto& [british, american] : spellings)

@@ -26,7 +26,7 @@ constexpr std::array named_menus{std::pair{Menu::File, "File"},       std::pair{
                                  std::pair{Menu::Compare, "Compare"}, std::pair{Menu::Lecture, "Lecture"},
                                  std::pair{Menu::Help, "Help"}};
 
-/// Undo and redo name their step.
+/// Undo and redo include the name of their step.
 std::string shown_name(const UiState& state, const WindowCommand& command) {
     const History& history = state.editor.history;
     if (command.id == CommandId::Undo && history.can_undo() && !awaits_mesh(state))
@@ -38,7 +38,7 @@ std::string shown_name(const UiState& state, const WindowCommand& command) {
 void menu_item(UiState& state, const WindowCommand& command) {
     const std::string refused = why_disabled(state, command);
     const std::string label = shown_name(state, command) + "##" + command.name;
-    // The menu shows a command's first key, the sheet of shortcuts all of them.
+    // The menu shows a command's first key, the shortcuts sheet all of them.
     const std::string keys = command.keys.empty() ? "" : text_of(command.keys[0]);
     if (ImGui::MenuItem(label.c_str(), keys.c_str(), is_on(state, command).value_or(false), refused.empty()))
         run_command(state, command);
@@ -80,7 +80,7 @@ void changed_menu(UiState& state) {
     if (chosen != nullptr) reopen_changed(state, ChangedScene(*chosen));
 }
 
-/// The newest steps; a click goes back or forward to one.
+/// The newest steps; a click on one goes back or forward to it.
 void history_menu(UiState& state) {
     constexpr std::size_t most = 25;
     const History& history = state.editor.history;
@@ -141,7 +141,7 @@ void add_mouse_lines(Lines& lines) {
     lines.insert(lines.end(), mouse.begin(), mouse.end());
 }
 
-/// Every command with a key, in the table's order, under the names of the menus.
+/// Every command with a key, in table order, under the headings of the menus.
 Lines all_lines() {
     Lines lines;
     const auto add = [&lines](Menu menu, const char* heading) {
@@ -161,7 +161,7 @@ float height_of(const Line& line) {
                              : ImGui::GetTextLineHeightWithSpacing();
 }
 
-/// Where each of `count` columns of about equal height ends: before a heading if one is near; never after
+/// The end of each of `count` columns of about equal height: before a heading if one is near, never after
 /// one.
 std::vector<std::size_t> column_ends(const Lines& lines, std::size_t count) {
     float all = 0, before = 0;
@@ -223,7 +223,7 @@ void shortcuts_sheet(UiState& state) {
         ImGui::PushFont(fonts().small);
         const Lines lines = all_lines();
         const bool roomy = window.x > px(1180);
-        // Two columns are long: their lines are closer together.
+        // Two columns are long, so their lines are closer together.
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8), px(roomy ? 4 : 0)});
         std::size_t from = 0;
         for (const std::size_t end : column_ends(lines, roomy ? 3 : 2)) {

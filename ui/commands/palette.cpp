@@ -21,8 +21,8 @@ namespace {
 
 constexpr int rows_shown = 11;
 
-/// How well an entry fits; lower is better. Matches its name, the beginning of a topic, or its name together
-/// with its group.
+/// The rank of an entry; lower is better. Matches its name, the beginning of a search term, or its name
+/// together with its group.
 std::optional<int> rank_of(const PaletteEntry& entry, const std::string& text) {
     const std::optional<int> by_name = match_rank(text, entry.name);
     if (by_name && *by_name <= 2) return by_name;
@@ -102,8 +102,8 @@ void run_entry(UiState& state, int index) {
 }
 
 /// ImGui focuses a field two frames after the request, and drops letters typed until then. So letters are
-/// kept, and typed once the field has focus. If other keys came before the one that opens the list, it is
-/// unknown which letters are meant for the list: none are kept.
+/// kept, and typed once the field has focus. If other keys came before the key that opens the list, it is
+/// unknown which letters are meant for the list, and none are kept.
 void type_ahead(PaletteState& state, const UiInput& input) {
     ImVector<ImWchar>& queue = ImGui::GetIO().InputQueueCharacters;
     std::vector<ImWchar>& ahead = state.typed_ahead;
@@ -170,7 +170,7 @@ void palette(UiState& state, const UiInput& input) {
     const bool left = !palette.takes_keyboard && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     const bool entered = std::any_of(input.presses.begin(), input.presses.end(),
                                      [](const KeyPress& press) { return press.key == Key::Enter; });
-    palette.takes_keyboard = entered && decided < 0;  // Enter took focus from the text
+    palette.takes_keyboard = entered && decided < 0;  // Enter removed the focus from the text
     ImGui::End();
     ImGui::PopStyleVar(2);
     if (left) palette.open = false;

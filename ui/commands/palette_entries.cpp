@@ -101,7 +101,7 @@ void add_object_choices(Entries& entries, const UiState& state) {
         [at](UiState& s) { ask_mesh(s, static_cast<int>(at)); });
 }
 
-/// The items of both lists' + buttons, except for the light that has a key.
+/// The items of the + buttons of both lists, except for the light that has a key.
 void add_additions(Entries& entries, const UiState& state) {
     const Scene& scene = state.editor.scene();
     const char* const no_light = scene.lights.size() >= max_lights ? is_full : "";
@@ -153,7 +153,7 @@ void add_recent(Entries& entries, const UiState& state) {
     }
 }
 
-/// The answers to the offer of recovering unsaved work.
+/// The answers to the offer to recover unsaved work.
 void add_answers_of_copy(Entries& entries, const UiState& state) {
     if (state.persistence.orphans.empty()) return;
     const std::string title = state.persistence.orphans.front().title;
@@ -186,7 +186,7 @@ std::vector<PaletteEntry> palette_entries(UiState& state) {
     const std::string held = why_held(state);
     for (std::size_t i = of_the_scene; i < entries.size() && !held.empty(); ++i)
         if (!entries[i].quiet) entries[i].refused = held;
-    for (PaletteEntry& entry : entries)  // a row is one line, even if the item's name has line breaks
+    for (PaletteEntry& entry : entries)  // a row is one line, even if the item's name contains line breaks
         for (std::string* text : {&entry.name, &entry.group})
             std::replace_if(text->begin(), text->end(), breaks_line, ' ');
     return entries;

@@ -1,4 +1,4 @@
-// The palette's entries that follow from the rows of models/fields/scene_fields.h: every field of the scene,
+// The palette's entries generated from the rows of models/fields/scene_fields.h: every field of the scene,
 // and the values of its switches and closed sets.
 #include <fmt/core.h>
 
@@ -51,7 +51,7 @@ void add_fields(Entries& entries, const T& value, const std::string& pointer, co
         if constexpr (std::is_same_v<Kind, OneProjection> || std::is_same_v<Kind, OneMesh>) {
             add_fields(entries, member, at, owner);
         } else if constexpr (std::is_same_v<Member, Mistakes>) {
-            // They have a tab and their own entries.
+            // Mistakes have a tab and entries of their own.
         } else if constexpr (std::is_same_v<Kind, Group>) {
             if (row.applies) add_fields(entries, member, at, owner);  // the panel omits fields without effect
         } else if constexpr (!std::is_same_v<Kind, List> && !std::is_same_v<Kind, Path>) {
@@ -63,7 +63,7 @@ void add_fields(Entries& entries, const T& value, const std::string& pointer, co
     });
 }
 
-/// Lights or objects: the selected one first, since the first of equal matches wins.
+/// Lights or objects: the selected one first, because the first of several equal matches wins.
 template <class Item>
 void add_item_fields(Entries& entries, const std::vector<Item>& items, const char* list, Selection::Kind kind,
                      const Selection& selected) {
@@ -100,7 +100,7 @@ void add_settings(Entries& entries, const Scene& scene, T Scene::*part, const ch
     });
 }
 
-/// The kind of projection is not a row of the scene's fields: each kind has different fields.
+/// The kind of projection is not a row of the scene's fields, because each kind has different fields.
 void add_projections(Entries& entries) {
     for (const ProjectionKind kind : enumerators<ProjectionKind>)
         entries.push_back({fmt::format("Projection: {}", choice_of(kind).label), "Camera", "", "",
@@ -124,7 +124,7 @@ void add_field_entries(Entries& entries, const UiState& state) {
     const FieldOwner shading{"Field · Shading", {Selection::Kind::Shading, 0}};
     add_fields(entries, scene.shading, "/shading", shading);
     add_fields(entries, scene.transport, "/transport", shading);
-    fields(scene, [&]<class Kind>(const Row& row, const Kind&, const auto&) {  // the ambient light
+    fields(scene, [&]<class Kind>(const Row& row, const Kind&, const auto&) {  // the global ambient light
         if constexpr (std::is_same_v<Kind, Colour>)
             add_field(entries, shading, row, "/" + std::string(row.key));
     });

@@ -1,4 +1,4 @@
-// Meshes that an edit needs: made at once if that is quick, else loaded in the background.
+// Meshes that an edit requires: built at once if that is quick, else loaded in the background.
 #include <algorithm>
 #include <utility>
 
@@ -17,7 +17,7 @@ bool waits(const Object& object, const AwaitedMesh& awaited) {
     return awaited.mesh_before && object.source == awaited.wanted && object.mesh == awaited.mesh_before;
 }
 
-/// Returns the source of the object's present mesh, which differs from its source while it waits for another.
+/// Returns the source of the object's present mesh, which differs from the object's source while it waits.
 MeshSource made_of(const Object& object, const std::vector<AwaitedMesh>& awaited) {
     const auto own = [&object](const AwaitedMesh& a) { return waits(object, a); };
     const auto found = std::find_if(awaited.begin(), awaited.end(), own);
@@ -30,7 +30,7 @@ bool is_quick(const MeshSource& source) {
 }
 
 /// Returns the object in `known` that objects[index] was before its source was edited; everything else in it
-/// is unchanged. Null if unknown because objects were added or deleted at the same time.
+/// has not changed. Null if unknown because objects were added or deleted at the same time.
 const Object* before_edit(const Objects& known, const Objects& objects, std::size_t index) {
     const int place = place_in(objects, known, static_cast<int>(index));
     if (place < 0 || place >= std::ssize(known)) return nullptr;
@@ -41,7 +41,7 @@ const Object* before_edit(const Objects& known, const Objects& objects, std::siz
     return before.mesh && edited == before ? &before : nullptr;
 }
 
-/// The mesh of the same source in the scene or in the newest step; null if there is none.
+/// The mesh of the same source in the scene or in the newest step; null if neither has one.
 MeshPtr known_mesh(const Scene& scene, const Scene& present, const MeshSource& source,
                    const std::vector<AwaitedMesh>& awaited) {
     for (const Scene* known : {&scene, &present})
@@ -53,7 +53,7 @@ MeshPtr known_mesh(const Scene& scene, const Scene& present, const MeshSource& s
     return nullptr;
 }
 
-/// Records edits that left an object without its mesh: the object keeps the old one until the new one is
+/// Records edits that left an object without its mesh: the object keeps the old mesh until the new one is
 /// ready.
 void note_slow_edits(UiState& state) {
     Scene& scene = state.editor.scene();
@@ -70,7 +70,7 @@ void note_slow_edits(UiState& state) {
     }
 }
 
-/// Returns whether an object was deleted while it waited, which is not a step of its own yet.
+/// Returns whether an object was deleted while it waited. The deletion is not a step of its own yet.
 bool is_deleted(const Editor& editor, const AwaitedMesh& awaited) {
     const auto has_it = [&](const Scene& scene) {
         return std::any_of(scene.objects.begin(), scene.objects.end(),
@@ -79,7 +79,8 @@ bool is_deleted(const Editor& editor, const AwaitedMesh& awaited) {
     return awaited.mesh_before && has_it(editor.history.present()) && !has_it(editor.scene());
 }
 
-/// Drops meshes that are no longer needed (undone, deleted, changed again).
+/// Drops meshes that are no longer needed because the edit was undone, or the object deleted or changed
+/// again.
 void forget_unwanted(UiState& state) {
     const auto& objects = state.editor.scene().objects;
     const auto unwanted = [&objects](const AwaitedMesh& awaited) {
@@ -94,7 +95,7 @@ void forget_unwanted(UiState& state) {
     if (list.empty()) leave(state.loading.meshes);
 }
 
-/// A problem with a mesh of `scene`, by the mesh's name: a new object has no index yet.
+/// A problem with a mesh of `scene`, named after the mesh, because a new object has no index yet.
 Problem about_its_mesh(Problem problem, const Scene& scene) {
     if (const std::optional<ListItem> object = item_in(problem.pointer, "/objects/")) {
         problem.file = short_name(scene.objects[static_cast<std::size_t>(object->place)].source);
@@ -127,7 +128,7 @@ void start_meshes(UiState& state) {
     loading.since = ImGui::GetTime();
 }
 
-/// Assigns the new mesh to the objects that wait for it; adds an object if none does.
+/// Assigns the new mesh to the objects that wait for it; adds an object if there are none.
 void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) {
     Editor& editor = state.editor;
     for (Object& object : editor.scene().objects)
@@ -137,14 +138,14 @@ void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) 
         editor.scene().objects.back().mesh = mesh;
 }
 
-/// Whether only the resolution of a mesh was edited: its panel shows its own message next to the sliders, and
-/// a drag causes many such edits.
+/// Whether only the resolution of a mesh was edited. Its panel shows a message next to the sliders, and a
+/// drag causes many such edits.
 bool has_other_resolution(const AwaitedMesh& awaited) {
     return awaited.mesh_before && as_given(awaited.wanted) == as_given(awaited.before);
 }
 
-/// Whether the meshes can be assigned. Not during a drag in the picture: Esc restores the scene from before
-/// the drag, and would lose them.
+/// Whether the meshes can be assigned. Not during a drag in the picture: Esc would restore the scene from
+/// before the drag, without them.
 bool meshes_have_come(const UiState& state) {
     const JobPtr<SceneDocument>& job = state.loading.meshes;
     return job && job->done() && state.viewport.gesture == Gesture::None;
@@ -206,7 +207,7 @@ bool is_quick(const PrimitiveMesh& mesh) {
     // (models/mesh/primitives/primitives.cpp).
     const int most = info_of(mesh.primitive).max_detail >> (mesh.subdivide > 0 ? mesh.subdivide + 1 : 0);
     if (mesh.primitive == Primitive::Icosphere)
-        return mesh.detail + mesh.subdivide <= 6;  // there with its power of 4
+        return mesh.detail + mesh.subdivide <= 6;  // an icosphere grows by powers of 4
     return most <= 8 || mesh.detail <= most / 6;
 }
 
@@ -233,7 +234,7 @@ Scene as_made(const UiState& state, Scene scene) {
     const Objects& known = state.loading.known;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         Object& object = scene.objects[i];
-        // If it was edited in this frame, it will be awaited in the next.
+        // An object edited in this frame will be awaited from the next frame on.
         if (const Object* before = awaits_slow_mesh(object) ? before_edit(known, scene.objects, i) : nullptr)
             object = *before;
         object.source = made_of(object, state.loading.awaited);

@@ -47,7 +47,7 @@ std::string_view take_number(std::string_view& text) {
     return digits;
 }
 
-/// Below 0, 0 or above 0, as `a` sorts before, with or after `b`.
+/// Negative, 0 or positive, as `a` sorts before, equal to or after `b`.
 int natural_order(std::string_view a, std::string_view b) {
     while (!a.empty() && !b.empty()) {
         if (is_digit(a[0]) && is_digit(b[0])) {
@@ -77,7 +77,7 @@ std::string from_home(const std::string& name) {
     return home != nullptr ? home + name.substr(1) : name;
 }
 
-/// Joins folder and name; an absolute name ignores the folder.
+/// Joins folder and name; with an absolute name the folder is ignored.
 fs::path place_of(const FileDialog& dialog) { return fs::path(dialog.folder) / from_home(dialog.name); }
 
 /// The path of the file, with the required extension.
@@ -93,7 +93,7 @@ std::optional<std::string> decide(FileDialog& dialog) {
     std::error_code failed;
     if (const fs::path folder = place_of(dialog); fs::is_directory(folder, failed)) {
         dialog.name.clear();
-        dialog.offers_name = dialog.asks_keyboard = true;  // the name in that folder is typed next
+        dialog.offers_name = dialog.asks_keyboard = true;  // the user types a name in that folder next
         go_to(dialog, folder);
         return {};
     }
@@ -142,7 +142,7 @@ void entry_row(FileDialog& dialog, const FolderEntry& entry, Clicked& clicked) {
               {low.x + 0.6f * line, low.y + line / 2}, 0.8f * line, to_u32(theme().dim_text));
 }
 
-/// "Save in ~/Pictures"; of a longer path its end, if it is to fit into `width`.
+/// "Save in ~/Pictures"; only the end of a path that does not fit into `width`.
 std::string button_label(const FileDialog& dialog, float width) {
     const FilePurpose& purpose = *dialog.purpose;
     const char* const verb = dialog.asks_overwrite ? "Replace" : purpose.button;
@@ -164,7 +164,7 @@ bool entry_list(FileDialog& dialog) {
     const float below =
         2 * ImGui::GetFrameHeight() + ImGui::GetTextLineHeight() + 3 * ImGui::GetStyle().ItemSpacing.y;
     ImGui::BeginChild("##entries", {0, -below}, true);
-    ImGuiListClipper in_sight;  // a folder may hold tens of thousands
+    ImGuiListClipper in_sight;  // a folder may contain tens of thousands of entries
     in_sight.Begin(static_cast<int>(dialog.entries.size()));
     while (in_sight.Step())
         for (int i = in_sight.DisplayStart; i < in_sight.DisplayEnd; ++i)
@@ -199,7 +199,7 @@ std::vector<FolderEntry> list_folder(const std::string& folder, const FilePurpos
 
 bool natural_less(std::string_view a, std::string_view b) {
     const int order = natural_order(a, b);
-    return order != 0 ? order < 0 : a < b;  // "a1" and "a01" need some fixed order
+    return order != 0 ? order < 0 : a < b;  // "a1" and "a01" need a fixed order
 }
 
 bool may_replace(const std::string& path, const FilePurpose& purpose) {

@@ -1,4 +1,4 @@
-// File names for places with little room, where a name may contain anything.
+// File names for display in little space; a name may contain any characters.
 #include <filesystem>
 
 #include "models/problem.h"

@@ -17,7 +17,7 @@
 namespace glint {
 namespace {
 
-/// The pointer with the item's new index, if it leads into that list; empty if the item was deleted.
+/// The pointer with the item's new index, if it refers into that list; empty if the item was deleted.
 template <class Item>
 std::string followed(const std::string& pointer, std::string_view list, const std::vector<Item>& before,
                      const std::vector<Item>& after) {
@@ -49,7 +49,7 @@ void follow_lights(UiState& state, const std::vector<Light>& before) {
         if (place >= 0) light = place;
         return place >= 0;
     };
-    (void)follow(state.get<DebugViewState>().set.choice.light);  // if it was deleted, its neighbour's
+    (void)follow(state.get<DebugViewState>().set.choice.light);  // the neighbour's if it was deleted
     TermGridState& grid = state.get<TermGridState>();
     if (grid.solo && !follow(grid.solo->light)) grid.solo.reset();
     std::erase_if(grid.muted, [&](GridCell& cell) { return !follow(cell.light); });

@@ -1,5 +1,5 @@
-// Undo and redo, and the names of the steps: derived from the changed rows of scene_fields.h, so that editing
-// code need not name them.
+// Undo and redo, and the names of the steps. Names are derived from the changed rows of scene_fields.h, so
+// that editing code need not name its steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t max_undone = 500;  // besides the present one
-// A light or an object takes about 300 bytes: this many in all steps together are about 60 MB.
+constexpr std::size_t max_undone = 500;  // in addition to the present one
+// A light or an object takes about 300 bytes, so this many in all steps together take about 60 MB.
 constexpr std::size_t max_items = 200'000;
-// Meshes that no object uses any more may take this fraction of memory.
+// Meshes that no object uses any more may take up to 1 / meshes_share of memory.
 constexpr std::uint64_t meshes_share = 8;
 
 /// The rows in which a and b differ.
@@ -42,7 +42,7 @@ std::string common_name(const std::vector<Row>& changed, const std::string& name
     return fmt::format(fmt::runtime(one_name ? std::string_view(changed.front().undo) : otherwise), name);
 }
 
-/// Whether the light only moved, and its shape turned along.
+/// Whether the light only moved, with its shape turned accordingly.
 bool is_carried(const Light& a, const Light& b) {
     Light same = a;
     same.position = b.position;
@@ -71,7 +71,7 @@ std::string object_step(const Object& a, const Object& b) {
     if (changed.front().key == "visible") return fmt::format("{} {}", b.visible ? "Show" : "Hide", b.name);
     if (changed.front().key != "transform") return common_name(changed, b.name, "Edit {}");
     const std::vector<Row> moved = changed_rows(a.transform, b.transform);
-    // An object turned or scaled about a point other than its origin moves too.
+    // Turning or scaling an object about a point other than its origin also moves it.
     const bool turned = a.transform.rotate_deg != b.transform.rotate_deg;
     const bool scaled = a.transform.scale != b.transform.scale;
     if (turned != scaled) return fmt::format("{} {}", turned ? "Rotate" : "Scale", b.name);
@@ -94,7 +94,7 @@ std::string list_step(const std::vector<Item>& a, const std::vector<Item>& b, It
     return otherwise;
 }
 
-/// A reloaded mesh is not a change with a name.
+/// Without meshes, because reloading a mesh is not a change with a name.
 Scene without_meshes(Scene scene) {
     for (Object& object : scene.objects) object.mesh = nullptr;
     return scene;
@@ -127,7 +127,7 @@ std::uint64_t History::bytes_of_lost_meshes() const {
     for (const Step& step : steps_) {
         const std::vector<Object>& objects = step.scene.objects;
         for (std::size_t i = 0; i < objects.size(); ++i) {
-            // Most steps share the meshes of the step before: those need no lookup.
+            // Most steps share the meshes of the previous step; those need no lookup.
             if (before != nullptr && i < before->objects.size() && before->objects[i].mesh == objects[i].mesh)
                 continue;
             const Mesh* mesh = objects[i].mesh.get();
@@ -170,7 +170,7 @@ namespace {
 
 constexpr std::size_t max_views_back = 200;
 
-/// Leaves `now` for the nearest of `from`.
+/// Goes from `now` to the nearest view of `from`.
 Camera step_view(std::vector<Camera>& from, std::vector<Camera>& to, const Camera& now) {
     assert(!from.empty());
     Camera camera = from.back();

@@ -1,5 +1,5 @@
-// Temporary panels over the picture: the present load, with a cancel button, and the offer of a copy that a
-// crash left.
+// Temporary panels over the picture: the present load, with a cancel button, and the offer to recover a copy
+// left by a crash.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -23,7 +23,7 @@ namespace {
 constexpr double shown_after = 0.25;      // seconds: a quicker load shows no panel
 constexpr double seconds_a_frame = 0.03;  // while something loads
 
-/// A progress bar; a segment that runs along it if the share is unknown.
+/// A progress bar; if the share is unknown, a segment that runs along it.
 void bar(float share) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = px(5);
@@ -39,8 +39,8 @@ void bar(float share) {
                        to_u32(theme().accent), px(2));
 }
 
-/// Begins a panel over the picture's upper edge, in the middle, at most `widest` wide and never cut off at
-/// the window's sides; end_over_picture() must follow. Returns its width.
+/// Begins a panel over the middle of the picture's upper edge, at most `widest` wide and never cut off at the
+/// window's sides; end_over_picture() must follow. Returns its width.
 float begin_over_picture(const char* id, float widest, const Rect& picture, ImGuiWindowFlags more = 0) {
     const float window = ImGui::GetIO().DisplaySize.x, width = std::min(widest, window - px(20));
     const float middle = std::clamp((picture.low.x + picture.high.x) / 2, width / 2, window - width / 2);

@@ -105,7 +105,7 @@ bool add_light(Scene& scene, Selection& selection, LightKind kind) {
     const Bounds bounds = scene_bounds(scene);
     const glm::vec3 middle = (bounds.min + bounds.max) / 2.0f;
     const float radius = std::max(glm::length(bounds.max - bounds.min) / 2, 1e-3f);
-    // In front of the scene, in the upper half of even a square picture; no two at the same position.
+    // In front of the scene, in the upper half even of a square picture; no two lights at the same position.
     const ScreenMap map = screen_map(scene.camera, {512, 512});
     const double away = project(map, middle).depth,
                  depth = std::max(away - 0.75 * radius, 0.35 * std::abs(away));

@@ -24,7 +24,7 @@ namespace {
 constexpr int max_frames = 2000;
 constexpr int numbers_listed = 7;
 
-/// The pointers of the numbers that have an effect and match the search, best first.
+/// The pointers of the numbers that have an effect and match the search, best match first.
 std::vector<std::string> matching(const Scene& scene, const std::string& text) {
     const std::vector<SceneNumber> numbers = numbers_of(scene);
     std::vector<std::pair<int, std::size_t>> ranked;
@@ -42,14 +42,14 @@ std::vector<std::string> matching(const Scene& scene, const std::string& text) {
     return found;
 }
 
-/// The initial other end of an interval: twice the number, or half of it if that is too much.
+/// The initial other end of an interval: twice the number, or half of it if twice is out of range.
 double other_end(const SceneNumber& number) {
     const double twice = number.value == 0 ? 1 : 2 * number.value;
     const double far = number.kind.range.contains(twice) ? twice : number.value / 2;
     return number.count ? number.count->nearest(far) : far;
 }
 
-/// As matching(), cached: with thousands of objects it takes longer than a frame.
+/// The result of matching(), cached: with thousands of objects it takes longer than a frame.
 const std::vector<std::string>& found_numbers(AnimateState& animate, const Scene& scene) {
     if (animate.searched != animate.search) animate.found.forget();
     animate.searched = animate.search;
@@ -59,7 +59,7 @@ const std::vector<std::string>& found_numbers(AnimateState& animate, const Scene
     return *animate.found.value();
 }
 
-/// A row of the list; chosen by a click, or when `entered`.
+/// A row of the list; chosen by a click, or by Enter (`entered`).
 void offer_number(AnimateState& animate, const Scene& scene, const SceneNumber& number, bool entered) {
     Animation& animation = animate.animation;
     const std::string words = number_words(scene, number);
@@ -86,7 +86,7 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     if (found.empty() && !animate.search.empty())
         wrapped_dim(fmt::format("No number of the scene is called “{}”", shortened(animate.search)));
     for (const std::string& pointer : found)
-        if (const auto number = number_at(scene, pointer))  // it may have disappeared during a drag
+        if (const auto number = number_at(scene, pointer))  // it may have been removed during a drag
             offer_number(animate, scene, *number, entered && &pointer == &found.front());
     const std::optional<SceneNumber> number = number_at(scene, animation.pointer);
     if (!number) return;
@@ -175,7 +175,7 @@ void animate_panel(UiState& state) {
     ImGui::SetNextWindowSize({std::min(px(400), window.x - px(20)), 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
-    // While frames are written it stays open and shows the progress.
+    // While frames are written, the panel stays open and shows the progress.
     if (ImGui::Begin("Animate", animate.job ? nullptr : &animate.open,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_AlwaysAutoResize)) {

@@ -27,7 +27,7 @@
 namespace glint {
 namespace {
 
-/// After lights or objects were deleted, renamed or replaced with the scene, the pointer may lead to a
+/// After lights or objects were deleted, renamed or replaced with the scene, the pointer may refer to a
 /// different number.
 void forget_number_that_is_gone(UiState& state) {
     AnimateState& animate = state.get<AnimateState>();
@@ -40,7 +40,7 @@ void forget_number_that_is_gone(UiState& state) {
     forget_number(state);
 }
 
-/// Reports a missing light, or a missing choice of the number to animate.
+/// Reports that the light, or the choice of the number to animate, is missing.
 bool refuses_nothing_chosen(AnimateState& animate, const Scene& scene) {
     if (animate.animation.motion == Motion::Circle && scene.lights.empty()) {
         animate.refused = "The scene has no light";
@@ -65,7 +65,7 @@ Scene turned(Scene scene, double angle) {
     return scene;
 }
 
-/// From the target to the light, or (directional) towards it; world coordinates.
+/// The vector from the target to the light, or (directional) towards it; world coordinates.
 glm::dvec3 arm_of(const Light& light, const ScreenMap& map, const Camera& camera) {
     const double w = light.position.w == 0 ? 0 : 1;
     const glm::dvec3 own = glm::dvec3(light.position) / (w == 0 ? 1.0 : double(light.position.w));
@@ -90,7 +90,7 @@ Scene circled(Scene scene, const Animation& animation, double angle) {
     return scene;
 }
 
-/// The scene with the number set to that value; changed meshes are not made yet.
+/// The scene with the number set to that value; changed meshes have not been built yet.
 Result<Scene> with_number(Scene scene, const std::string& pointer, double value) {
     const std::optional<SceneNumber> number = number_at(scene, pointer);
     const bool is_count = number && number->count;
@@ -99,7 +99,7 @@ Result<Scene> with_number(Scene scene, const std::string& pointer, double value)
     return scene;
 }
 
-/// Whether this frame, or the animation's farther end, needs a mesh that takes long to make.
+/// Whether this frame, or the animation's farther end, needs a mesh that takes long to build.
 bool is_held_up(const SceneDocument& document, const Animation& animation, int frame) {
     const auto of_object = item_in(animation.pointer, "/objects/");
     if (animation.motion != Motion::PingPong || !of_object || !is_within(of_object->rest, "/mesh"))
@@ -145,7 +145,7 @@ bool animate_by_key(UiState& state, KeyPress press) {
 
 void ask_for_frames(UiState& state) {
     if (refuses_nothing_chosen(state.get<AnimateState>(), state.editor.scene())) {
-        state.get<AnimateState>().open = true;  // it shows why
+        state.get<AnimateState>().open = true;  // to show the reason
         return;
     }
     const std::string ending(choice_of(state.get<AnimateState>().file).word);
@@ -232,7 +232,7 @@ namespace {
 
 void switch_animate(UiState& state) {
     AnimateState& animate = state.get<AnimateState>();
-    animate.open = !animate.open || animate.job;  // it shows the progress of writing
+    animate.open = !animate.open || animate.job;  // to show the progress of writing
     animate.playing &= animate.open;
 }
 
@@ -244,7 +244,7 @@ std::optional<OtherScene> show_frame(const UiState& state) {
                      .label = "Animated",
                      .note = "Animation",
                      .end = stop_animation};
-    // A lesson's animation plays until a press, which may be meant for what moves there.
+    // A lesson's animation plays until a press, which may be meant for an item that the animation moves.
     if (!animate.open) shown.press = [](UiState& s) { s.get<AnimateState>().playing = false; };
     return shown;
 }

@@ -30,7 +30,7 @@ bool is_set(const char* name) {
     return value != nullptr && *value != 0;
 }
 
-/// A file in memory with these bytes, positioned at its beginning; -1 without enough memory.
+/// An in-memory file with these bytes, positioned at its beginning; -1 if there is not enough memory.
 int file_of(const std::string& bytes) {
     const int file = ::memfd_create("glint-picture", MFD_CLOEXEC);
     if (file < 0) return -1;
@@ -46,7 +46,7 @@ int file_of(const std::string& bytes) {
     return file;
 }
 
-/// Whether `b` has all keys of `a`: a missing key means its default, which is unknown here.
+/// Whether `b` has all keys of `a`. A missing key means its default, which is unknown here.
 bool has_keys_of(const Json& b, const Json& a) {
     return std::all_of(members_of(a).begin(), members_of(a).end(),
                        [&b](const auto& member) { return find_member(b, member.first) != nullptr; });
@@ -55,7 +55,7 @@ bool has_keys_of(const Json& b, const Json& a) {
 /// Appends " --set POINTER=JSON" for each smallest part in which `b` differs from `a`.
 void append_sets(std::string& command, const Json& a, const Json& b, const std::string& pointer) {
     if (a == b) return;
-    // A mesh or a projection of another kind has other keys, and is set as a whole.
+    // A mesh or a projection of another kind has other keys, so it is set as one value.
     const bool members = a.is_object() && b.is_object() && has_keys_of(b, a);
     const bool items = !elements_of(b).empty() && elements_of(a).size() == elements_of(b).size() &&
                        elements_of(b)[0].is_object();
@@ -71,7 +71,7 @@ void append_sets(std::string& command, const Json& a, const Json& b, const std::
     }
 }
 
-/// A file name relative to the working directory if it is below it, else absolute.
+/// A file name, relative to the working directory if it is below it, else absolute.
 std::string named_from_here(const std::string& path) {
     std::error_code failed;
     const fs::path whole = fs::absolute(path, failed);
@@ -109,7 +109,7 @@ int run_tool(const std::vector<std::string>& command, int input, const std::atom
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-    // A clipboard's tool keeps running to serve it: it must not keep our terminal or pipe open.
+    // A clipboard tool keeps running to serve the contents; it must not keep our terminal or pipe open.
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     pid_t child = 0;
@@ -163,8 +163,8 @@ std::string file_word(const std::string& path) {
 
 namespace {
 
-/// "glint VERB FILE --set … --size WxH": the beginning of a command about a picture of that size of the shown
-/// scene.
+/// "glint VERB FILE --set … --size WxH": the beginning of a command about a picture of the shown scene with
+/// that size.
 std::string command_of_shown(const char* verb, const SceneDocument& document, const Scene& in_file,
                              PictureSize size) {
     std::error_code failed;
@@ -182,7 +182,7 @@ std::string command_of_shown(const char* verb, const SceneDocument& document, co
         shown = with_absolute_meshes(document.scene, document.mesh_dir);
         command = fmt::format(R"(echo '{{"glint": 1}}' | glint {} -)", verb);
     }
-    // `about` is left out: it is text about a scene and draws nothing. Projections are compared as fitted(),
+    // `about` is left out: it is text about a scene and is not drawn. Projections are compared as fitted(),
     // which is how the window shows and writes them.
     base.about = shown.about = {};
     shown.camera.projection = fitted(shown.camera.projection, {size.width, size.height, true});

@@ -35,7 +35,7 @@ constexpr std::array sizes{NamedSize{"HD", {1280, 720}}, NamedSize{"Full HD", {1
                            NamedSize{"4K", {3840, 2160}}, NamedSize{"Square", {1024, 1024}}};
 constexpr std::array<int, 4> samples{1, 2, 4, 8};
 
-/// Parses `text`, except surrounding spaces, as a side of a picture.
+/// Parses `text`, without surrounding spaces, as a side length of a picture.
 std::optional<int> side_in(std::string_view text) {
     while (text.starts_with(' ')) text.remove_prefix(1);
     while (text.ends_with(' ')) text.remove_suffix(1);
@@ -77,7 +77,7 @@ void size_rows(UiState& state, ExportOptions& options) {
     }
 }
 
-/// Whether the key answers the dialog: while a number is typed, it belongs to the field.
+/// Whether the key answers the dialog; while a number is typed, the key belongs to the field.
 bool answers(const UiInput& input, Key key) {
     const auto is_key = [key](const KeyPress& press) { return press == KeyPress{key}; };
     return enter_answers(std::any_of(input.presses.begin(), input.presses.end(), is_key)) &&

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double seconds_a_look = 0.1;  // between checks whether it is done
+constexpr double seconds_a_look = 0.1;  // between checks whether the job is done
 
 /// The open document with the scene in the picture.
 SceneDocument shown_document(const UiState& state) {
@@ -37,7 +37,7 @@ SceneDocument shown_document(const UiState& state) {
     return document;
 }
 
-/// Draws the shown scene in the background into a picture file for `path`, whose bytes are passed to
+/// Draws the shown scene in the background into a picture file for `path` and passes the file's bytes to
 /// `deliver`.
 void begin_picture(UiState& state, const ExportOptions& options, const std::string& path,
                    const std::function<Result<Notification>(const std::string& bytes)>& deliver) {
@@ -129,7 +129,7 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
                   });
 }
 
-/// The name of the copied picture: not of something composed in its place.
+/// The name of the copied picture, not of one composed in its place.
 static const char* copied_words(const UiState& state) {
     return is_composed(state) ? "the scene's own picture" : "this picture";
 }

@@ -40,7 +40,7 @@ std::optional<Problem> for_each_frame(const FrameJob& job, LoadProgress& progres
         if (!report_progress(LoadStage::Reading, std::uint64_t(frame), std::uint64_t(job.animation.frames)) ||
             progress.cancelled)
             return Problem{job.path, "", "writing was cancelled", ""};
-        const PartOfProgress meshes;  // of a frame whose resolution is animated
+        const PartOfProgress meshes;  // meshes of a frame with an animated resolution
         const Result<Scene> scene = scene_at(job.document, job.animation, frame);
         if (const Problem* problem = problem_of(scene)) return *problem;
         const auto& shown = std::get<Scene>(scene);
@@ -89,7 +89,7 @@ Result<std::string> write_animation(const FrameJob& job, LoadProgress& progress)
                        job.animation.frames);
 }
 
-/// Has ffmpeg make a video of all frames, which a file without a name keeps as PNG, so that nothing but the
+/// Makes ffmpeg write a video of all frames. The frames are kept as PNG in an unnamed file, so that only the
 /// complete video appears in the folder.
 Result<std::string> write_video(const FrameJob& job, LoadProgress& progress) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> frames(std::tmpfile(), std::fclose);
@@ -106,7 +106,7 @@ Result<std::string> write_video(const FrameJob& job, LoadProgress& progress) {
     const fs::path path = fs::absolute(job.path),
                    part = path.parent_path() / ("." + path.filename().string() + ".part");
     const std::string rate = std::to_string(job.frames_a_second);
-    // Of an odd number of rows or columns most players show nothing.
+    // Most players show nothing if the number of rows or columns is odd.
     const int status = run_tool({"ffmpeg",     "-y",
                                  "-loglevel",  "error",
                                  "-f",         "image2pipe",
@@ -131,7 +131,7 @@ Result<std::string> write_video(const FrameJob& job, LoadProgress& progress) {
 
 bool is_video(const std::string& path) { return lower_extension(path) == ".mp4"; }
 
-/// Why one of the output files cannot be written, the first of them; nothing if all can.
+/// The reason why the first unwritable output file cannot be written; nothing if all can.
 std::optional<Problem> why_not_all_writable(const FrameJob& job) {
     if (is_video(job.path) && !mp4_disabled_reason().empty())
         return Problem{job.path, "", mp4_disabled_reason(), ".gif, .webp or .png"};

@@ -22,7 +22,7 @@
 namespace glint {
 namespace {
 
-/// Returns the scene seen by the target's camera.
+/// Returns the scene as seen by the target's camera.
 Scene seen_as_target(const MatchState& match, Scene scene) {
     scene.camera = match.task.target.camera;
     return scene;
@@ -50,13 +50,13 @@ void ask_to_begin(UiState& state, std::uint64_t seed) {
     ask_first(state, [seed](UiState& s) { begin_match(s, seed); });
 }
 
-/// Different from the last, so that repeating the command starts another game.
+/// A seed different from the last one, so that repeating the command starts another game.
 void new_match(UiState& state) {
     const MatchState& match = state.get<MatchState>();
     ask_to_begin(state, match.seed + (match.on ? 1 : 0));
 }
 
-/// Shrinks to the left as the scene gets closer.
+/// A bar that shrinks to the left as the scene gets closer to the target.
 void distance_bar(const MatchState& match) {
     const float share = match.first > 0 ? std::min(float(match.now / match.first), 1.0f) : 0;
     const ImVec2 low = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, px(8)};
@@ -126,7 +126,7 @@ void end_match(UiState& state) {
     if (!match.on) return;
     match.on = false;
     CompareChoice& choice = state.get<CompareState>().choice;
-    if (has_target_as_b(match, choice)) {  // it ends with its game
+    if (has_target_as_b(match, choice)) {  // the comparison ends with its game
         choice.stored = match.stored_before;
         choice.shows_stored = false;
     }
@@ -140,7 +140,7 @@ void poll_match(UiState& state) {
     match.now = distance_to_target(match, match.asked_of);
     match.hint.clear();
     match.solved = match.solved || match.now <= match_tolerance;
-    redraw_within(0);  // the column was drawn before
+    redraw_within(0);  // the column was drawn earlier in this frame
 }
 
 void forget_play(UiState& state) {

@@ -1,4 +1,4 @@
-// The scenes of *Match the target*, from a seed, and hints about the difference.
+// The scenes of *Match the target*, generated from a seed, and hints about the difference.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class Draws {
     std::uint64_t state_;
 };
 
-/// Towards a sun whose highlight is visible.
+/// A direction towards a sun whose highlight is visible.
 glm::vec3 draw_direction(Draws& draws) {
     return {draws.between(-1, 1), draws.between(0.05f, 1), draws.between(0.35f, 0.9f)};
 }
@@ -86,7 +86,7 @@ void change_brightness(MatchTask& task, Draws& draws) {
     task.numbers.emplace_back("/lights/0/intensity");
 }
 
-/// The brightness of a picture of one term, the number of bright pixels in it, and their position.
+/// A picture of one term: its brightness, the number of its bright pixels, and their position.
 struct Blob {
     double sum = 0, bright = 0;
     glm::dvec2 middle{0};
@@ -142,7 +142,7 @@ MatchTask match_task(std::uint64_t seed) {
     MatchTask task;
     task.start = drawn_scene(draws);
     task.target = task.start;
-    // The seed decides which of the three changes are made, at least one.
+    // The seed decides which of the three changes are made; there is at least one.
     const std::uint64_t changes = seed % 7 == 0 ? 7 : seed % 7;
     if ((changes & 1U) != 0) move_sun(task, draws);
     if ((changes & 2U) != 0) change_exponent(task, draws);

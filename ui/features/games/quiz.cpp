@@ -24,7 +24,7 @@
 namespace glint {
 namespace {
 
-/// A picture of the printed question sheet, twice as large for high-resolution displays.
+/// A picture of the printed question sheet at twice the size, for high-resolution displays.
 Result<QuizPage> page_of(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
                          const LessonStep& step, const Prediction& question) {
     QuizPage page;
@@ -70,7 +70,7 @@ std::string kept_file(const UiState& state) {
     return state.persistence.file(state.get<QuizState>().form_b ? "quiz-b.json" : "quiz.json");
 }
 
-/// Before the lessons, only the questions in plain language are asked.
+/// Before the lessons, the quiz has only the questions in plain language.
 std::size_t count_pages(const QuizState& quiz) {
     const auto plain = static_cast<std::size_t>(quiz.pages->lesson.plain);
     const std::size_t all = quiz.pages->pages.size();
@@ -82,7 +82,7 @@ std::string text_of(const QuizState& quiz, const QuizAnswers& answers) {
     return json_text(answers_json(quiz.pages->lesson, answers));
 }
 
-/// The stored answers that fit these questions.
+/// The stored answers that match these questions.
 std::optional<QuizAnswers> kept_answers(const UiState& state) {
     constexpr std::size_t longest_file = 1 << 16;
     const QuizState& quiz = state.get<QuizState>();
@@ -273,7 +273,7 @@ void open_form(UiState& state, bool form_b) {
 
 void open_form_b(UiState& state) { open_form(state, true); }
 
-/// Counts the time on the page that was left.
+/// Adds the time spent on the page `was`.
 void count_time(QuizState& quiz, std::size_t was) {
     const double now = ImGui::GetTime();
     if (was < quiz.seconds.size()) quiz.seconds[was] += std::round(10 * (now - quiz.since)) / 10;
