@@ -8,7 +8,7 @@ void BlocksInSight::begin(int count) {
     heights_.resize(static_cast<std::size_t>(count));
     const ImDrawList& list = *ImGui::GetWindowDrawList();
     const float low = list.GetClipRectMin().y, high = list.GetClipRectMax().y;
-    // A margin on both sides, so that the Tab key finds the next field and scrolls to it.
+    // A margin on both sides lets the Tab key find the next field and scroll to it.
     low_ = low - (high - low) / 2, high_ = high + (high - low) / 2;
     top_ = ImGui::GetCursorScreenPos().y;
 }

@@ -8,7 +8,7 @@ namespace glint {
 namespace {
 
 constexpr int directions = 16;
-constexpr int rings = 8;  // from the preferred position out to the reach
+constexpr int rings = 8;  // from the preferred position out to the maximum distance
 
 Rect about(ImVec2 middle, ImVec2 size) {
     return {{middle.x - size.x / 2, middle.y - size.y / 2}, {middle.x + size.x / 2, middle.y + size.y / 2}};

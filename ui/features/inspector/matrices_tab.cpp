@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-/// Four columns of figures; each row's meaning is in its tooltip.
+/// Draws four columns of figures; the tooltip of each row explains it.
 void matrix(const char* id, const glm::dmat4& m, const std::array<const char*, 4>& meaning) {
     if (!ImGui::BeginTable(id, 4, ImGuiTableFlags_PadOuterX | ImGuiTableFlags_BordersOuterV)) return;
     for (int row = 0; row < 4; ++row) {
@@ -97,7 +97,7 @@ void stop(const char* name, const std::string& numbers, const char* what) {
     tooltip(name, what);
 }
 
-/// Follows the picked point from the mesh to its pixel.
+/// Lists the picked point's coordinates at each stage from the mesh to its pixel.
 void carried_point(const UiState& state) {
     section_heading("The picked point on its way");
     if (!state.on_screen.explanation || !state.on_screen.explanation->hit)

@@ -35,8 +35,8 @@ void cut_line(ImDrawList& list, const Rect& line, const ImVec4& colour, std::str
     ImGui::PopStyleColor();
 }
 
-/// Text in the current font, wrapped to the lines that fit into `area`, the last one cut off with dots.
-/// Returns the end of the text.
+/// Draws text in the current font, wrapped to as many lines as fit into `area`, the last one cut off with
+/// dots. Returns the lower end of the text.
 float broken_lines(ImDrawList& list, const Rect& area, const ImVec4& colour, std::string_view words) {
     const float height = ImGui::GetTextLineHeight();
     const char *at = words.data(), *const end = at + words.size();
@@ -65,7 +65,7 @@ void box(ImVec2 low, float edge, bool on) {
                                edge - 2 * inset);
 }
 
-/// Next to the picture: the switch and the name, how to recognise it, who reported it.
+/// Draws, next to the picture: the switch and the name, how to recognise the mistake, and who reported it.
 void words_of(const MistakeName& mistake, bool on, bool dim, const Rect& area) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetTextLineHeight();
@@ -80,7 +80,7 @@ void words_of(const MistakeName& mistake, bool on, bool dim, const Rect& area) {
     const float last = mistake.sources.empty() ? 0 : ImGui::GetTextLineHeight();
     const float y = broken_lines(list, {{area.low.x, first.high.y + px(2)}, area.high - ImVec2(0, last)},
                                  theme().dim_text, mistake.looks);
-    // One line: a tracker's name and number cannot be wrapped. The tooltip lists all of them.
+    // One line, because a tracker's name and number cannot be wrapped. The tooltip lists all of them.
     cut_line(list, {{area.low.x, y}, {area.high.x, y + last}}, theme().disabled_text, mistake.sources);
     ImGui::PopFont();
 }
@@ -127,7 +127,7 @@ bool mistake_row(const MistakeName& mistake, bool& on, const SmallLook& look, in
     ImGui::PushID(index);
     if (hit_area("##mistake", {wide, look.extent().y + 2 * inset})) on = !on;
     ImGui::PopID();
-    if (!ImGui::IsItemVisible()) return false;  // most are scrolled away: their texts cost nothing
+    if (!ImGui::IsItemVisible()) return false;  // most rows are scrolled away: skips their texts
     const bool pointed = is_pointed_at();
     tooltip(title_of(mistake).c_str(), fmt::format("{} {}", mistake.what, mistake.looks).c_str(),
             notes_on(mistake), fmt::format("/shading/mistakes/{}", mistake.name));

@@ -18,13 +18,13 @@
 namespace glint {
 namespace {
 
-/// The size of the thumbnails: four to three, at most a third of the column wide.
+/// The size of the thumbnails: aspect ratio 4:3, at most a third of the column wide.
 PictureSize small_size(float room, bool keeps_width) {
     const int width = static_cast<int>(std::clamp(std::min(px(96), room / 3), 8.0f, 192.0f));
     return {width, width * 3 / 4, keeps_width};
 }
 
-/// Above the list, which scrolls below it: the picture to compare with.
+/// The picture to compare with, above the list, which scrolls below it.
 void right_row(UiState& state, const SmallLook& look) {
     Mistakes& mistakes = state.editor.scene().shading.mistakes;
     ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() + ImVec2(small_inset(), small_inset()));
@@ -97,7 +97,7 @@ void mistakes_tab(UiState& state, const PictureView& view) {
     const PictureSize size = small_size(ImGui::GetContentRegionAvail().x, view.map.size.keeps_width);
     look_at_mistake_pictures(state, size);
     const SmallLook look{state.get<MistakePictures>().pictures, size};
-    // In a low window it scrolls with the list, which would have no room left.
+    // In a window of little height it scrolls with the list, which would have no room otherwise.
     const bool stays = ImGui::GetContentRegionAvail().y > 4 * look.extent().y;
     if (stays) right_row(state, look);
     ImGui::BeginChild("##rows");

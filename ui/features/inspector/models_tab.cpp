@@ -18,7 +18,7 @@
 namespace glint {
 namespace {
 
-/// Clamps a linear colour: the exact displayed colour is known only for the explained sum.
+/// Clamps a linear colour. The exact displayed colour is known only for the explained sum.
 ImU32 ink_of(glm::vec3 c) {
     return to_u32({std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f), 1});
 }
@@ -30,7 +30,7 @@ void swatch(ImU32 colour, float edge) {
     ImGui::Dummy({edge, edge});
 }
 
-/// Lists the corners of the colour, with their weights.
+/// Lists the corners from which the colour is computed, with their weights.
 void corner_lines(const Explanation& explanation) {
     char letter = 'A';
     for (const ExplainedCorner& corner : explanation.corners) {
@@ -60,7 +60,7 @@ void how(const Explanation& explanation, const Shading& shading) {
     }
 }
 
-/// Shows n in the frame of the Vectors tab.
+/// Shows n in the frame chosen in the Vectors tab.
 void normal_line(const InspectorState& state, const Explanation& explanation) {
     if (explanation.lit_per_corner) return;
     const InBothFrames& n = explanation.at.normal;
@@ -99,8 +99,8 @@ void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode
     show_instead(state, other, fmt::format("{} shading", choice.label));
 }
 
-/// Finds the shininess with which Blinn's highlight looks most like this one of Phong's; a click applies
-/// model and shininess.
+/// Finds the shininess with which Blinn's highlight looks most like this one of Phong's. A click applies the
+/// model and that shininess.
 void like_line(UiState& state, const Explanation& explanation) {
     Scene& scene = state.editor.scene();
     const auto object = static_cast<std::size_t>(explanation.object_index);
@@ -122,7 +122,7 @@ void like_line(UiState& state, const Explanation& explanation) {
     show_instead(state, other, fmt::format("Blinn–Phong, shininess {:.4g}", like));
 }
 
-/// Whether the scenes agree in everything that decides which face is visible at a pixel.
+/// Whether the scenes agree in everything that determines which face is visible at a pixel.
 bool same_faces(const Scene& a, const Scene& b) {
     return same_surfaces(a, b) && a.shading.cull == b.shading.cull && a.npr == b.npr;
 }

@@ -28,12 +28,12 @@ struct Label {
     ImU32 colour;
 };
 
-/// A pen that also writes, after all lines are drawn, so that no label covers another or a line.
+/// A pen that also draws labels, after all lines are known, so that no label covers another label or a line.
 struct LabelledPen : WorldPen {
     LabelRoom& room;
     std::vector<Label>& labels;
 
-    /// Next to a position of the window, on the right; or on the side of `way`.
+    /// To the right of a window position, or on the side given by `way`.
     void text(ImVec2 mark, const std::string& words, ImU32 colour, ImVec2 way = {1, 0}) const {
         labels.push_back({mark, way, words, colour});
     }
@@ -42,7 +42,7 @@ struct LabelledPen : WorldPen {
         const ImVec2 half = px(radius) * ImVec2(1, 1);
         room.keep_free({mark - half, mark + half});
     }
-    /// Writes a label; if it is displaced, a line ties it to its mark.
+    /// Draws a label; if it is displaced, a line connects it to its mark.
     void write(const Label& label) const {
         const ImVec2 size = ImGui::CalcTextSize(label.words.c_str()), more{px(2), 0};
         const ImVec2 away{px(5) + size.x / 2, px(2) + size.y / 2};
@@ -58,8 +58,8 @@ struct LabelledPen : WorldPen {
     }
 };
 
-/// Makes the lines of an object fainter if it is large compared to the camera's target, such as a floor: the
-/// objects on it matter more.
+/// Draws the lines of an object fainter if it is large compared to the camera's distance from its target,
+/// such as a floor: the objects on it matter more.
 float mesh_opacity(const Object& object, double reach) {
     const glm::dmat3 world(world_from_object(object.transform));
     const glm::dvec3 edges = glm::dvec3(object.mesh->bounds.max) - glm::dvec3(object.mesh->bounds.min);
@@ -162,7 +162,7 @@ double drawn_depth(const Camera& camera) {
 double axis_length(const Camera& camera) { return 0.22 * target_depth(camera); }
 
 void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what) {
-    constexpr std::size_t max_items = 300;  // lights, and objects
+    constexpr std::size_t max_items = 300;  // of lights, and of objects
     const PictureSize size_px = view.map.size;
     LabelRoom room({view.to_window({3, 2}), view.to_window({size_px.width - 3, size_px.height - 2})});
     std::vector<Label> labels;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr float grip_units = 11;  // design units: a click within this distance of a light selects it
 
-/// Adds the ends of the drawn parts of the camera, and of the world's axes.
+/// Adds the end points of the drawn parts of the camera and of the world's axes.
 void add_drawn(std::vector<glm::dvec3>& places, const Scene& scene, const PictureView& main) {
     const double w = main.map.size.width, h = main.map.size.height, deep = drawn_depth(scene.camera);
     for (const glm::dvec2 corner : {glm::dvec2(0, 0), {w, 0}, {w, h}, {0, h}})
@@ -36,8 +36,8 @@ void add_drawn(std::vector<glm::dvec3>& places, const Scene& scene, const Pictur
     }
 }
 
-/// All points that must be in view: eye, target, lights and the drawn parts of the camera, and objects as far
-/// as they are no farther from the target than these. A wide floor would make everything else too small.
+/// All points that must be in view: eye, target, lights, the drawn parts of the camera, and those parts of
+/// objects that are no farther from the target than these. A wide floor would make everything else too small.
 std::vector<glm::dvec3> all_places(const Scene& scene, const PictureView& main) {
     const glm::dvec3 target(scene.camera.target);
     std::vector<glm::dvec3> places{target, glm::dvec3(scene.camera.eye)};
@@ -86,7 +86,7 @@ void legend() {
 }  // namespace
 
 Camera outside_camera(const Scene& scene, const PictureView& main, PictureSize size) {
-    // Sixty degrees to the right of the eye, thirty above.
+    // Sixty degrees to the right of the eye and thirty degrees above it.
     const glm::dvec3 back(main.map.world_from_view[2]), level{back.x, 0, back.z};
     const glm::dvec3 front = glm::length(level) > 1e-6 ? glm::normalize(level) : glm::dvec3(0, 0, 1);
     const glm::dvec3 side = rotated(front, {0, 1, 0}, std::numbers::pi / 3);
@@ -98,8 +98,8 @@ Camera outside_camera(const Scene& scene, const PictureView& main, PictureSize s
     glm::dvec3 low = seen[0], high = seen[0];
     for (const glm::dvec3& place : seen) low = glm::min(low, place), high = glm::max(high, place);
     const glm::dvec3 middle = (low + high) / 2.0;
-    // The camera is as near as the outermost position allows; a tenth is left for the labels next to the
-    // marks.
+    // The camera is as close as the outermost point allows; a tenth of the view is left for the labels next
+    // to the marks.
     constexpr double fov_y_deg = 40, used = 0.9;
     const double half_y = used * std::tan(fov_y_deg / 360 * std::numbers::pi);
     const double half_x = half_y * size.width / size.height;

@@ -1,4 +1,4 @@
-// The sensitivity tab: jobs that measure in the background, and the rows of their results.
+// The sensitivity tab: background jobs that measure, and the rows of their results.
 #include "ui/features/inspector/sensitivity.h"
 
 #include <fmt/core.h>
@@ -58,8 +58,8 @@ JobPtr<Sensitivities> measure(Jobs& jobs, const SceneDocument& document, Picture
     return jobs.start<Sensitivities>("Sensitivity", work);
 }
 
-/// Starts, drops and collects jobs; once a frame while the results are needed. A job starts when scene and
-/// pixel have been still for a moment.
+/// Starts, drops and collects jobs; called once a frame while the results are needed. A job starts once scene
+/// and pixel have not changed for a moment.
 void poll_sensitivity(Jobs& jobs, SensitivityState& state, const SceneDocument& document, PictureSize size,
                       glm::ivec2 pixel) {
     const double now = ImGui::GetTime();
@@ -110,8 +110,8 @@ void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
             number.pointer);
 }
 
-/// Selects the owner of the number in the measured scene. Until the next measurement its index may belong to
-/// another item: then nothing is selected.
+/// Selects the owner of the number in the measured scene. Its index may belong to another item until the next
+/// measurement; then nothing is selected.
 void select_owner(UiState& state, const std::string& pointer, const NamedNumber& named) {
     if (named_number(pointer, state.editor.scene()).owner == named.owner)
         state.editor.selection = named.selection;
@@ -144,12 +144,12 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
     ImGui::PopID();
 }
 
-/// Numbers without effect, one owner per line.
+/// Lists numbers without effect, one owner per line.
 void owners(UiState& state, const char* title, const std::vector<std::string>& pointers) {
     if (pointers.empty() || !fold(title, false)) return;
     struct Line {
         NamedNumber named;
-        std::string pointer, words;  // of the owner's first number; of all
+        std::string pointer, words;  // the first number's pointer; the text of all
     };
     std::vector<Line> lines;
     for (const std::string& pointer : pointers) {
@@ -179,7 +179,7 @@ void progress(const SensitivityState& job) {
                         : "Moving every number of the scene slightly and measuring the pixel.");
 }
 
-/// The edited scene under the setting of the picked part of a comparison; a stored B is not edited.
+/// The edited scene with the settings of the picked part of a comparison; a stored B is not the edited scene.
 SceneDocument asked_document(const UiState& state) {
     SceneDocument document = state.editor.document;
     if (state.get<CompareState>().asked_part.kind != Variant::Kind::Stored)

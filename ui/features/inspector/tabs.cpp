@@ -72,7 +72,7 @@ constexpr std::array tabs{
                      TabScene::Edited, false, "frustum view volume"},
 };
 
-/// The position of the heading's square of colour.
+/// The position of the heading's colour swatch.
 struct Square {
     ImVec2 low;
     float edge;
@@ -91,7 +91,7 @@ void nothing_picked(const Square& square) {
     ImGui::EndGroup();
 }
 
-/// Writes the parts that fit next to the cross; the position always.
+/// Writes the parts that fit next to the cross; the position is always written.
 void pixel_line(const std::string& what, const std::string& place, const std::string& bytes) {
     ImGui::PushFont(fonts().figures);
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - px(4);
@@ -140,9 +140,9 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
     tooltip("Forget this pixel", "Click the picture to pick another");
 }
 
-/// Draws a square of the pixel's colour, its byte values, its position, and its object. A click on the object
-/// selects it, a click on the cross forgets the pixel. Without a pixel it explains how to pick one, at the
-/// same height, so that the tabs below stay in place.
+/// Draws a swatch of the pixel's colour, its byte values, its position, and its object. A click on the object
+/// selects it, a click on the cross clears the picked pixel. Without a pixel it explains how to pick one, at
+/// the same height, so that the tabs below do not move.
 void heading(UiState& state) {
     const Square square{ImGui::GetCursorScreenPos(), 2 * ImGui::GetTextLineHeight() + px(6)};
     if (state.on_screen.explanation)
@@ -167,7 +167,7 @@ bool tab_button(const char* label, const char* what, bool chosen) {
     return clicked;
 }
 
-/// The less common tabs, behind a button that names the shown one.
+/// The less common tabs, behind a button that shows the name of the open one.
 void more_tabs(InspectorState& inspector, float right) {
     const auto shown = std::find_if(tabs.begin(), tabs.end(), [&](const InspectorTabInfo& info) {
         return info.tab == inspector.tab && !info.is_first;
@@ -190,7 +190,7 @@ void more_tabs(InspectorState& inspector, float right) {
     ImGui::EndPopup();
 }
 
-/// The buttons in as many rows as needed.
+/// Draws the buttons in as many rows as needed.
 void tab_bar(InspectorState& inspector) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(fonts().small);
@@ -209,7 +209,7 @@ void tab_bar(InspectorState& inspector) {
     ImGui::Dummy({0, px(3)});
 }
 
-/// Draws a tab while the explanation is of a scene other than the edited one.
+/// Draws a tab while the explanation is not of the edited scene.
 void draw_beside_other(UiState& state, const InspectorTabInfo& info, const PictureView& view) {
     const char* const which = state.on_screen.explained_other->name;
     if (info.scene == TabScene::Edited)
@@ -217,7 +217,7 @@ void draw_beside_other(UiState& state, const InspectorTabInfo& info, const Pictu
                                 state.on_screen.explanation ? "pixel" : "picture", which));
     if (info.scene != TabScene::Asked) return info.draw(state, view);
     wrapped_dim(fmt::format("Numbers of {}: read-only.", which));
-    ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);  // they are meant to be read
+    ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);  // the text should stay legible
     ImGui::BeginDisabled();
     info.draw(state, view);
     ImGui::EndDisabled();
@@ -259,7 +259,7 @@ void inspector_empty_state(const char* promise) {
 
 namespace {
 
-/// A preview under the mouse waits until an edit has been drawn and explained: the numbers next to it are
+/// A hovered preview waits until an edit has been drawn and explained, because the numbers next to it are
 /// those of the edited scene.
 std::optional<OtherScene> show_listed(const UiState& state) {
     const InspectorState& inspector = state.get<InspectorState>();
@@ -304,14 +304,14 @@ void add_entries(std::vector<PaletteEntry>& entries, UiState& state) {
     for (const CopyFormat& format : copy_formats())
         entries.push_back({fmt::format("Copy the explanation as {}", format.label), "Action", "",
                            why_no_copy(state), [&format](UiState& s) {
-                               // The pixel may have been removed since the entry was made.
+                               // The pixel may have been cleared since the entry was made.
                                const std::string refused = why_no_copy(s);
                                if (!refused.empty()) return s.notifications.add(Tone::Warning, refused);
                                copy_explanation(s, format);
                            }});
 }
 
-/// Names the mistakes that are on; a click opens their tab. During a lesson's question it would reveal the
+/// Names the mistakes that are on; a click opens their tab. During a lesson's question this would reveal the
 /// answer.
 float mistakes_mark(UiState& state, ImVec2 right) {
     const std::string text = mistakes_text(state.editor.scene().shading.mistakes);

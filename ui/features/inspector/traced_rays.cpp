@@ -17,7 +17,7 @@
 namespace glint {
 namespace {
 
-/// Where a ray that meets nothing is drawn to.
+/// The end point for drawing a ray that hits nothing.
 glm::dvec3 far_along(const PictureView& view, glm::vec3 from, glm::vec3 to) {
     return glm::dvec3(from) + 2 * view.dome.radius * glm::normalize(glm::dvec3(to - from));
 }
@@ -84,7 +84,7 @@ void path_rows(const Scene& scene, const std::vector<PathStep>& path) {
 void trace_shown(UiState& state) {
     const OnScreen& shown = state.on_screen;
     InspectorState& inspector = state.get<InspectorState>();
-    if (shown.passing) return;  // the numbers stay those of the scene before
+    if (shown.passing) return;  // the numbers remain those of the previous scene
     inspector.rays.clear();
     inspector.path.clear();
     const Renderer* renderer = shown.explained_by;

@@ -34,7 +34,7 @@ std::string title_of(const std::string& path) {
     return title;
 }
 
-/// An unreadable scene stays empty: opening it reports why.
+/// Leaves the picture of an unreadable scene empty: opening the scene reports the reason.
 SmallPicture draw_example(Renderer& renderer, const Example& example) {
     const Result<SceneDocument> opened = open_document(example.path);
     const auto* document = std::get_if<SceneDocument>(&opened);
@@ -42,7 +42,7 @@ SmallPicture draw_example(Renderer& renderer, const Example& example) {
     return {renderer.render(document->scene, thumbnail, false, 4), document->scene.about};
 }
 
-/// A picture with title and caption, `width` wide. True when clicked.
+/// Draws a picture with title and caption, `width` wide. True when clicked.
 bool card(const ExamplesState& examples, int index, float width, float height) {
     const Example& example = examples.list[static_cast<std::size_t>(index)];
     ImGui::PushID(index);

@@ -21,7 +21,7 @@ namespace {
 
 ImU32 grey(int value) { return IM_COL32(value, value, value, 255); }
 
-/// A clickable patch in its cell of the row.
+/// Draws a clickable patch in its cell of the row.
 void patch(ImDrawList& list, WedgeRow& row, int index, const Rect& cell) {
     const ImVec2 size = cell.size();
     const int step = wedge_steps[static_cast<std::size_t>(index)];
@@ -42,7 +42,7 @@ void patch(ImDrawList& list, WedgeRow& row, int index, const Rect& cell) {
     list.AddText({middle.x - text.x / 2, cell.high.y - text.y - px(7)}, ink, label.c_str());
 }
 
-/// The row's patches over the full width.
+/// Draws the row's patches over the full width.
 void patches(WedgeRow& row, float height) {
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -105,7 +105,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_order = 1 << 16;  // bytes
 
-/// The names in the folder's lecture_order.txt come first, in its order.
+/// Sorts the names listed in the folder's lecture_order.txt first, in that order.
 void sort_for_lecture(std::vector<std::string>& names, const std::string& folder) {
     std::sort(names.begin(), names.end(), natural_less);
     const Result<std::string> order =

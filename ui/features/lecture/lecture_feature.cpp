@@ -12,8 +12,8 @@
 namespace glint {
 namespace {
 
-/// Returns the next scene on the command line, else of the folder; for a scene without a file, of those that
-/// come with the program. Skips one that could not be opened.
+/// Returns the next scene on the command line, else the next one in the folder; for a scene without a file,
+/// of the scenes that come with the program. Skips a scene that could not be opened.
 std::string other_scene(const UiState& state, int step) {
     const AskedScene& asked = state.get<LectureState>().asked;
     const std::string& open = state.editor.document.path;
@@ -46,7 +46,7 @@ void switch_projector(UiState& state) {
         layout.left_before = layout.left;
         layout.right_before = layout.right;
     }
-    // The equation stays, enlarged, and uses the room of the scene's list; a lesson keeps its own column.
+    // The equation stays, enlarged, in the space of the scene's list; a lesson keeps its own column.
     layout.left = !layout.projector && layout.left_before;
     layout.right = layout.projector || layout.right_before;
     if (!layout.lesson) state.left_shows_inspector |= layout.projector;
@@ -175,7 +175,7 @@ std::vector<WindowCommand> wedge_commands() {
 
 void freeze(UiState& state) {
     LectureState& lecture = state.get<LectureState>();
-    // In B, or in an animation, nothing is selected.
+    // If B or an animation is shown, nothing is selected.
     lecture.frozen_selection = state.on_screen.is_out_of_hand()
                                    ? Selection{}
                                    : valid_selection(state.editor.selection, state.rendered_scene);

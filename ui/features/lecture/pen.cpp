@@ -74,7 +74,7 @@ bool pen_drag(ToolFrame& frame) {
     return true;
 }
 
-/// Draws a line's first points; the next piece begins where this one ends.
+/// Draws the first points of a line; the next piece begins at the last of them.
 void draw_piece(ImDrawList& list, std::span<const glm::vec2> places, ImU32 colour, const PictureView& view) {
     std::vector<ImVec2> corners;
     for (const glm::vec2 place : places.first(std::min(places.size(), drawn_at_once)))
@@ -87,7 +87,8 @@ void draw_piece(ImDrawList& list, std::span<const glm::vec2> places, ImU32 colou
 const Tool pen_tool{.hover = pen_hover, .press = pen_press, .drag = pen_drag};
 
 ImVec4 pen_colour(int index) {
-    // Okabe and Ito's yellow, sky blue, vermillion and green; white. On a picture: independent of the theme.
+    // Okabe and Ito's yellow, sky blue, vermillion and green; and white. They are drawn on a picture, so they
+    // do not depend on the theme.
     static const ImVec4 colours[pen_colour_count] = {{0.94f, 0.89f, 0.26f, 1},
                                                      {0.34f, 0.71f, 0.91f, 1},
                                                      {0.84f, 0.37f, 0, 1},

@@ -1,4 +1,4 @@
-// The answer fields, one per kind of question; and an answer next to the right one.
+// The answer fields, one per kind of question; and a given answer next to the right one.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -21,12 +21,12 @@
 namespace glint {
 namespace {
 
-/// True when Enter ended the typing.
+/// Draws the number's field. True when Enter ended the typing.
 bool number_answer(LessonState& lesson, const Prediction& question) {
     const float width = px(130);
     ImGui::PushFont(fonts().reading);
     ImGui::SetNextItemWidth(width);
-    // In the first frame of a window, later windows take the focus away again.
+    // In the first frame of a window, windows drawn later take the focus away again.
     if (!ImGui::IsWindowAppearing() && std::exchange(lesson.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered =
         text_field("##answer", "a number", lesson.typed, ImGuiInputTextFlags_EnterReturnsTrue);
@@ -58,7 +58,7 @@ void choice_answer(LessonState& lesson, const Prediction& question) {
     }
 }
 
-/// The numbers in a text, whatever is between them.
+/// The numbers in a text, whatever separates them.
 std::vector<double> typed_numbers(const std::string& text) {
     std::vector<double> numbers;
     for (std::size_t at = 0; at < text.size();) {
@@ -70,7 +70,7 @@ std::vector<double> typed_numbers(const std::string& text) {
     return numbers;
 }
 
-/// A position or a curve without a mouse: a pixel, or heights at equal distances from A to B.
+/// Fields to enter a position or a curve without a mouse: a pixel, or heights at equal distances from A to B.
 void typed_answer(LessonState& lesson, const Prediction& question, const char* hint) {
     ImGui::SetNextItemWidth(-1);
     const bool typed = text_field("##typed", hint, lesson.typed);
@@ -99,7 +99,7 @@ void sketch_answer(LessonState& lesson, const Prediction& question) {
     if (wipes) lesson.chosen = {};
 }
 
-/// Whose answer it is, in a row of two; a large figure under a small label.
+/// Draws one of two answers in a row: a large figure under a small label that says whose answer it is.
 void figure(const char* word, const std::string& text, const ImVec4& colour) {
     ImGui::BeginGroup();
     small_dim(word);
@@ -112,7 +112,7 @@ void figure(const char* word, const std::string& text, const ImVec4& colour) {
     list_control(word, "", last_item());
 }
 
-/// Both side by side if they fit.
+/// Draws both side by side if they fit.
 void two_figures(const std::string& mine, const std::string& right, bool counts) {
     const float left = ImGui::GetCursorPosX(), half = ImGui::GetContentRegionAvail().x / 2;
     ImGui::PushFont(fonts().heading);

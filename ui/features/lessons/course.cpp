@@ -48,7 +48,7 @@ class Cutter {
 /// Computes the station's scenes and answers. `step`: its step's scene.
 std::optional<Problem> make_ready(Station& station, const Lesson& lesson, const SceneDocument& step,
                                   LessonRunner& runner) {
-    // The question is posed as on paper: the reveal shows what the picture would reveal.
+    // The question is posed as on paper: the reveal shows what the picture would give away.
     Result<SceneDocument> asked = LessonRunner::for_paper(step, lesson.steps[station.step], lesson, false);
     if (const Problem* problem = problem_of(asked)) return *problem;
     station.asked = station.questions.empty() ? step.scene : std::get<SceneDocument>(std::move(asked)).scene;

@@ -24,13 +24,13 @@
 namespace glint {
 namespace {
 
-/// A scene of the lesson is not an edit that could be lost, but it is an undo step. It belongs to no file,
-/// even if the previous one was saved under a name.
+/// Sets a scene of the lesson as an undo step, but not as an edit that could be lost. It belongs to no file,
+/// even if the previous scene was saved under a name.
 void set_scene(UiState& state, const Scene& scene) {
     Editor& editor = state.editor;
     (void)cancel_gesture(state.viewport, editor.scene());
     let_go_of_fields();
-    give_up_meshes(state);  // the step before has the visible meshes
+    give_up_meshes(state);  // the previous step has the visible meshes
     remember_step(editor, false);
     editor.scene() = scene;
     state.get<SensitivityState>().forget();
@@ -51,7 +51,7 @@ void forget_input(LessonState& lesson) {
     lesson.sketched.reset();
 }
 
-/// Selects the item that the first task edits: its handles show.
+/// Selects the item that the first task edits, so that its handles are visible.
 void select_for_tasks(UiState& state) {
     for (const StationPart& part : state.get<LessonState>().station().after) {
         if (part.task == nullptr) continue;
@@ -59,7 +59,7 @@ void select_for_tasks(UiState& state) {
             const std::optional<Selection> item = selection_in(pointer);
             if (!item) continue;
             state.editor.selection = valid_selection(*item, state.editor.scene());
-            // The gizmo would cover the view; it is needed only if the object itself is to move.
+            // The gizmo would cover the view; it is needed only if the task moves the object itself.
             if (pointer.find("/transform") == std::string::npos) state.viewport.gizmo = GizmoMode::None;
             return;
         }
@@ -88,7 +88,7 @@ void show_reveal(UiState& state) {
     select_for_tasks(state);
 }
 
-/// Shows the station of the present progress.
+/// Shows the station of the current progress.
 void arrive(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
     forget_input(lesson);
@@ -104,9 +104,9 @@ void arrive(UiState& state) {
         set_scene(state, lesson.station().asked);
 }
 
-/// Does `what` to the open lesson at once, or asks first whether to save. It asks if a scene was saved under
-/// a name and has unsaved changes: that is the user's work. The lesson's own scene is not, however it was
-/// edited.
+/// Calls `what` on the open lesson at once, or asks first whether to save. It asks if a scene was saved under
+/// a name and has unsaved changes, because that is the user's work. The lesson's own scene is not, however it
+/// was edited.
 void ask_in_lesson(UiState& state, const std::function<void(UiState&)>& what) {
     const auto then = [what](UiState& s) {
         if (s.get<LessonState>().course) what(s);
@@ -210,7 +210,7 @@ void switch_lecturer(UiState& state) {
     if (lesson.lecturer) return ask_in_lesson(state, become_student);
     keep_progress(state);
     lesson.lecturer = true;
-    lesson.written = lesson.progress;  // to return to
+    lesson.written = lesson.progress;  // the state to return to
 }
 
 void go_on(UiState& state, int steps) {
@@ -247,7 +247,7 @@ bool has_strayed(const UiState& state) {
 void play_reveal(UiState& state) {
     const Reveal& reveal = *state.get<LessonState>().station().reveal;
     AnimateState& animate = state.get<AnimateState>();
-    constexpr int frames = 75;  // three seconds there and back
+    constexpr int frames = 75;  // three seconds back and forth
     animate.playing = !animate.playing;
     animate.animation = {Motion::PingPong, reveal.play, reveal.play_from, reveal.play_to, frames};
     animate.number.clear();

@@ -25,7 +25,8 @@ const std::string& step_title(const Course& course, std::size_t station) {
     return step.title.empty() ? course.lesson.title : step.title;
 }
 
-/// A clickable stroke for each station: answered ones are filled, the shown one is high.
+/// Draws a clickable stroke for each station: strokes of answered stations are filled, the one of the shown
+/// station is higher.
 void station_strokes(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
     const std::size_t count = lesson.course->stations.size();
@@ -64,7 +65,7 @@ void heading(UiState& state) {
     ImGui::Dummy({0, px(2)});
 }
 
-/// The text of a question or a task behind a bar, below a small label.
+/// Draws the text of a question or a task behind a bar, below a small label.
 void asked(const char* word, const std::string& text) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     ImGui::Indent(px(12));
@@ -78,7 +79,7 @@ void asked(const char* word, const std::string& text) {
     list_control(text.c_str(), word, {from, {from.x + ImGui::GetContentRegionAvail().x, end}});
 }
 
-/// Shows a lecturer the options, without controls that could be clicked by mistake.
+/// Shows a lecturer the options, without controls, which could be clicked by mistake.
 void posed(const StationQuestion& question) {
     const std::vector<LessonOption>& options = question.asks->options;
     for (std::size_t i = 0; i < options.size(); ++i)
@@ -109,7 +110,7 @@ void questions(UiState& state) {
             answer_fields(state, question);
         ImGui::Dummy({0, px(8)});
         ImGui::PopID();
-        if (open != open_question(state.get<LessonState>())) return redraw_within(0);  // it was locked in
+        if (open != open_question(state.get<LessonState>())) return redraw_within(0);  // now locked in
     }
     if (!open || !state.get<LessonState>().lecturer) return;
     if (main_button("Show the answer")) reveal_unanswered(state);
@@ -155,7 +156,7 @@ void summary(UiState& state) {
     tooltip("Begin again", "From the first station, with nothing answered");
 }
 
-/// The bottom row: back, present station, next.
+/// The bottom row: back, current station, next.
 void ways_on(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
     const std::size_t at = lesson.progress.station, count = lesson.course->stations.size();
@@ -190,7 +191,7 @@ void way_back(UiState& state) {
             "The scene as it was here before you changed it; undo restores yours");
 }
 
-/// This row is reserved before anything is dragged: the text must not jump under the cursor.
+/// The height of this row, which is reserved before any drag: the text must not jump under the cursor.
 float height_below(const UiState& state) {
     const float row = ImGui::GetFrameHeightWithSpacing();
     return row + px(8) + (open_question(state.get<LessonState>()) ? 0 : row);
@@ -200,7 +201,7 @@ float height_below(const UiState& state) {
 
 void lesson_column(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
-    if (!lesson.course) return;  // it was closed in this frame
+    if (!lesson.course) return;  // the lesson was closed in this frame
     heading(state);
     ImGui::BeginChild("##lesson", {0, -height_below(state)});
     if (std::exchange(lesson.scrolls_up, false)) ImGui::SetScrollY(0);

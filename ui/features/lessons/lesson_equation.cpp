@@ -35,8 +35,8 @@ constexpr std::array places{
     TermPlace{"h", Quantity::H, InspectorTab::Vectors},
 };
 
-/// The position of "lights[0].r.world[0]", and the light's index; that of the sum if the field is none of
-/// these.
+/// The position of a field such as "lights[0].r.world[0]", and the light's index; for an unknown field, the
+/// position of the sum.
 std::pair<TermPlace, int> place_of(std::string_view term) {
     int light = -1;
     if (std::sscanf(std::string(term).c_str(), "lights[%d]", &light) == 1)

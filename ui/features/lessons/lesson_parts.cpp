@@ -28,7 +28,7 @@ std::array<float, 3> channels_of(const Json& colour) {
     return channels;
 }
 
-/// The drawn values of a sketch; NaN where nothing was drawn, which draw_curve() leaves out.
+/// The drawn values of a sketch; NaN where nothing has been drawn, which draw_curve() leaves out.
 Points points_of(const Json& values) {
     Points points;
     const Json::array_t& list = elements_of(values);
@@ -39,7 +39,8 @@ Points points_of(const Json& values) {
     return points;
 }
 
-/// High enough for the values of any unclipped picture, and for the right ones once they may be seen.
+/// The upper end of the plot: high enough for the values of any unclipped picture, and for the right values
+/// once they may be seen.
 double top_of(const Json* right) {
     double top = 1;
     if (right != nullptr)
@@ -52,7 +53,7 @@ void draw_with_hand(LessonState& lesson, const Prediction& question, const PlotA
     const ImVec2 hand = ImGui::GetIO().MousePos;
     glm::dvec2 at = area.value(hand);
     at.y = std::clamp(at.y, area.y.low, area.y.high);  // keep the drawn curve visible
-    // A stroke this near to an end includes the end.
+    // A stroke that comes this close to an end includes the end.
     const float near_an_end = px(10);
     if (hand.x < area.rect.low.x + near_an_end) at.x = area.x.low;
     if (hand.x > area.rect.high.x - near_an_end) at.x = area.x.high;
@@ -82,7 +83,7 @@ OptionColours colours_of(OptionLook look, bool hovered) {
     return {};
 }
 
-/// A ring around the key of the option, filled when chosen; the right one has a tick.
+/// Draws a ring around the option's key, filled if chosen; the right option has a tick.
 void option_mark(ImDrawList& list, ImVec2 middle, OptionLook look, const OptionColours& colours,
                  const std::string& letter) {
     const float radius = px(8);
@@ -111,7 +112,7 @@ std::string letter_of_option(std::size_t index) {
 }
 
 std::optional<std::size_t> option_of_key(KeyPress press, std::size_t options) {
-    const auto index = static_cast<std::size_t>(press.key);  // A is 0
+    const auto index = static_cast<std::size_t>(press.key);  // Key::A is 0
     return press.is_alone() && index < options ? std::optional(index) : std::nullopt;
 }
 

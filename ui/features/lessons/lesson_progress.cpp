@@ -25,7 +25,7 @@ Json json_of(const GivenAnswer& given) {
     return given.why.empty() ? Json(Json::array_t{given.value}) : Json(Json::array_t{given.value, given.why});
 }
 
-/// Only numbers, as many as in the right answer.
+/// Whether the value contains only numbers, as many as the right answer.
 bool fits(const Json& value, const StationQuestion& question) {
     const Json& right = question.right.value;
     const auto is_finite = [](const Json& v) { return v.is_number() && std::isfinite(v.get<double>()); };
@@ -46,7 +46,7 @@ std::optional<GivenAnswer> read_given(const Json& json, const StationQuestion& q
     return GivenAnswer{list[0], true, false, has_reason ? list[1].get<std::string>() : ""};
 }
 
-/// An integer from 0 on; `otherwise` if there is none.
+/// A non-negative integer; `otherwise` if there is none.
 int count_in(const Json& json, const char* name, int otherwise) {
     const Json* found = find_member(json, name);
     if (found == nullptr || !found->is_number_integer()) return otherwise;
@@ -59,7 +59,7 @@ const Json::array_t& list_in(const Json& json, const char* name) {
     return elements_of((found == nullptr ? nothing : *found));
 }
 
-/// The records in the file; empty without a file.
+/// The records in the file; empty if there is no file.
 Result<Json> read_records(const UiState& state) {
     const std::string file = file_of(state);
     std::error_code failed;
@@ -78,7 +78,7 @@ Result<std::monostate> write_records(const UiState& state, const Json& records) 
     return write_file_at_once(file_of(state), text);
 }
 
-/// Writes the record of the lesson into the file, next to all others. An unreadable file is not overwritten.
+/// Writes the record of the lesson into the file, next to all others. Does not overwrite an unreadable file.
 Result<std::monostate> keep_record(const UiState& state) {
     const LessonState& lesson = state.get<LessonState>();
     Result<Json> read = read_records(state);

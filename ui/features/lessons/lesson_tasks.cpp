@@ -1,5 +1,5 @@
-// A task to be done by hand: its fields, and its condition, which is evaluated on the present scene in the
-// background.
+// A task for the user to carry out: its fields, and its condition, which is evaluated on the present scene in
+// the background.
 #include <algorithm>
 #include <utility>
 
@@ -59,7 +59,7 @@ void take_watched(UiState& state) {
     lesson.watching.reset();
     WatchedTasks asked = std::exchange(lesson.asked_of, {});
     if (asked.course != lesson.course) return;  // tasks of different lessons are unrelated
-    // On a problem `done` stays empty: the conditions cannot be evaluated in this scene.
+    // If there is a problem, `done` stays empty: the conditions cannot be evaluated in this scene.
     if (problem_of(result) == nullptr) asked.done = std::get<std::vector<bool>>(std::move(result));
     lesson.watched = std::move(asked);
     if (lesson.watched->station != lesson.progress.station) return;
@@ -68,7 +68,7 @@ void take_watched(UiState& state) {
         done[i] = done[i] || lesson.watched->done[i];
 }
 
-/// Edits must be visible, so the lesson's animation ends. The panel Animate has its own button.
+/// Edits must be visible, so the lesson's animation ends. The Animate panel has its own button for that.
 void end_motion(UiState& state) {
     if (!state.get<AnimateState>().open) state.get<AnimateState>().playing = false;
 }
@@ -94,7 +94,8 @@ void poll_lesson(UiState& state) {
 
 namespace {
 
-/// A field of the number, under the label of its panel. True when it was edited; then `value` has changed.
+/// Draws a field for the number, under the label of its panel. True when it was edited; then `value` has
+/// changed.
 bool field_of(const SceneNumber& number, const char* label, double& value) {
     const Help help{number.help, number.pointer};
     if (number.count) {

@@ -1,5 +1,5 @@
-// The lesson's tool on the picture: a click answers a question about a position; all else is blocked during a
-// question. Maps the lesson's pixels to the window's picture; draws sketches.
+// The lesson's tool on the picture: a click answers a question about a position; everything else is blocked
+// during a question. Maps the lesson's pixels to the window's picture; draws sketches.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-/// The question of that kind whose position or line is in the picture: the open one, else an answered one.
+/// The question of that kind with its position or line in the picture: the open one, else an answered one.
 struct Shown {
     const StationQuestion* question = nullptr;
     const GivenAnswer* given = nullptr;
@@ -37,7 +37,7 @@ bool lesson_hover(ToolFrame& frame) {
     const bool clicks = !frame.state.get<LessonState>().lecturer &&
                         shown_question(frame.state.get<LessonState>(), PredictionKind::Click).is_open;
     if (clicks) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    return true;  // no other tool has the mouse
+    return true;  // no other tool receives the mouse
 }
 
 int lesson_press(ToolFrame& frame) {

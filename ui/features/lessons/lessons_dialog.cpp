@@ -40,7 +40,7 @@ std::vector<LessonEntry> lessons_in(const UiState& state, const std::string& fol
     return entries;
 }
 
-/// The progress, at the right end of the row.
+/// Draws the progress at the right end of the row.
 void draw_record(ImDrawList& list, const LessonRecord& record, ImVec2 low, float width) {
     const CourseScore& score = record.score;
     const std::size_t came = record.at + (score.locked > 0 || record.at > 0 ? 1 : 0);

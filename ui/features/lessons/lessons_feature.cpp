@@ -29,7 +29,7 @@ void lecturer_button(UiState& state, float right) {
     tooltip("Lecturer", "Shows questions without answer fields, for an audience; nothing is recorded");
 }
 
-/// The lesson describes its scene: in its column, or here if that is hidden.
+/// The lesson describes its scene: in its column, or here if the column is hidden.
 std::optional<std::string> caption(const UiState& state) {
     if (!state.get<LessonState>().course) return {};
     return state.layout.hides_columns ? lesson_caption(state) : std::string();
@@ -72,7 +72,7 @@ std::vector<WindowCommand> list_commands() {
     };
 }
 
-/// By number, title and topic, and by the words of the file's name.
+/// Adds lessons by number, title and topic, and by the words of the file's name.
 void add_lessons(std::vector<PaletteEntry>& entries, UiState& state) {
     if (state.get<LessonListState>().own.empty()) list_own_lessons(state);
     for (const LessonEntry& lesson : state.get<LessonListState>().own) {

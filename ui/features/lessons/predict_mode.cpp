@@ -26,8 +26,8 @@ Json json_of(const std::array<int, 3>& colour) {
     return {colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0};
 }
 
-/// Predictions are about a colour of the edited scene, without a comparison, a frozen picture, an animation
-/// or B.
+/// Predictions are about a colour of the edited scene, so any comparison, frozen picture, animation or B is
+/// ended.
 void show_edited_alone(UiState& state) {
     state.get<CompareState>().choice.on = state.get<CompareState>().choice.shows_stored = false;
     state.get<AnimateState>().playing = false;
@@ -35,7 +35,7 @@ void show_edited_alone(UiState& state) {
     state.get<LectureState>().frozen.reset();
 }
 
-/// Starts from the picked pixel, if it has a colour now; else one must be picked.
+/// Starts with the picked pixel, if it has a colour now; otherwise a pixel must be picked.
 void begin_prediction(UiState& state) {
     show_edited_alone(state);
     state.get<PredictState>() = {};
@@ -43,7 +43,7 @@ void begin_prediction(UiState& state) {
     redraw_within(0);  // poll_prediction() continues
 }
 
-/// Precondition: the picked pixel is explained, of the edited scene.
+/// Precondition: the picked pixel is explained, in the edited scene.
 void stop_picture(UiState& state) {
     show_edited_alone(state);
     PredictState& predict = state.get<PredictState>();
@@ -55,7 +55,7 @@ void stop_picture(UiState& state) {
         as_made(state, state.editor.scene());  // not the preview of a hovered term
 }
 
-/// Shows the predicted pixel as it is now, even if something else was viewed or picked in between.
+/// Shows the predicted pixel as it is now, even if something else was shown or picked in the meantime.
 void reveal(UiState& state) {
     state.get<PredictState>().stage = PredictStage::Revealed;
     show_edited_alone(state);
@@ -105,7 +105,7 @@ void revealed_panel(UiState& state) {
     const Json answer = json_of(*predict.answer);
     colour_row("You said", predict.mine);
     const bool still = state.on_screen.explanation && state.on_screen.explanation->byte == *predict.answer;
-    colour_row(still ? "It is" : "It was", answer);  // after a further edit
+    colour_row(still ? "It is" : "It was", answer);  // "was" after a further edit
     const double off = 255 * how_far(PredictionKind::Colour, predict.mine, answer);
     constexpr double levels_hardly_seen = 8;
     const std::string words = fmt::format("{:.0f} of 255 levels apart at most", off);
@@ -158,7 +158,7 @@ void poll_prediction(UiState& state) {
         if (is_explained(state))
             stop_picture(state);
         else if (state.on_screen
-                     .is_out_of_hand())  // B, or a frozen picture, was clicked: show the scene first
+                     .is_out_of_hand())  // B or a frozen picture was clicked: show the edited scene first
             show_edited_alone(state);
     }
     if (predict.stage == PredictStage::Change && !state.get<LectureState>().frozen)

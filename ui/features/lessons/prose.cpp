@@ -20,7 +20,7 @@ constexpr std::string_view times_sign = "·";
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// The quantity of this run of letters, with its index if it has one.
+/// The quantity of this sequence of letters, including an index if it has one.
 std::optional<Quantity> quantity_of(std::string_view run, bool beside_dot) {
     for (const QuantityRow& row : quantity_rows) {
         const bool is_vector = row.quantity >= Quantity::N && row.quantity <= Quantity::H;
@@ -30,7 +30,7 @@ std::optional<Quantity> quantity_of(std::string_view run, bool beside_dot) {
     return {};
 }
 
-/// Word layout in lines.
+/// Lays out words in lines.
 class Flow {
   public:
     Flow(ImDrawList* list, ImVec2 at, float width) : list_(list), at_(at), x_(at.x), right_(at.x + width) {}
@@ -74,7 +74,7 @@ class Flow {
         at_.y += line_height();
         gap_ = false;
     }
-    /// Truncates a word that is longer than a line.
+    /// Draws a word; truncates it if it is longer than a line.
     void word(std::string_view text, const ProseSpan& span, const ImVec4& colour) {
         if (text.empty()) return;
         const float blank = gap_ && x_ > at_.x ? width_of(" ", span) : 0;
@@ -102,7 +102,7 @@ class Flow {
         x_ += width;
     }
 
-    ImDrawList* list_;  // null: measured only
+    ImDrawList* list_;  // null: only measure
     ImVec2 at_;
     float x_, right_;
     bool gap_ = false;

@@ -1,5 +1,5 @@
-// Curves of one factor each: Lambert's cosine, with the beam that spreads over more surface the more it
-// slants; falloff; the cone.
+// Curves of one factor each: Lambert's cosine, with a beam that covers more surface the more it slants;
+// falloff; the cone.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr float beam_units = 40;  // width of the beam, of the design
 
-/// A beam that meets a surface: points of the window.
+/// A beam that meets a surface, in window coordinates.
 struct Beam {
     ImVec2 foot, to_light, across;  // its middle on the surface; unit, y down
 };
@@ -31,7 +31,7 @@ Beam beam_at(const Rect& room, double deg) {
             {std::cos(angle), -std::sin(angle)}};
 }
 
-/// Both rims of the beam extend to the surface, which is level.
+/// Extends both rims of the beam to the surface, which is horizontal.
 void draw_beam(ImDrawList& list, const Rect& room, double deg) {
     const Beam beam = beam_at(room, deg);
     const float half = px(beam_units) / 2, far = room.size().x + room.size().y;
@@ -69,7 +69,8 @@ void beam_drawing(double deg) {
     end_drawing(list, room);
 }
 
-/// The share that a white matt surface reflects of a light at this angle: the equation's own diffuse term.
+/// The share that a white matt surface reflects of a light at this angle, from the equation's own diffuse
+/// term.
 double diffuse_at(double light_deg) {
     Reflector white;
     white.reflection = Reflection::Lambert;
@@ -91,10 +92,10 @@ void cosine_curve(double deg) {
 
 constexpr int factor_steps = 240;
 
-/// How far a falloff's plot reaches: past the point, to where little is left.
+/// The largest distance in a falloff plot: beyond the point, where little light is left.
 double farthest_of(const PlotSubject& subject) {
     const double there = subject.point.light != nullptr ? double(subject.point.light->distance) : 0;
-    return std::max(2.2 * there, 5.0);  // twice as far is included
+    return std::max(2.2 * there, 5.0);  // includes twice the distance
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Highlights: a cosine to the power n, other shapes next to it, and the n that fits a hand-drawn curve best.
+// Highlights: a cosine to the power n, other shapes for comparison, and the n that fits a hand-drawn curve
+// best.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -21,7 +22,7 @@ namespace {
 
 constexpr int shape_steps = 90, curve_steps = 240;
 
-/// The model whose power is fitted: the scene's, or Phong's if its model has none.
+/// The model whose exponent is fitted: the scene's, or Phong's if the scene's model has none.
 Reflection fitted_model(const Scene& scene) {
     return scene.shading.reflection == Reflection::BlinnPhong ? Reflection::BlinnPhong : Reflection::Phong;
 }
@@ -34,7 +35,7 @@ std::vector<glm::dvec2> half_highlight(Reflection reflection, float shininess) {
     return curve;
 }
 
-/// Records the mouse while the button is down over the plot, a value for each degree.
+/// Records the mouse positions while the button is down over the plot, one value for each degree.
 void draw_by_hand(HighlightSketch& sketch, const PlotArea& area) {
     ImGui::SetCursorScreenPos(area.rect.low);
     hit_area("##sketch", area.rect.size());
@@ -117,7 +118,7 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     const Reflection model = fitted_model(subject.scene);
     const Symbol symbol = model == Reflection::Phong ? Symbol::R : Symbol::H;
     const auto power = half_highlight(model, subject.material.shininess);
-    // It is as wide as the power at half its height; Blinn-Phong's is over twice the angle.
+    // Its width at half height equals that of the power; Blinn-Phong's is measured over twice the angle.
     const double like = model == Reflection::Phong ? n : n / 4;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
@@ -129,7 +130,7 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     draw_curve(list, area, highlight_shape(HighlightShape::Linear, like, shape_steps), theme().dim_text,
                1.2f);
     draw_curve(list, area, power, theme()[symbol], 3);
-    // On top of it: for a large n the two are hard to distinguish.
+    // Drawn on top: for a large n the two are hard to distinguish.
     draw_curve(list, area, highlight_shape(HighlightShape::Gaussian, like, shape_steps), theme()[Symbol::L],
                1.2f);
     const auto drawn = points_of(plots.sketch);

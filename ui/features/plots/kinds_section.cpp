@@ -1,4 +1,4 @@
-// A live table, at the picked point, of what each kind of light depends on.
+// A live table for the picked point: what each kind of light depends on.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -39,13 +39,13 @@ std::string moved_text(const char* term, float moved) {
     return moved > 0 ? fmt::format("{} {:.2g}", term, moved) : fmt::format("{} stays, to the last bit", term);
 }
 
-/// According to the lecture's table the viewer does not matter to a sun; its highlight disagrees.
+/// According to the lecture's table, a sun does not depend on the viewer; its highlight contradicts that.
 bool table_fails(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
     return kind == LightKind::Directional && column.moved == &Moved::viewer &&
            sensitivity.specular.viewer > 0;
 }
 
-/// True if the cell has a star.
+/// Draws a cell of the table. True if it has a star.
 bool cell(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
     ImGui::TableNextColumn();
     ImGui::BeginGroup();

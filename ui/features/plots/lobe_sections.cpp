@@ -1,4 +1,4 @@
-// Light that a surface reflects into each direction: polar plots of it, and a slice of the BRDF, forwards and
+// The light that a surface reflects into each direction: polar plots, and a slice of the BRDF, forwards and
 // backwards.
 #include <fmt/core.h>
 #include <imgui.h>

@@ -68,7 +68,7 @@ void draw_x_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
 }
 
 void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
-    if (*text.name != 0)  // above the curves' area, so that it covers none
+    if (*text.name != 0)  // above the curves' area, so that it covers no curve
         plot_text(list, {area.rect.low.x, area.rect.low.y - small_text_height() - px(1)}, theme().text,
                   axis_title(text));
     const int most = std::max(2, static_cast<int>(area.rect.size().y / px(24)));
@@ -78,14 +78,14 @@ void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
         list.AddLine({area.rect.low.x, y}, {area.rect.high.x, y}, to_u32(theme().line));
         if (!text.numbers) continue;
         const std::string number = tick_text(v, tick_step(area.y, most));
-        // Within its own plot's height: the plot above has numbers too.
+        // Within the height of its own plot, because the plot above has numbers too.
         const float top = std::clamp(y - line / 2, area.rect.low.y - px(1),
                                      std::max(area.rect.high.y - line + px(1), area.rect.low.y));
         plot_text(list, {area.rect.low.x - px(4) - text_size(number).x, top}, theme().dim_text, number);
     }
 }
 
-/// The lowest and the highest point of each of `buckets` pieces, in order.
+/// The lowest and the highest point of each of `buckets` segments, in their order.
 std::vector<glm::dvec2> thinned(std::span<const glm::dvec2> points, std::size_t buckets) {
     std::vector<glm::dvec2> kept;
     for (std::size_t b = 0; b < buckets; ++b) {

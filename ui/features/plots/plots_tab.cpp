@@ -54,7 +54,7 @@ LocalDirections local_directions(const PlotPoint& point) {
     if (point.light == nullptr) return local;
     const glm::dvec3 n = point.at->normal.camera, l = point.light->l.camera, v = point.at->view.camera;
     glm::dvec3 x = n * glm::dot(n, l) - l;
-    if (glm::length(x) < 1e-6) x = v - n * glm::dot(n, v);  // light along n: any plane; that of v
+    if (glm::length(x) < 1e-6) x = v - n * glm::dot(n, v);  // light along n: any plane works; use that of v
     if (glm::length(x) < 1e-6)
         x = glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
     x = glm::normalize(x);

@@ -1,4 +1,4 @@
-// The comparison in the window: its lines and labels under the mouse, and its part of the row above the
+// The comparison in the window: its lines and labels under the mouse, and its controls in the row above the
 // picture.
 #include <fmt/core.h>
 
@@ -16,9 +16,9 @@
 namespace glint {
 namespace {
 
-constexpr double apart = 0.02;  // of the width: the smallest distance between lines
+constexpr double apart = 0.02;  // the smallest distance between lines, as a share of the width
 
-/// The position of a line in the window: its x, or if stacked its y.
+/// The position of a line in the window: x, or y if the parts are stacked.
 float line_at(const CompareChoice& choice, int wipe, const PictureView& view) {
     const int at = first_of(choice, wipe + 1, length_of(choice, view.map.size));
     const ImVec2 place = view.to_window({at, at});
@@ -31,7 +31,7 @@ Rect part_rect(const CompareChoice& choice, int part, const PictureView& view) {
     return {view.to_window(rect.low), view.to_window(rect.high)};
 }
 
-/// The position of a part's label: centred at the top of its part.
+/// The position of a part's label: centred at the top of the part.
 Rect label_rect(const CompareState& state, int part, const PictureView& view) {
     const Rect room = part_rect(state.choice, part, view);
     const float left = room.low.x, right = room.high.x;
@@ -73,7 +73,7 @@ void draw_wipe(ImDrawList& list, const CompareState& state, int wipe, const Pict
     const ImU32 white = to_u32({1, 1, 1, 1});
     cased_line(list, start, end, white, lit ? 1.8f : 1);
     rimmed_disc(list, middle, lit ? 8.5f : 6.5f, white);
-    for (const float side : {-1.0f, 1.0f})  // the directions in which the line can move
+    for (const float side : {-1.0f, 1.0f})  // the two directions in which the line can move
         arrow_head(list, middle + px(5) * side * way, side * way, 3.5f, 3.5f, to_u32({0.2f, 0.2f, 0.2f, 1}));
 }
 
@@ -87,7 +87,7 @@ void draw_label(ImDrawList& list, const CompareState& state, int part, const Pic
     list.PopClipRect();
 }
 
-/// A row of a list, disabled if `variant` has nothing to show. True when clicked.
+/// Draws a row of a list, disabled if `variant` has nothing to show. True when clicked.
 bool variant_row(const CompareChoice& choice, const std::string& label, Variant variant, bool chosen) {
     const bool lacks_b = lacks_stored(choice, variant), lacks_mine = lacks_picture(choice, variant);
     const bool can = !lacks_b && !lacks_mine;
@@ -112,7 +112,7 @@ void settings_popup(CompareState& state) {
     ImGui::EndPopup();
 }
 
-/// Lines are dragged, labels clicked.
+/// Finds what can be dragged (lines) or clicked (labels).
 bool compare_hover(ToolFrame& frame) {
     CompareState& state = frame.state.get<CompareState>();
     state.under = state.label_under = -1;
@@ -212,8 +212,8 @@ void presets_popup(CompareChoice& choice) {
     ImGui::EndPopup();
 }
 
-/// Whether the parts are side by side: the buttons show the direction of the lines between them. Not used by
-/// a difference.
+/// Buttons for the direction of the lines between the parts, and so whether the parts are side by side. Not
+/// used by a difference.
 void direction_buttons(CompareChoice& choice) {
     if (small_chosen_button("| |##side by side", !choice.stacked)) choice.stacked = false;
     tooltip("Side by side", "The parts are side by side");

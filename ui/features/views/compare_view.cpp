@@ -134,7 +134,7 @@ int part_of(const CompareState& state, glm::ivec2 pixel, PictureSize size) {
 }
 
 const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, PictureSize size) {
-    const auto part = static_cast<std::size_t>(part_of(state, pixel, size));  // -1 becomes the largest
+    const auto part = static_cast<std::size_t>(part_of(state, pixel, size));  // -1 becomes the largest value
     return part < state.drawn_by.size() ? state.drawn_by[part] : nullptr;
 }
 

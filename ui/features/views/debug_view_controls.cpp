@@ -39,8 +39,8 @@ constexpr std::array<DebugViewInfo, debug_view_count> infos{{
 
 ImU32 packed_bytes(std::array<std::uint8_t, 3> c) { return IM_COL32(c[0], c[1], c[2], 255); }
 
-/// A ball of normals seen from the camera, its near or its far half: shows the colour of each direction, in
-/// the exact colours of the picture.
+/// Draws a ball of normals seen from the camera, its near or its far half. It shows the colour of each
+/// direction exactly as in the picture.
 void draw_normal_ball(ImDrawList& list, ImVec2 centre, float radius, bool away) {
     constexpr int cells = 24;
     const float cell = 2 * radius / cells;
@@ -57,7 +57,7 @@ void draw_normal_ball(ImDrawList& list, ImVec2 centre, float radius, bool away) 
         }
 }
 
-/// A legend of the colours without a bar, with a label next to each sample.
+/// A legend of colours without a bar, with a label next to each sample.
 struct Sample {
     const char* words;
     void (*draw)(ImDrawList& list, ImVec2 centre, float radius);
@@ -77,7 +77,7 @@ std::span<const Sample> samples_of(DebugView view) {
     return {};
 }
 
-/// Half the height of the row.
+/// Half the height of a row.
 float sample_radius(DebugView view) { return px(view == DebugView::Normal ? 16 : 6); }
 
 void draw_samples(ImDrawList& list, DebugView view, ImVec2 low) {
@@ -167,7 +167,7 @@ bool debug_view_choice(DebugViewState& state) {
     ImGui::PushStyleColor(ImGuiCol_FrameBg, plain ? theme().field : theme().accent);
     ImGui::PushStyleColor(ImGuiCol_Button, plain ? theme().field : theme().accent);
     ImGui::PushStyleColor(ImGuiCol_Text, plain ? theme().text : theme().accent_text);
-    // Of a narrow row it leaves as much as a comparison's buttons take, so that these never vanish.
+    // In a narrow row it leaves room for the buttons of a comparison, so that they never disappear.
     ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - px(215), px(50), px(126)));
     const bool open = ImGui::BeginCombo("##look", info_of(view).label, ImGuiComboFlags_HeightLargest);
     ImGui::PopStyleColor(3);
@@ -191,7 +191,7 @@ void light_choice(DebugViewState& state, const Scene& scene) {
     if (state.set.choice.view != DebugView::NDotL || scene.lights.empty()) return;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, small_padding());
     ImGui::SetNextItemWidth(px(86));
-    int& light = state.set.choice.light;  // of the edited scene, which may have more
+    int& light = state.set.choice.light;  // index in the edited scene, which may have more lights
     int shown = std::min(light, static_cast<int>(scene.lights.size()) - 1);
     const int before = shown;
     (void)light_combo("##debug_view_light", shown, scene.lights);

@@ -15,12 +15,12 @@ namespace {
 
 enum class Sought { None, Brightest, Darkest, Clipped };
 
-/// Waits for a picture with linear colours.
+/// Waits for a picture that includes linear colours.
 struct FindPixelState {
     Sought sought = Sought::None;
 };
 
-/// How well a colour fits; the first pixel with the largest value is picked. `exposure` as in the scene.
+/// How well a colour matches; the first pixel with the largest value is picked. `exposure` as in the scene.
 float fitness(Sought sought, glm::vec3 linear, float exposure) {
     const float luminance = glm::dot(linear, {0.2126f, 0.7152f, 0.0722f});  // ITU-R BT.709
     if (sought == Sought::Brightest) return luminance;

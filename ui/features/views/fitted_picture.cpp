@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint8_t beyond = 118;  // the grey that surrounds every picture (Theme::surround)
 
-/// Fills in linear colours before exposure for the displayed bytes.
+/// Computes linear colours, before exposure, from the displayed bytes.
 void fill_linear(Picture& picture, const Display& display) {
     picture.linear.resize(3 * picture.size.pixels());
     const Code code = display.transfer == Transfer::Srgb ? Code::Decoded : Code::Same;

@@ -1,4 +1,4 @@
-// The dots where the equation is evaluated.
+// The dots at the points where the equation is evaluated.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ const char* places_of(ShadingMode mode) {
     return "";  // not reached
 }
 
-/// Adds a point unless it is known: a corner is found from every face around it.
+/// Adds a point unless it is known already: a corner is found from every face around it.
 void add_once(std::vector<LitDot>& dots, std::set<std::array<float, 6>>& known, const ExplainedPoint& at) {
     const glm::vec3 p = at.point.world, n = at.normal.world;
     if (known.insert({p.x, p.y, p.z, n.x, n.y, n.z}).second) dots.push_back({p, n, at.sum});
@@ -82,9 +82,9 @@ std::string evaluations_text(const Renderer& renderer, const Scene& scene) {
 
 namespace {
 
-/// An arrow; along the line of sight, a disc towards the viewer and a ring away.
+/// Draws an arrow; if it is along the line of sight, a disc (towards the viewer) or a ring (away from it).
 void draw_needle(ImDrawList& list, const PictureView& view, const LitDot& dot, const ProjectedPoint& foot) {
-    // Perpendicular to the line of sight it is this many pixels long, near or far.
+    // Perpendicular to the line of sight, the arrow is this many pixels long at any distance.
     const glm::dvec2 beside = foot.pixel + glm::dvec2(24, 0);
     const double length =
         glm::length(unproject(view.map, beside, foot.depth) - unproject(view.map, foot.pixel, foot.depth));

@@ -1,4 +1,4 @@
-// Checks the selected object's mesh in the background, and shows the places of a finding in the picture.
+// Checks the selected object's mesh in the background, and marks the positions of a finding in the picture.
 #include "models/scene/transform.h"
 #include "ui/feature.h"
 #include "ui/fields/mesh_check.h"
@@ -16,7 +16,7 @@ const Object* selected_object(const UiState& state) {
                : nullptr;
 }
 
-/// Checks the selected object's mesh once its panel asks for it.
+/// Checks the selected object's mesh once its panel requests it.
 void poll_check(UiState& state) {
     MeshCheck& check = state.get<MeshCheck>();
     const Object* const object = selected_object(state);

@@ -1,4 +1,4 @@
-// The scan-line scope under the mouse, and its samples of the picture.
+// The scan-line scope's mouse handling, and its samples of the picture.
 #include "ui/features/views/scope.h"
 
 #include <fmt/core.h>
@@ -112,7 +112,7 @@ bool scope_hover(ToolFrame& frame) {
     return scope.under != Hand::None;
 }
 
-/// The cursor, as a share: of the centre of its pixel, which pixel_of() returns regardless of rounding.
+/// The cursor as a share: the centre of its pixel, for which pixel_of() returns that pixel despite rounding.
 glm::dvec2 share_under(const ToolFrame& frame) {
     return (glm::floor(frame.pixel) + 0.5) / size_of(frame.view);
 }
@@ -123,8 +123,7 @@ int scope_press(ToolFrame& frame) {
     scope.hand = scope.under;
     scope.last = share_under(frame);
     for (glm::dvec2* end : {&scope.from, &scope.to})
-        *end = glm::clamp(*end, 0.0, 1.0);  // where it is
-                                            // visible
+        *end = glm::clamp(*end, 0.0, 1.0);  // where it is visible
     if (scope.hand == Hand::New) scope.from = scope.to = glm::clamp(scope.last, 0.0, 1.0);
     return ImGuiMouseButton_Left;
 }
@@ -139,7 +138,7 @@ bool scope_drag(ToolFrame& frame) {
     return true;
 }
 
-/// A press without a drag gives the scan line through that pixel.
+/// A press without a drag places the line along the scan line through that pixel.
 void scope_release(ToolFrame& frame) {
     ScopeState& scope = frame.state.get<ScopeState>();
     const glm::dvec2 drawn =
@@ -175,7 +174,7 @@ std::string scope_hint(const UiState& state) {
 }
 
 std::string with_sign(double slope) {
-    constexpr double rounding = 1e-6;  // of the intensities' floats
+    constexpr double rounding = 1e-6;  // of float intensities
     if (std::abs(slope) < rounding) return "0.0000";
     return (slope > 0 ? "+" : "") + significant_text(slope, 4);
 }

@@ -19,7 +19,7 @@ namespace {
 
 using Points = std::vector<glm::dvec2>;
 
-/// A curve with one value per sample; a gap where `value` returns none.
+/// A curve with one value per sample, and a gap where `value` returns none.
 template <class Value> Points curve(const std::vector<ProfileSample>& samples, const Value& value) {
     Points points;
     points.reserve(samples.size());
@@ -39,8 +39,8 @@ Interval range_of_curves(std::initializer_list<const Points*> curves, bool aroun
     return range_of(values, around_zero ? 1e-4 : 1e-3, 0.08);
 }
 
-/// The range of a curve of differences, one per sample, without the jumps at object boundaries: they are a
-/// hundred times as high as the bands of interest, and may leave the strip.
+/// The range of a curve of differences, one per sample, without the jumps at object boundaries. These are a
+/// hundred times as high as the bands of interest, and may extend beyond the strip.
 Interval range_within_objects(const Points& points, const std::vector<ProfileSample>& samples) {
     const auto object = [&](std::size_t i) { return samples[i].seen ? samples[i].seen->object : -1; };
     Points inside;
@@ -52,21 +52,21 @@ Interval range_within_objects(const Points& points, const std::vector<ProfileSam
 struct Strip {
     Rect rect;
     Interval x;
-    bool last = false;  // the one with the axis along the line
+    bool last = false;  // the last strip, with the axis along the line
     AxisText y;
 };
 
 PlotArea begin_strip(ImDrawList& list, const Strip& strip, Interval y, const ScopeState& scope) {
     const PlotArea area = draw_axes(list, strip.rect, strip.x, y, {"", "", strip.last}, {});
     const std::vector<ScopeEdge> edges = edges_along(scope.samples);
-    // Closer together they would be grey hatching that hides the curve.
+    // If they were closer together, they would form a grey hatching that hides the curve.
     const bool roomy = static_cast<float>(edges.size()) * px(7) <= area.rect.size().x;
     for (const ScopeEdge& edge : edges)
         if (roomy) draw_upright(list, area, edge.position, theme().dim_text, edge.is_diagonal ? 0.22f : 0.5f);
     return area;
 }
 
-/// Space for the strips' names, to the right of all curves: none covers one.
+/// Space for the strips' names, to the right of all curves, so that no name covers a curve.
 float name_room() { return px(96); }
 
 void strip_name(ImDrawList& list, const PlotArea& area, const AxisText& y) {
@@ -102,7 +102,7 @@ void intensity_strip(ImDrawList& list, const Strip& strip, const ScopeState& sco
     strip_name(list, area, strip.y);
 }
 
-/// A curve about zero, in its own strip: a difference, or (if requested) the eye's contribution.
+/// A curve about zero in its own strip: a difference or, if requested, the eye's contribution.
 struct ZeroCurve {
     AxisText y;
     Points points;

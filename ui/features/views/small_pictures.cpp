@@ -7,7 +7,7 @@
 
 namespace glint {
 
-/// Shared with the drawing job: it appends, the window takes from the front.
+/// Shared with the drawing job: the job appends, the window removes from the front.
 struct DrawnSmall {
     std::mutex mutex;
     std::vector<SmallPicture> done;
@@ -54,8 +54,8 @@ void stop_small_pictures(SmallPictures& small) {
 
 void take_small_pictures(SmallPictures& small) {
     if (!small.job) return;
-    const bool done = small.job->done();  // checked first: pictures finished from now on are for the next
-                                          // frame
+    // Checked first: pictures finished from now on are for the next frame.
+    const bool done = small.job->done();
     if (small.drawn) {
         const std::lock_guard lock(small.drawn->mutex);
         std::vector<SmallPicture>& all = small.drawn->done;

@@ -22,7 +22,7 @@ namespace glint {
 extern const Feature inspector_feature;
 namespace {
 
-constexpr int max_rows = 64;     // of the sheet: further lights have no picture
+constexpr int max_rows = 64;     // of the sheet; further lights have no picture
 constexpr int cell_width = 84;   // pixels
 constexpr double budget_ms = 8;  // per frame, for thumbnails
 
@@ -49,7 +49,7 @@ void draw_cell(TermGridState& grid, const Scene& scene, GridCell cell) {
     if (row >= max_rows) return;
     const PictureSize size = grid.sheet.cell;
     Scene alone = with_cells(scene, {cell});
-    alone.transport.paths = std::min(alone.transport.paths, 4);  // the window waits for it
+    alone.transport.paths = std::min(alone.transport.paths, 4);  // limited because the window waits for it
     const int gain =
         gain_of(*grid.renderer, grid.renderer->render(alone, size, true), scene.display.exposure);
     grid.gains.push_back(gain);
@@ -78,13 +78,13 @@ void toggle_muted(TermGridState& grid, GridCell cell) {
     grid.solo.reset();
 }
 
-/// The gain of a cell that is drawn; else 1.
+/// The gain of a cell if it is drawn; else 1.
 int gain_shown(const TermGridState& grid, GridCell cell) {
     const std::size_t at = index_of(cell);
     return at < grid.gains.size() ? grid.gains[at] : 1;
 }
 
-/// A text in a corner of a thumbnail, its lower left corner at `at`.
+/// Draws a text in a corner of a thumbnail, its lower left corner at `at`.
 void small_note(ImDrawList& list, ImVec2 at, const std::string& text) {
     ImGui::PushFont(fonts().small);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -92,7 +92,7 @@ void small_note(ImDrawList& list, ImVec2 at, const std::string& text) {
     ImGui::PopFont();
 }
 
-/// A thumbnail: click shows it alone, right click leaves it out. True while hovered.
+/// Draws a thumbnail: a click shows it alone, a right click leaves it out. True while hovered.
 bool cell_button(TermGridState& grid, GridCell cell, float width) {
     const PictureSize size = grid.sheet.cell;
     const float height = width * float(size.height) / float(size.width);
@@ -149,7 +149,7 @@ void column_headings(float width, float gap) {
     ImGui::PopFont();
 }
 
-/// Draws the cells of a light, or those without one (-1), below their heading. Returns the hovered one.
+/// Draws the cells of a light, or those without a light (-1), below their heading. Returns the hovered one.
 std::optional<GridCell> cell_row(TermGridState& grid, const Scene& scene, int light) {
     const float gap = px(4), width = (ImGui::GetContentRegionAvail().x - px(10)) / 3;
     if (light == 0) column_headings(width, gap);
@@ -236,7 +236,7 @@ void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size)
         do draw_cell(grid, scene, cells[grid.next++]);
         while (grid.next < cells.size() && spent() < budget_ms);
     } catch (...) {
-        grid.next = cells.size();  // the others would fail the same way
+        grid.next = cells.size();  // the others would fail for the same reason
         throw;
     }
     if (grid.next < cells.size()) redraw_within(0);

@@ -23,13 +23,14 @@
 namespace glint {
 namespace {
 
-/// The scope's source: the shown picture, if that has linear colours: a comparison's parts, a single term.
+/// The scope's source: the shown picture if it has linear colours (a comparison's parts, a single term), else
+/// the rendered one.
 const Picture& scope_reads(const UiState& state) {
     const bool readable = !state.displayed->linear.empty() && state.displayed->size == state.rendered->size;
     return readable ? *state.displayed : *state.rendered;
 }
 
-/// The shown picture: the drawn one, or one composed of it. Sets UiState::unpainted.
+/// The shown picture: the drawn one, or one composed from it. Sets UiState::unpainted.
 const Picture& shown_picture(UiState& state) {
     state.unpainted = state.rendered;
     CompareState& compare = state.get<CompareState>();
@@ -50,7 +51,7 @@ const Picture& shown_picture(UiState& state) {
     return debug.striped;
 }
 
-/// Composes again when its inputs have changed.
+/// Composes the shown picture again when its inputs have changed.
 void update_shown(UiState& state) {
     ViewsState& views = state.get<ViewsState>();
     const ShownFrom from{state.get<CompareState>().choice, state.get<DebugViewState>().set,
@@ -65,7 +66,7 @@ void update_shown(UiState& state) {
     views.shown_from = from;
 }
 
-/// The parts of the displayed picture.
+/// Updates the parts of the displayed picture.
 void update_parts(UiState& state) {
     const CompareState& compare = state.get<CompareState>();
     const CompareChoice& choice = compare.choice;
@@ -88,7 +89,7 @@ void update_parts(UiState& state) {
     }
 }
 
-/// Explains the picked pixel by the renderer of its part.
+/// Explains the picked pixel with the renderer of its part.
 void ask_part(UiState& state) {
     OnScreen& shown = state.on_screen;
     CompareState& compare = state.get<CompareState>();
@@ -101,7 +102,7 @@ void ask_part(UiState& state) {
     shown.explanation = renderer->explain(pixel.x, pixel.y);
     const int part = part_of(compare, pixel, state.displayed->size);
     compare.asked_part = compare.choice.parts[static_cast<std::size_t>(part)];
-    // Another setting of the edited scene has the same numbers.
+    // Another setting of the edited scene refers to the same numbers.
     const bool is_b = compare.asked_part.kind == Variant::Kind::Stored;
     if (is_b || shown.resting)
         shown.explained_other =
@@ -133,12 +134,12 @@ void command_button(UiState& state, const char* label, CommandId id, const char*
     ImGui::SameLine(0, px(4));
 }
 
-/// The quantity and the comparison always have the same place; what belongs to either follows.
+/// The quantity and the comparison always have the same position; the controls of either follow.
 void views_bar(UiState& state) {
     ImGui::PushFont(fonts().small);
     ImGui::SetCursorPosY(px(3));
     if (debug_view_choice(state.get<DebugViewState>()))
-        state.get<CompareState>().choice.on = false;  // the two exclude each other
+        state.get<CompareState>().choice.on = false;  // quantity and comparison exclude each other
     command_button(state, "Compare", CommandId::Compare,
                    "Flat, Gouraud and Phong, or any settings, side by side under draggable lines");
     light_choice(state.get<DebugViewState>(), shown_scene(state));
@@ -196,7 +197,7 @@ void draw_scope(UiState& state, const Layout& layout) {
 
 void reshape_scope(UiState& state, const Reshape& reshape) {
     ScopeState& scope = state.get<ScopeState>();
-    if (!scope.open || scope.armed) return;  // nothing is placed yet
+    if (!scope.open || scope.armed) return;  // nothing has been placed yet
     for (glm::dvec2* share : {&scope.from, &scope.to, &scope.card_at}) reshape.follow(*share);
     scope.card_size *= reshape.scale;
 }
@@ -233,7 +234,7 @@ Json compare_json(const CompareChoice& choice) {
             {"gain", choice.gain}};
 }
 
-/// Ascending lines, one fewer than parts; else they stay evenly spaced.
+/// Reads ascending positions, one fewer than parts; if they are invalid, the lines stay evenly spaced.
 void read_lines(const Json& json, CompareChoice& choice) {
     if (!json.is_array() || elements_of(json).size() != choice.wipes.size()) return;
     std::vector<double> lines;
@@ -270,7 +271,7 @@ void write_compare(const UiState& state, Json& settings) {
     settings["compare"] = compare_json(compare.own ? *compare.own : compare.choice);
 }
 
-/// A comparison with a stored scene or picture keeps it.
+/// Reads the settings of a comparison; its stored scene and picture stay.
 void read_compare(UiState& state, const Json& settings) {
     CompareChoice& choice = state.get<CompareState>().choice;
     CompareChoice read = read_choice(find_member(settings, "compare"));
@@ -279,7 +280,7 @@ void read_compare(UiState& state, const Json& settings) {
     choice = std::move(read);
 }
 
-/// B outlives its document: makes its mesh paths relative to the next one's folder.
+/// B is kept longer than its document, so its mesh paths are made relative to the next document's folder.
 void leave_with_b(UiState& state, const SceneDocument& next) {
     CompareChoice& choice = state.get<CompareState>().choice;
     if (is_another(state, next)) choice.shows_stored = state.get<CompareState>().b_turned = false;
@@ -304,10 +305,10 @@ std::optional<OtherScene> show_b(const UiState& state) {
                       }};
 }
 
-/// A short press of B toggles it; a long press reverts on release.
+/// A short press of the B key toggles B; a long press reverts that on release.
 void follow_b_key(UiState& state, const UiInput& input) {
     constexpr double long_press = 0.4;  // seconds
-    constexpr int enough_frames = 2;    // one slow frame is not a long press
+    constexpr int enough_frames = 2;    // a single slow frame is not a long press
     CompareState& compare = state.get<CompareState>();
     if (!compare.b_turned) return;
     if (input.b_held) {
@@ -336,8 +337,8 @@ std::optional<PictureNote> note_of_debug_view(const UiState& state, const Scene&
         [](UiState& s) { s.get<DebugViewState>().set = {}; }};
 }
 
-/// The number of evaluations of the equation: in a comparison for the part under the mouse, else for the
-/// first one.
+/// The number of evaluations of the equation; in a comparison, for the part under the mouse, or else for the
+/// first part.
 std::string evaluations_under(const UiState& state, const PictureView& view) {
     const CompareState& compare = state.get<CompareState>();
     const std::vector<DrawnPart> parts = drawn_parts(compare, *state.renderer, view.map.size);

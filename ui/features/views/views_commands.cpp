@@ -1,4 +1,4 @@
-// The commands of views: the scope, quantities, dots, comparisons.
+// The commands of the views: the scope, quantities, dots, comparisons.
 #include <imgui.h>
 
 #include "ui/commands/command.h"

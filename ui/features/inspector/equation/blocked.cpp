@@ -1,4 +1,4 @@
-// What blocks the line from the picked point to a light under the local model, which ignores it.
+// Finds what blocks the line from the picked point to a light, under the local model, which ignores it.
 #include <fmt/core.h>
 
 #include <glm/geometric.hpp>
@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-/// Whether the object only marks a light's position: the light is in its centre.
+/// Whether the object only marks a light's position, with the light at its centre.
 bool marks(const Object& object, glm::vec3 light) {
     const Bounds& box = object.mesh->bounds;
     const glm::vec3 middle =
@@ -27,10 +27,10 @@ bool marks(const Object& object, glm::vec3 light) {
 std::string blocked_words(const UiState& state, const Explanation& explanation, std::size_t which) {
     const Scene& scene = explained_scene(state);
     const std::vector<TracedLight>& rays = state.get<InspectorState>().rays;
-    // Under the other models the light's own line names what casts the shadow.
+    // Under the other models, the light's own line names the object that casts the shadow.
     if (scene.transport.model != TransportModel::Local || which >= rays.size()) return "";
     const TracedLight& ray = rays[which];
-    const auto blocker = static_cast<std::size_t>(ray.object);  // -1 becomes the largest
+    const auto blocker = static_cast<std::size_t>(ray.object);  // -1 becomes the largest value
     if (!ray.in_front || blocker >= scene.objects.size() || marks(scene.objects[blocker], ray.to)) return "";
     const std::string name = ray.object == explanation.object_index
                                  ? "Its own surface"

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// Writes a number for use in a program: without spaces around, and with an ASCII minus.
+/// Formats a number for use in a program: without surrounding spaces, and with an ASCII minus.
 std::string plain(std::string_view number) {
     constexpr std::string_view minus = "−";
     std::string text;

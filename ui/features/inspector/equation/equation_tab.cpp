@@ -44,7 +44,7 @@ void corner_buttons(InspectorState& state, const Explanation& explanation) {
     }
 }
 
-/// Names the corner to which the numbers below belong.
+/// Names the corner to which the following numbers belong.
 void lit_at(InspectorState& state, const Explanation& explanation, const Shading& shading) {
     if (!explanation.lit_per_corner || explanation.corners.empty()) return;
     if (explanation.corners.size() == 1)
@@ -57,7 +57,7 @@ void lit_at(InspectorState& state, const Explanation& explanation, const Shading
     corner_buttons(state, explanation);
 }
 
-/// The pixel under each way of weighting the corners: hovering previews the picture, a click applies it.
+/// The pixel under each method of weighting the corners: hovering previews the picture, a click applies it.
 void interpolations(UiState& state, const Explanation& explanation) {
     for (const ExplainedInterpolation& each : explanation.interpolations) {
         const Choice choice = choice_of(each.interpolation);
@@ -78,12 +78,13 @@ void interpolations(UiState& state, const Explanation& explanation) {
     }
 }
 
-/// Whether a highlight between the corners is lost here, or enough of them preserve it.
+/// Shows whether a highlight between the corners is lost here, or the corners are dense enough to preserve
+/// it.
 void against_phong(const UiState& state, const Explanation& explanation) {
     if (!explanation.lit_per_corner) return;
     const std::optional<Explanation> phong = under_phong(state, explanation);
     if (!phong) return;
-    // Not by the bytes: clipped values are equal even if something is lost.
+    // Does not compare the bytes: clipped values are equal even if something is lost.
     if (shown_vector(phong->sum) == shown_vector(explanation.sum))
         return wrapped_dim("Phong shading gives the same colour here: nothing is lost between the corners.");
     const glm::vec3 lost = phong->sum - explanation.sum;
@@ -103,7 +104,7 @@ void against_phong(const UiState& state, const Explanation& explanation) {
         row("differs", "This colour minus Phong's: negative is lost between the corners", -lost);
 }
 
-/// The tone, which under cool to warm replaces emission, ambient and diffuse.
+/// The tone, which replaces emission, ambient and diffuse under cool-to-warm shading.
 void tone_line(const ExplainedTone& tone, int channel) {
     TextLine line;
     line.symbol(Quantity::WarmShare).plain(" = (1 + ").symbol(Quantity::NL).plain(")/2 = ");
@@ -163,7 +164,7 @@ std::string section_title(const InspectorState& state, const Explanation& explan
                        choice_of(explanation.mode).label);
 }
 
-/// A mark is visible for a few seconds.
+/// Drops the mark after a few seconds.
 void forget_old_mark(InspectorState& inspector) {
     if (!inspector.marked) return;
     const double rest = inspector.marked->until - ImGui::GetTime();

@@ -49,8 +49,8 @@ glm::vec3 vector_of(Quantity letter, const ExplainedPoint& point, const Explaine
 }
 
 /// "n·l 0.713 44.5°": a cosine with its angle. Hovering over it highlights the arrow `to` in the picture. A
-/// mistake may leave a vector unnormalised; its length then multiplies the product: it is drawn as a warning,
-/// and the length ("|n| 1.250") is added to `causes` unless it is already there.
+/// mistake may leave a vector unnormalised, so that its length multiplies the product. Then the cosine is
+/// drawn as a warning, and the length ("|n| 1.250") is added to `causes` unless it is already there.
 void angle(TextLine& line, UiState& state, Quantity cosine, Symbol to, float value,
            const ExplainedPoint& point, const ExplainedLight& light, std::string& causes) {
     const auto [first, second] = vectors_of(cosine);
@@ -104,11 +104,11 @@ NumberHandle light_number(const HandledScene& scene, int light, const char* key,
     return handle;
 }
 
-/// From the lit point to a light, in the light's own coordinates.
+/// The ray from the lit point to a light, in the light's own coordinates.
 struct Ray {
     int light = -1;
-    glm::dvec3 lit{0}, way{0};  // way: of length 1
-    glm::vec4 written{0};       // where the light was put on it
+    glm::dvec3 lit{0}, way{0};  // way: unit length
+    glm::vec4 written{0};       // the light's position as last set on it
 };
 
 Ray ray_to(const Light& light, const ExplainedLight& explained) {
@@ -117,7 +117,7 @@ Ray ray_to(const Light& light, const ExplainedLight& explained) {
     return {explained.index, place - double(explained.distance) * way, way, light.position};
 }
 
-/// "dist" and the number that moves the light towards the point and away from it, which keeps l.
+/// "dist" and the number that moves the light towards or away from the point, without changing l.
 bool distance_handle(TextLine& line, const HandledScene& scene, const ExplainedLight& explained,
                      int decimals) {
     const auto index = static_cast<std::size_t>(explained.index);
@@ -135,7 +135,7 @@ bool distance_handle(TextLine& line, const HandledScene& scene, const ExplainedL
     handle.number.value = distance;
     handle.number.place = scene.edited != nullptr ? &distance : nullptr;
     // Kept from frame to frame, see ui/ui.h, while the number is being edited: typing "0.5" passes through a
-    // distance of "0", which would lose the direction of the light.
+    // distance of "0", at which the direction to the light would be lost.
     static Ray kept;
     const bool goes_on = number_in_hand() && kept.light == explained.index && light.position == kept.written;
     const Ray ray = goes_on ? kept : ray_to(light, explained);
@@ -145,7 +145,7 @@ bool distance_handle(TextLine& line, const HandledScene& scene, const ExplainedL
     return true;
 }
 
-/// "falloff = 1 / (constant + linear dist + quadratic dist²), dist": its numbers.
+/// The numbers of "falloff = 1 / (constant + linear dist + quadratic dist²), dist".
 bool falloff_line(const HandledScene& scene, const ExplainedLight& explained) {
     const Falloff& f = scene.shown.lights[static_cast<std::size_t>(explained.index)].falloff;
     const std::array<double, 4> values{f.constant, f.linear, f.quadratic, explained.distance};
@@ -178,7 +178,7 @@ bool falloff_line(const HandledScene& scene, const ExplainedLight& explained) {
     return edited;
 }
 
-/// "spot = (cos angle)^exponent within cutoff": its numbers.
+/// The numbers of "spot = (cos angle)^exponent within cutoff".
 bool cone_line(const HandledScene& scene, const ExplainedLight& explained) {
     const SpotCone& cone = scene.shown.lights[static_cast<std::size_t>(explained.index)].spot;
     const std::array<double, 2> values{explained.spot_angle_deg, cone.exponent};
@@ -206,7 +206,7 @@ bool cone_line(const HandledScene& scene, const ExplainedLight& explained) {
     return edited;
 }
 
-/// f, and the parts of falloff and spot.
+/// The factor f, and the parts of falloff and spot.
 bool share_lines(const HandledScene& scene, const LightOfEquation& in) {
     const Light& light = scene.shown.lights[static_cast<std::size_t>(in.light.index)];
     const bool has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
@@ -217,7 +217,7 @@ bool share_lines(const HandledScene& scene, const LightOfEquation& in) {
     return edited;
 }
 
-/// The samples of an area light below a foldable row.
+/// The samples of an area light, below a foldable row.
 void sample_rows(const ExplainedLight& area, int channel) {
     if (!fold(sample_words(area).c_str(), false)) return;
     const std::vector<double> weights = sample_weights(area);
@@ -233,8 +233,8 @@ void sample_rows(const ExplainedLight& area, int channel) {
     small_dim("The mean counts each sample by its share of form, in per cent.");
 }
 
-/// The light's total in the chosen channel and its share of the sum, at the right end of its row, with a bar.
-/// Returns their left end.
+/// Draws the light's total in the chosen channel and its share of the sum, at the right end of its row, with
+/// a bar. Returns the left end of both.
 float total_text(const Rect& row, const ExplainedPoint& point, const ExplainedLight& explained, int channel) {
     const float total = added_by(explained)[channel], sum = point.sum[channel];
     const float share = sum > 0 ? std::clamp(total / sum, 0.0f, 1.0f) : 0;
@@ -252,7 +252,7 @@ float total_text(const Rect& row, const ExplainedPoint& point, const ExplainedLi
     return left;
 }
 
-/// The light's icon, name, total and share; true while hovered.
+/// Draws the light's icon, name, total and share; true while hovered.
 bool name_row(UiState& state, const ExplainedPoint& point, const ExplainedLight& explained,
               const Light& light) {
     ImGui::Dummy({0, px(3)});
@@ -283,7 +283,7 @@ bool light_term(UiState& state, const EquationLine& term, int light) {
     ImGui::EndGroup();
     ImGui::PopID();
     const auto [low, high] = last_item();
-    // Only its letter and its result: the numbers in between can be dragged.
+    // Only over its letter and its result, because the numbers in between can be dragged.
     const bool ends =
         is_pointed_at({low, {low.x + px(14), high.y}}) || is_pointed_at({{high.x - px(52), low.y}, high});
     if (ends && term.left_out != switched_off) {
@@ -316,7 +316,7 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
         show_instead(state, with_light_alone(scene, explained.index), before.name + " alone");
     const LightOfEquation in{scene, explanation, explained};
     const bool is_area = before.kind == LightKind::Area;
-    if (!is_area) angles(state, explanation, point, explained);  // each sample has its own
+    if (!is_area) angles(state, explanation, point, explained);  // each sample has its own angles
     edited |= share_lines({scene, edited_scene}, in);
     for (const EquationLine& term : light_lines(in)) edited |= light_term(state, term, explained.index);
     if (is_area) sample_rows(explained, state.get<InspectorState>().channel);

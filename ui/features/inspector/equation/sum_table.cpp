@@ -19,11 +19,11 @@
 namespace glint {
 namespace {
 
-/// The width of a column, smaller if the names would not fit.
+/// The width of a column; smaller if the names would not fit otherwise.
 float channel_width() { return std::min(px(58), (ImGui::GetContentRegionAvail().x - px(100)) / 3); }
 constexpr std::array channel_names{"red", "green", "blue"};
 
-/// "red green blue" over the columns; a click chooses the channel.
+/// The headings "red green blue" of the columns; a click chooses the channel.
 void header_row(InspectorState& inspector) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();

@@ -21,7 +21,7 @@ bool marked_scrolls = false;
 
 constexpr float padding_x = 2, padding_y = 1;  // of a handle, logical pixels
 
-/// The width of the present number, at least that of two digits, so that it can be grabbed.
+/// The width of the present number, at least that of two digits, so that it is easy to grab.
 float handle_width(const NumberHandle& handle) {
     const std::string text = shown_text(static_cast<float>(handle.number.value), handle.number.kind);
     ImGui::PushFont(fonts().figures);
@@ -63,7 +63,7 @@ float TextLine::height() {
     return line + 2 * px(padding_y);
 }
 
-/// Moves the cursor to where the next `width` fits, on a new line if needed.
+/// Moves the cursor to a position where the next `width` fits, on a new line if needed.
 void TextLine::place(float width) {
     keep_together(width);
     ImGui::SetCursorScreenPos({x_, y_});
@@ -115,7 +115,7 @@ TextLine& TextLine::raised(const std::string& text, const ImVec4& colour) {
 
 void TextLine::menu_of(const std::string& number) {
     if (measures_) return;
-    // The line's position makes the ids of its menus unique.
+    // The line's position makes the IDs of its menus unique.
     ImGui::PushID(static_cast<int>(left_));
     ImGui::PushID(static_cast<int>(y_ - ImGui::GetWindowPos().y + ImGui::GetScrollY()));
     copy_menu(numbers_++, number, line_);
@@ -138,7 +138,7 @@ TextLine& TextLine::symbol(Quantity quantity) {
     letters(quantity);
     if (measures_ || marked != quantity) return *this;
     marked.reset();
-    const Rect last = last_item();  // of a cosine its second letter
+    const Rect last = last_item();  // for a cosine, its second letter
     const bool went_on = last.low.y > begin.y + px(2);
     mark_ = Rect{{went_on ? left_ + indent_ : begin.x, last.low.y}, last.high};
     marks_result_ = quantity == Quantity::AmbientTerm || quantity == Quantity::DiffuseTerm ||
@@ -153,7 +153,7 @@ TextLine::~TextLine() {
     if (mark_) draw_mark_around(*mark_);
 }
 
-/// Around the letter and its value, together if they are next to each other.
+/// Draws the mark around the letter and its value, together if they are next to each other.
 void TextLine::end_mark(const Rect& value) {
     const Rect letter = *mark_;
     mark_.reset();

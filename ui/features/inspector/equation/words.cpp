@@ -69,7 +69,7 @@ double angle_deg(float cosine) {
 }
 
 std::string shown_number(float value) {
-    constexpr float rounding = 1e-6f;  // remainder when floats of about 1 cancel
+    constexpr float rounding = 1e-6f;  // remainder after floats of about 1 cancel
     const float size = std::abs(value) < rounding ? 0 : std::abs(value);
     const char* sign = value < 0 && size > 0 ? "−" : " ";
     if (size >= 1e5f) return fmt::format("{}{:.1e}", sign, size);
@@ -107,11 +107,11 @@ struct Owner {
     Selection selection;
 };
 
-/// The owner of the number to which a pointer with these parts, one or more, leads.
+/// The owner of the number at a pointer with these parts, of which there is at least one.
 Owner owner_at(const std::vector<std::string>& parts, const Scene& scene) {
     const std::string& section = parts[0];
     const int index = parts.size() > 1 ? index_of_part(parts[1]) : -1;
-    const auto at = static_cast<std::size_t>(index);  // -1 becomes the largest
+    const auto at = static_cast<std::size_t>(index);  // -1 becomes the largest value
     if (section == "lights" && at < scene.lights.size())
         return {scene.lights[at].name, {Selection::Kind::Light, index}};
     if (section == "objects" && at < scene.objects.size())

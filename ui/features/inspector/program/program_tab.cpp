@@ -28,7 +28,7 @@
 namespace glint {
 namespace {
 
-/// Highlights what a call sets in the picture: a light shines alone, an object glows.
+/// Highlights in the picture what a call sets: a light shines alone, an object glows.
 void light_up(UiState& state, const std::string& about) {
     constexpr glm::vec3 glow{0.3f, 0.22f, 0};
     Scene scene = state.editor.scene();
@@ -45,7 +45,7 @@ void light_up(UiState& state, const std::string& about) {
     show_instead(state, scene, object.name);
 }
 
-/// The number of decimals that the number is written with.
+/// The number of decimals with which the number is written.
 int decimals_of(const std::string& text) {
     const std::size_t point = text.find('.');
     return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
@@ -53,7 +53,7 @@ int decimals_of(const std::string& text) {
 
 float grip_width() { return 0.8f * TextLine::height(); }
 
-/// The grip that drags a line past others. True while dragged.
+/// A grip that drags a line past other lines. True while dragged.
 bool grip(const std::string& name, const char* drag, const std::string& what, const char* effect,
           const std::string& pointer) {
     const float edge = TextLine::height();
@@ -71,7 +71,7 @@ bool grip(const std::string& name, const char* drag, const std::string& what, co
     return held;
 }
 
-/// The grip of a light's position, which can be moved past gluLookAt().
+/// The grip of a light's position, which can be dragged past gluLookAt().
 void light_grip(UiState& state, int light_index) {
     Light& light = state.editor.scene().lights[static_cast<std::size_t>(light_index)];
     const char* what = light.space == LightSpace::Camera
@@ -86,13 +86,13 @@ void light_grip(UiState& state, int light_index) {
     if (light.space == LightSpace::World && y < line) light.space = LightSpace::Camera;
 }
 
-/// Up to the first space, which belongs to it.
+/// The text up to and including the first space.
 std::string_view first_word(std::string_view text) {
     const std::size_t space = text.find(' ');
     return space == text.npos ? text : text.substr(0, space + 1);
 }
 
-/// Word by word: a line can wrap between any two.
+/// Draws the text word by word, so that a line can wrap between any two words.
 void words(TextLine& line, std::string_view text, const ImVec4& colour) {
     while (!text.empty()) {
         const std::string_view word = first_word(text);
@@ -114,8 +114,8 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
         const CallPiece& piece = call.pieces[i];
         NumberHandle number;
         if (!piece.pointer.empty()) number = number_handle({scene, &scene}, piece.pointer);
-        // The w of a position is plain text: the position is divided by it at once, so a typed w would be 1
-        // again.
+        // The w of a position is plain text: the position is divided by w at once, so a typed w would become
+        // 1 again.
         if (piece.pointer.empty() || number.number.is_w) {
             words(line, std::string_view(piece.text).substr(punctuation.size()),
                   call.is_remark ? theme().warning : theme().dim_text);
@@ -137,7 +137,7 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
 }
 
 /// Draws the calls of an object as written, and applies drags. `written_scene`: the scene of these calls,
-/// with the transforms' numbers as written. True when `written` has changed.
+/// with the transforms' numbers as written. True if `written` has changed.
 bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransform& written,
                  const std::vector<GlCall>& calls) {
     Object& object = state.editor.scene().objects[static_cast<std::size_t>(index)];
@@ -182,8 +182,8 @@ bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransfo
     return changed;
 }
 
-/// Names each light whose numbers stayed while its coordinates changed since the scene was opened or saved:
-/// the same as the mistake "light in wrong space".
+/// Names each light whose coordinate space has changed since the scene was opened or saved while its numbers
+/// have not: the same as the mistake "light in wrong space".
 void wrong_space_notes(UiState& state) {
     const Scene& now = state.editor.scene();
     const Scene& saved = state.editor.saved;
@@ -238,8 +238,8 @@ template <class T, class Is> int index_of(const std::vector<T>& all, Is is) {
     return static_cast<int>(std::find_if(all.begin(), all.end(), is) - all.begin());
 }
 
-/// The camera's calls, and the lights' positions before and after gluLookAt(), which is drawn even if
-/// scrolled away: a light's position can be dragged past it.
+/// The camera's calls, and the lights' positions before and after gluLookAt(). That call is drawn even if it
+/// is scrolled away, because a light's position can be dragged past it.
 void draw_places(UiState& state, const std::vector<GlCall>& calls, const PictureView& view) {
     state.get<ProgramState>().places.draw(
         static_cast<int>(calls.size()),
@@ -249,7 +249,7 @@ void draw_places(UiState& state, const std::vector<GlCall>& calls, const Picture
     wrong_space_notes(state);
 }
 
-/// Draws a group. Returns the transform of its object as now written, if that has changed.
+/// Draws a group. Returns the transform of its object as it is now written, if that has changed.
 std::optional<WrittenTransform> draw_group(UiState& state, Scene& written_scene, const WrittenCalls& calls,
                                            const GlCallGroup& group, const PictureView& view) {
     if (!fold(whole_label(group.title).c_str(), is_open_at_first(state, group))) return {};

@@ -18,7 +18,7 @@ ImGuiID key_of(int object, int number) {
     return ImGui::GetID(fmt::format("transform of {}, {}", object, number).c_str());
 }
 
-/// The numbers that determine how an object is written, in a fixed order: its translation, and its resulting
+/// The numbers that determine how an object is written, in a fixed order: its translation, and the resulting
 /// transform.
 std::array<float, 12> numbers_of(const glm::vec3& translate, const Transform& t) {
     return {translate.x,    translate.y,    translate.z,    t.translate.x, t.translate.y, t.translate.z,
@@ -45,7 +45,7 @@ WrittenTransform written_transform(int object, const Transform& transform) {
     std::array<float, 12> numbers{};
     for (int i = 0; i < 12; ++i) numbers[static_cast<std::size_t>(i)] = kept.GetFloat(key_of(object, i));
     const glm::vec3 translate(numbers[0], numbers[1], numbers[2]);
-    if (numbers != numbers_of(translate, transform)) return written;  // changed elsewhere
+    if (numbers != numbers_of(translate, transform)) return written;  // changed elsewhere in the meantime
     written.order = order_of(kept.GetInt(key_of(object, -1), code_of(file_order)));
     written.numbers.translate = translate;
     return written;

@@ -14,9 +14,9 @@
 namespace glint {
 namespace {
 
-constexpr float label_reach = 30;  // logical pixels that a label may be displaced
+constexpr float label_reach = 30;  // how far a label may be displaced, logical pixels
 
-/// The letter centred at `centre`, or near it if something is written there.
+/// Draws the letter centred at `centre`, or near it if that area is taken.
 void letter_at(ImDrawList& list, ImVec2 centre, const ArrowLook& look) {
     if (*look.letter == 0) return;
     if (look.words != nullptr)
@@ -25,7 +25,7 @@ void letter_at(ImDrawList& list, ImVec2 centre, const ArrowLook& look) {
         rimmed_text(list, centre, look.colour, look.letter);
 }
 
-/// An arrow that points along the line of sight.
+/// Draws an arrow that points along the line of sight.
 void draw_end_on(ImDrawList& list, ImVec2 at, const ArrowLook& look) {
     cased_circle(list, at, 6, to_u32(look.colour), look.width);
     list.AddCircleFilled(at, px(2), to_u32(look.colour));

@@ -39,7 +39,7 @@ IncidencePlane plane_of(const ExplainedPoint& point, const ExplainedLight& light
 
 class Diagram {
   public:
-    /// `lowest`: how far below the ground an arrow reaches, as a share of a unit vector.
+    /// `lowest`: how far an arrow extends below the ground, as a share of a unit vector.
     explicit Diagram(float lowest) {
         const float width = ImGui::GetContentRegionAvail().x;
         reach_ = std::min(0.36f * width, px(110));
@@ -64,7 +64,7 @@ class Diagram {
         const float size = std::max(std::hypot(to.x, to.y), 0.05f);
         centred(tip + out / size * ImVec2(to.x, -to.y), ink, letter_of(symbol));
     }
-    /// Runs clockwise from n, with its degrees outside.
+    /// Draws an arc clockwise from n, with its angle in degrees outside.
     void arc(double degrees, double radius, Symbol symbol) const {
         const auto angle = static_cast<float>(degrees * std::numbers::pi / 180);
         const auto r = static_cast<float>(radius);

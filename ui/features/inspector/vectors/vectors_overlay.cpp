@@ -32,7 +32,7 @@ class PointDrawing {
         const ExplainedLight* light = asked_light(state_, point_);
         const bool alone =
             light != nullptr && light->samples.empty() && state_.get<InspectorState>().mirror_step == 0;
-        // The letters first: degrees avoid them.
+        // Letters are placed first: degrees avoid them.
         if (light != nullptr && !light->samples.empty()) fan(*light);
         if (light != nullptr && light->samples.empty() && !alone) mirror(*light);
         if (alone) arrows_of(*light);
@@ -48,7 +48,7 @@ class PointDrawing {
         draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(v.world)),
                    {theme_colour(symbol), thick ? 4.5f : 2, letter_of(symbol), &words_});
     }
-    /// Bright on any picture, regardless of the theme.
+    /// Bright enough for any picture, regardless of the theme.
     static ImVec4 theme_colour(Symbol symbol) { return dark_theme()[symbol]; }
 
     void arc(const InBothFrames& a, const InBothFrames& b, double radius, Symbol symbol) {
@@ -69,7 +69,7 @@ class PointDrawing {
             arc(light.r, point_.view, 0.7, Symbol::V);
         if (has_h()) arc(n, light.h, 0.7, Symbol::H);
     }
-    /// Each sample of an area light has its own l.
+    /// Draws the l of each sample of an area light.
     void fan(const ExplainedLight& light) {
         for (const ExplainedLight& sample : light.samples)
             draw_arrow(pen_.list, pen_.at(glm::dvec3(0)), pen_.at(glm::dvec3(sample.l.world)),
@@ -112,7 +112,7 @@ CornerMark mark_of(const PictureView& view, const Rect& shown, const ExplainedCo
     if (place.in_front && shown.holds(view.to_window(place.pixel))) return {view.to_window(place.pixel), {}};
     const glm::dvec3 in_view(view.map.view_from_world * glm::dvec4(world, 1));
     ImVec2 way = place.in_front ? view.to_window(place.pixel) - picked
-                                : ImVec2(float(in_view.x), float(-in_view.y));  // it is behind the eye
+                                : ImVec2(float(in_view.x), float(-in_view.y));  // behind the eye
     way = way / std::max(length_of(way), 1e-6f);
     const ImVec2 low = shown.low + px(1) * ImVec2(28, 28), high = shown.high - px(1) * ImVec2(28, 14);
     const auto room = [](float from, float along, float least, float most) {
@@ -130,7 +130,7 @@ void draw_pointer(ImDrawList& list, const CornerMark& mark) {
     list.AddTriangleFilled(tip, foot + px(5) * across, foot - px(5) * across, IM_COL32_WHITE);
 }
 
-/// The corners that the pixel is interpolated from, each in its colour, with its weight.
+/// Draws the corners from which the pixel is interpolated, each in its colour, with its weight.
 void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& explanation,
                   glm::ivec2 picked) {
     if (!explanation.lit_per_corner || explanation.corners.size() < 2) return;
