@@ -23,14 +23,14 @@
 namespace glint {
 namespace {
 
-/// Dear ImGui 1.86 leaves 0 segments to a corner whose radius is below a millionth of a pixel, and divides by
-/// them. A running progress bar eventually reaches such a width.
+/// Dear ImGui 1.86 uses 0 segments for a corner with a radius below a millionth of a pixel, and divides by
+/// that number. A moving progress bar eventually has such a width.
 void give_tiny_corners_segments() {
     ImGui::GetDrawListSharedData()->CircleSegmentCounts[0] = IM_DRAWLIST_ARCFAST_SAMPLE_MAX;
 }
 
-/// After all edits of the scene, before it is drawn or kept as a step. A number being edited stays: "0" may
-/// become "0.5", and a drag may lead through 0.
+/// Called after all edits of the scene, before it is drawn or kept as a step. A number being edited does not
+/// change: "0" may become "0.5", and a drag may pass through 0.
 void keep_scene_valid(UiState& state) {
     const std::optional<Problem> problem = take_back_invalid(state.editor);
     if (!problem) return;
@@ -39,7 +39,7 @@ void keep_scene_valid(UiState& state) {
     state.notifications.add(Tone::Warning, "Not possible: " + problem->text());
 }
 
-/// Makes one step when nothing edits the scene any more, or another field has begun to.
+/// Adds one step when editing has ended, or has begun in another field.
 void remember(UiState& state, bool in_hand) {
     const ImGuiID now = GImGui->ActiveId, before = std::exchange(state.active_before, now);
     const bool left_one = before != 0 && now != before;
@@ -47,7 +47,7 @@ void remember(UiState& state, bool in_hand) {
     remember_step(state.editor, state.viewport.wheel_goes_on);
 }
 
-/// Whether the contents of a window that fits its contents have changed: it is resized in the next frame.
+/// Whether the contents of an auto-sized window have changed: it is resized in the next frame.
 bool a_window_changes_size() {
     const ImVector<ImGuiWindow*>& all = ImGui::GetCurrentContext()->Windows;
     return std::any_of(all.begin(), all.end(), [](const ImGuiWindow* window) {
@@ -67,14 +67,14 @@ UiRequests requests(UiState& state) {
     decide_shown(next, state);
     const OtherScene* other = next.drawn();
     if (!((other != nullptr ? other->scene : state.editor.scene()) == state.rendered_scene))
-        wants.sleep_s = 0;  // edited or previewed after the picture was drawn
+        wants.sleep_s = 0;  // the scene was edited or previewed after the picture was drawn
     if (ImGui::GetIO().WantTextInput) wants.sleep_s = std::min(wants.sleep_s, 0.3);  // the text cursor blinks
     wants.quit = std::exchange(state.quits, false);
     return wants;
 }
 
-/// Handles the request to close, and dropped files. During a drag they wait for its end: the drag is not a
-/// step yet, and would continue below a question. A light that follows the cursor is reverted.
+/// Handles the request to close, and dropped files. During a drag they wait for its end, because the drag is
+/// not a step yet, and would continue behind a question. A light that follows the cursor is reverted.
 void take_requests(UiState& state, const UiInput& input) {
     state.close_asked |= input.close_asked;
     if (!input.dropped.empty()) state.dropped = input.dropped;
@@ -85,7 +85,7 @@ void take_requests(UiState& state, const UiInput& input) {
     take_dropped(state, std::exchange(state.dropped, {}));
 }
 
-/// In a narrow window the panel of an item selected by `act` replaces WHY.
+/// In a narrow window, the panel of an item selected by `act` replaces WHY.
 template <class Act> void show_selected(UiState& state, const Act& act) {
     const Selection before = state.editor.selection;
     act();
@@ -94,7 +94,7 @@ template <class Act> void show_selected(UiState& state, const Act& act) {
     if (is_item && !(now == before)) state.left_shows_inspector = false;
 }
 
-/// Calls a hook of each feature that has it.
+/// Calls a hook of each feature that implements it.
 template <class Hook, class... Arguments> void each(Hook Feature::*hook, Arguments&&... arguments) {
     for (const Feature* feature : features())
         if (feature->*hook != nullptr) (feature->*hook)(arguments...);
@@ -108,7 +108,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     run_keys(state, input);
     each(&Feature::begin, state, input);
     close_left_modal(state);
-    // The scene may have changed in any way since the last frame.
+    // The scene may have changed arbitrarily since the last frame.
     state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     follow_items(state);
     ImGui::PushFont(fonts().body);

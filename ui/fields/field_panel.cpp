@@ -12,16 +12,16 @@ namespace glint {
 
 namespace {
 
-// How long a requested field stays marked, and how long one that waits for a key stays marked.
+// How long a requested field stays marked, and how long while it waits for a key.
 constexpr double marked_s = 1.5, waits_s = 6;
 
-// Number of ImGui frames from requesting keyboard focus until the text cursor shows.
+// Number of ImGui frames from requesting keyboard focus until the text cursor appears.
 constexpr int frames_until_typed = 5;
 
 // Kept from frame to frame; see ui/ui.h.
 struct AskedField {
     std::string pointer;
-    int frames = 0;         // drawn since the request: it is first scrolled to, then focused
+    int frames = 0;         // drawn since the request: the field is first scrolled to, then focused
     double until = -1;      // ImGui time at which the mark disappears
     int since = 0;          // frame of the request; a smaller frame count belongs to another window
     std::string component;  // "/1", the component to focus; empty: the first
@@ -40,7 +40,7 @@ void mark_row(ImVec2 low) {
     redraw_within(std::max(asked.until - ImGui::GetTime(), 0.01));
 }
 
-/// Next to a switch that waits for its key.
+/// Draws the key of a switch next to it while the switch waits for that key.
 void name_its_key(ImVec2 low) {
     constexpr const char* words = "Space: on, off";
     const float right = low.x + ImGui::GetContentRegionAvail().x - px(4);
@@ -90,7 +90,8 @@ bool draw_asked(const std::string& pointer, Typed typed, const std::function<boo
 
 bool dimmed_unless(bool applies, const std::function<bool()>& draw) {
     if (applies) return draw();
-    // Not by ImGuiStyleVar_Alpha: menus, lists and pickers opened from the field must stay opaque.
+    // Does not use ImGuiStyleVar_Alpha, since menus, lists and pickers opened from the field must stay
+    // opaque.
     ImVector<ImDrawVert>& vertices = ImGui::GetWindowDrawList()->VtxBuffer;
     const int first = vertices.Size;
     const bool edited = draw();

@@ -10,11 +10,11 @@
 namespace glint {
 namespace {
 
-constexpr double least_highlight = 0.02;  // of the display's range; anything below counts as no highlight
-constexpr double back = 0.95;             // a share that looks complete
+constexpr double least_highlight = 0.02;  // of the display's range; anything fainter counts as no highlight
+constexpr double back = 0.95;             // above this share the highlight looks complete
 constexpr int shown_width = 320;          // of the picture used for measuring
 
-/// The object alone, with only its specular light.
+/// The object alone, lit only by its specular term.
 Scene specular_alone(Scene scene, std::size_t object) {
     const Object kept = scene.objects[object];
     scene.objects = {kept};

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// A button for a repair that the scene can describe; true when pressed.
+/// Draws a button for a repair that the scene can represent; true when pressed.
 bool repair(const char* name, bool done, const char* what) {
     ImGui::SameLine(0, px(4));
     const bool pressed = small_chosen_button(name, done);
@@ -20,7 +20,7 @@ bool repair(const char* name, bool done, const char* what) {
     return pressed;
 }
 
-/// The repairs of one finding.
+/// Draws the repairs of one finding.
 bool repairs(std::string_view finding, Object& object) {
     bool edited = false;
     if (finding == "normals_against_faces" &&

@@ -27,7 +27,7 @@ bool same_look(const Material& a, const Material& b) {
            a.shininess == b.shininess;
 }
 
-/// The preset that equals this material, if any.
+/// The preset with the same values as this material, if any.
 const MaterialPreset* preset_of(const Material& material) {
     for (const MaterialPreset& preset : material_presets())
         if (same_look(preset.material, material)) return &preset;
@@ -82,13 +82,13 @@ bool preset_field(Material& material) {
     return edited;
 }
 
-/// A primitive by its label, a file by its name.
+/// The label of a mesh: a primitive's label, or a file's name.
 std::string mesh_label(const MeshSource& source) {
     const auto* primitive = std::get_if<PrimitiveMesh>(&source);
     return primitive != nullptr ? choice_of(primitive->primitive).label : short_name(source);
 }
 
-/// Drop-down of all primitives, with files at its end.
+/// A drop-down of all primitives, with the choice of a file at its end.
 bool source_field(Object& object, const std::string& pointer, ObjectRequests& requests) {
     ImGui::SetNextItemWidth(label_cell("Mesh"));
     if (!ImGui::BeginCombo("##mesh", whole_label(mesh_label(object.source)).c_str(),
@@ -112,7 +112,7 @@ bool source_field(Object& object, const std::string& pointer, ObjectRequests& re
     return edited;
 }
 
-/// A slider up to the mesh's original number of triangles, where it shows "all".
+/// A slider up to the mesh's original number of triangles, which it shows as "all".
 bool decimate_field(const Row& row, int& decimate, const Mesh* mesh, const Help& help) {
     constexpr std::size_t when_not_known = 1'000'000;
     const std::size_t given = mesh == nullptr             ? when_not_known
@@ -188,10 +188,10 @@ template <class Vector> auto largest_of(const Vector& scale) {
     return std::max({size.x, size.y, size.z});
 }
 
-/// One number for all three scales: the largest. They keep their ratio and signs.
+/// One number for all three scales: the largest one. The scales keep their ratio and signs.
 bool uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
     // Kept from frame to frame; see ui/ui.h. The ratio is that of the scales before this field changed them:
-    // typing "0.5" passes through "0", which would lose it.
+    // typing "0.5" passes through "0", which would lose the ratio.
     static glm::dvec3 before;
     static glm::vec3 written;
     if (scale != written) before = scale;
@@ -203,7 +203,7 @@ bool uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
     return true;
 }
 
-/// The gizmo drawn on the object in the picture.
+/// The choice of the gizmo that is drawn on the object in the picture.
 void gizmo_field(GizmoMode& gizmo) {
     const auto with_key = [](const char* what, CommandId id) {
         return fmt::format("{} (key {})", what, keys_of(id));
@@ -248,10 +248,10 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
     mesh_facts(object, requests.about_mesh);
     if (requests.check != nullptr) edited |= mesh_check_rows(*requests.check, object);
     const auto normals = [&] { panel.group("normals", object.normals, field_rows<NormalOptions>); };
-    // If the mesh has no normals, these are the fields that users look for first.
+    // If the mesh has no normals, users look for these fields first.
     const bool brings_normals = !object.mesh || object.mesh->given_normals != GivenNormals::None;
     if (!brings_normals) normals();
-    // Below the fields, so that they do not move when it disappears.
+    // Drawn below the fields, so that they do not move when the note disappears.
     if (smooths_every_edge(object))
         wrapped_dim("The mesh has no normals: they are averaged over all edges. Crease keeps edges sharp.");
     panel.group("material", object.material, [&](Material& material, const std::string& at) {

@@ -17,7 +17,7 @@
 namespace glint {
 namespace {
 
-/// A row with icon and name; true when clicked. Leaves `reserve` at its right end free.
+/// A row with an icon and a name; true when clicked. Leaves `reserve` free at its right end.
 bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float indent, float reserve) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -39,7 +39,8 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
     return clicked;
 }
 
-/// A row whose name is typed in place, until the field loses the keyboard. True when the name was edited.
+/// A row with a name that is typed in place, until the field loses the keyboard. True when the name was
+/// edited.
 bool typed_row(Icon icon, ImU32 colour, std::string& name, float indent, float reserve, LightFocus& focus) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -56,8 +57,8 @@ bool typed_row(Icon icon, ImU32 colour, std::string& name, float indent, float r
     return edited;
 }
 
-/// The row of a light or an object. A click selects it, a double-click types into its name; true when that
-/// was edited.
+/// The row of a light or an object. A click selects it, a double-click edits its name. True when the name was
+/// edited.
 bool named_row(Icon icon, ImU32 colour, std::string& name, Selection row, float reserve, Selection& selection,
                LightFocus& focus) {
     if (focus.renamed == number_of(row)) return typed_row(icon, colour, name, px(8), reserve, focus);
@@ -100,7 +101,7 @@ bool eye_button(bool& open, const char* state, const char* what, const std::stri
     return pressed;
 }
 
-/// The eye of a light, closed also while another one is shown alone. A click shows the light again.
+/// The eye of a light; also closed while another light is shown alone. A click shows the light again.
 bool light_eye(Light& light, int index, LightFocus& focus) {
     const bool shown = focus.shows(index);
     const char* const state = focus.solo == index ? "Solo" : !shown ? "Muted" : light.enabled ? "On" : "Off";
@@ -136,7 +137,7 @@ bool space_button(Light& light, const Camera& camera) {
     return pressed;
 }
 
-/// A mark at the right end of the row drawn last.
+/// Draws a warning mark at the right end of the row drawn last.
 void warning_mark(const std::string& why) {
     const Rect row = last_item();
     const ImVec2 size = ImGui::CalcTextSize("!");
@@ -195,7 +196,7 @@ bool add_object_menu(Scene& scene, Selection& selection, bool& browse_mesh) {
     return edited;
 }
 
-/// A heading with a plus button at its right end, and before it one for whole sets.
+/// A heading with a plus button at its right end, and a button for entire sets to the left of it.
 void list_heading(const char* title, const char* popup, bool full, bool* asks_sets = nullptr) {
     const float size = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
@@ -236,7 +237,7 @@ void scroll_to_row(int index) {
     if (high > ImGui::GetScrollY() + sight) ImGui::SetScrollY(high - sight);
 }
 
-/// Draws the visible rows. A row that changes the list is the last one drawn in this frame.
+/// Draws the visible rows. If a row changes the list, no further row is drawn in this frame.
 template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, DrawRow draw_row) {
     const std::size_t count = items.size();
     ImGuiListClipper clipper;
@@ -263,7 +264,7 @@ void LightFocus::toggle_muted(int light) {
 bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& browse_mesh) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1)});
     bool edited = false;
-    // Scrolls to an item that was selected elsewhere, in the picture or by keys.
+    // Scrolls to an item that was selected elsewhere: in the picture or with keys.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const int before = std::exchange(*storage.GetIntRef(ImGui::GetID("shown"), -1), number_of(selection));
     const bool is_other = before != number_of(selection);

@@ -1,4 +1,4 @@
-// The items that a scene has one of: camera, shading, display.
+// The panels of items that a scene has exactly one of: camera, shading, display.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// Half the height of the view one unit in front of the eye; of an orthographic view, at the target.
+/// Half the height of the view one unit in front of the eye; for an orthographic view, at the target.
 double half_height(const Camera& camera) {
     if (const auto* p = std::get_if<Perspective>(&camera.projection))
         return std::tan(p->fov_y_deg / 2 * degree);
@@ -26,7 +26,7 @@ double half_height(const Camera& camera) {
     return std::abs(f.top - f.bottom) / 2 / f.near;
 }
 
-/// Six buttons that view the target from one side each.
+/// Six buttons, each for a view of the target from one side.
 bool look_from(Camera& camera) {
     static constexpr struct {
         const char* label;
@@ -63,7 +63,7 @@ void note_fitted(const Camera& camera, PictureSize size) {
 }
 
 Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size) {
-    // A frustum is not widened for a narrow picture: switching to or from it converts the visible region.
+    // A frustum is not widened for a narrow picture, so switching to or from it converts the visible region.
     const bool is_frustum = kind == ProjectionKind::Frustum;
     const bool was_frustum = kind_of(camera.projection) == ProjectionKind::Frustum;
     const double aspect = static_cast<double>(size.width) / size.height;
@@ -83,7 +83,8 @@ Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize 
 
 namespace {
 
-/// The fields of the projection as it is drawn: a narrow picture shows more above and below than is written.
+/// The fields of the projection as drawn: a narrow picture shows more above and below than the written values
+/// say.
 bool projection_fields(Projection& written, PictureSize size) {
     Projection drawn = fitted(written, size);
     const bool is_fitted = !(drawn == written);

@@ -1,5 +1,5 @@
-// A light follows the cursor by its effect there (ui/picture/handles/light_effects.h), from a command until a
-// click confirms it.
+// A light that follows the cursor by its effect there (ui/picture/handles/light_effects.h), from a command
+// until a click confirms it.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -10,7 +10,7 @@
 namespace glint {
 
 void find_main_light(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px) {
-    constexpr std::size_t most = 300;  // more than can be distinguished, and they take time
+    constexpr std::size_t most = 300;  // more cannot be distinguished, and take time
     state.main_light.reset();
     const std::size_t lights = frame.scene.lights.size();
     if (!state.hovered || state.gesture != Gesture::None || frame.renderer == nullptr || lights < 2 ||

@@ -41,10 +41,10 @@ std::pair<int, std::int64_t> face_at(const Renderer& renderer, PictureSize size,
     return seen ? std::pair(seen->object, std::int64_t{seen->face}) : std::pair(-1, std::int64_t{-1});
 }
 
-/// 0 to 2'550'000. Source: Rec. 709's weights.
+/// Luminance from 0 to 2'550'000. Source: the weights of Rec. 709.
 int brightness(int r, int g, int b) { return 2126 * r + 7152 * g + 722 * b; }
 
-/// The numbers are those of `numbered`; `shown` is the picture below them.
+/// Draws the numbers of `numbered`; `shown` is the picture below them.
 void draw_number(ImDrawList& list, const PictureView& view, const Picture& numbered, const Picture& shown,
                  int x, int y) {
     const std::size_t at = 4 * shown.pixel(x, y);
@@ -60,7 +60,7 @@ void draw_number(ImDrawList& list, const PictureView& view, const Picture& numbe
     list.AddText(fonts().figures, height, low, ink, text.c_str());
 }
 
-/// The stepped edges from rasterisation: between pixels that show different faces.
+/// Draws the stepped edges of the rasterisation, between pixels that show different faces.
 void draw_edges(ImDrawList& list, const PictureView& view, const Renderer& renderer,
                 const PixelRange& range) {
     const PictureSize size = view.map.size;
@@ -75,7 +75,7 @@ void draw_edges(ImDrawList& list, const PictureView& view, const Renderer& rende
         }
 }
 
-/// The exact straight polygon over its stepped picture, and the scan line through the pixel.
+/// Draws the exact straight polygon over its stepped picture, and the scan line through the pixel.
 void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& renderer, const Scene& drawn,
                  glm::ivec2 picked) {
     const PictureSize size = view.map.size;
@@ -103,8 +103,8 @@ void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& rend
 void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier) {
     if (magnifier.zoom <= 1) return;
     const float plain = view.units_per_pixel;
-    const float type = std::max(std::ceil(px(1) / plain - 0.01f), 1.0f);  // integral, so that squares are
-                                                                          // sharp
+    // Integral, so that squares are sharp.
+    const float type = std::max(std::ceil(px(1) / plain - 0.01f), 1.0f);
     view.units_per_pixel = plain * type * static_cast<float>(magnifier.zoom);
     const auto place = [&](float low, float high, double share, int pixels) {
         const float length = static_cast<float>(pixels) * view.units_per_pixel;
@@ -124,7 +124,7 @@ void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share) {
 
 namespace {
 
-/// Ctrl and the wheel zoom; once enlarged, the right button pans.
+/// Ctrl and the wheel zoom; in an enlarged picture the right button pans.
 bool magnifier_hover(ToolFrame& frame) {
     ImGuiIO& io = ImGui::GetIO();
     MagnifierState& magnifier = frame.state.get<MagnifierState>();
@@ -137,7 +137,7 @@ bool magnifier_hover(ToolFrame& frame) {
     const int steps = static_cast<int>(std::lround(std::clamp(io.MouseWheel, -most_steps, most_steps)));
     const int sure = steps != 0 ? steps : io.MouseWheel > 0 ? 1 : -1;  // of a wheel with smooth scrolling
     zoom_about(magnifier, sure > 0 ? magnifier.zoom << sure : magnifier.zoom >> -sure, frame.pixel / size);
-    io.MouseWheel = 0;  // so that the camera does not move too
+    io.MouseWheel = 0;  // keeps the camera from moving too
     return true;
 }
 

@@ -20,8 +20,7 @@ namespace glint {
 namespace {
 
 constexpr double closest = 1e-4, farthest = max_number / 10;  // eye to target, scene units
-constexpr double closest_share = 1e-4;  // of the largest coordinate: closer, float rounding turns the view
-                                        // direction
+constexpr double closest_share = 1e-4;  // of the largest coordinate; closer, rounding turns the view
 constexpr double pole_margin = std::numbers::pi / 180;
 
 bool usable(const Camera& camera) {
@@ -51,8 +50,8 @@ Camera shifted(Camera camera, glm::dvec3 shift) {
     return camera;
 }
 
-/// Points of the visible objects, or of the one with that index, in camera coordinates; of large meshes a
-/// part.
+/// Points of the visible objects, or of the one with that index, in camera coordinates; only a part of the
+/// points of large meshes.
 std::vector<glm::dvec3> framed_points(const Scene& scene, int object, const glm::dmat4& view_from_world) {
     constexpr std::size_t enough = 50'000;  // of a mesh
     std::vector<glm::dvec3> points;
@@ -67,14 +66,14 @@ std::vector<glm::dvec3> framed_points(const Scene& scene, int object, const glm:
     return points;
 }
 
-/// Along one axis of the picture: a point x beside and d in front of the eye appears in the wanted part of
-/// the picture if d low <= x <= d high. For the eye moved sideways by s and forward by f that is, for all
-/// points, left <= low f - s and right <= s - high f.
+/// Along one axis of the picture: a point at x to the side and d in front of the eye is in the wanted part of
+/// the picture if d low <= x <= d high. If the eye is moved sideways by s and forward by f, the condition for
+/// all points is left <= low f - s and right <= s - high f.
 struct Extent {
     double low = 0, high = 0, left = -HUGE_VAL, right = -HUGE_VAL;
-    /// The closest that the eye may come.
+    /// The largest forward motion of the eye.
     [[nodiscard]] double forward() const { return -size() / (high - low); }
-    /// How far to go sideways to leave the same room on both sides.
+    /// The sideways motion that leaves the same room on both sides.
     [[nodiscard]] double middle(double forward) const { return (right - left + (low + high) * forward) / 2; }
     [[nodiscard]] double size() const { return left + right; }
 };
@@ -181,7 +180,7 @@ void fill_picture(Scene& scene, int object, PictureSize size) {
         framed = {glm::min(framed.min, at), glm::max(framed.max, at)};
     }
     keep_depth_range(camera, scene.camera, scene_bounds(scene));
-    keep_depth_range(camera, scene.camera, framed);  // also where the scene reaches behind the eye
+    keep_depth_range(camera, scene.camera, framed);  // also if the scene extends behind the eye
     scene.camera = camera;
 }
 
@@ -193,9 +192,10 @@ void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds
         [low = low, high = high](auto& p) {
             [[maybe_unused]] const float near_before = p.near;
             if (high > p.far) p.far = static_cast<float>(std::min(high * 1.5, max_number));
-            // A near plane at the eye would waste all depth precision; an existing one there stays.
+            // A near plane at the eye would waste all depth precision; one that is already there stays.
             if (low < p.near) p.near = std::min(p.near, static_cast<float>(std::max(low / 2, p.far * 1e-4)));
-            // The window of a frustum is on its near plane: it shrinks with it, or the angle would change.
+            // The window of a frustum is on its near plane. It shrinks with the plane, or the angle would
+            // change.
             if constexpr (requires { p.left; }) {
                 const float share = p.near / near_before;
                 p.left *= share, p.right *= share, p.bottom *= share, p.top *= share;

@@ -1,5 +1,4 @@
-// Orientation in the scene: axes in the corner of the picture, which can be clicked, and a grid on the
-// ground.
+// Orientation in the scene: clickable axes in the corner of the picture, and a grid on the ground.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,10 +21,10 @@ namespace {
 struct OrientationState {
     bool axes = true, grid = false;
     int hovered = -1;  // in `ends`
-    float below = 0;   // the labels of a comparison
+    float below = 0;   // offset below the labels of a comparison
 };
 
-/// An end of an axis, and the view from there.
+/// An end of an axis, and the view from that end.
 struct AxisEnd {
     glm::dvec3 way;
     const char* name;
@@ -40,7 +39,7 @@ constexpr std::array<AxisEnd, 6> ends{{{{1, 0, 0}, "x", ViewFrom::Right, Command
                                        {{0, 0, -1}, "", ViewFrom::Back, CommandId::ViewBack}}};
 constexpr float arm = 26, end_radius = 8, margin = 46;  // logical pixels
 
-/// The visible part of the picture is too small for the axes.
+/// Whether the visible part of the picture is large enough for the axes.
 bool has_room(const Rect& picture) { return std::min(picture.size().x, picture.size().y) >= px(240); }
 
 ImVec2 middle_of_axes(const UiState& state) {
@@ -99,7 +98,7 @@ void draw_axes(ImDrawList& list, const UiState& state, const PictureView& view) 
     static constexpr std::array<ImU32, 3> colours{IM_COL32(235, 92, 92, 255), IM_COL32(120, 200, 90, 255),
                                                   IM_COL32(92, 150, 245, 255)};
     const ImVec2 middle = middle_of_axes(state);
-    std::array<int, 6> order{0, 1, 2, 3, 4, 5};  // the farthest first
+    std::array<int, 6> order{0, 1, 2, 3, 4, 5};  // farthest first
     std::sort(order.begin(), order.end(), [&](int a, int b) {
         return depth_of(ends[static_cast<std::size_t>(a)], view.map) >
                depth_of(ends[static_cast<std::size_t>(b)], view.map);
@@ -118,7 +117,7 @@ void draw_axes(ImDrawList& list, const UiState& state, const PictureView& view) 
     }
 }
 
-/// The step between lines: 1, 2 or 5 times a power of ten, at least a twelfth of the scene's width.
+/// The distance between lines: 1, 2 or 5 times a power of ten, at least a twelfth of the scene's width.
 double grid_step(double width) {
     const double least = width / 12, ten = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0})
@@ -126,9 +125,9 @@ double grid_step(double width) {
     return 10 * ten;
 }
 
-/// Lines at ground_height(), hidden where a surface is in front of them.
+/// Draws lines at ground_height(), hidden where a surface is in front of them.
 void draw_grid(ImDrawList& list, const UiState& state, const PictureView& view) {
-    constexpr int lines = 12, pieces = 48;  // on either side of the middle; of a line
+    constexpr int lines = 12, pieces = 48;  // on either side of the middle; segments of a line
     const Bounds& bounds = view.bounds;
     const glm::dvec3 low(bounds.min), high(bounds.max);
     const double step = grid_step(std::max({high.x - low.x, high.z - low.z, 1e-6}));

@@ -1,4 +1,4 @@
-// The menu that a right click on the picture opens.
+// The context menu of the picture.
 #include <fmt/core.h>
 
 #include <utility>
@@ -16,10 +16,11 @@ namespace glint {
 namespace {
 
 struct PictureMenuState {
-    glm::dvec2 pixel{0};  // that was clicked, in the drawn picture
+    glm::dvec2 pixel{0};  // the clicked pixel, in the drawn picture
 };
 
-/// The light that the menu moves: the selected one, else the one that contributes most there; -1: none.
+/// The light that the menu moves: the selected one, else the one that contributes most at the clicked pixel;
+/// -1: none.
 int light_of(const UiState& state) {
     const int selected = selected_light(state.editor.selection);
     if (selected >= 0 || state.editor.scene().lights.empty()) return selected;

@@ -1,5 +1,5 @@
 // The picture's area in the middle of the window: the picture, its overlays, the active tool, and what Escape
-// leaves.
+// ends.
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace glint {
 namespace {
 
-/// Shows what can be done: on one line, on three if the picture is too narrow, or not at all.
+/// Draws the first hints: on one line, on three if the picture is too narrow, or not at all.
 void first_hints(ImDrawList& list, const UiState& state) {
     const bool covered = !state.notifications.list.empty();
     if (covered || state.viewport.touched || state.displayed != state.rendered) return;
@@ -37,7 +37,7 @@ void first_hints(ImDrawList& list, const UiState& state) {
     badge(list, {shown.middle().x, shown.high.y - px(18)}, text, {0.5f, 1});
 }
 
-/// Fills the part of the area that the picture leaves free.
+/// Fills the part of the area that the picture does not cover.
 void draw_surround(ImDrawList& list, const Rect& room, const Rect& picture) {
     const ImU32 colour = to_u32(theme().surround);
     const auto fill = [&](ImVec2 low, ImVec2 high) {
@@ -49,7 +49,7 @@ void draw_surround(ImDrawList& list, const Rect& room, const Rect& picture) {
     fill({picture.high.x, picture.low.y}, {room.high.x, picture.high.y});
 }
 
-/// In the order in which they get the mouse: lines and labels of features are above the handles.
+/// All tools, in the order in which they receive the mouse: lines and labels of features precede the handles.
 std::vector<const Tool*> all_tools() {
     std::vector<const Tool*> tools{&magnifier_tool};
     for (const Feature* feature : features())
@@ -104,7 +104,7 @@ void use_tools(UiState& state, const PictureView& view, const UiInput& input) {
     if (under != &hand_tool) state.viewport.touched |= ImGui::IsAnyMouseDown();
 }
 
-/// Draws handles, big pixels, and the overlays of features.
+/// Draws handles, enlarged pixels, and the overlays of features.
 void draw_overlays(ImDrawList& list, UiState& state, const PictureView& view) {
     const bool is_clean = state.layout.hides_all, held = is_held(state);
     if (!is_clean && !held) {
@@ -149,8 +149,8 @@ bool picture_room(UiState& state, const Layout& layout, const UiInput& input) {
     const PictureView view = picture_view(layout.centre, state);
     follow_shape(state, view.map.size);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect(layout.centre.low, layout.centre.high);  // ImGui's own clip rectangle leaves out part
-                                                               // of the border
+    // ImGui's own clip rectangle excludes part of the border.
+    list.PushClipRect(layout.centre.low, layout.centre.high);
     draw_surround(list, layout.centre, {view.origin, view.end()});
     state.picture_rect = {{view.origin, view.end()}, layout.centre};
     list.PopClipRect();
@@ -171,7 +171,7 @@ Rect picture_in_sight(const UiState& state) {
 }
 
 void picture_overlay(UiState& state, const Layout& layout) {
-    // Overlays of a frozen picture are frozen with it; over B are B's lights.
+    // Overlays of a frozen picture are frozen too; over B, the overlays are those of B's lights.
     const PictureView view = view_of(
         state.on_screen.is_out_of_hand() ? shown_scene(state) : state.editor.scene(), layout.centre, state);
     resume_area("##view");
@@ -186,7 +186,7 @@ void picture_overlay(UiState& state, const Layout& layout) {
     // A picture without bars shows only messages that need attention.
     if (state.layout.hides_all)
         std::erase_if(state.notifications.list, [](const Notification& n) { return n.tone == Tone::Done; });
-    // Next to the legend of a false colour, which is read at the same time.
+    // Placed next to the legend of a false colour, which is read at the same time.
     draw_notifications(state, layout.centre.high - px(18) * ImVec2(1, 1), layout.centre.low.y,
                        std::max(layout.centre.size().x - px(36) - state.legend_width, px(160)));
 }
@@ -199,7 +199,7 @@ std::string tools_hint(const UiState& state) {
 }
 
 void escape(UiState& state) {
-    // During typing Escape ends only the typing, and the text field handles that itself.
+    // While text is typed, Escape only ends the typing, and the text field handles that itself.
     if (cancel_gesture(state.viewport, state.editor.scene()) || std::exchange(state.palette.open, false) ||
         leave_dialog(state) || close_popup() || ImGui::GetIO().WantTextInput || cancel_loading(state) ||
         std::exchange(state.shows_shortcuts, false))

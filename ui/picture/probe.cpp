@@ -1,4 +1,4 @@
-// The picked pixel, and the one before.
+// The picked pixel, and the one picked before.
 #include <glm/common.hpp>
 #include <utility>
 
@@ -12,8 +12,8 @@ namespace glint {
 void follow_shape(UiState& state, PictureSize size) {
     const PictureSize before = std::exchange(state.viewport.shares_of, size);
     if (before == size || before == PictureSize{0, 0}) return;
-    // From shares to the plane at depth 1 and back: there a point has one position, independent of the
-    // picture's shape.
+    // Converts shares to the plane at depth 1 and back. In that plane a point's position does not depend on
+    // the picture's shape.
     const Projection& projection = state.editor.scene().camera.projection;
     const glm::dmat4 from = clip_from_view(projection, before), to = clip_from_view(projection, size);
     const glm::dvec2 scale(to[0][0] / from[0][0], to[1][1] / from[1][1]);
@@ -41,7 +41,7 @@ void step_probe(ViewportState& state, PictureSize size, glm::ivec2 step) {
     const glm::ivec2 to = from ? glm::clamp(*from + step, glm::ivec2(0), last) : (last + 1) / 2;
     const glm::dvec2 share = (glm::dvec2(to) + 0.5) / glm::dvec2(size.width, size.height);
     if (from)
-        state.probe = share;  // the previous one stays the last one that was really left
+        state.probe = share;  // stepping does not change the previously picked pixel
     else
         ask_about(state, share);
     state.touched = true;

@@ -18,8 +18,8 @@ constexpr int growth =
     4;  // of the rays from picture to picture: each of the two renderers follows most of them
 constexpr double look_again = 0.05;  // seconds between checks of the job
 
-/// The largest number of rays from a point of the scene: paths, or shadow rays to an area light. 0: so few
-/// that there is nothing to refine.
+/// The largest number of rays from a point of the scene: paths, or shadow rays to an area light. 0 if there
+/// are so few that refinement is not needed.
 int wanted_rays(const Scene& scene) {
     if (scene.transport.model == TransportModel::Local) return 0;
     int rays = scene.transport.model == TransportModel::Bounces ? scene.transport.paths : 0;
@@ -28,7 +28,7 @@ int wanted_rays(const Scene& scene) {
     return rays;
 }
 
-/// With at most `rays` of each kind; 0: all.
+/// The scene with at most `rays` of each kind; 0: all.
 Scene with_rays(Scene scene, int rays) {
     if (rays == 0) return scene;
     scene.transport.paths = std::min(scene.transport.paths, rays);
@@ -37,7 +37,7 @@ Scene with_rays(Scene scene, int rays) {
     return scene;
 }
 
-/// Whether both scenes have the same bounced light: their difference lies after it.
+/// Whether both scenes have the same bounced light, because they differ only in later steps.
 bool same_light(Scene a, const Scene& b) {
     a.display = b.display;
     a.shading.terms = b.shading.terms;
@@ -112,7 +112,7 @@ float Refinement::progress() const {
     const int all = wanted_ && !failed_ ? wanted_rays(wanted_->scene) : 0;
     if (rays_ >= all) return 1;
     const int followed = job_ ? static_cast<int>(job_->progress().done) : 0;
-    // The picture of the last path is still on its way.
+    // The picture of the last path is not ready yet.
     return static_cast<float>(std::clamp(followed, rays_, all - 1)) / static_cast<float>(all);
 }
 

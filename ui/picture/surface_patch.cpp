@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-/// Whether both are parts of one smooth surface, side by side.
+/// Whether both are adjacent parts of one smooth surface.
 bool hang_together(const SeenPoint& a, const SeenPoint& b) {
     if (a.object != b.object || glm::dot(a.normal, b.normal) < 0.7f) return false;
     // The vector between two points of a smooth surface is perpendicular to the mean of their normals.
@@ -62,7 +62,7 @@ glm::dvec2 SurfacePatch::slope_of_log(const std::vector<double>& values, int wit
 }
 
 double SurfacePatch::steepness(const std::function<double(const SeenPoint&)>& value) const {
-    // Of the nine pixels, 1 is above the middle, 3 and 5 are left and right of it, 7 is below.
+    // Of the nine pixels, 1 is above the centre, 3 and 5 are left and right of it, 7 is below.
     const auto slope = [&](std::size_t before, std::size_t after) {
         const double span = (used[before] ? 1 : 0) + (used[after] ? 1 : 0);
         return span > 0 ? (value(points[after]) - value(points[before])) / span : 0.0;

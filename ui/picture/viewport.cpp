@@ -24,7 +24,7 @@ constexpr double wheel_pause = 0.6;   // seconds: notches closer than this are o
 
 glm::dvec2 cursor_px(const ViewportFrame& frame) { return frame.view.to_pixel(ImGui::GetIO().MousePos); }
 
-/// Depth of the surface under the cursor; of the target over the background.
+/// Depth of the surface under the cursor; over the background, of the target.
 double depth_under(const ViewportFrame& frame, glm::dvec2 pixel) {
     const bool drawn = is_inside(frame.view.map.size, pixel) && frame.renderer != nullptr;
     const float depth = drawn ? frame.renderer->depth_at(int(pixel.x), int(pixel.y)) : 0;
@@ -43,7 +43,7 @@ void begin(ViewportState& state, const ViewportFrame& frame, Gesture gesture) {
     state.grip_depth = depth_under(frame, state.pressed_px);
 }
 
-/// The pressed button.
+/// Returns the pressed button.
 int press(ViewportState& state, ViewportFrame& frame) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         begin(state, frame, Gesture::Press);
@@ -63,7 +63,7 @@ int press(ViewportState& state, ViewportFrame& frame) {
     return not_taken;
 }
 
-/// A press that moved far enough becomes a drag.
+/// Turns a press that moved far enough into a drag.
 void decide(ViewportState& state, const ViewportFrame& frame, const UiInput& input) {
     const double moved = glm::length(cursor_px(frame) - state.pressed_px) * frame.view.units_per_pixel;
     if (moved < double(px(float(drag_threshold)))) return;
@@ -107,9 +107,9 @@ void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
 
 void click(ViewportState& state, PictureSize size) {
     state.touched = true;
-    if (state.pressed_grip.is_mark()) return;  // selected when pressed
+    if (state.pressed_grip.is_mark()) return;  // it was selected when pressed
     state.asked = true;
-    // The pixel's centre: at its edge, pictures of another shape might pick its neighbour.
+    // Uses the pixel's centre: near its edge, pictures of another shape might pick the neighbour.
     const glm::dvec2 middle = glm::dvec2(nearest_pixel(size, state.pressed_px)) + 0.5;
     ask_about(state, middle / glm::dvec2(size.width, size.height));
 }
@@ -127,8 +127,8 @@ void select_object_under(ViewportFrame& frame, glm::dvec2 pixel) {
         frame.selection = {Selection::Kind::Object, object};
 }
 
-/// The wheel, or two fingers on a trackpad: closer and away; with Shift, or sideways, the picture follows the
-/// fingers; with Alt the camera turns.
+/// The wheel, or two fingers on a trackpad, moves the camera closer or away. With Shift, or sideways, the
+/// picture follows the fingers; with Alt the camera turns.
 void wheel(ViewportState& state, ViewportFrame& frame) {
     const ImGuiIO& io = ImGui::GetIO();
     state.wheel_goes_on = false;
@@ -165,8 +165,8 @@ ViewportFrame viewport_frame(UiState& state, const PictureView& view) {
             state.viewport.gizmo, state.viewport.pivot};
 }
 
-/// The renderer of the picture under the cursor, which may be a part of a comparison; null if its lights are
-/// not those of the edited scene.
+/// The renderer of the picture under the cursor, which may be a part of a comparison; null if its lights
+/// differ from those of the edited scene.
 const Renderer* renderer_under(const UiState& state, const ViewportFrame& frame) {
     if (state.on_screen.is_out_of_hand() || frame.renderer == nullptr) return nullptr;
     const ShownPart* part = part_at(state, nearest_pixel(frame.view.map.size, cursor_px(frame)));
@@ -181,7 +181,7 @@ bool shows_effects(const UiState& state, const ViewportFrame& frame) {
     return !state.on_screen.resting && part != nullptr && part->has_effects;
 }
 
-/// The light that follows the mouse owns it everywhere.
+/// A light that follows the mouse takes precedence everywhere.
 bool hover_with_effect(ViewportState& state, const ViewportFrame& frame) {
     state.hovered = ImGui::IsItemHovered();
     state.hovered_grip = {};
@@ -204,7 +204,7 @@ bool hand_hover(ToolFrame& tool) {
     state.asked = state.pressed_mark = false;
     if (state.gesture == Gesture::Effect) return hover_with_effect(state, frame);
     state.hovered = tool.over;
-    // With Alt only the camera can be grabbed; in a scene other than the edited one nothing can be.
+    // With Alt, only the camera can be grabbed; in a scene other than the edited one, nothing can be.
     const bool takes_hold = state.hovered && !ImGui::GetIO().KeyAlt && !tool.state.on_screen.is_out_of_hand();
     state.hovered_grip = takes_hold ? grip_under(frame, cursor_px(frame)) : Grip{};
     if (!state.hovered_grip.is_mark() && !shows_effects(tool.state, frame)) state.hovered_grip = {};

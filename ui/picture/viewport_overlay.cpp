@@ -1,4 +1,4 @@
-// Draws handles, the probe and notes over the picture, and provides the status line's hint about a drag.
+// Draws handles, the probe and notes over the picture, and returns the status line's hint about a drag.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ bool is_hidden(const Handle& handle, const ViewportFrame& frame) {
     return depth > 0 && handle.at.depth > depth * 1.01;
 }
 
-/// A highlight or a terminator being hovered or dragged: a ring there, and a line to its light.
+/// Marks a highlight or a terminator that is hovered or dragged: a ring there, and a line to its light.
 void draw_hold_on_surface(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
     const bool effect = state.gesture == Gesture::Effect, held = state.gesture == Gesture::Hand || effect;
     const Grip follows{.kind = GripKind::Highlight, .item = state.effect.light};
@@ -59,7 +59,7 @@ void draw_probe(ImDrawList& list, const ViewportState& state, const ViewportFram
     cased_circle(list, at, 5, white, 1.4f);
 }
 
-/// The area of the object under the cursor in the window: where the light's effect is visible.
+/// The area in the window of the object under the cursor, where the light's effect is visible.
 std::optional<Rect> object_under(const ViewportFrame& frame) {
     const glm::dvec2 cursor = frame.view.to_pixel(ImGui::GetIO().MousePos);
     if (frame.renderer == nullptr || !is_inside(frame.view.map.size, cursor)) return {};
@@ -91,7 +91,7 @@ void draw_hand_note(ImDrawList& list, const ViewportState& state, const Viewport
     draw_note(list, ImGui::GetIO().MousePos, note, is_mark ? std::nullopt : object_under(frame));
 }
 
-/// The line from a light to the point that it is being aimed at.
+/// Draws the line from a light to the point that it is being aimed at.
 void draw_aim(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
     if (state.gesture != Gesture::Hand || !exists(state.held.grip, frame.scene)) return;
     const auto* drag = std::get_if<ShapeDrag>(&state.held.drag);

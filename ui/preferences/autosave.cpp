@@ -38,9 +38,9 @@ std::string time_text(std::time_t when) {
 }
 
 struct Copy {
-    std::string path;  // of the copied file
+    std::string path;  // path of the copied file
     Json scene;
-    FileStamp stamp;  // of that file when it was read
+    FileStamp stamp;  // stamp of that file when it was read
 };
 
 std::optional<Copy> read_copy(const std::string& path) {
@@ -62,7 +62,7 @@ std::optional<AutosaveLock> lock_autosave(const std::string& path) {
         ::close(*file);
         delete file;
     };
-    const std::string name = path + ".lock";  // stays: removing it would race with another process's lock
+    const std::string name = path + ".lock";  // never removed: that would race with another process's lock
     const std::shared_ptr<const int> file(new int(::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)),
                                           close);
     if (*file < 0 || ::flock(*file, LOCK_EX | LOCK_NB) != 0) return {};

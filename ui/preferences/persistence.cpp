@@ -34,7 +34,7 @@ Result<std::monostate> write_settings(const Persistence& memory) {
 
 void note_recent(UiState& state) {
     Persistence& memory = state.persistence;
-    // The lesson's name, until its scene is saved under another name.
+    // The path is the lesson's, until its scene is saved under another name.
     const std::string& scene = state.editor.document.path;
     const std::string& path = scene.empty() ? state.editor.source.path : scene;
     if (path == memory.opened) return;
@@ -42,11 +42,11 @@ void note_recent(UiState& state) {
     memory.preferences.recent = with_recent_file(memory.preferences.recent, path);
 }
 
-/// If several windows are open, the last one to write wins.
+/// Writes the preferences. If several windows are open, the last one to write wins.
 void write_preferences(UiState& state) {
     Persistence& memory = state.persistence;
     if (memory.preferences == memory.written) return;
-    memory.written = memory.preferences;  // a failed write is repeated at the next change
+    memory.written = memory.preferences;  // a failed write is repeated after the next change
     const Result<std::monostate> written = write_settings(memory);
     if (const Problem* problem = problem_of(written))
         tell_not_kept(state, "The settings of the window", *problem);
@@ -59,7 +59,7 @@ void note_preferences(UiState& state) {
     now.layout = state.layout;
     now.kept_views = state.kept_views;
     now.features = features_to_remember(state);
-    LayoutState& layout = now.layout;  // hidden bars and the projector mode are temporary
+    LayoutState& layout = now.layout;  // hidden bars and projector mode are temporary
     layout.lesson = layout.hides_columns = layout.hides_all = false;
     if (std::exchange(layout.projector, false)) {
         layout.left = std::exchange(layout.left_before, true);
@@ -89,7 +89,7 @@ std::optional<Problem> why_no_folder(const std::string& folder) {
     if (folder.empty())
         return Problem{"", "", "neither $XDG_STATE_HOME nor $HOME is set to an absolute path", expected};
     std::error_code failed;
-    // Only the user may read a copy of unsaved work: the scene's own file may be private.
+    // Only the user may read a copy of unsaved work, because the scene's own file may be private.
     if (fs::create_directories(folder, failed)) fs::permissions(folder, fs::perms::owner_all, failed);
     if (failed) return Problem{folder, "", "cannot be made: " + failed.message(), expected};
     return {};

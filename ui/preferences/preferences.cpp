@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene file that contains only a camera: its writer and its checks serve a saved view too.
+/// A scene file that contains only a camera, so that its writer and its checks also serve saved views.
 Json camera_json(const Camera& camera) {
     Scene scene;
     scene.camera = camera;
@@ -31,7 +31,7 @@ std::optional<Camera> read_camera(const Json& json) {
     return {};
 }
 
-// Recent files: absolute paths without control characters, each once, at most max_recent_files.
+// Recent files: absolute paths without control characters and duplicates, at most max_recent_files.
 
 constexpr std::size_t longest_path = 4096;  // PATH_MAX
 
@@ -79,7 +79,7 @@ struct Limits {
     float low, high;
 };
 
-/// Each number and switch of the preferences once: its name in the file, its member, and its range.
+/// Visits each number and switch of the preferences: its name in the file, its member, and its range.
 template <class P, class Visit> void preference_fields(P& p, const Visit& visit) {
     constexpr Limits column{least_column_width, max_column_width}, why{least_why_width, max_column_width},
         window{0, 16384};

@@ -1,4 +1,4 @@
-// The copy of unsaved work: when it is written, reported as impossible, and removed.
+// The copy of unsaved work: writing it, reporting that it cannot be written, and removing it.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double seconds_between_copies = 5;
 
-/// Locks a copy for this process if it has none, and recreates a missing folder. Returns why there can be no
-/// copy.
+/// Locks a copy for this process if it has none, and creates the folder if it is missing. Returns why there
+/// can be no copy.
 std::optional<Problem> why_no_autosave(Persistence& memory) {
     if (auto problem = why_no_folder(memory.folder)) return problem;
     if (!memory.autosave) memory.autosave = new_autosave(memory.folder);
@@ -23,7 +23,7 @@ std::optional<Problem> why_no_autosave(Persistence& memory) {
     return Problem{memory.folder, "", "cannot be written", "a folder of your own"};
 }
 
-/// Starts writing the copy on its own thread, since writing waits for the disk.
+/// Starts writing the copy on its own thread, since writing may wait for the disk.
 void write_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     memory.autosaved_at = ImGui::GetTime();
@@ -96,7 +96,7 @@ void keep_orphan(UiState& state, const std::string& path) {
 bool keep_unsaved_work(UiState& state) {
     Persistence& memory = state.persistence;
     if (memory.folder.empty() || !state.editor.unsaved()) return false;
-    if (memory.autosave_writing)  // it writes to the same file
+    if (memory.autosave_writing)  // the thread writes to the same file
         std::exchange(memory.autosave_writing, nullptr)->wait();
     if (why_no_autosave(memory)) return false;
     const std::string text = autosave_text(document_as_made(state), memory.folder);

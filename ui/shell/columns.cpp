@@ -137,7 +137,7 @@ float height_of(const std::string& text, float width) {
 }  // namespace
 
 float even_width(const std::string& text, float width) {
-    constexpr int halvings = 10;  // of a width, down to one pixel
+    constexpr int halvings = 10;  // steps of bisecting a width, down to one pixel
     const float lines = height_of(text, width);
     float too_narrow = 0, wide = width;
     for (int i = 0; i < halvings; ++i) {
@@ -177,11 +177,11 @@ void caption_line(const UiState& state, const Layout& layout) {
 
 namespace {
 
-/// What the left column contains: tabs if there is more than one part.
+/// The parts of the left column, which has tabs if there is more than one.
 enum class LeftPart { Feature, Scene, Why };
 
 LeftPart left_part(const UiState& state, const Layout& layout) {
-    const bool held = is_held(state);  // then nothing can be edited or picked
+    const bool held = is_held(state);  // nothing can be edited or picked
     if (layout.inspector_in_left && state.left_shows_inspector && !held) return LeftPart::Why;
     return state.layout.lesson && (held || !state.left_shows_scene) ? LeftPart::Feature : LeftPart::Scene;
 }
@@ -222,7 +222,7 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
         left_tabs(state, layout, column);
     else
         column_heading("SCENE");
-    column = open_column(state);  // it may just have been closed
+    column = open_column(state);  // the column may just have been closed
     switch (left_part(state, layout)) {
     case LeftPart::Feature:
         if (column != nullptr) column->draw(state);
@@ -231,14 +231,14 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
         scene_column(state, view);
         break;
     case LeftPart::Why:
-        break;  // after the picture is drawn: inspector_columns()
+        break;  // drawn after the picture: inspector_columns()
     }
     ImGui::End();
 }
 
 namespace {
 
-/// Draws a note in place of all numbers, which would reveal the answer.
+/// Draws a note in place of all numbers, because they would reveal the answer.
 void held_note() {
     ImGui::Dummy({0, px(8)});
     ImGui::PushFont(fonts().title);

@@ -42,7 +42,7 @@ Layout lay_out(ImVec2 window, const LayoutState& state, float scale) {
     const float bars = state.hides_all ? 0 : scale;
     const float top = std::round(std::min(top_height * bars, height / 3));
     const float bottom = std::round(height - std::min(status_height * bars, height / 3));
-    // Columns together take at most two thirds of the width.
+    // The columns together take at most two thirds of the width.
     const float wanted_left = layout.has_left ? left_width(state) * scale : 0;
     const float wanted_right = layout.has_right ? state.right_width * scale : 0;
     const float shrink = std::min(1.0f, width * 2 / 3 / std::max(wanted_left + wanted_right, 1.0f));
@@ -76,7 +76,7 @@ Rect picture_area(const Rect& centre, float scale) {
 
 namespace {
 
-/// A draggable edge at `x`. Unlike the columns it is in front, so that it receives the mouse. `outwards`: 1
+/// A draggable edge at `x`. It is drawn in front of the columns, so that it receives the mouse. `outwards`: 1
 /// if a drag to the right makes its column wider, -1 if a drag to the left does.
 void edge(const char* id, float x, const Rect& column, float outwards, float initial, float least,
           float& width, float scale) {
@@ -96,7 +96,7 @@ void edge(const char* id, float x, const Rect& column, float outwards, float ini
                                                   to_u32(theme().accent));
     }
     if (held) {
-        // Measured from the cursor, so that the edge stays under it after a limit was reached.
+        // Measured from the cursor, so that the edge is under it again after a limit was reached.
         const float wanted = outwards > 0 ? ImGui::GetIO().MousePos.x - column.low.x
                                           : column.high.x - ImGui::GetIO().MousePos.x;
         if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1))

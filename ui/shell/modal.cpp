@@ -24,7 +24,7 @@ bool pressed(const UiInput& input, Key key) {
                        [key](const KeyPress& p) { return p.key == key; });
 }
 
-/// The key for each answer, below the buttons.
+/// Draws the key for each answer, below the buttons.
 void key_words(const char* words) {
     ImGui::Dummy({0, px(2)});
     small_dim(words);
@@ -49,7 +49,7 @@ void unsaved_question(UiState& state, const UiInput& input) {
     ImGui::EndPopup();
 }
 
-/// Enter chooses nothing here: each answer but Cancel discards something or needs a name.
+/// Enter chooses nothing here, because each answer but Cancel discards something or needs a name.
 void changed_question(UiState& state, const UiInput& input) {
     if (!begin_question("Changed by another##question")) return;
     const std::string title = state.editor.title();
@@ -151,8 +151,8 @@ void dialogs(UiState& state, const UiInput& input) {
         dialog->draw(state, input);
         state.letters_from = ImGui::GetTime() + late;
     }
-    if (open_dialog(state) != dialog) redraw_within(0);  // the next one, or the one below
-    // The file dialog was cancelled, or the question was left unanswered.
+    if (open_dialog(state) != dialog) redraw_within(0);  // for the next dialog, or the one below
+    // The file dialog was cancelled, or the question was not answered.
     if (!state.files.open && !state.asks_overwrite && !state.pending.asking) state.pending = {};
 }
 

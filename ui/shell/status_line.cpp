@@ -1,4 +1,4 @@
-// The row at the bottom.
+// The status line at the bottom.
 #include <fmt/core.h>
 #include <imgui.h>
 

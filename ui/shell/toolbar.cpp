@@ -30,13 +30,13 @@ void caption(const char* text) {
     ImGui::SameLine(0, px(6));
 }
 
-/// The width of a drop-down that shows the label completely.
+/// The width at which a drop-down shows the label completely.
 float label_width(const char* label) {
     return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight();
 }
 
-/// All choices side by side if they fit into `room`, else a drop-down; without those of `advanced`, unless
-/// one is chosen.
+/// All choices side by side if they fit into `room`, else a drop-down. Omits those of `advanced`, unless one
+/// of them is chosen.
 template <class E>
 void choice_switch(const char* name, E& value, const Help& help, float room,
                    std::initializer_list<E> advanced) {
@@ -111,7 +111,7 @@ float caption_width(const char* text) {
     return fonts().small->CalcTextSizeA(small_text_height(), 1e9f, 0, text).x + px(6);
 }
 
-/// The controls to the right of the menus: what does not fit is behind "»".
+/// The controls to the right of the menus. Those that do not fit are behind "»".
 void switches(UiState& state, const Rect& area) {
     Shading& shading = state.editor.scene().shading;
     const float button = ImGui::GetFrameHeight(), gap = px(area.size().x > px(three_column_width) ? 16 : 8);
@@ -123,7 +123,8 @@ void switches(UiState& state, const Rect& area) {
     const bool fits = all >= 2 * combo + terms + history;
     const float choices_room = all - (fits ? terms + history : more);
     const float of_mode = segments_width(choices<ShadingMode>);
-    // Without room for both, a label that is cut off gets the other one's share.
+    // If there is not enough room for both, a label that is cut off gets the space that the other does not
+    // need.
     const float half = choices_room / 2, least = label_width(choice_of(shading.mode).label);
     const float left = choices_room - label_width(choice_of(shading.reflection).label);
     const float mode_room =
@@ -153,7 +154,7 @@ void toolbar(UiState& state, const Rect& area) {
     ImGui::SetNextWindowPos(area.low);
     ImGui::SetNextWindowSize(area.size());
     const float line = ImGui::GetFontSize();
-    // ImGui makes the menu bar one frame high: padding makes it fill the row.
+    // ImGui makes the menu bar one frame high, so padding makes it fill the row.
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(7), (area.size().y - line) / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(4), 0});
     constexpr auto flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |

@@ -20,21 +20,21 @@ float segment_width(const Choice& option, float padding) {
     return ImGui::CalcTextSize(option.label).x + 2 * padding;
 }
 
-/// Space on either side of a segment's label: less if the row is too narrow for all of them.
+/// Space on either side of a segment's label; less if the row is too narrow for all labels.
 float segment_padding(std::span<const Choice> options) {
     const float wanted = segments_width(options), room = ImGui::GetContentRegionAvail().x;
     const float missing = std::max(wanted - room, 0.0f) / (2 * static_cast<float>(options.size()));
     return std::max(px(8) - missing, px(2));
 }
 
-/// The style of one of the joined buttons: its outer corners are round.
+/// The style of one of the joined buttons: only outer corners are rounded.
 struct Segment {
     bool on;
     ImDrawFlags corners;
     float padding;
 };
 
-/// True when pressed.
+/// Draws a segment. True when pressed.
 bool segment(const Choice& option, const Segment& look) {
     const auto [on, corners, padding] = look;
     const bool pressed = hit_area("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()});
@@ -84,7 +84,7 @@ float segments_width(std::span<const Choice> options) {
 int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help) {
     ImGui::PushID(id);
     int result = chosen;
-    // If the labels do not fit they use a smaller font instead of being cut off.
+    // If the labels do not fit, they use a smaller font instead of being cut off.
     const bool crowded = segment_padding(options) < px(4);
     if (crowded) ImGui::PushFont(fonts().small);
     const float padding = segment_padding(options);

@@ -23,13 +23,13 @@ constexpr std::size_t presets_a_row = 10;
 bool swatch(const char* id, glm::vec3 colour, float side) {
     const bool pressed = ImGui::ColorButton(id, {colour.x, colour.y, colour.z, 1},
                                             as_numbers | ImGuiColorEditFlags_NoTooltip, {side, side});
-    // White on a light panel, black on a dark one.
+    // The frame is white on a light panel, black on a dark one.
     ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
                                         to_u32(theme().dim_text, 0.6f), ImGui::GetStyle().FrameRounding);
     return pressed;
 }
 
-/// Takes the colour of a swatch that was dragged here from another field.
+/// Accepts the colour of a swatch that was dragged here from another field.
 bool take_dropped_colour(glm::vec3& value) {
     if (!ImGui::BeginDragDropTarget()) return false;
     const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(IMGUI_PAYLOAD_TYPE_COLOR_3F);
@@ -108,8 +108,8 @@ bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const 
 }
 
 std::span<const ColourPreset> colour_presets() {
-    // Lamps: Planck's law over the colour matching functions of CIE 1931 (Wyman, Sloan, Shirley 2013), to
-    // linear sRGB, clamped at 0 and divided by the largest channel.
+    // Lamps: Planck's law with the colour matching functions of CIE 1931 (Wyman, Sloan, Shirley 2013),
+    // converted to linear sRGB, clamped at 0 and divided by the largest channel.
     static constexpr std::array all{ColourPreset{"White", {1, 1, 1}},
                                     ColourPreset{"Half grey", {0.5f, 0.5f, 0.5f}},
                                     ColourPreset{"Middle grey, 18 %", {0.18f, 0.18f, 0.18f}},

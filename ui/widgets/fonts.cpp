@@ -37,12 +37,12 @@ std::vector<fs::path> font_folders() {
     return folders;
 }
 
-/// Latin, Greek, and the signs in the equation and the window's texts.
+/// Latin, Greek, and the symbols in the equation and the window's texts.
 constexpr std::array<ImWchar, 25> glyphs{
     0x20,   0xFF,   0x131,  0x131,  0x2E2,  0x2E2,  0x370,  0x3FF,  0x2010, 0x2027, 0x2030, 0x203A, 0x2070,
     0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0x2713, 0x2717, 0x2022, 0x2022, 0};
 
-/// ImGui's own font is Latin-1 only: other characters are replaced by their nearest letter.
+/// ImGui's own font is Latin-1 only, so other characters are replaced by the most similar letter.
 void stand_in(ImFont& font) {
     struct StandIn {
         ImWchar sign, letter;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// A square of edge 2 round the origin, drawn at a place and size.
+/// A square of edge 2 round the origin, drawn at a position and size.
 struct Pen {
     ImDrawList& list;
     ImVec2 centre;
@@ -74,7 +74,7 @@ void draw_object(const Pen& pen) {
     pen.list.AddLine(low, middle, pen.colour, pen.width);
 }
 
-void draw_shading(const Pen& pen) {  // a ball, half of it lit
+void draw_shading(const Pen& pen) {  // a ball with one half lit
     pen.ring(0, 0, 0.82f);
     pen.list.PathArcTo(pen.at(0, 0), 0.82f * pen.unit, pi / 2, 3 * pi / 2, 16);
     pen.list.PathFillConvex(pen.colour);
@@ -97,7 +97,7 @@ void draw_eye(const Pen& pen, bool open) {
     }
 }
 
-/// A half circle that ends in an arrow, at its left (undo) or its right (redo).
+/// Draws a half circle that ends in an arrow, at its left (undo) or its right (redo).
 void draw_turn(const Pen& pen, float way) {
     pen.arc(0, 0.3f, 0.62f, pi, 2 * pi);
     const float x = way * 0.62f;
@@ -179,8 +179,8 @@ ImVec4 colour_of(const Light& light) {
 }
 
 ImVec4 legible(ImVec4 colour) {
-    constexpr double enough = 3;  // for an icon, which is larger than text. Source: WCAG 2.1, 1.4.11
-    // Also on a selected row of a list, which is darker than the panel.
+    constexpr double enough = 3;  // contrast of an icon, which is larger than text. Source: WCAG 2.1, 1.4.11
+    // Also legible on a selected row of a list, which is darker than the panel.
     constexpr float tint = 0.3f;
     const ImVec4 &panel = theme().panel, &accent = theme().accent;
     const auto mixed = [](float a, float b) { return (1 - tint) * a + tint * b; };

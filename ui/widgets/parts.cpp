@@ -27,7 +27,8 @@ template <class Button> bool with_choice(bool chosen, const Button& button) {
     return clicked;
 }
 
-/// Breaks a text between words if it exceeds a line of `width`. ImGui would also break after a decimal point.
+/// Breaks a text between words if it is longer than a line of `width`. ImGui would also break after a decimal
+/// point.
 std::string in_lines(const std::string& text, float width) {
     std::string lines, line;
     const auto end_line = [&] { lines += (lines.empty() ? "" : "\n") + std::exchange(line, {}); };
@@ -46,7 +47,7 @@ std::string in_lines(const std::string& text, float width) {
 
 /// Draws wrapped text as ImGui does, but breaks it by in_lines().
 void wrapped(const ImVec4& colour, const std::string& text) {
-    ImGui::PushTextWrapPos(0);  // for a word that is longer than a line
+    ImGui::PushTextWrapPos(0);  // in case a word is longer than a line
     coloured(colour, in_lines(text, ImGui::GetContentRegionAvail().x));
     ImGui::PopTextWrapPos();
 }

@@ -23,9 +23,10 @@ double luminance(const ImVec4& c) {
     return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
 }
 
-constexpr double projector_contrast = 7.1;  // slightly over 7: colours are rounded to bytes
+constexpr double projector_contrast = 7.1;  // slightly above 7, because colours are rounded to bytes
 
-/// `ink` shifted towards white (on dark backgrounds) or black until it contrasts with all of `grounds`.
+/// `ink` shifted towards white (on dark backgrounds) or black until it contrasts enough with all of
+/// `grounds`.
 ImVec4 strengthened(ImVec4 ink, std::initializer_list<ImVec4> grounds, bool dark) {
     const float end = dark ? 1 : 0;
     for (float share = 0; share <= 1; share += 0.01f) {
@@ -166,7 +167,7 @@ void apply_theme(const Theme& chosen, float scale) {
     style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;
     style.ScaleAllSizes(scale);
-    // Not a design length but ImGui's own lower limit: scaled by less than 1 it would be rounded to 0.
+    // Not a design length but ImGui's own lower limit. Scaled by less than 1, it would be rounded to 0.
     style.WindowMinSize = {1, 1};
     set_colours(style, chosen);
     ImGui::GetStyle() = style;

@@ -82,7 +82,7 @@ bool bare_number(const char* label, float& value, const Real& kind, float initia
 bool integer_field(const char* label, int& value, const Count& count, int initial, const Help& help) {
     const int low = count.low, high = count.high;
     const std::string words = fmt::format("{} to {}", low, high);
-    // A drag over 300 pixels goes from the default to four times the default, regardless of the limit.
+    // A drag of 300 pixels goes from the default to four times the default, regardless of the limit.
     const Real kind{.range = {double(low), double(high), words},
                     .step = std::max(0.03f, float(initial) / 100),
                     .format = "%.0f",
@@ -132,7 +132,7 @@ bool switch_field(const char* label, bool& value, const Help& help) {
 
 bool bare_name(const char* id, std::string& name, std::size_t max_characters, int flags) {
     const bool changed = text_field(id, "", name, flags);
-    if (changed) name = with_invalid_replaced(name);  // a scene file is UTF-8, pasted text may not be
+    if (changed) name = with_invalid_replaced(name);  // a scene file is UTF-8; pasted text may not be
     if (changed && max_characters > 0) name = first_characters(name, max_characters);
     return changed;
 }

@@ -15,9 +15,8 @@ glm::dvec3 rotated(glm::dvec3 v, glm::dvec3 axis, double angle) {
     return glm::dvec3(glm::rotate(glm::dmat4(1), angle, axis) * glm::dvec4(v, 0));
 }
 
-// On the screen the line is
-// p(t) = (A + t B)/(a + t b) with clip coordinates A, a of the place and B, b of the axis; the foot of the
-// cursor on it is known, and one coordinate of p(t) = foot gives t.
+// On the screen the line is p(t) = (A + t B)/(a + t b) with clip coordinates A, a of the position and B, b of
+// the axis. The cursor's projection onto it is known, and one coordinate of p(t) equal to that point gives t.
 double along_line(const ScreenMap& map, glm::dvec3 place, glm::dvec3 axis, glm::dvec2 cursor_px) {
     const glm::dvec4 at = map.clip_from_world * glm::dvec4(place, 1),
                      step = map.clip_from_world * glm::dvec4(axis, 0);
@@ -28,14 +27,14 @@ double along_line(const ScreenMap& map, glm::dvec3 place, glm::dvec3 axis, glm::
     const glm::dvec2 slope = (glm::dvec2(step) * at.w - glm::dvec2(at) * step.w) / (at.w * at.w);
     const glm::dvec2 way{slope.x * half.x, -slope.y * half.y};
     const double length = glm::length(way);
-    if (length < 1e-6) return 0;  // seen end on
+    if (length < 1e-6) return 0;  // seen end-on
     const glm::dvec2 foot = from + glm::dot(cursor_px - from, way) / (length * length) * way;
     const glm::dvec2 ndc{foot.x / half.x - 1, 1 - foot.y / half.y};
     const bool by_x = std::abs(way.x) > std::abs(way.y);
     const double value = by_x ? ndc.x : ndc.y, a = by_x ? at.x : at.y, b = by_x ? step.x : step.y;
     const double below = value * step.w - b;
     const double t = std::abs(below) < 1e-12 ? 0 : (a - value * at.w) / below;
-    // Beyond the vanishing point no point of the line is in front of the eye.
+    // No point of the line beyond the vanishing point is in front of the eye.
     return at.w + t * step.w > 1e-3 * at.w ? t : 0;
 }
 
@@ -49,7 +48,7 @@ glm::dvec3 on_dome(const Dome& dome, const Ray& ray, bool nearer) {
     return foot + (nearer ? -half_chord : half_chord) * ray.direction;
 }
 
-// The best of 360 angles, then refined.
+// Tries 360 angles, then refines the best one.
 double turn_towards(const ScreenMap& map, const Dome& circle, glm::dvec3 direction, glm::dvec3 axis,
                     glm::dvec2 cursor_px) {
     const auto distance = [&](double angle) {

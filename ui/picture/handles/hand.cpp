@@ -35,7 +35,7 @@ bool has_terminator_under(const ViewportFrame& frame, int light, glm::dvec2 curs
 void drag_light(LightDrag& drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
                 glm::dvec2 last_px, const HandKeys& keys) {
     Light& light = light_of(frame, held.grip);
-    // A key changed: the drag restarts from here, so that nothing jumps.
+    // When a modifier key changes, the drag restarts from here, so that nothing jumps.
     if (const DragAlong along = drag_along(keys); along != drag.along) drag = {light, along, last_px};
     light = dragged(drag, held.view, cursor_px, keys.ctrl);
 }
@@ -55,8 +55,7 @@ void drag_shape(ShapeDrag& drag, const Held& held, const ViewportFrame& frame, g
                 glm::dvec2 last_px, const HandKeys& keys) {
     Light& light = light_of(frame, held.grip);
     const bool is_aim = drag.grip.part == ShapePart::Aim;
-    if (is_aim && keys.shift != drag.free) {  // a key changed: the drag restarts from here, so that nothing
-                                              // jumps
+    if (is_aim && keys.shift != drag.free) {  // a key changed: restart the drag, so that nothing jumps
         drag.start = light;
         drag.grip.place = place_of(drag.grip, light, held.view.dome, held.view.map);
         drag.grabbed_px = last_px;
@@ -67,7 +66,8 @@ void drag_shape(ShapeDrag& drag, const Held& held, const ViewportFrame& frame, g
                                  : dragged_shape(drag, held.view, cursor_px, keys.ctrl);
 }
 
-/// Brighter upwards. The light keeps its position, as does a highlight: the drag restarts from here.
+/// Changes the intensity: upwards is brighter. The light keeps its position, and a highlight too: the drag
+/// restarts from here.
 void dim_light(Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px) {
     Light& light = light_of(frame, held.grip);
     light.intensity = dimmed(light.intensity, last_px.y - cursor_px.y, held.view.map.size.height);
@@ -84,7 +84,7 @@ bool can_dim(GripKind kind) {
     return kind == GripKind::Light || kind == GripKind::Highlight || kind == GripKind::Terminator;
 }
 
-/// The highlight's size belongs to the material.
+/// Changes the highlight's size, which is part of the material.
 void drag_size(const SizeDrag& drag, Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px) {
     const auto material = sized_highlight(drag, surface_of(frame), cursor_px);
     held.no_solution = !material;
@@ -103,7 +103,7 @@ void drag_on_surface(Held& held, const ViewportFrame& frame, glm::dvec2 cursor_p
     if (light) light_of(frame, held.grip) = *light;
 }
 
-/// A pressed axis key overrides the grabbed part.
+/// A pressed axis key takes precedence over the grabbed part.
 void drag_object(ObjectDrag drag, Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
                  const HandKeys& keys) {
     for (std::size_t i = 0; i < 3; ++i)

@@ -1,4 +1,4 @@
-// Texts of the status line and of the note at the cursor about a grip.
+// Texts about a grip, for the status line and the note at the cursor.
 #include <fmt/core.h>
 
 #include <glm/geometric.hpp>
@@ -56,7 +56,7 @@ const char* text_of(ShapePart part) {
     return texts[static_cast<int>(part)];
 }
 
-/// The effect of dragging a part of the gizmo: "Move along X".
+/// Describes the effect of dragging a part of the gizmo: "Move along X".
 std::string text_of(GizmoMode mode, GizmoPart part) {
     constexpr const char* free[] = {"", "Move in the view plane", "Rotate round the line of sight",
                                     "Scale uniformly"};
@@ -72,7 +72,7 @@ std::string three_numbers(glm::vec3 v, int decimals = 2, const char* unit = "") 
     return fmt::format("{} {} {}", text(v.x), text(v.y), text(v.z));
 }
 
-/// The motion of the dragged light.
+/// Describes the motion of the dragged light.
 std::string motion_text(const Held& held) {
     if (const auto* drag = std::get_if<LightDrag>(&held.drag)) {
         constexpr const char* moves[] = {"in the view plane", "in depth", "along X", "along Y", "along Z"};

@@ -14,16 +14,15 @@
 namespace glint {
 namespace {
 
-constexpr int patch_radius = 3;  // Distance factors of the light to try. Near the mirror image that a concave
-                                 // surface makes of the light, the specular term hardly changes in one
-                                 // direction, and the slope of the falloff leaves no peak. Then the light is
-                                 // moved slightly nearer or farther, by as little as needed.
-// pixels
+constexpr int patch_radius = 3;  // pixels
+// Factors of the light's distance to try. Near the mirror image of the light in a concave surface, the
+// specular term hardly changes in one direction, and the slope of the falloff leaves no peak. Then the light
+// is moved slightly nearer or farther, by as little as needed.
 constexpr double other_distances[] = {1, 1.25, 0.8, 1.6,  0.63, 2,  0.5,  3,    0.33, 4,    0.25,
                                       6, 0.16, 10,  0.13, 0.1,  16, 0.08, 0.06, 0.04, 0.025};
 
-/// Turns a spot if necessary, so that `place` is well inside its cone: a highlight cut off by the cone's edge
-/// has its peak there.
+/// Turns a spot if necessary, so that `place` is well inside its cone. A highlight cut off by the cone's edge
+/// would have its peak there.
 void aim_at(Light& light, glm::dvec3 place, const SurfaceView& view) {
     if (light.kind != LightKind::Spot || light.spot.cutoff_deg > 90) return;
     const glm::dvec3 way = glm::normalize(place - handle_of(light, view.dome, view.map));
@@ -36,7 +35,7 @@ void aim_at(Light& light, glm::dvec3 place, const SurfaceView& view) {
     turn_shape(light, rotation_between(axis, aim), view.map);
 }
 
-/// Searches for the light direction at which the specular term is level at the centre of a patch.
+/// Searches for the light direction with zero slope of the specular term at the centre of a patch.
 class PeakSearch {
   public:
     PeakSearch(const HighlightDrag& drag, const SurfaceView& view, const SurfacePatch& patch, double nearer)
@@ -80,7 +79,8 @@ class PeakSearch {
     }
 
   private:
-    /// Returns the slope; a huge one if the centre is dark, since an unlit patch is level but not a peak.
+    /// Returns the slope; a very large one if the centre is dark, since an unlit patch has no slope but is
+    /// not a peak.
     [[nodiscard]] glm::dvec2 slope(int radius, glm::dvec3 away) const {
         const std::vector<double> values =
             highlight_at(view_.scene, view_.map.size, light(away), patch_.points);
@@ -95,7 +95,7 @@ class PeakSearch {
     glm::dvec3 place_;
 };
 
-/// The light whose peak is nearest to the cursor.
+/// The light with its peak nearest to the cursor.
 struct BestLight {
     std::optional<Light> light;
     double miss = 0;  // pixels
@@ -109,7 +109,7 @@ struct BestLight {
     }
 };
 
-/// Returns the directions to search from: the mirror direction; for a panel also those that put one of its
+/// Returns the directions to search from: the mirror direction, and for a panel those that put one of its
 /// central samples, each of which has its own peak, in the mirror direction.
 std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const SurfaceView& view, glm::dvec3 place,
                                          glm::dvec3 mirror, double nearer) {
@@ -128,7 +128,7 @@ std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const Surfac
     return all;
 }
 
-/// The target point of the peak.
+/// The target point of the highlight's peak.
 struct Sought {
     const SurfaceView& view;
     const SurfacePatch& patch;
@@ -148,7 +148,7 @@ void look_over_distances(const HighlightDrag& drag, const Sought& sought, BestLi
     }
 }
 
-/// The grab of a spot turned so that its axis passes through the grabbed point.
+/// The same grab with the spot turned so that its axis passes through the grabbed point.
 HighlightDrag aimed_at_grabbed(const HighlightDrag& drag, const SurfaceView& view) {
     HighlightDrag aimed = drag;
     const glm::dvec3 axis = glm::normalize(to_world(drag.start, drag.start.spot.direction, 0, view.map));
@@ -194,7 +194,8 @@ std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceV
                         in_world(view.map, mirror, 0)};
     BestLight best;
     look_over_distances(drag, sought, best);
-    // Off a spot's axis its angular profile is a slope, at every distance: then it is aimed at the cursor.
+    // Away from a spot's axis, its angular profile has a slope at every distance. Then it is aimed at the
+    // cursor.
     if (best.miss > 1 && drag.start.kind == LightKind::Spot)
         look_over_distances(aimed_at_grabbed(drag, view), sought, best);
     return best.light;

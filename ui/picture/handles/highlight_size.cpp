@@ -12,12 +12,11 @@ namespace glint {
 namespace {
 
 constexpr double enough_share = 0.5;   // of the peak: the part that can be grabbed
-constexpr double enough_light = 0.15;  // a fainter one is hardly visible, so the user means to turn the
-                                       // camera
+constexpr double enough_light = 0.15;  // fainter: hardly visible, so the user means to turn the camera
 constexpr double rim_share = 0.5;      // of the maximum, at the rim
 constexpr double sharpest = 10'000, dullest = 0.1;  // exponents
 constexpr double smoothest = 0.02, roughest = 1;    // roughness
-constexpr double radius_share = 0.3;                // of a small highlight's inside that belongs to its rim
+constexpr double radius_share = 0.3;  // share of a small highlight's inside that belongs to its rim
 
 /// The material parameter that sets a highlight's size, from the smallest to the largest.
 struct Width {
@@ -34,7 +33,7 @@ Width width_of(Reflection reflection) {
                                                 : Width{&Material::roughness, smoothest, roughest};
 }
 
-/// The brightest channel of the highlight, as the picture shows it: 1 is full brightness.
+/// The brightest channel of the highlight as displayed: 1 is full brightness.
 double seen_brightness(const SurfaceView& view, const Light& light, const SeenPoint& point) {
     const Material& material = view.scene.objects[static_cast<std::size_t>(point.object)].material;
     const std::vector<SeenPoint> points{point};

@@ -54,7 +54,7 @@ Light dragged_sun(const LightDrag& drag, const DragView& view, glm::dvec2 cursor
     return light;
 }
 
-/// Rounds the coordinates that the drag changed to multiples of the step; the others stay.
+/// Rounds the coordinates changed by the drag to multiples of the step; the others do not change.
 void snap_to_grid(Light& light, const Light& start, double step) {
     for (int i = 0; i < 3; ++i)
         if (light.position[i] != start.position[i])
@@ -82,7 +82,7 @@ Light dragged(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px,
         moved = unproject(view.map, wanted, handle.depth);
         break;
     case DragAlong::Depth: {
-        // A factor e per third of the picture's height: the same relative precision near and far.
+        // A factor of e per third of the picture's height: the same relative precision near and far.
         const double factor = std::exp(std::clamp(-3 * motion.y / view.map.size.height, -7.0, 7.0));
         moved = unproject(view.map, handle.pixel, handle.depth * factor);
         break;

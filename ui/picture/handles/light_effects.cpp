@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-constexpr double faint = 0.01;  // starting intensity when a light without any is raised
+constexpr double faint = 0.01;  // initial intensity when a light of intensity 0 is raised
 
 constexpr LightEffectInfo infos[] = {
     {LightEffect::Brightest, "brightest here, n·l = 1", "The light is in the direction of n",
@@ -21,12 +21,12 @@ constexpr LightEffectInfo infos[] = {
      "No light from behind can reach that: the light stays as it is"},
 };
 
-/// Unit, towards the eye, world coordinates.
+/// The unit vector towards the eye, world coordinates.
 glm::dvec3 towards_eye(const SurfaceView& view, glm::dvec3 place) {
     return -ray_through(view.map, project(view.map, place).pixel).direction;
 }
 
-/// Unit, from the point to the light's target direction; nothing if there is none.
+/// The unit vector from the point to the light's target direction; nothing if there is none.
 std::optional<glm::dvec3> way_to_light(LightEffect effect, const SurfaceView& view, glm::dvec3 place,
                                        glm::dvec3 n) {
     if (effect == LightEffect::Brightest) return n;
@@ -66,7 +66,7 @@ glm::vec3 added_by(const ExplainedLight& light) {
 }
 
 std::optional<MainLight> main_light(const Explanation& explanation) {
-    std::map<int, double> adds;  // by the light's number
+    std::map<int, double> adds;  // by the light's index
     const auto add = [&adds](const ExplainedPoint& at, double weight) {
         for (const ExplainedLight& light : at.lights) adds[light.index] += weight * sum_of(added_by(light));
     };

@@ -19,7 +19,7 @@ namespace {
 using std::numbers::pi;
 constexpr float handle_radius = 7, grip_radius = 13;
 
-/// The point on the picture's border in the direction of something outside.
+/// The point on the picture's border in the direction of a point outside.
 glm::dvec2 on_border(const ProjectedPoint& at, glm::dvec3 in_view, PictureSize size, double margin) {
     const glm::dvec2 middle{size.width / 2.0, size.height / 2.0};
     glm::dvec2 way = at.in_front ? at.pixel - middle : glm::dvec2(in_view.x, -in_view.y);
@@ -100,7 +100,7 @@ void draw_way_out(ImDrawList& list, const PictureView& view, glm::dvec2 pixel, I
     list.AddTriangleFilled(at(15, 0), at(10, 5), at(10, -5), colour);
 }
 
-/// The grip: a disc of the light's colour with a dark rim; rays for a sun; a ring when it is off.
+/// Draws the grip: a disc of the light's colour with a dark rim; rays for a sun; a ring when it is off.
 void draw_grip(ImDrawList& list, ImVec2 at, const Light& light, HandleLook look, float opacity) {
     const float radius = look.hovered ? handle_radius + 1.5f : handle_radius, r = px(radius);
     const ImU32 colour = to_u32(colour_of(light), opacity);
@@ -183,7 +183,7 @@ void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, 
 namespace {
 
 /// The upper left corner of a note of `size` for a cursor at `at`: next to `clear`, the area to keep free, if
-/// one of its four sides has room; else next to the cursor.
+/// there is room on one of its four sides; else next to the cursor.
 ImVec2 note_corner(const Rect& picture, ImVec2 at, ImVec2 size, const std::optional<Rect>& clear) {
     const ImVec2 away = px(1) * ImVec2(20, 18), end = picture.high, edge = px(4) * ImVec2(1, 1);
     ImVec2 beside = at + away;

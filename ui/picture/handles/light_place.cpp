@@ -11,8 +11,9 @@
 namespace glint {
 namespace {
 
-// The renderer defines which matrix takes a light to camera coordinates (renderer/shade/light_sources.h). A
-// light in world space skips the round trip, so that no digit of it changes.
+// The renderer defines which matrix transforms a light to camera coordinates
+// (renderer/shade/light_sources.h). A light in world space skips the transforms there and back, so that no
+// digit of it changes.
 glm::dmat4 world_from_own(const Light& light, const ScreenMap& map) {
     const glm::dmat4 carry = camera_from_light(light.space, map.view_from_world);
     return carry == map.view_from_world ? glm::dmat4(1) : map.world_from_view * carry;
@@ -49,9 +50,9 @@ Bounds scene_bounds(const Scene& scene) {
 }
 
 double ground_height(const Scene& scene) {
-    constexpr float level = 1e-3f;  // of its width: the height of a level object
+    constexpr float level = 1e-3f;  // the maximum height of a horizontal object, as a share of its width
     const Bounds all = scene_bounds(scene);
-    const float middle = (all.min.y + all.max.y) / 2;  // a ceiling is above it
+    const float middle = (all.min.y + all.max.y) / 2;  // a ceiling is above the middle
     double height = all.min.y;
     float widest = 0;
     for (const Object& object : scene.objects) {
@@ -71,7 +72,7 @@ double ground_height(const Scene& scene) {
 Dome sun_dome(glm::vec3 target, const Bounds& bounds, const ScreenMap& map) {
     const glm::dvec3 low(bounds.min), high(bounds.max), centre(target);
     const double scene_radius = std::max(glm::length(high - low) / 2, 1e-6);
-    // The half-height and half-width of the view, as tangents of angles or (orthographic) as lengths.
+    // Half the height and half the width of the view, as tangents of angles or (orthographic) as lengths.
     const double half =
         std::min(1 / std::abs(map.clip_from_view[0][0]), 1 / std::abs(map.clip_from_view[1][1]));
     const bool parallel = map.clip_from_view[2][3] == 0;

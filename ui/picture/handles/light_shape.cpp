@@ -11,9 +11,9 @@ namespace glint {
 namespace {
 
 using std::numbers::pi;
-constexpr double least_edge = 1e-3;  // of a panel: a share of its size before
+constexpr double least_edge = 1e-3;  // of a panel: as a share of its previous size
 
-/// The direction in which a light shines, world, unit: a cone's axis, a panel's normal.
+/// The direction in which a light shines, unit, world coordinates: a cone's axis, a panel's normal.
 glm::dvec3 aim_of(const Light& light, const DragView& view) {
     if (const auto cone = cone_of(light, view.dome, view.map)) return cone->axis;
     if (const auto panel = panel_of(light, view.map)) return panel->normal();
@@ -25,7 +25,7 @@ Light turned_towards(Light light, glm::dvec3 aim, const DragView& view) {
     return light;
 }
 
-/// The cutoff or the inner angle follows the cursor.
+/// Changes the cutoff or the inner angle to follow the cursor.
 Light with_cone(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap) {
     Light light = drag.start;
     const auto cone = cone_of(light, view.dome, view.map);
@@ -33,7 +33,7 @@ Light with_cone(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_p
     const bool is_inner = drag.grip.part == ShapePart::Inner;
     const double angle = is_inner ? cone->inner : cone->angle;
     const glm::dvec3 side = std::cos(drag.grip.azimuth) * cone->u + std::sin(drag.grip.azimuth) * cone->v;
-    // The circle's points move round the light, in the plane of the axis and the grabbed point.
+    // The circle's points rotate about the light, in the plane of the axis and the grabbed point.
     const glm::dvec3 grabbed = cone->ring(drag.grip.azimuth, angle),
                      hand = (grabbed - cone->place) / cone->slant;
     const glm::dvec2 offset = project(view.map, grabbed).pixel - drag.grabbed_px;
@@ -55,13 +55,13 @@ Light with_edges(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_
     const glm::dvec2 offset = project(view.map, grip).pixel - drag.grabbed_px;
     const auto there = on_plane(view.map, panel->place, panel->normal(), cursor_px + offset);
     if (!there) return light;
-    // Position = place + a u + b v; the edges may have any angle to each other.
+    // Position = place + a u + b v; the edges need not be perpendicular.
     const glm::dvec3 way = *there - panel->place;
     const double uu = glm::dot(panel->u, panel->u), uv = glm::dot(panel->u, panel->v),
                  vv = glm::dot(panel->v, panel->v), det = uu * vv - uv * uv;
     const double wu = glm::dot(way, panel->u), wv = glm::dot(way, panel->v);
     const double a = (wu * vv - wv * uv) / det, b = (wv * uu - wu * uv) / det;
-    // Past the centre, the opposite corner is under the cursor.
+    // If the cursor has passed the centre, the opposite corner is under the cursor.
     const auto scaled = [&](glm::vec3 edge, double share) {
         double length = double(glm::length(edge)) * std::max(std::abs(share), least_edge);
         if (snap) length = std::max(std::round(length / view.snap_step), 1.0) * view.snap_step;

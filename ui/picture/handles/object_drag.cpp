@@ -45,7 +45,7 @@ Transform moved(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_
     return t;
 }
 
-/// A ring turns about its own axis, or about the line of sight to the object.
+/// The axis about which a ring turns: its own, or the line of sight to the object.
 glm::dvec3 ring_axis(const ObjectGizmo& gizmo, GizmoPart part) {
     return is_axis(part) ? gizmo.axes[axis_of(part)] : gizmo.to_eye;
 }
@@ -54,7 +54,7 @@ Transform turned(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor
     const ObjectGizmo& g = drag.gizmo;
     const glm::dvec3 axis = ring_axis(g, drag.part);
     const Dome circle{g.origin, g.length};
-    // It turns from the grabbed point of the ring to the cursor.
+    // The object turns by the angle from the grabbed point of the ring to the cursor.
     const glm::dvec3 start = across(axis).u;
     const double from = turn_towards(view.map, circle, start, axis, drag.grabbed_px);
     const glm::dvec3 held = rotated(start, axis, from);
@@ -70,7 +70,7 @@ Transform turned(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor
     return t;
 }
 
-/// Moves a scaled object so that the gizmo stays where it is.
+/// Moves a scaled object so that the gizmo stays in place.
 void keep_place(Transform& t, const ObjectDrag& drag) {
     const glm::dvec3 arm = glm::dvec3(drag.start.translate) - drag.gizmo.origin;
     if (arm == glm::dvec3(0)) return;
@@ -90,7 +90,8 @@ Transform resized(const ObjectDrag& drag, const DragView& view, glm::dvec2 curso
     const ObjectGizmo& g = drag.gizmo;
     Transform t = drag.start;
     if (!is_axis(drag.part)) {
-        // Away from the centre, to the right or up, is larger; a factor e per third of the picture's height.
+        // Motion away from the centre, to the right or up enlarges; a factor of e per third of the picture's
+        // height.
         const glm::dvec2 way = cursor_px - drag.grabbed_px;
         const double factor = std::exp(3 * (way.x - way.y) / view.map.size.height);
         for (int i = 0; i < 3; ++i) t.scale[i] = scaled(t.scale[i], factor, snap);
@@ -106,7 +107,7 @@ Transform resized(const ObjectDrag& drag, const DragView& view, glm::dvec2 curso
     return t;
 }
 
-/// Distance of the cursor from a line on the screen; far if it is not in front of the eye.
+/// Distance of the cursor from a line on the screen; very large if the line is not in front of the eye.
 double distance_to_line(const PictureView& view, glm::dvec3 a, glm::dvec3 b, glm::dvec2 cursor_px) {
     const ProjectedPoint from = project(view.map, a), to = project(view.map, b);
     if (!from.in_front || !to.in_front) return 1e9;
@@ -218,7 +219,7 @@ glm::vec3 euler_deg(const glm::dmat3& r, glm::vec3 near_deg) {
         least = away;
         best = c;
     }
-    // A thousandth of a degree: finer than any mouse movement, and 45 stays 45.
+    // A thousandth of a degree is finer than any mouse movement, and 45 stays 45.
     return glm::vec3(std::round(best.x / degree * 1000) / 1000, std::round(best.y / degree * 1000) / 1000,
                      std::round(best.z / degree * 1000) / 1000);
 }

@@ -34,7 +34,7 @@ struct GizmoPen {
         rimmed_text(pen.list, shown(at), axis_colours[axis], letters[axis]);
         ImGui::PopFont();
     }
-    /// A box at the end of an axis that scales or is seen end on, else an arrowhead.
+    /// Draws the end of an axis: a box if it scales or is seen end-on, else an arrowhead.
     void head(std::size_t axis, GizmoMode mode) const {
         const ImU32 tint = colour(axis, static_cast<GizmoPart>(axis));
         const ImVec2 tip = shown(gizmo.origin + gizmo.length * gizmo.axes[axis]);
@@ -58,7 +58,7 @@ struct GizmoPen {
         const auto part = static_cast<GizmoPart>(i + 3);
         const glm::dvec3 a = gizmo.length * gizmo.axes[(i + 1) % 3],
                          b = gizmo.length * gizmo.axes[(i + 2) % 3];
-        if (std::abs(glm::dot(gizmo.axes[i], gizmo.to_eye)) < 0.12) return;  // edge on
+        if (std::abs(glm::dot(gizmo.axes[i], gizmo.to_eye)) < 0.12) return;  // edge-on
         const ImVec2 corners[] = {shown(gizmo.origin + plane_from * a + plane_from * b),
                                   shown(gizmo.origin + plane_to * a + plane_from * b),
                                   shown(gizmo.origin + plane_to * a + plane_to * b),
@@ -67,7 +67,7 @@ struct GizmoPen {
         pen.list.AddConvexPolyFilled(corners, 4, to_u32(tint, 0.45f));
         pen.list.AddPolyline(corners, 4, to_u32(tint), ImDrawFlags_Closed, px(1.2f));
     }
-    /// The half that faces away is thin.
+    /// Draws a ring; the half that faces away is thin.
     void ring(glm::dvec3 axis, double radius, ImU32 c, bool held, bool whole) const {
         const auto [u, v] = across(axis);
         constexpr int sides = 64;

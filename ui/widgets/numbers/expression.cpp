@@ -16,7 +16,7 @@ namespace {
 
 constexpr int deepest = 40;  // nested brackets: typed text must not exhaust the stack
 
-/// Replaces the signs that the window itself writes, and decimal commas, by the signs of the calculation.
+/// Replaces decimal commas and the signs that the window itself writes by the signs of the calculation.
 std::string in_plain_signs(std::string_view text) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> signs{
         {{"−", "-"}, {"×", "*"}, {"·", "*"}, {"÷", "/"}, {"π", "pi"}, {"px", " "}, {",", "."}}};
@@ -93,7 +93,7 @@ class Calculation {
                 return value;
         }
     }
-    /// −2^2 is −4, and 2^−1 is 1/2.
+    /// Parses powers and signs: −2^2 is −4, and 2^−1 is 1/2.
     double signed_power() {
         if (++depth_ > deepest) return fail("there are too many brackets or signs in it");
         double value = 0;
@@ -158,7 +158,7 @@ class Calculation {
     std::string_view rest_;
     std::string problem_;
     int depth_ = 0;
-    double degree_ = 1;  // factor of °: fields of angles are in degrees, a function takes radians
+    double degree_ = 1;  // factor of °: angle fields are in degrees, functions take radians
 };
 
 }  // namespace

@@ -37,11 +37,11 @@ struct Typing {
     std::string began_with;
     std::array<char, longest_text> text{};
     std::string problem;  // of the present text
-    std::string refused;  // why the scene rejects the number
+    std::string refused;  // why the scene rejects the number; empty if it does not
 };
 struct InHand {
     ImGuiID id = 0;
-    int frame = -1;  // the last in which it was drawn
+    int frame = -1;  // the last frame in which it was drawn
     bool types = false;
     Scrub scrub;
     Typing typing;
@@ -60,7 +60,7 @@ bool is_held(ImGuiID id) { return hand.id == id && hand.frame + 1 >= ImGui::GetF
 
 // Typing.
 
-/// `text` is the initial text, all of it selected: the next letter replaces it.
+/// Begins typing with `text`, all of it selected, so that the next letter replaces it.
 void begin_typing(ImGuiID id, float value) {
     hand = {id, ImGui::GetFrameCount(), true, {}, {}};
     hand.typing.before = value;
@@ -82,7 +82,7 @@ bool take_typed(float& value, const Range& range) {
     return found.problem.empty() && assign(value, found.value, range);
 }
 
-/// Why a typed text does not become the number; empty if it does.
+/// The reason why typed text is rejected; empty if it is accepted.
 std::string why_refused(const Typing& typing, const std::string& text, const Calculated& found) {
     if (text.empty()) return "The field is empty";
     if (!found.problem.empty())
@@ -92,7 +92,7 @@ std::string why_refused(const Typing& typing, const std::string& text, const Cal
     return {};
 }
 
-/// A rejected text restores the previous value.
+/// Ends typing. Rejected text restores the previous value.
 bool end_typing(float& value, const Range& range) {
     const Typing typing = hand.typing;
     hand = {};
@@ -109,7 +109,7 @@ bool end_typing(float& value, const Range& range) {
     return false;
 }
 
-/// Covers its neighbours if the text is wider than the number's field.
+/// The frame of the text being typed; it covers neighbours if the text is wider than the number's field.
 ImRect frame_for_typing(const ImRect& frame) {
     const float wanted =
         ImGui::CalcTextSize(hand.typing.text.data()).x + 2 * ImGui::GetStyle().FramePadding.x + px(12);
@@ -131,7 +131,7 @@ bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value,
     if (wrong) ImGui::PopStyleColor();
     if (GImGui->ActiveId == id) return edited;
     if (!edited) return end_typing(value, range);
-    redraw_within(0);  // whether the scene accepts it is known in the next frame
+    redraw_within(0);  // the next frame shows whether the scene accepts it
     return true;
 }
 
@@ -150,7 +150,7 @@ double scrubbed(double at, float pixels, const NumberInput& input) {
     return at + double(pixels) * double(kind.step) * size;
 }
 
-/// Rounds to the decimals of the field: a drag gives round numbers.
+/// Rounds to the decimals of the field, so that a drag gives round numbers.
 double rounded(double value, const Real& kind) {
     char text[64];
     std::snprintf(text, sizeof text, kind.format, value);
@@ -175,7 +175,7 @@ bool drag(float& value, const NumberInput& input) {
     return assign(value, wanted, {range.low, range.high, range.words, range.low_open, range.high_open});
 }
 
-/// While the button is down, and when it is released.
+/// Handles a drag while the button is down, and when it is released.
 bool hold(ImGuiID id, float& value, const NumberInput& input, bool hovered) {
     hand.frame = ImGui::GetFrameCount();
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
@@ -207,7 +207,7 @@ void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput
             ImGui::GetWindowDrawList()->AddRectFilled(
                 frame.Min, {end, frame.Max.y}, ImGui::GetColorU32(slider_fill(theme(), ground)), rounding);
     }
-    // On a hovered background not every colour of a term is legible.
+    // Not every colour of a term is legible on a hovered background.
     const bool plain = hovered || held;
     ImGui::PushStyleColor(ImGuiCol_Text, plain ? theme().text : ImGui::GetStyleColorVec4(ImGuiCol_Text));
     const std::string text = fitting_text(value, input.kind, frame.GetWidth() - px(2));
@@ -241,7 +241,7 @@ void take_in_hand(ImGuiID id, float value, const NumberInput& input, bool hovere
 bool assign(float& value, double wanted, const Range& range) {
     const float before = value;
     const auto near = static_cast<float>(std::clamp(wanted, -max_number, max_number));
-    // contains(): the range may include one number outside its interval.
+    // Uses contains(), because the range may include one number outside its interval.
     value = range.contains(near) ? near : std::clamp(near, lowest(range), highest(range));
     return value != before;
 }

@@ -1,4 +1,4 @@
-// Sliders, steps and texts of a number's kind.
+// Sliders, steps and texts for each kind of number.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -53,8 +53,7 @@ double drag_step(const Real& kind, double value) {
 
 std::string shown_text(float value, const Real& kind) {
     if (value == 0 && *kind.zero != 0) return kind.zero;
-    constexpr std::size_t longest = 10;  // characters: the width of a field; the end of a number must not be
-                                         // cut off
+    constexpr std::size_t longest = 10;  // characters that fit into a field, so that the end is not cut off
     char plain[64];
     std::snprintf(plain, sizeof plain, kind.format, double(value));
     const std::string_view format = kind.format;

@@ -25,7 +25,7 @@ void copy(const std::string& text) {
     say(fmt::format("{} is on the clipboard", text));
 }
 
-/// True if the clipboard had another number. If reading it failed, the window has reported that.
+/// True if the clipboard contained another number. If reading it failed, the window has reported that.
 bool paste(float& value, const Range& range) {
     const char* text = ImGui::GetClipboardText();
     if (text == nullptr) return false;

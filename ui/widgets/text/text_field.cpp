@@ -17,14 +17,14 @@ const char* text_in_one_line(void* data) {
     if (text == nullptr) return nullptr;
     static std::string line;
     line = text;
-    line.resize(line.find_last_not_of(" \t\r\n") + 1);  // a copied line ends with a break
+    line.resize(line.find_last_not_of(" \t\r\n") + 1);  // a copied line ends with a line break
     std::replace_if(
         line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
     return line.c_str();
 }
 
-/// Dear ImGui's output for a text that had focus without an edit: replaced characters have other lengths, but
-/// the length is the original one.
+/// Dear ImGui's output for a text that had focus without an edit: characters are replaced by others of
+/// different length, but the total length is the original one.
 std::string as_visited(const std::string& text) {
     std::vector<ImWchar> wide(text.size() + 1);
     ImTextStrFromUtf8(wide.data(), static_cast<int>(wide.size()), text.c_str(), nullptr);
