@@ -53,7 +53,7 @@ struct Dialog {
 
 /// A column that replaces the scene's list in the left column.
 struct LeftColumn {
-    const char* (*name)(const UiState&) = nullptr;  // of its tab; null: it is closed
+    const char* (*name)(const UiState&) = nullptr;  // label of its tab; null: closed
     void (*draw)(UiState&) = nullptr;
     void (*close)(UiState&) = nullptr;
     void (*button)(UiState&, float right) = nullptr;  // draws a button that ends at `right`, next to the tabs
@@ -65,11 +65,11 @@ struct Feature {
     void (*settle)(UiState&) = nullptr;                 // after the panels, before the picture is drawn
     void (*compose)(UiState&) = nullptr;                // changes the displayed picture
     void (*update)(UiState&) = nullptr;                 // after the picked pixel has been explained
-    void (*draw)(UiState&, const Layout&) = nullptr;    // its own windows
+    void (*draw)(UiState&, const Layout&) = nullptr;    // draws its own windows
     void (*end)(UiState&) = nullptr;                    // after the frame's edits have become a step
 
     // On the picture.
-    std::optional<OtherScene> (*shows)(const UiState&) = nullptr;  // in place of the edited scene
+    std::optional<OtherScene> (*shows)(const UiState&) = nullptr;  // scene shown in place of the edited one
     PictureNeeds (*needs)(const UiState&) = nullptr;
     const Tool* tool = nullptr;
     void (*overlay)(ImDrawList&, UiState&, const PictureView&) = nullptr;
@@ -79,9 +79,9 @@ struct Feature {
 
     // Around the picture.
     LeftColumn column = {};
-    bool (*why)(UiState&, const PictureView&) = nullptr;  // in the WHY column; false: draw nothing below it
-    float (*status)(UiState&, ImVec2 right) = nullptr;    // in the status line; returns its width
-    std::optional<std::string> (*caption)(const UiState&) = nullptr;  // in place of the scene's own
+    bool (*why)(UiState&, const PictureView&) = nullptr;  // draws in WHY; false: nothing may follow below
+    float (*status)(UiState&, ImVec2 right) = nullptr;    // draws in the status line; returns its width
+    std::optional<std::string> (*caption)(const UiState&) = nullptr;  // replaces the scene's own caption
     Dialog dialog = {};
     PictureSheet* (*sheet)(UiState&) = nullptr;  // a sheet to keep as a texture
 

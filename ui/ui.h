@@ -81,20 +81,20 @@ struct UiState {
     std::vector<Camera> kept_views;  // saved views, of any scene; remembered with the settings
     FeatureStates features;
 
-    int threads;               // of each renderer
-    float parts_progress = 1;  // of the parts of a comparison: as Refinement::progress
+    int threads;               // threads of each renderer
+    float parts_progress = 1;  // progress of a comparison's parts, as Refinement::progress
     std::unique_ptr<Renderer> renderer;
     Refinement refinement;              // of the renderer's pictures
     const Picture* rendered = nullptr;  // the last one drawn
-    PictureSize full_size;              // of the picture in the window; `rendered` may be temporarily smaller
+    PictureSize full_size;  // size of the picture in the window; `rendered` may be temporarily smaller
     PictureSize failed_size{0, 0};  // a picture of that size failed: the last one drawn keeps its own size
     const Picture* displayed = nullptr;  // the picture in the window: `rendered`, or one composed by features
     const Picture* unpainted = nullptr;  // the same without stripes and false colours
     std::uint64_t picture_serial = 0;    // incremented with each shown picture, to update the texture
-    std::vector<ShownPart> parts;        // of `displayed`
-    double parts_ms = 0;                 // of the parts, in addition to `rendered`
+    std::vector<ShownPart> parts;        // the parts of `displayed`
+    double parts_ms = 0;                 // time for the parts, in addition to `rendered`
     PlacedPicture picture_rect;          // its position in the window
-    float legend_width = 0, label_height = 0;  // of a feature's overlay at its left and upper edge
+    float legend_width = 0, label_height = 0;  // size of a feature's overlay at the left and upper edge
     Scene rendered_scene;                      // the scene in `rendered`
     bool rendered_is_edited = false;           // no preview, and no scene that awaits a mesh
     ImGuiID active_before = 0;                 // the active control of the previous frame; 0: none
@@ -106,7 +106,7 @@ struct UiState {
 
 struct UiRequests {
     bool quit = false;
-    std::string title;                                         // of the window; empty: unchanged
+    std::string title;                                         // title of the window; empty: unchanged
     double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, if no event comes
 };
 

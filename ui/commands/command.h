@@ -57,7 +57,7 @@ struct WindowCommand {
     bool (*is_on)(const UiState&) = nullptr;                // null: not a switch
     std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty result: enabled
     CommandId id = CommandId::None;
-    bool line_above = false;       // in the menu
+    bool line_above = false;       // separator above it in the menu
     bool changes_picture = false;  // draws over or replaces the picture, where hints would be in the way
     bool quiet = false;            // does not change or reveal the scene: allowed during a question
     const char* noun = "";         // name of the switch, if it differs from the command's name
@@ -96,7 +96,7 @@ void run_keys(UiState& state, const UiInput& input);
 [[nodiscard]] std::vector<WindowCommand> view_commands();
 [[nodiscard]] std::vector<WindowCommand> shading_commands();
 
-constexpr bool ctrl = true, shift = true, alt = true;  // of a KeyPress
+constexpr bool ctrl = true, shift = true, alt = true;  // modifiers of a KeyPress
 
 /// Returns `reason`; empty if `possible`.
 [[nodiscard]] inline std::string unless(bool possible, const char* reason) { return possible ? "" : reason; }

@@ -51,7 +51,7 @@ class History {
 
   private:
     struct Step {
-        std::string name;  // of the change that produced this scene
+        std::string name;  // name of the change that produced this scene
         Scene scene;
         Camera edited_camera;
         bool edits_camera = false;

@@ -40,7 +40,7 @@ struct FolderEntry {
 
 struct FileDialog {
     bool open = false;
-    const FilePurpose* purpose = nullptr;  // while it is open
+    const FilePurpose* purpose = nullptr;  // null while the dialog is closed
     std::string folder, name;
     std::vector<FolderEntry> entries;
     bool asks_overwrite = false;

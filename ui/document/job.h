@@ -32,7 +32,7 @@ template <class Do>
     return {};
 }
 
-/// A job, whatever the type of its result.
+/// A job with a result of any type.
 class AnyJob {
   public:
     explicit AnyJob(std::string name) : name_(std::move(name)) {}

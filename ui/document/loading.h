@@ -23,7 +23,7 @@ struct AwaitedMesh {
 
 /// An orphaned autosave, loaded like a file.
 struct Recovery {
-    std::string autosave;            // its path
+    std::string autosave;            // path of the autosave
     std::shared_ptr<Scene> in_file;  // the scene in the document's file, older than the copy; empty: no file
 };
 
@@ -39,8 +39,8 @@ struct Loading {
     std::optional<Recovery> recovery;      // if `document` or `loaded` is a copy
     std::function<void(UiState&)> opened;  // Opening::opened
     std::string path;                      // of the document being opened, or of the last one
-    std::string failed;                    // that path, if it could not be opened or drawn
-    Scene scene_then;                      // the present scene when the load began
+    std::string failed;                    // path of the document being opened, or of the last one
+    Scene scene_then;                      // `path` if that file could not be opened or drawn
     std::optional<SceneDocument> loaded;   // complete, and waiting for the answer to "save changes?"
     JobPtr<SceneDocument> meshes;          // the meshes of `awaited`
     std::vector<AwaitedMesh> awaited;

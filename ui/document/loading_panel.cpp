@@ -21,7 +21,7 @@ namespace glint {
 namespace {
 
 constexpr double shown_after = 0.25;      // seconds: a quicker load shows no panel
-constexpr double seconds_a_frame = 0.03;  // while something loads
+constexpr double seconds_a_frame = 0.03;  // time between frames while something loads
 
 /// A progress bar; if the share is unknown, a segment that runs along it.
 void bar(float share) {

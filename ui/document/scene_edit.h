@@ -14,7 +14,7 @@ namespace glint {
 struct Selection {
     enum class Kind { Camera, Light, Object, Shading, Display };
     Kind kind = Kind::Shading;
-    int index = 0;  // of a light or an object
+    int index = 0;  // index of a light or an object
     bool operator==(const Selection&) const = default;
 };
 

@@ -49,9 +49,9 @@ void note_fitted(const Camera& camera, PictureSize size);
 /// Requests of a panel to its caller besides an edit, and inputs from the caller.
 struct ObjectRequests {
     bool browse_mesh = false;           // choose a mesh file
-    GizmoMode gizmo = GizmoMode::Move;  // in the picture: the current one; the panel may change it
+    GizmoMode gizmo = GizmoMode::Move;  // the gizmo in the picture; the panel may change it
     std::string about_mesh;             // shown next to the mesh's numbers
-    MeshCheck* check = nullptr;         // of the mesh
+    MeshCheck* check = nullptr;         // check of the mesh
 };
 
 /// Edits an object, whose JSON pointer is `pointer`: "/objects/0". A changed mesh source leaves Object::mesh
@@ -65,10 +65,10 @@ struct LightFocus {
     int renamed = -1;                   // number_of() the item whose name is typed in its row
     bool is_typed = false;              // whether its field has the keyboard
     bool asks_setups = false;           // opens the menu of light setups
-    int solo = -1;                      // in Scene::lights; -1: none
-    std::vector<int> muted;             // likewise
+    int solo = -1;                      // index into Scene::lights; -1: none
+    std::vector<int> muted;             // indices, likewise
     int hovered = -1;                   // the row under the mouse
-    std::vector<std::string> warnings;  // per light: why it may not do what it seems to; or empty
+    std::vector<std::string> warnings;  // per light: why its effect may differ from what it seems; or empty
     std::size_t lights = 0;  // their number at that time: with another number, the indices are invalid
     [[nodiscard]] bool is_on() const { return solo >= 0 || !muted.empty(); }
     [[nodiscard]] bool shows(int light) const {

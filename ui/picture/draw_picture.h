@@ -25,7 +25,7 @@ inline constexpr double slow_picture_ms = 33;
 
 struct FramePace {
     double slow_ms = slow_picture_ms;  // infinite while nothing is dragged
-    int divisor = 1;                   // of the picture's width and height, for the next picture
+    int divisor = 1;                   // divides the width and height of the next picture
     double full_ms = 0;                // time of a full-size picture, measured or estimated
     bool in_vain = false;              // smaller pictures are not faster: the time is spent elsewhere
     double rests_since = 0;            // time of the last change, seconds on the caller's clock
@@ -58,7 +58,7 @@ struct PartRect {
 /// A part of the displayed picture, and its relation to the edited scene.
 struct ShownPart {
     PartRect rect;
-    const Renderer* renderer = nullptr;  // that drew it; null: drawn by another program
+    const Renderer* renderer = nullptr;  // renderer that drew it; null: drawn by another program
     const Scene* other = nullptr;        // the scene in it, if its objects differ from those of the drawn one
     bool has_effects = true;             // highlights and terminators are where the edited scene has them
 };

@@ -21,7 +21,7 @@ struct UiState;
 /// A scene shown in place of the edited one. It is never part of the history or a file.
 struct OtherScene {
     Scene scene;
-    const char* name = "";                // in a sentence: "the frozen picture"
+    const char* name = "";                // name within a sentence: "the frozen picture"
     std::string label = {};               // over a part of a comparison
     std::string note = {};                // on the badge
     CommandId key = CommandId::None;      // the command that ends it
@@ -29,7 +29,7 @@ struct OtherScene {
     bool passes = false;                  // a preview while the mouse hovers over something
     bool is_partial = false;              // the edited scene with something left out
     bool of_edited = false;               // made from the edited scene, whose handles can be dragged in it
-    Selection selection = {};             // whose handles are drawn if it is not made from the edited scene
+    Selection selection = {};             // its handles are drawn if it is not made from the edited scene
     std::string refusal = {}, hint = {};  // why its view and picked pixel cannot change; in the status line
     const Feature* by = nullptr;
     void (*press)(UiState&) = nullptr;  // handles a press of the left button; null: the viewport does
@@ -41,9 +41,9 @@ struct OnScreen {
     // Of the picked pixel, in the scene on the screen or in a part of a comparison:
     std::optional<Explanation> explanation;
     std::optional<OtherScene> explained_other;    // the explained scene; none: the edited one
-    const Renderer* explained_by = nullptr;       // in this frame; null during a preview
-    glm::ivec2 pixel{0};                          // in the full picture
-    PictureSize explained_size, explained_drawn;  // of the full picture, and of the one that was drawn
+    const Renderer* explained_by = nullptr;       // renderer of this frame; null during a preview
+    glm::ivec2 pixel{0};                          // position in the full picture
+    PictureSize explained_size, explained_drawn;  // size of the full picture, and of the drawn one
 
     /// The scene to draw in place of the edited one; null: the edited one.
     [[nodiscard]] const OtherScene* drawn() const {

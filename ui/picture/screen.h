@@ -65,7 +65,7 @@ struct PictureView {
     float units_per_pixel = 1;
     ScreenMap map;
     Dome dome;
-    Bounds bounds;  // of the scene, world
+    Bounds bounds;  // bounds of the scene, world
 
     [[nodiscard]] ImVec2 to_window(glm::dvec2 pixel) const {
         return {origin.x + float(pixel.x) * units_per_pixel, origin.y + float(pixel.y) * units_per_pixel};

@@ -15,7 +15,7 @@ enum class Gesture { None, Press, Orbit, Pan, Dolly, Hand, Effect };
 /// A light that follows the cursor by its effect.
 struct HeldEffect {
     LightEffect effect = LightEffect::Brightest;
-    int light = 0;  // in Scene::lights
+    int light = 0;  // index into Scene::lights
     Light start;
     bool no_solution = false;  // no position of the light has the effect under the cursor: it does not move
 };
@@ -23,7 +23,7 @@ struct HeldEffect {
 struct ViewportState {
     Gesture gesture = Gesture::None;
     glm::dvec2 pressed_px{0}, last_px{0};
-    double grip_depth = 1;                // of the point that the camera gesture keeps under the cursor
+    double grip_depth = 1;                // depth of the point that the camera gesture keeps under the cursor
     Grip hovered_grip, pressed_grip;      // under the cursor now, and when the button was pressed
     Held held;                            // under Gesture::Hand
     HeldEffect effect;                    // under Gesture::Effect

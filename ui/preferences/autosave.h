@@ -33,7 +33,7 @@ struct AutosaveLock {
 /// A copy left by a process that has ended, now locked by this one.
 struct OrphanedAutosave {
     AutosaveLock lock;
-    std::string title;  // of the document: file_title() of its path
+    std::string title;  // title of the document: file_title() of its path
     std::string when;   // when it was written: "2025-05-03 14:05"
 };
 

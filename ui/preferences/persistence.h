@@ -26,7 +26,7 @@ inline constexpr std::size_t max_recent_files = 12;
 struct Preferences {
     bool dark = true;
     LayoutState layout;
-    int width = 0, height = 0;  // of the window, in its own units; 0: the display's default
+    int width = 0, height = 0;  // size of the window, in its own units; 0: the display's default
     bool maximized = false;
     std::vector<Camera> kept_views;   // at most max_views
     Json features = Json::object();   // written by features (Feature::write_settings)
@@ -65,11 +65,11 @@ struct Persistence {
     Preferences preferences, written;      // current; as last written to the file
     double preferences_changed = 0;        // ImGui time
     std::string opened;                    // path of the open file, the first of the recent ones
-    std::optional<AutosaveLock> autosave;  // of this process, while work is unsaved
-    std::optional<Scene> autosaved_scene;  // in the copy, or in the one being written
+    std::optional<AutosaveLock> autosave;  // lock of this process's copy, while work is unsaved
+    std::optional<Scene> autosaved_scene;  // scene in the copy, or in the one being written
     double autosaved_at = -1e9;            // ImGui time
     JobPtr<std::monostate> autosave_writing;
-    bool autosave_failed = false;           // and the user has been notified
+    bool autosave_failed = false;           // a write failed, and the user has been notified
     bool told_not_kept = false;             // whether the user knows that a requested setting cannot be kept
     std::vector<OrphanedAutosave> orphans;  // left by processes that have ended: offered one by one
 

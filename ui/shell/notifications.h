@@ -28,7 +28,7 @@ struct Notification {
 
 struct Notifications {
     std::vector<Notification> list;  // at most one
-    int told = 0;                    // number of calls of tell()
+    int told = 0;                    // number of tell() calls
 
     /// Replaces the present notification. One from this frame, or a warning or an error from the last
     /// seconds, gets another line instead. Cuts the middle out of a text of more than about nine lines.

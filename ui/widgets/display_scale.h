@@ -8,8 +8,8 @@ namespace glint {
 
 /// A window's size as reported by the window system. During a resize two queries may return different sizes.
 struct WindowExtent {
-    glm::ivec2 size{0}, size_after{0};  // in the window's units, queried before and after `dots`
-    glm::ivec2 dots{0};                 // of the framebuffer, pixels
+    glm::ivec2 size{0}, size_after{0};  // size in the window's units, queried before and after `dots`
+    glm::ivec2 dots{0};                 // size of the framebuffer, pixels
     float content_scale = 1;            // 1 on a display with 96 dots per inch
 };
 

@@ -13,7 +13,7 @@ struct Fonts {
     ImFont* small = nullptr;
     ImFont* title = nullptr;
     ImFont* figures = nullptr;  // monospaced
-    ImFont* reading = nullptr;  // of long texts
+    ImFont* reading = nullptr;  // for long texts
     ImFont* heading = nullptr;  // bold, for their headings
 };
 

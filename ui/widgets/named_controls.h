@@ -13,7 +13,7 @@ struct NamedControl {
     std::string name;      // the title of its tooltip
     std::string key;       // its tooltip's last line: the JSON pointer of its value, or keys of the keyboard
     std::string shortcut;  // the shortcut, if `key` is a value of the scene
-    Rect at;               // in the window
+    Rect at;               // position in the window
     bool in_sight = false;
 };
 

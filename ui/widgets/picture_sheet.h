@@ -13,9 +13,9 @@
 namespace glint {
 
 struct PictureSheet {
-    PictureSize cell{1, 1};  // of each small picture
+    PictureSize cell{1, 1};  // size of each small picture
     int columns = 1;
-    Picture picture;                // all of them
+    Picture picture;                // all small pictures in one
     std::uint64_t serial = 0;       // incremented by changes: the texture is updated
     ImTextureID texture = nullptr;  // given by the window
 

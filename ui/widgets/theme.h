@@ -24,7 +24,7 @@ struct Theme {
     ImVec4 text, dim_text, disabled_text;
     ImVec4 accent, accent_text;  // the selected item, and text on it
     ImVec4 warning, error;
-    ImVec4 surround;  // of the picture: neutral, of medium lightness, so that shades appear as they are
+    ImVec4 surround;  // around the picture: neutral, of medium lightness, so that shades appear as they are
     ImVec4 symbols[symbol_count];
 
     [[nodiscard]] const ImVec4& operator[](Symbol symbol) const { return symbols[static_cast<int>(symbol)]; }

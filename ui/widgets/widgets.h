@@ -86,7 +86,7 @@ void mono_text(const std::string& text);
 struct ColourPreset {
     const char* name;
     glm::vec3 linear;  // linear sRGB, the largest channel at most 1
-    int kelvin = 0;    // of a lamp: the black body whose chromaticity this is; else 0
+    int kelvin = 0;    // for a lamp, the temperature of the black body with this chromaticity; else 0
 };
 
 /// The lamps come after the others, from the warmest to the coldest.

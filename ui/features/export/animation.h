@@ -69,7 +69,7 @@ struct Animation {
     Motion motion = Motion::Turntable;
     std::string pointer{};    // PingPong: of a number in the scene file
     double from = 0, to = 1;  // PingPong: its values at both ends
-    int frames = 48;          // of one period, after which it repeats; at least 1
+    int frames = 48;          // frames in one period, after which it repeats; at least 1
     int light = 0;            // Circle: in Scene::lights
     CircleAxis axis = CircleAxis::Y;
     double radius = 0;  // Circle of a light with a position; 0: its present distance from the axis
@@ -95,7 +95,7 @@ struct Animation {
 /// The animation's state between frames.
 struct AnimateState {
     bool open = false, playing = false;
-    std::optional<Scene> frame;  // while it plays: the scene of the next picture
+    std::optional<Scene> frame;  // scene of the next picture while it plays
     Animation animation;
     std::string search;         // for the number to animate
     bool takes_keys = false;    // requested: focus the first field
@@ -107,7 +107,7 @@ struct AnimateState {
     AnimationFile file = AnimationFile::Gif;
     double began = 0;          // ImGui time at frame 0
     std::string refused;       // the reason why it cannot play; empty if it can
-    JobPtr<Notification> job;  // its result: the notification after writing
+    JobPtr<Notification> job;  // result: the notification after writing
 };
 
 /// Draws the panel while it is open.

@@ -26,7 +26,7 @@ struct ExportOptions {
 /// The last export. "Copy as command" repeats it while the same document is open.
 struct LastExport {
     ExportOptions options;
-    std::string file;      // its name
+    std::string file;      // file name
     std::string document;  // the document's path
 };
 
@@ -34,7 +34,7 @@ struct ExportState {
     bool open = false;
     ExportOptions options;
     std::optional<LastExport> last;
-    JobPtr<Notification> job;  // its result: the notification when it is done
+    JobPtr<Notification> job;  // result: the notification when it is done
 };
 
 /// Returns the scene whose picture of that size matches the window: the widened field of view for a narrow

@@ -39,7 +39,7 @@ struct MatchState {
     bool on = false, shows_hint = false;
     std::uint64_t seed = 1;
     MatchTask task;
-    std::unique_ptr<Renderer> renderer;  // of size match_size, separate from the window's
+    std::unique_ptr<Renderer> renderer;  // its size is match_size; separate from the window's
     Picture target;
     Scene asked_of;                              // the scene that the following values refer to
     double first = 0, now = 0;                   // difference at the beginning and now

@@ -1,5 +1,5 @@
 #pragma once
-// Lays out only the visible part of a column with thousands of lights or objects.
+// Draws only the visible part of a column with thousands of lights or objects.
 
 #include <vector>
 

@@ -34,7 +34,7 @@ enum class InspectorTab {
 /// A number of the equation that is highlighted for the user.
 struct MarkedQuantity {
     Quantity quantity = Quantity::Result;
-    int light = -1;                       // its light; -1: none
+    int light = -1;                       // index of its light; -1: none
     double scrolls_until = 0, until = 0;  // ImGui time: end of scrolling into view; end of the mark
 };
 
@@ -43,18 +43,18 @@ struct InspectorState {
     InspectorTab tab_before = InspectorTab::Equation;  // the tab before the user's picture was opened
     int corner = 0;   // the corner whose numbers are listed under Gouraud and flat
     int channel = 0;  // the channel written out as products: 0 red, 1 green, 2 blue
-    bool shows_vectors = true, shows_facet = false;  // in the picture
+    bool shows_vectors = true, shows_facet = false;  // drawn in the picture
     bool world_frame = false;                        // vectors are listed in world coordinates, else camera
     int mirror_step = 0;      // 1 to 4: r is built up in the picture; 0: r is simply drawn
-    float normal_length = 1;  // of the n from which r is constructed
-    float look_at_y = 0;      // of the line gluLookAt() in the tab Program, when last drawn
+    float normal_length = 1;  // length of the n from which r is constructed
+    float look_at_y = 0;      // height of the gluLookAt() line in the Program tab, when last drawn
     // The vector hovered in the column in the last frame: its arrow is drawn thick.
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;
     // From the shown point, in the scene on the screen:
     std::vector<TracedLight> rays;               // to each of its lights; to the middle of an area light
     std::vector<PathStep> path;                  // empty: none is shown
-    bool shows_ray = false, shows_path = false;  // in the picture
+    bool shows_ray = false, shows_path = false;  // drawn in the picture
     int path_number = 1;                         // from 1
     // The scene that the next picture shows in place of the edited one, while a line with a preview is
     // hovered (a term alone, another model, a mistake).
@@ -63,8 +63,8 @@ struct InspectorState {
     std::string preview_name;                     // the name of `instead`
     std::optional<MarkedQuantity> marked;         // highlighted in the equation for a moment
     const MistakeName* wanted_mistake = nullptr;  // the Mistakes tab scrolls to it
-    bool sorts_lights = false;                    // in the equation, largest share first
-    BlocksInSight cards{10};                      // of the equation, one per light
+    bool sorts_lights = false;                    // sorts the equation's lights, largest share first
+    BlocksInSight cards{10};                      // cards of the equation, one per light
 };
 
 struct UiState;

@@ -26,15 +26,15 @@ struct MistakePictures {
     Scene seen;              // the open scene, as of the last frame
     Scene asked;             // `seen` without mistakes: the pictures do not change when one is switched on
     PictureSize asked_size{0, 0};
-    double asked_since = 0;  // time since when scene and size are unchanged
-    bool begun = false;      // the pictures were begun since then
-    bool looked_at = false;  // in this frame
+    double asked_since = 0;  // time of the last change of scene or size
+    bool begun = false;      // whether the pictures have been started since then
+    bool looked_at = false;  // whether they were visible in this frame
 };
 
 /// Indices into mistake_names(), in the order of the tab: group by group, as in all_seen_as.
 [[nodiscard]] std::span<const std::size_t> mistakes_as_seen();
 
-/// Collects finished pictures, and begins again if the scene or size has changed and then been still for a
+/// Collects finished pictures. Starts again if the scene or size has changed and then stayed the same for a
 /// moment with no button down. The tab calls this once a frame.
 void look_at_mistake_pictures(UiState& state, PictureSize size);
 

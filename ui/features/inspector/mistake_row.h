@@ -16,7 +16,7 @@ namespace glint {
 /// Thumbnails, and their displayed size.
 struct SmallLook {
     const SmallPictures& pictures;
-    PictureSize size;  // in ImGui's units
+    PictureSize size;  // displayed size, in ImGui's units
 
     [[nodiscard]] ImVec2 extent() const { return {float(size.width), float(size.height)}; }
     /// The text about a picture, or the text shown in its place; empty before the first drawing.

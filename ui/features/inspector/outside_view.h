@@ -28,7 +28,7 @@ void outside_tab(UiState& state, const PictureView& main);
 
 struct OutsideScene {
     const Scene& scene;
-    const PictureView& main;  // of the scene's own camera
+    const PictureView& main;  // the view of the scene's own camera
     int selected_light = -1, hovered_light = -1;
 };
 

@@ -24,9 +24,9 @@ struct SensitivityState {
     glm::ivec2 asked_pixel{-1, -1};
     PictureSize asked_size;
     std::optional<Sensitivities> shown;
-    std::vector<Sensitivity> rank;  // of `shown`
-    std::string why_none;           // in place of `shown`, if measuring failed
-    Scene shown_scene;              // of `shown`: its pointers refer to this scene
+    std::vector<Sensitivity> rank;  // `shown`, sorted by effect
+    std::string why_none;           // the reason why there is no `shown`, if measuring failed
+    Scene shown_scene;              // the scene of `shown`, to which its pointers refer
     bool current = false;           // `shown` belongs to the present scene and pixel
 
     /// Called when another scene is opened, because its lights and objects differ.

@@ -36,7 +36,7 @@ struct InspectorTabInfo {
     const char* what;
     void (*draw)(UiState&, const PictureView&);
     TabScene scene = TabScene::Edited;
-    bool is_first = false;   // in the bar, not behind More
+    bool is_first = false;   // in the tab bar, not behind More
     const char* words = "";  // search terms for Ctrl+K
 };
 

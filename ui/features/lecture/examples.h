@@ -12,7 +12,7 @@ struct UiInput;
 struct UiState;
 
 struct Example {
-    std::string path;   // of the scene file
+    std::string path;   // path of the scene file
     std::string title;  // "Lost highlight", of lost-highlight.json
     bool operator==(const Example&) const = default;
 };

@@ -27,7 +27,7 @@ struct UiState;
 /// stays in place when the window is resized.
 struct PenLine {
     std::vector<glm::vec2> places;
-    int colour = 0;  // of pen_colours
+    int colour = 0;  // index into pen_colours
     bool operator==(const PenLine&) const = default;
 };
 
@@ -104,7 +104,7 @@ struct AskedScene {
 
 struct LectureState {
     std::optional<Scene> frozen;  // shown regardless of edits; set by freeze()
-    Selection frozen_selection;   // in it
+    Selection frozen_selection;   // selection in the frozen scene
     /// The scenes of the command line, a lecture in the user's own order: PgDn and PgUp go through these
     /// while one of them is open, else through the open scene's folder.
     std::vector<std::string> given_scenes;

@@ -58,7 +58,7 @@ void choice_answer(LessonState& lesson, const Prediction& question) {
     }
 }
 
-/// The numbers in a text, whatever separates them.
+/// The numbers in a text; any other characters separate them.
 std::vector<double> typed_numbers(const std::string& text) {
     std::vector<double> numbers;
     for (std::size_t at = 0; at < text.size();) {

@@ -16,7 +16,7 @@ namespace glint {
 
 /// A question with the right answer for the station's scene.
 struct StationQuestion {
-    const Prediction* asks = nullptr;  // in Course::lesson
+    const Prediction* asks = nullptr;  // question in Course::lesson
     RightAnswer right;
 };
 
@@ -29,7 +29,7 @@ struct StationPart {
 /// The parts from one question to the next: text, questions, the reveal once all of them are answered, and
 /// the parts after it. A station without a question is revealed at once.
 struct Station {
-    std::size_t step = 0;  // in Lesson::steps
+    std::size_t step = 0;  // index into Lesson::steps
     std::vector<const std::vector<ProseBlock>*> before;
     std::vector<StationQuestion> questions;
     const Reveal* reveal = nullptr;  // null: none

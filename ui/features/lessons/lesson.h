@@ -40,8 +40,8 @@ struct SceneBefore {
 };
 
 struct LessonState {
-    std::string folder;                    // of the lessons that come with the program; empty: none
-    std::string inventory;                 // the questions of its quiz; empty: none
+    std::string folder;                    // folder of the lessons that come with the program; empty: none
+    std::string inventory;                 // file of the quiz's questions; empty: none
     std::shared_ptr<const Course> course;  // null: no lesson is open
     std::optional<SceneBefore> before;
     CourseProgress progress;
@@ -50,11 +50,11 @@ struct LessonState {
     bool takes_keys = false;                        // requested: focus the answer field
     int lays_line = 0;  // remaining frames of applying the reveal's pixel and line while the layout changes
     // The answer being given to the first open question:
-    std::string typed;                     // of a number
+    std::string typed;                     // typed answer to a number question
     std::string reason;                    // the user's reason for the answer; may stay empty
-    Json chosen;                           // of all other kinds; null: none yet
+    Json chosen;                           // answer to any other kind of question; null: none yet
     std::optional<glm::dvec2> sketched;    // the last position on a sketch: (index of the value, value)
-    std::unique_ptr<LessonRunner> runner;  // of `watching`: it caches its pictures
+    std::unique_ptr<LessonRunner> runner;  // used by `watching`; it caches its pictures
     JobPtr<std::vector<bool>> watching;
     WatchedTasks asked_of;                // subject of `watching`; another lesson may be open by then
     std::optional<WatchedTasks> watched;  // the last answer

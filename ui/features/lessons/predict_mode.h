@@ -20,7 +20,7 @@ struct PredictState {
 
     PredictStage stage = PredictStage::Off;
     std::optional<glm::dvec2> probe;           // the pixel, as a share of the picture's size
-    std::array<int, 3> before{};               // its colour when the picture was frozen, 0 to 255
+    std::array<int, 3> before{};               // the pixel's colour when the picture was frozen, 0 to 255
     Json mine;                                 // the prediction, channels from 0 to 1; null: none yet
     bool takes_keys = false;                   // the colour's first field gets focus
     std::optional<std::array<int, 3>> answer;  // the real colour, once the picture is unfrozen

@@ -36,7 +36,7 @@ struct AxisText {
     const char* name = "";
     const char* unit = "";
     bool numbers = true;
-    double step = 0;  // of its ticks; 0: chosen by the available size
+    double step = 0;  // step between ticks; 0: chosen by the available size
 };
 
 /// A rectangle of the window with a quantity along each side; y upwards.

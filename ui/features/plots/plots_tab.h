@@ -40,10 +40,10 @@ struct LobeEnergy {
 };
 
 struct PlotsState {
-    float beam_deg = 50;  // of the slanting beam, if no point is picked
+    float beam_deg = 50;  // angle of the slanting beam, if no point is picked
     HighlightSketch sketch;
-    MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // of the profile
-    bool follow_pick = true;                                      // its angles are those at the picked point
+    MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // options of the profile
+    bool follow_pick = true;                                      // uses the angles at the picked point
     Kept<float, double> blinn_like;  // from a Phong shininess to the closest one for Blinn-Phong
     Kept<MicrofacetOptions, MicrofacetPicture> profile;
     Kept<EnergyKey, LobeEnergy> energy;
@@ -92,9 +92,9 @@ void plots_tab(UiState& state, const PictureView& view);
 /// The scene, light, point and surface of all plots.
 struct PlotSubject {
     const Scene& scene;
-    int light = 0;  // in scene.lights, which is not empty
+    int light = 0;  // index into scene.lights, which is not empty
     PlotPoint point;
-    Material material;  // of the picked object, else of the first; defaults without objects
+    Material material;  // material of the picked object, else of the first; defaults without objects
 };
 
 /// 1 / dist² at the distances of a falloff curve, scaled to pass through the point; without a point, 1 at a

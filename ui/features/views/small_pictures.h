@@ -15,7 +15,7 @@ namespace glint {
 
 /// The result of drawing one thumbnail.
 struct SmallPicture {
-    Picture picture;    // of the sheet's cell size; without bytes: there is none
+    Picture picture;    // has the sheet's cell size; without bytes there is no picture
     std::string words;  // text about it, or shown in its place
 };
 /// Draws the picture with that index; called in order, from 0, on a background thread. It may only touch its
@@ -26,7 +26,7 @@ struct DrawnSmall;  // the pictures finished so far
 
 struct SmallPictures {
     PictureSheet sheet;
-    std::vector<std::string> words;  // of each picture collected so far
+    std::vector<std::string> words;  // text of each picture collected so far
     int taken = 0;        // collected pictures of the last job, from index 0; the rest are old pictures
     std::string problem;  // why the rest is not drawn; empty: no problem
     std::shared_ptr<DrawnSmall> drawn;  // the job's finished pictures; null: no more are wanted

@@ -43,7 +43,7 @@ struct TermGridState {
     std::optional<GridCell> solo;
     std::vector<GridCell> muted;
     PictureSheet sheet;      // three pictures per row, drawn while the mouse is idle
-    std::vector<int> gains;  // of the drawn cells: the brightening factors
+    std::vector<int> gains;  // brightening factors of the drawn cells
     std::optional<Scene> drawn_of;
     std::size_t next = 0;  // cell to draw; #cells: all are drawn
     std::unique_ptr<Renderer> renderer;

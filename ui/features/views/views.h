@@ -36,8 +36,8 @@ struct PartDots {
 
 struct LitDotsState {
     bool dots = false, needles = false;
-    Kept<std::uint64_t, std::vector<PartDots>> found;  // in the picture of this serial
-    PictureSize size;  // of that picture, which during a motion is smaller than its displayed size
+    Kept<std::uint64_t, std::vector<PartDots>> found;  // dots found in the picture of this serial
+    PictureSize size;  // size of that picture; during a motion smaller than the displayed size
 };
 
 /// The points at which the equation was evaluated for pixels within `rect`, of a grid of about `across`
@@ -61,7 +61,7 @@ void draw_evaluations(ImDrawList& list, const std::string& text, bool compares);
 /// drawn.
 void copy_profile_command(UiState& state);
 
-/// The inputs of the shown picture, besides the drawn one; it is composed again when they change.
+/// Inputs of the shown picture in addition to the drawn one; if they change, it is composed again.
 struct ShownFrom {
     CompareChoice compare;
     DebugViewSet debug_view;

@@ -20,9 +20,9 @@ namespace glint {
 struct ViewportFrame {
     Scene& scene;
     Selection& selection;
-    const Renderer* renderer = nullptr;  // of the last picture; null before the first
+    const Renderer* renderer = nullptr;  // renderer of the last picture; null before the first
     PictureView view;
-    GizmoMode gizmo = GizmoMode::Move;  // of the selected object
+    GizmoMode gizmo = GizmoMode::Move;  // gizmo of the selected object
     std::optional<glm::dvec3> pivot{};  // the pivot of Rotate, world coordinates; default: the gizmo's anchor
 };
 

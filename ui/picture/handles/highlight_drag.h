@@ -18,7 +18,7 @@ namespace glint {
 struct HighlightDrag {
     Light start;
     glm::dvec3 grabbed{0};  // the grabbed point on the surface, world
-    double distance = 1;    // of the light from it
+    double distance = 1;    // distance of the light from that point
     double nearer = 1;      // the factor that dragging in depth applies to the distance
     // During a drag in depth: the pixel where the highlight stays. Afterwards: its offset from the cursor.
     std::optional<glm::dvec2> stays_at;

@@ -20,7 +20,7 @@ namespace glint {
 /// A light whose highlight is visible at a pixel.
 struct HoveredHighlight {
     int light = -1;
-    double share = 0;  // of the highlight's possible maximum there, above 0
+    double share = 0;  // share of the highlight's possible maximum there, above 0
 };
 
 /// Returns the light whose highlight covers the pixel: it must be visible (more than 0.15 of full brightness)
@@ -35,7 +35,7 @@ struct HoveredHighlight {
 
 struct SizeDrag {
     Light light;
-    int object = 0;  // whose material it is
+    int object = 0;  // index of the object with the material
     Material start;
 };
 

@@ -37,8 +37,8 @@ inline constexpr double rim_light_deg = 75;
 
 /// The light that contributes most to a pixel's sum.
 struct MainLight {
-    int light = 0;     // in Scene::lights
-    double share = 0;  // of the sum over all channels, 0 to 1
+    int light = 0;     // index into Scene::lights
+    double share = 0;  // share of the sum over all channels, 0 to 1
 };
 /// Nothing if no light contributes.
 [[nodiscard]] std::optional<MainLight> main_light(const Explanation& explanation);

@@ -97,8 +97,8 @@ enum class ShapePart { Rim, Inner, Aim, Corner, Edge };
 
 struct ShapeGrip {
     ShapePart part = ShapePart::Aim;
-    double azimuth = 0;   // of a rim or the inner circle: where it was grabbed
-    glm::dvec2 at{0};     // of a corner or an edge: (-1, 1), (0, 1), ...
+    double azimuth = 0;   // where a rim or the inner circle was grabbed
+    glm::dvec2 at{0};     // position of a corner or an edge: (-1, 1), (0, 1), ...
     glm::dvec3 place{0};  // world
     bool operator==(const ShapeGrip&) const = default;
 };

@@ -25,7 +25,7 @@ struct ObjectGizmo {
     glm::dvec3 origin{0};              // its position: the centre of turning and scaling
     glm::dvec3 anchor{0};              // the same point in object coordinates
     std::array<glm::dvec3, 3> axes{};  // unit: the world's, or (Scale) the object's own
-    double length = 1;                 // of an axis: constant on the screen
+    double length = 1;                 // length of an axis: constant on the screen
     glm::dvec3 to_eye{0, 0, 1};        // unit, from the origin
 };
 

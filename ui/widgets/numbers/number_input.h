@@ -42,9 +42,9 @@ bool assign(float& value, double wanted, const Range& range);
 
 struct NumberInput {
     const Real& kind;
-    float initial = 0;    // its default; NaN: it has none
+    float initial = 0;    // default value; NaN: it has none
     std::string pointer;  // JSON pointer of its value in the scene file; empty: it has none
-    float width = 0;      // in ImGui's units
+    float width = 0;      // width in ImGui's units
     bool slider =
         false;  // has_slider(kind), and is drawn as one: a drag over its full width goes from end to end
 };

@@ -14,7 +14,7 @@ namespace glint {
 
 /// A scene's calls as written in the tab.
 struct WrittenCalls {
-    Scene scene;  // with the transforms' numbers as written
+    Scene scene;  // the scene with the transforms' numbers as written
     std::vector<WrittenTransform> transforms;
     std::vector<GlCallGroup> groups;
 };
