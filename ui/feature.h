@@ -48,7 +48,7 @@ struct Dialog {
     bool (*is_open)(const UiState&) = nullptr;
     void (*close)(UiState&) = nullptr;  // as Escape does, without an answer
     void (*draw)(UiState&, const UiInput&) = nullptr;
-    bool is_about_scene = false;  // closed when another scene replaces the present one
+    bool is_about_scene = false;  // closed when another scene replaces the current one
 };
 
 /// A column that replaces the scene's list in the left column.

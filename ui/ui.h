@@ -44,7 +44,7 @@ struct PlacedPicture {
 };
 
 /// The window's state from frame to frame, in addition to ImGui's own context and the data that ui/widgets
-/// keeps for the present context: the theme and scale applied last (theme.cpp), the fonts loaded last
+/// keeps for the current context: the theme and scale applied last (theme.cpp), the fonts loaded last
 /// (fonts.cpp); the hovered item, the earliest requested frame, and the list in which tests find controls
 /// (tooltip.cpp); the number being edited and its messages (number_input.cpp); the requested field
 /// (field_panel.cpp).
@@ -107,7 +107,7 @@ struct UiState {
 struct UiRequests {
     bool quit = false;
     std::string title;                                         // title of the window; empty: unchanged
-    double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, if no event comes
+    double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, if there is no event
 };
 
 /// Between ImGui::NewFrame() and ImGui::Render(). The caller fills the window with theme().panel, draws

@@ -38,7 +38,7 @@ void add_commands(Entries& entries, const UiState& state) {
     }
 }
 
-/// A switch, looked up again in the present scene.
+/// A switch, looked up again in the current scene.
 template <class Find>
 void add_switch(Entries& entries, const UiState& state, std::string name, const char* group, Find find) {
     const bool on = find(const_cast<Scene&>(state.editor.scene()));

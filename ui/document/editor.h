@@ -24,10 +24,10 @@ class History {
     /// Drops all steps and starts at `scene`.
     void reset(const Scene& scene);
 
-    /// Adds a step from the present scene to `scene`, named by the change, and drops undone steps. A scene
-    /// with the same description adds nothing. True if the present scene changed.
+    /// Adds a step from the current scene to `scene`, named by the change, and drops undone steps. A scene
+    /// with the same description adds nothing. True if the current scene changed.
     bool commit(const Scene& scene);
-    /// Sets the present step's camera without adding a step. Later undos keep this view, unless the undone
+    /// Sets the current step's camera without adding a step. Later undos keep this view, unless the undone
     /// step edited the camera.
     void look(const Camera& camera) { steps_[at_].scene.camera = camera; }
 
@@ -40,7 +40,7 @@ class History {
     [[nodiscard]] std::string undo_name() const { return can_undo() ? steps_[at_].name : std::string(); }
     [[nodiscard]] std::string redo_name() const { return can_redo() ? steps_[at_ + 1].name : std::string(); }
 
-    /// The steps, oldest first (the oldest has no name), and the index of the present one.
+    /// The steps, oldest first (the oldest has no name), and the index of the current one.
     [[nodiscard]] std::size_t size() const { return steps_.size(); }
     [[nodiscard]] std::size_t at() const { return at_; }
     [[nodiscard]] const std::string& name_of(std::size_t step) const { return steps_[step].name; }
@@ -58,7 +58,7 @@ class History {
     };
     void forget_oldest();
     [[nodiscard]] bool is_too_large() const;
-    /// Sums the sizes of all meshes in the steps that the present scene does not have, each counted once.
+    /// Sums the sizes of all meshes in the steps that the current scene does not have, each counted once.
     [[nodiscard]] std::uint64_t bytes_of_lost_meshes() const;
 
     std::vector<Step> steps_ = std::vector<Step>(1);

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t max_undone = 500;  // in addition to the present one
+constexpr std::size_t max_undone = 500;  // in addition to the current one
 // A light or an object takes about 300 bytes, so this many in all steps together take about 60 MB.
 constexpr std::size_t max_items = 200'000;
 // Meshes that no object uses any more may take up to 1 / meshes_share of memory.

@@ -88,7 +88,7 @@ template <class T> class Job : public AnyJob {
         try {
             const ProgressScope scope(progress_);
             result_ = work(progress_);
-        } catch (const std::exception& error) {  // an exception must not leave a thread
+        } catch (const std::exception& error) {  // an exception must not escape a thread
             result_ = problem_from(error, name_);
         }
         done_ = true;

@@ -1,5 +1,5 @@
 #pragma once
-// Loads documents and meshes in the background: the present scene stays open until the new one is complete.
+// Loads documents and meshes in the background: the current scene stays open until the new one is complete.
 
 #include <functional>
 #include <memory>
@@ -53,7 +53,7 @@ struct Loading {
 /// Begins to open a mesh, a file of a feature's type, or a scene with the assignments applied to it.
 [[nodiscard]] Opening opening_of(const std::string& path, const std::vector<Assignment>& assignments = {});
 
-/// Opens a file in the background as if the user had opened it in the window; the present scene stays until
+/// Opens a file in the background as if the user had opened it in the window; the current scene stays until
 /// then. Cancels any other opening.
 void await_opening(UiState& state, Opening opening);
 
@@ -86,7 +86,7 @@ void poll_meshes(UiState& state);
 
 /// Cancels all loads and restores the scene from before them.
 void cancel_loads(UiState& state);
-/// Cancels the loads of meshes: each object gets the source of its present mesh again.
+/// Cancels the loads of meshes: each object gets the source of its current mesh again.
 void give_up_meshes(UiState& state);
 /// Reverts the edit that needs a mesh and is not a step yet. Other edits made in the meantime become a step
 /// and are undone too; redo restores it. The view does not change.
@@ -96,7 +96,7 @@ void undo_awaiting(UiState& state);
 /// edge. True when the user cancels it.
 [[nodiscard]] bool progress_panel(const AnyJob& job, double since, const Rect& picture);
 
-/// Draws the progress bar of the present load, over the middle of the picture's upper edge.
+/// Draws the progress bar of the current load, over the middle of the picture's upper edge.
 void loading_panel(UiState& state, const Rect& picture);
 
 /// Answers to the offer of the first copy that a crash left: open it, delete it, or ask again at the next

@@ -1,4 +1,4 @@
-// Temporary panels over the picture: the present load, with a cancel button, and the offer to recover a copy
+// Temporary panels over the picture: the current load, with a cancel button, and the offer to recover a copy
 // left by a crash.
 #include <fmt/core.h>
 #include <imgui.h>

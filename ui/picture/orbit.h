@@ -57,7 +57,7 @@ inline constexpr std::size_t max_views = 8;
 /// Saves a view; a saved one is not added again, and beyond nine the oldest is dropped.
 void keep_view(std::vector<Camera>& views, const Camera& camera);
 
-/// The view after the present one, cyclic; nothing without saved views.
+/// The view after the current one, cyclic; nothing without saved views.
 [[nodiscard]] std::optional<Camera> next_view(const std::vector<Camera>& views, const Camera& shown);
 
 }  // namespace glint

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int rays_at_first = 1;
 constexpr int growth =
-    4;  // of the rays from picture to picture: each of the two renderers follows most of them
+    4;  // factor of the rays from picture to picture: each of the two renderers traces most of them
 constexpr double look_again = 0.05;  // seconds between checks of the job
 
 /// The largest number of rays from a point of the scene: paths, or shadow rays to an area light. 0 if there

@@ -2,9 +2,9 @@
 // The dialogs that block the window until they are answered, and one rule for all of them: one at a time,
 // begun after every other window of the frame.
 //
-// ImGui ends the program if a window appears, outside of a modal, after that modal has begun for the first
-// time (imgui.cpp, FindBlockingModal). Two keys in one slow frame are enough to open both. So dialogs() is
-// called last in a frame, and other code requests a dialog by setting UiState.
+// ImGui terminates the program if a window appears, outside of a modal, after that modal has begun for the
+// first time (imgui.cpp, FindBlockingModal). Two keys in one slow frame are enough to open both. So dialogs()
+// is called last in a frame, and other code requests a dialog by setting UiState.
 
 #include <imgui.h>
 
@@ -23,8 +23,8 @@ extern const Dialog unsaved_dialog, changed_dialog, files_dialog;
 /// Cancels the dialog, as Escape does.
 void leave_modal(UiState& state);
 
-/// Closes the dialogs about the present scene before another scene replaces it, since an answer would refer
-/// to the present one. Reports each in a notification.
+/// Closes the dialogs about the current scene before another scene replaces it, since an answer would refer
+/// to the current one. Reports each in a notification.
 void leave_dialogs_of_scene(UiState& state);
 
 /// Removes a dialog that is no longer requested from ImGui's list, before any window of a frame: a modal that

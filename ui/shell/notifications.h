@@ -30,7 +30,7 @@ struct Notifications {
     std::vector<Notification> list;  // at most one
     int told = 0;                    // number of tell() calls
 
-    /// Replaces the present notification. One from this frame, or a warning or an error from the last
+    /// Replaces the current notification. One from this frame, or a warning or an error from the last
     /// seconds, gets another line instead. Cuts the middle out of a text of more than about nine lines.
     void add(Tone tone, const std::string& text);
     /// Reports what a key did. A refusal is a warning.

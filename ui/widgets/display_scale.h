@@ -19,8 +19,8 @@ struct DisplayScale {
     bool operator==(const DisplayScale&) const = default;
 };
 
-/// Returns the scale that fits `extent`; `before` is the present one. Dots per logical pixel stay within 0.75
-/// and 4, dots per unit within 0.5 and 4. Dots per unit stay as they are during a resize, if the window has
+/// Returns the scale that fits `extent`; `before` is the current one. Dots per logical pixel stay within 0.75
+/// and 4, dots per unit within 0.5 and 4. Dots per unit do not change during a resize, if the window has
 /// no area, or if the ratio differs only by rounding to whole dots: fonts are rebuilt only for a real change.
 [[nodiscard]] DisplayScale display_scale(const WindowExtent& extent, const DisplayScale& before);
 

@@ -34,7 +34,7 @@ template <class Key, class Value> class Kept {
     Value value_{};
 };
 
-/// Recomputes something that takes some milliseconds, but not during a drag.
+/// Recomputes something that takes a few milliseconds, but not during a drag.
 template <class Key, class Value, class Compute>
 void update_at_rest(Kept<Key, Value>& kept, const Key& key, const Compute& compute) {
     if (kept.is_of(key)) return;

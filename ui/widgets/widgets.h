@@ -22,8 +22,8 @@ struct Help {
     std::string pointer;
 };
 
-/// Label and draggable number of that kind. Values never leave its range, however they are entered. It can be
-/// dragged, typed after a click, and has a menu: ui/widgets/numbers/number_input.h.
+/// Label and draggable number of that kind. Values always stay in its range, however they are entered. It can
+/// be dragged, typed after a click, and has a menu: ui/widgets/numbers/number_input.h.
 [[nodiscard]] bool number_field(const char* label, float& value, const Real& kind, float initial,
                                 const Help& help);
 /// The bare draggable number, `width` wide, for use within text; same behaviour and tooltip.
@@ -69,8 +69,8 @@ void reset_next_redraw();
 [[nodiscard]] bool is_read_only();
 
 /// A rectangle that receives the mouse and draws nothing, for a control that draws itself; true when clicked.
-/// At least one unit wide and high: ImGui ends the program over an invisible button without an area, and
-/// reads a negative size as a distance from the right.
+/// At least one unit wide and high: ImGui terminates the program over an invisible button without an area,
+/// and reads a negative size as a distance from the right.
 bool hit_area(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
 
 /// Starts a row: the label in its column, the field after it. Returns the width left for the field.

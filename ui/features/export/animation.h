@@ -1,5 +1,5 @@
 #pragma once
-// A moving scene: the camera or a light goes round the target, or one number of the scene goes back and
+// A moving scene: the camera or a light circles the target, or one number of the scene goes back and
 // forth. The window edits and plays it, and writes it as PNG files, as a GIF, as a WebP or as an MP4.
 
 #include <memory>
@@ -72,7 +72,7 @@ struct Animation {
     int frames = 48;          // frames in one period, after which it repeats; at least 1
     int light = 0;            // Circle: in Scene::lights
     CircleAxis axis = CircleAxis::Y;
-    double radius = 0;  // Circle of a light with a position; 0: its present distance from the axis
+    double radius = 0;  // Circle of a light with a position; 0: its current distance from the axis
     bool operator==(const Animation&) const = default;
 };
 

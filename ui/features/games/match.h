@@ -49,11 +49,11 @@ struct MatchState {
     std::shared_ptr<const Scene> stored_before;  // B of the comparison before the game
 };
 
-/// Begins with that seed; discards the present scene, which the user has confirmed.
+/// Begins with that seed; discards the current scene, which the user has confirmed.
 void begin_match(UiState& state, std::uint64_t seed);
-/// Ends the game; the scene stays, with the previous comparison or the user's own picture.
+/// Ends the game; the scene remains, with the previous comparison or the user's own picture.
 void end_match(UiState& state);
-/// Once a frame: the difference of the present scene.
+/// Once a frame: the difference of the current scene.
 void poll_match(UiState& state);
 /// Once a frame, after its step was recorded: edits made in the game do not count as unsaved work until the
 /// scene is saved under a name.

@@ -15,7 +15,7 @@ namespace glint {
 /// The numbers with an effect, largest effect on a channel first; without the w of positions.
 [[nodiscard]] std::vector<Sensitivity> ranked(const Sensitivities& sensitivities);
 
-/// The present job, the results shown until it is done, and cancelled jobs that are still running.
+/// The current job, the results shown until it is done, and cancelled jobs that are still running.
 struct SensitivityState {
     JobPtr<Sensitivities> job;
     JobPtr<Sensitivities> ending;  // the last cancelled one
@@ -27,7 +27,7 @@ struct SensitivityState {
     std::vector<Sensitivity> rank;  // `shown`, sorted by effect
     std::string why_none;           // the reason why there is no `shown`, if measuring failed
     Scene shown_scene;              // the scene of `shown`, to which its pointers refer
-    bool current = false;           // `shown` belongs to the present scene and pixel
+    bool current = false;           // `shown` belongs to the current scene and pixel
 
     /// Called when another scene is opened, because its lights and objects differ.
     void forget() {

@@ -71,7 +71,7 @@ struct LessonState {
 /// Opens the lesson's column at the last position. Precondition: Course::document is the open document, as
 /// made by take_scene().
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course);
-/// Closes the lesson; the scene stays.
+/// Closes the lesson; its scene remains open.
 void leave_lesson(UiState& state);
 /// Closes the lesson and returns to the document that was open before, unless the lesson's scene was saved
 /// under a name. Changes to it are kept in RecentlyChanged.
@@ -115,7 +115,7 @@ void show_in_equation(UiState& state, const Prediction& question);
 
 /// During a question, undoes all edits of this frame. Call it before the picture is drawn.
 void hold_lesson(UiState& state);
-/// Once a frame: evaluates the tasks' conditions on the present scene and writes the progress.
+/// Once a frame: evaluates the tasks' conditions on the current scene and writes the progress.
 void poll_lesson(UiState& state);
 
 /// The lesson's column: title, text, question, answer, tasks, and navigation. Draws nothing without a lesson.

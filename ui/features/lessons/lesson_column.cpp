@@ -1,4 +1,4 @@
-// The lesson's column: the present station, its text and question, and navigation.
+// The lesson's column: the current station, its text and question, and navigation.
 #include <fmt/core.h>
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-// A task for the user to carry out: its fields, and its condition, which is evaluated on the present scene in
+// A task for the user to carry out: its fields, and its condition, which is evaluated on the current scene in
 // the background.
 #include <algorithm>
 #include <utility>

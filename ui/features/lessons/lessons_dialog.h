@@ -27,7 +27,7 @@ struct LessonListState {
 /// The number at the beginning of the file's name, "05"; empty if there is none.
 [[nodiscard]] std::string number_of(const LessonEntry& entry);
 
-/// Reads the lessons of the program into the list: takes some milliseconds.
+/// Reads the lessons of the program into the list: takes a few milliseconds.
 void list_own_lessons(UiState& state);
 /// Opens the dialog; a click in it, or the arrow keys and Enter, opens a lesson.
 void open_lessons(UiState& state);

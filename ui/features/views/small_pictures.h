@@ -37,7 +37,7 @@ struct SmallPictures {
 /// the sheet shows each old picture until the new one is drawn. Precondition: no job is running.
 void begin_small_pictures(Jobs& jobs, SmallPictures& small, const std::string& name, PictureSize cell,
                           int count, DrawSmall draw);
-/// Stops collecting pictures; the job ends after its present one.
+/// Stops collecting pictures; the job ends after its current one.
 void stop_small_pictures(SmallPictures& small);
 /// Copies newly drawn pictures to the sheet. Once a frame while there is a job.
 void take_small_pictures(SmallPictures& small);

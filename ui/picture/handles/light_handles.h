@@ -103,7 +103,7 @@ struct ShapeGrip {
     bool operator==(const ShapeGrip&) const = default;
 };
 
-/// The present position of a grip, in world coordinates.
+/// The current position of a grip, in world coordinates.
 [[nodiscard]] glm::dvec3 place_of(const ShapeGrip& grip, const Light& light, const Dome& dome,
                                   const ScreenMap& map);
 

@@ -39,7 +39,7 @@ namespace glint {
 /// Turns a spot's axis or a panel's edges by a rotation of the world.
 void turn_shape(Light& light, const glm::dmat4& turn, const ScreenMap& map);
 
-/// Expresses the light in other coordinates, with its position, shape and axis unchanged at this moment.
+/// Expresses the light in other coordinates; its current position, shape and axis do not change.
 [[nodiscard]] Light in_space(Light light, LightSpace space, const Camera& camera);
 
 /// Changes the light's kind: a position becomes the direction from the dome's centre, and back.

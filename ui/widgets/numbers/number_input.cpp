@@ -36,7 +36,7 @@ struct Typing {
     float before = 0;
     std::string began_with;
     std::array<char, longest_text> text{};
-    std::string problem;  // of the present text
+    std::string problem;  // problem of the current text
     std::string refused;  // why the scene rejects the number; empty if it does not
 };
 struct InHand {

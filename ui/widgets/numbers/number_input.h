@@ -46,7 +46,7 @@ struct NumberInput {
     std::string pointer;  // JSON pointer of its value in the scene file; empty: it has none
     float width = 0;      // width in ImGui's units
     bool slider =
-        false;  // has_slider(kind), and is drawn as one: a drag over its full width goes from end to end
+        false;  // has_slider(kind), and is drawn as one: a drag over its full width covers the range
 };
 
 /// Draws the number and lets the user edit it; true if edited. It never leaves its range.
@@ -67,7 +67,7 @@ void say_out_of_range(double wanted, const Range& range, float taken);
 /// Focuses the number at `pointer`, or the first below it, if it is drawn in this frame.
 void type_into(const std::string& pointer);
 
-/// Ends the editing of a number, text or colour, which keeps its present value, and closes menus. Call it
+/// Ends the editing of a number, text or colour, which keeps its current value, and closes menus. Call it
 /// when another scene replaces this one: pending input was about the previous scene. A dialog stays open.
 void let_go_of_fields();
 

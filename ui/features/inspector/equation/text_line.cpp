@@ -21,7 +21,7 @@ bool marked_scrolls = false;
 
 constexpr float padding_x = 2, padding_y = 1;  // of a handle, logical pixels
 
-/// The width of the present number, at least that of two digits, so that it is easy to grab.
+/// The width of the current number, at least that of two digits, so that it is easy to grab.
 float handle_width(const NumberHandle& handle) {
     const std::string text = shown_text(static_cast<float>(handle.number.value), handle.number.kind);
     ImGui::PushFont(fonts().figures);

@@ -1,6 +1,6 @@
 #pragma once
 // The calls of an object's transforms in the Program tab can be dragged past each other. A scene file has a
-// fixed order, so the numbers stay as written and the object moves to where the other order puts it.
+// fixed order, so the numbers do not change and the object moves to where the other order puts it.
 
 #include <optional>
 #include <span>
