@@ -39,8 +39,8 @@ struct Loading {
     std::optional<Recovery> recovery;      // if `document` or `loaded` is a copy
     std::function<void(UiState&)> opened;  // Opening::opened
     std::string path;                      // of the document being opened, or of the last one
-    std::string failed;                    // path of the document being opened, or of the last one
-    Scene scene_then;                      // `path` if that file could not be opened or drawn
+    std::string failed;                    // `path`, if that file could not be opened or drawn
+    Scene scene_then;                      // the current scene when the load began
     std::optional<SceneDocument> loaded;   // complete, and waiting for the answer to "save changes?"
     JobPtr<SceneDocument> meshes;          // the meshes of `awaited`
     std::vector<AwaitedMesh> awaited;

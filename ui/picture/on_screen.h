@@ -41,7 +41,7 @@ struct OnScreen {
     // Of the picked pixel, in the scene on the screen or in a part of a comparison:
     std::optional<Explanation> explanation;
     std::optional<OtherScene> explained_other;    // the explained scene; none: the edited one
-    const Renderer* explained_by = nullptr;       // renderer of this frame; null during a preview
+    const Renderer* explained_by = nullptr;       // renderer that explains it; null during a preview
     glm::ivec2 pixel{0};                          // position in the full picture
     PictureSize explained_size, explained_drawn;  // size of the full picture, and of the drawn one
 

@@ -47,7 +47,7 @@ struct InspectorState {
     bool world_frame = false;                        // vectors are listed in world coordinates, else camera
     int mirror_step = 0;      // 1 to 4: r is built up in the picture; 0: r is simply drawn
     float normal_length = 1;  // length of the n from which r is constructed
-    float look_at_y = 0;      // height of the gluLookAt() line in the Program tab, when last drawn
+    float look_at_y = 0;      // y of the gluLookAt() line in the Program tab, when last drawn
     // The vector hovered in the column in the last frame: its arrow is drawn thick.
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;
