@@ -96,8 +96,8 @@ struct UiState {
     PlacedPicture picture_rect;          // its position in the window
     float legend_width = 0, label_height = 0;  // size of a feature's overlay at the left and upper edge
     Scene rendered_scene;                      // the scene in `rendered`
-    bool rendered_is_edited = false;           // no preview, and no scene that awaits a mesh
-    ImGuiID active_before = 0;                 // the active control of the previous frame; 0: none
+    bool rendered_is_edited = false;  // whether it shows the edited scene: no preview, no awaited mesh
+    ImGuiID active_before = 0;        // the active control of the previous frame; 0: none
     Scene edited_drawn;  // the last drawn state of the edited scene, even if another has been shown since
     OnScreen on_screen;
 

@@ -181,7 +181,7 @@ namespace {
 enum class LeftPart { Feature, Scene, Why };
 
 LeftPart left_part(const UiState& state, const Layout& layout) {
-    const bool held = is_held(state);  // nothing can be edited or picked
+    const bool held = is_held(state);  // if true, nothing can be edited or picked
     if (layout.inspector_in_left && state.left_shows_inspector && !held) return LeftPart::Why;
     return state.layout.lesson && (held || !state.left_shows_scene) ? LeftPart::Feature : LeftPart::Scene;
 }
