@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What is slow and rarely fails; .ci/run runs the rest. Installs missing packages first. As root it also installs and removes
-# Glint's own package. Prints what each part took, and at the end the parts that failed. tests/nightly.sh PART... runs only the
-# parts whose names contain one of these words.
+# Runs the tests that are slow and rarely fail; .ci/run runs the others. Installs missing packages first. As
+# root it also installs and removes Glint's own package. Prints the duration of each part, and at the end the
+# parts that failed. tests/nightly.sh PART... runs only the parts whose names contain one of these words.
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
 . cmake/prepare.sh

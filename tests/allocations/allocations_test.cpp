@@ -1,5 +1,5 @@
-// Each frame of a drag reuses the memory of the previous frame, without allocations in our code. They are
-// counted in operator new, for all threads; the tasks of the thread library are allocated elsewhere.
+// Each frame of a drag reuses the memory of the previous frame; our code allocates nothing. Allocations are
+// counted in operator new, on all threads; the thread library allocates its tasks elsewhere.
 #include <fmt/format.h>
 
 #include <string>
@@ -56,7 +56,7 @@ long allocations_of_a_camera_drag(const Scene& scene, int samples = 1) {
 
 TEST_CASE("the allocation counter counts allocations", "[allocations]") {
     const long before = allocations;
-    int* volatile kept = new int(1);  // otherwise the compiler may remove both
+    int* volatile kept = new int(1);  // volatile, or the compiler may remove new and delete
     delete kept;
     const long after = allocations;  // before CHECK itself allocates
     CHECK(after == before + 1);
@@ -97,7 +97,7 @@ TEST_CASE("parsing JSON allocates in proportion to the text, also with a long ke
     std::string text = "{\"" + std::string(100'000, 'k') + "\": [[]";
     for (int i = 0; i < 10'000; ++i) text += ",[]";
     const std::int64_t before = all_bytes;
-    CHECK(std::holds_alternative<Problem>(parse_scene(text + "]}", "s.json")));  // that key is unknown
+    CHECK(std::holds_alternative<Problem>(parse_scene(text + "]}", "s.json")));  // the long key is unknown
     const std::int64_t taken = all_bytes - before;
     CHECK(taken < 50 * std::int64_t(text.size()));
 }

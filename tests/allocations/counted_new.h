@@ -1,5 +1,5 @@
 #pragma once
-// Counts memory allocations, in place of the library's operators. For programs of one test file.
+// Replaces the library's operators new and delete to count allocations. For programs with a single test file.
 
 #include <malloc.h>
 

@@ -194,7 +194,7 @@ TEST_CASE("two buffers that a link makes the same file are rejected before drawi
     CHECK(bytes_of(in.path("elsewhere.pfm")).starts_with("PF\n8 8\n"));
 }
 
-TEST_CASE("a picture and an answer cannot both go to standard output, under any name", "[cli][bad-input]") {
+TEST_CASE("a picture and text cannot both go to standard output, under any name", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", ball_text), a = directory.path("a.png");
     REQUIRE(run_glint({"render", scene, "-o", a, "--size", "8x8"}).status == 0);

@@ -22,11 +22,11 @@ Ended shade(const TemporaryDirectory& folder, const std::string& shader,
                                    "--size", picture_size};
     words.insert(words.end(), more.begin(), more.end());
     if (std::find(more.begin(), more.end(), "--timeout") == more.end())
-        words.insert(words.end(), {"--timeout", "300"});  // of a busy machine
+        words.insert(words.end(), {"--timeout", "300"});  // enough for a busy machine
     return run_glint(words);
 }
 
-/// The lines on standard error when that text is drawn, without the folder's path.
+/// The messages on standard error when this shader is drawn, without the folder's path.
 std::string said_of(const std::string& text, const std::vector<std::string>& more = {}) {
     const TemporaryDirectory folder;
     std::string said = shade(folder, folder.file("a.glsl", text), more).err;
@@ -213,7 +213,7 @@ TEST_CASE("glint grade names the mistakes of shaders and pictures", "[cli][shade
         for (std::size_t at = 0; (at = html.find(word, at)) != html.npos; ++at) ++n;
         return n;
     };
-    CHECK(count("<img ") == 6);  // yours and the right one, of the three that were drawn
+    CHECK(count("<img ") == 6);  // the submitted and the correct picture of each of the three drawn ones
     CHECK(count("http") == 0);
     CHECK(csv.find("\"Mind, the sign.\"") != csv.npos);
     CHECK(junit.find("tests=\"5\" failures=\"4\" errors=\"0\"") != junit.npos);

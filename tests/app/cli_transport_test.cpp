@@ -16,7 +16,7 @@ const std::string shadow_hard = project_file("assets/scenes/shadow-hard.json");
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
-/// The one line of an error; empty if standard output is not.
+/// The error, which must be one line; empty if anything was printed on standard output.
 std::string refusal(const std::vector<std::string>& arguments) {
     const Ended ended = run_glint(arguments);
     CHECK(ended.status != 0);
@@ -26,7 +26,7 @@ std::string refusal(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-TEST_CASE("numbers and words of /transport out of range are one line", "[cli][transport]") {
+TEST_CASE("an invalid number or word of /transport is a one-line error", "[cli][transport]") {
     const auto with = [](const std::string& assignment) {
         return refusal({"render", shadow_hard, "-o", "-", "--set", assignment});
     };

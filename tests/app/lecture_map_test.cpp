@@ -72,7 +72,7 @@ std::set<std::string> test_names() {
     return names;
 }
 
-/// The words after "glint" of a row's command, with the scene's actual path and the output elsewhere.
+/// The arguments of a row's command, with the scene's actual path and the output in another folder.
 std::vector<std::string> words_of(const MapRow& row, const std::string& out) {
     std::istringstream stream(row.command);
     std::string program;

@@ -90,7 +90,7 @@ std::string complaint(string_view path, string_view name, bool quoted) {
         return "uses OpenMesh outside models/*.cpp";
     if (name == "models/mesh/resolution/half_edges.h" && !path.starts_with("models/mesh/resolution/"))
         return "uses OpenMesh outside models/mesh/resolution";
-    // Each takes seconds to compile.
+    // Each of these headers takes seconds to compile.
     if (name == "nlohmann/json.hpp" && path != "models/json/json.h")
         return "is for models/json/json.h; expected that";
     if (name.starts_with("CLI/") && path != "app/options.cpp")
@@ -121,7 +121,7 @@ std::vector<std::string> forbidden_includes(string_view path, string_view text) 
 std::vector<std::string> way_of_includes(const std::map<std::string, std::string>& files,
                                          const std::string& from, const std::string& to) {
     static const std::regex include(R"re((?:^|\n)\s*#\s*include\s*"([^"]+)")re");
-    std::map<std::string, std::string> reached{{from, ""}};  // and the including file
+    std::map<std::string, std::string> reached{{from, ""}};  // each file, and the file that includes it
     std::vector<std::string> next{from};
     while (!next.empty() && !reached.contains(to)) {
         const std::string file = next.back();

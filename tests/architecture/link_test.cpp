@@ -32,7 +32,7 @@ std::vector<std::string> lines_of(const std::string& command) {
     return lines;
 }
 
-/// Symbols of an object file that the linker may take from any other object instead.
+/// Symbols of an object file that the linker may replace by those of any other object.
 std::set<std::string> weak_names(const fs::path& object) {
     std::set<std::string> names;
     for (const auto& line : lines_of("nm --defined-only '" + object.string() + "'")) {

@@ -115,7 +115,7 @@ void draw(benchmark::State& state, Stage last, int detail) {
         benchmark::Counter(geometry.triangle_count, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// From the knot's 69 thousand triangles to 2 thousand, in the background.
+/// Decimates the knot from 69 thousand triangles to 2 thousand, in the background.
 void decimate(benchmark::State& state) {
     const Mesh mesh = make_primitive(Primitive::Knot, 525);
     for (auto _ : state) benchmark::DoNotOptimize(with_resolution(mesh, {2000, 0}));

@@ -29,7 +29,7 @@ template <class Work> double seconds_of(const Work& work) {
 
 constexpr int rounds = 50'000, chains = 12;
 
-/// Independent chains of a product and a sum each, like the equation: never fused.
+/// Independent chains of multiplications and additions, never fused, as in the lighting equation.
 [[gnu::target_clones("avx512f", "avx2", "default")]] void multiply_and_add(Floats* out, Floats factor) {
     Floats chain[chains];
     for (int c = 0; c < chains; ++c) chain[c] = out[c];

@@ -1,4 +1,4 @@
-// The commands while their system calls fail: each call in turn, and all calls from each one on.
+// Runs the commands while their system calls fail: each call alone, then each call with all later ones.
 #include <climits>
 
 #include "tests/faults/failing_program.h"
@@ -28,7 +28,7 @@ struct Room {
 
 long count_of(const Calls& calls, Kind kind) { return calls.counts[static_cast<std::size_t>(kind)]; }
 
-/// Makes calls of the kind fail in turn: one call, and all calls from it on.
+/// Makes each call of the kind fail: first that call alone, then that call and all later ones.
 void fail_in_turn(const Command& command, Kind kind, long most) {
     const Made right = made_by(command);
     const long count = count_of(calls_of(command), kind);

@@ -1,8 +1,9 @@
-// A library to be loaded (LD_PRELOAD) or linked before the C library. Environment: GLINT_FAULT="KIND FIRST
-// COUNT ERRNO" selects the failing calls; GLINT_FAULT_LOG=FILE gets a line for each call on files ("rename
-// FROM TO", "fsync DESCRIPTOR PATH") and at the end one for each kind ("calls KIND N").
-// GLINT_FAULT_SOCKET=DESCRIPTOR receives faults in that form, one after another: for each one a copy of the
-// process continues with its main(), and the answer is its status, as returned by wait().
+// A library to be loaded (LD_PRELOAD) or linked before the C library. It reads these environment variables:
+// GLINT_FAULT="KIND FIRST COUNT ERRNO" selects the failing calls. GLINT_FAULT_LOG=FILE receives a line for
+// each call on files ("rename FROM TO", "fsync DESCRIPTOR PATH") and at the end one for each kind ("calls
+// KIND N"). GLINT_FAULT_SOCKET=DESCRIPTOR receives faults in the form of GLINT_FAULT, one after another: for
+// each one a copy of the process continues with its main(), and its status, as returned by wait(), is sent
+// back.
 #include "tests/faults/failing_calls.h"
 
 #include <dirent.h>
@@ -38,7 +39,7 @@ thread_local bool is_in_linker = false;  // glibc's dlopen() crashes if its own 
 Fault fault;
 int log_descriptor = -1;
 
-/// The errno with which this call fails; 0 when it does not.
+/// The errno with which this call fails; 0 if it succeeds.
 int failure(Kind kind) {
     if (!is_on || is_in_linker) return 0;
     const auto index = static_cast<std::size_t>(kind);
@@ -48,7 +49,7 @@ int failure(Kind kind) {
     return fault.error != 0 ? fault.error : usual_errors[index];
 }
 
-/// Returns whether a call of this kind must fail; it then returns -1, and errno is set.
+/// Returns whether a call of this kind must fail. The caller then returns -1; errno is already set.
 bool fails(Kind kind) {
     const int error = failure(kind);
     if (error != 0) errno = error;
@@ -57,7 +58,7 @@ bool fails(Kind kind) {
 
 /// Returns the library's own function of that name.
 template <class Function> Function* real(const char* name) {
-    return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));  // NOLINT: as dlsym is meant
+    return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));  // NOLINT: the intended use of dlsym
 }
 
 /// Writes one line into the log without allocating: directly to the kernel.
@@ -99,13 +100,14 @@ void read_environment() {
     fault = read;
 }
 
-/// Empties the file that standard output or standard error goes to.
+/// Empties the file to which standard output or standard error is redirected.
 void empty(int descriptor) {
     (void)!::ftruncate(descriptor, 0);
     (void)::lseek(descriptor, 0, SEEK_SET);
 }
 
-/// Returns in a copy of the process for each requested fault. This process ends when the socket is closed.
+/// Forks for each requested fault and returns in the copy of the process. This process ends when the socket
+/// is closed.
 void serve(int socket) {
     char asked[128];
     for (ssize_t length; (length = ::recv(socket, asked, sizeof asked - 1, 0)) > 0;) {

@@ -58,7 +58,7 @@ void send_to(int descriptor, const std::string& path) {
     ::_exit(127);
 }
 
-/// Without the line that reports the time.
+/// The output without the line that reports the time.
 std::string without_times(std::string out) {
     const std::size_t at = out.find("\"load_ms\"");
     return at == std::string::npos ? out : out.erase(at, out.find('\n', at) - at);
@@ -87,7 +87,7 @@ std::string text_of(const Fault& fault) {
     return fmt::format("{} {} {} {}", kind_names[kind], fault.first, fault.count, fault.error);
 }
 
-/// The problem with the folder of the file, which must contain nothing else.
+/// The problem with the folder of the output file, which must contain no other file; empty if there is none.
 std::string wrong_folder(const Command& command) {
     if (command.out.empty()) return {};
     for (const auto& entry : std::filesystem::directory_iterator(folder_of(command)))
@@ -137,14 +137,14 @@ FailingProgram::FailingProgram(Command command) : command_(std::move(command)) {
     socket_ = ends[0];
     process_ = ::fork();
     if (process_ == 0) {
-        const int kept = ::dup(ends[1]);  // across exec
+        const int kept = ::dup(ends[1]);  // stays open across exec
         become(command_, notes_, {{"GLINT_FAULT_SOCKET", std::to_string(kept)}});
     }
     ::close(ends[1]);
 }
 
 FailingProgram::~FailingProgram() {
-    ::close(socket_);  // which ends it
+    ::close(socket_);  // the process ends when its socket is closed
     ::waitpid(process_, nullptr, 0);
 }
 

@@ -14,7 +14,7 @@ namespace glint::faults {
 struct Command {
     std::string name;                    // for messages
     std::vector<std::string> arguments;  // of glint
-    std::string out;                     // the file that it writes, which existed before; empty for none
+    std::string out;                     // the output file, which already exists; empty for none
 };
 
 /// The number of calls of each kind in the command, and the calls on files in order ("rename FROM TO").
@@ -39,10 +39,10 @@ class FailingProgram {
     FailingProgram(const FailingProgram&) = delete;
     FailingProgram& operator=(const FailingProgram&) = delete;
 
-    /// Runs it with the fault, over an old file. Returns an empty text if it ended as allowed: with complete
-    /// output; or with one line on standard error, exit status 1, nothing on standard output, and the old or
-    /// the new file. No other file may be in the folder. Else returns what was wrong. A run longer than
-    /// longest_run_s has hung.
+    /// Runs the command with the fault; its output file already exists. Returns an empty text if it ended as
+    /// allowed: with complete output; or with one line on standard error, exit status 1, nothing on standard
+    /// output, and the old or the new file. No other file may be in the folder. Otherwise returns the
+    /// problem. A run longer than longest_run_s has hung.
     [[nodiscard]] std::string wrong_end(const Fault& fault, const Made& right);
 
   private:

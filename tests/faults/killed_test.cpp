@@ -36,8 +36,8 @@ int kills() {
     return asked != nullptr ? std::atoi(asked) : 40;
 }
 
-/// Runs the program `arguments`, killed after `killed_after_us` microseconds unless it has ended; 0: waits
-/// for it.
+/// Runs the program `arguments` and kills it after `killed_after_us` microseconds unless it has ended; 0
+/// waits for its end.
 int status_of(const std::vector<std::string>& arguments, int killed_after_us) {
     std::vector<char*> words;
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
@@ -68,7 +68,7 @@ template <class Is> long count_below(const std::string& folder, const Is& is) {
     return count;
 }
 
-/// A scene written by the window: the first one with some intensity.
+/// Checks that the window wrote this scene: it differs from the first one only in an intensity.
 void check_scene(Scene scene) {
     Scene expected = test::busy_scene();
     REQUIRE_FALSE(scene.lights.empty());
@@ -84,14 +84,14 @@ void check_document(const std::string& path) {
     check_scene(std::get<SceneDocument>(opened).scene);
 }
 
-/// The picture is that of its embedded scene.
+/// Checks that the picture is that of its embedded scene.
 void check_picture(const std::string& path) {
     check_document(path);
     const auto opened = std::get<SceneDocument>(open_document(path));
     CHECK(std::get<std::string>(picture_file(opened, small_picture, path, 1)) == bytes_of(path));
 }
 
-/// The window's own files are intact; removes copies after checking them.
+/// Checks that the window's own files are intact; removes copies afterwards.
 void check_state(const std::string& folder, const std::string& scene) {
     const std::string settings = folder + "/window.json";
     if (fs::exists(settings))

@@ -1,5 +1,5 @@
-// The window while its system calls fail, each call in turn: saving, exporting, the copy of unsaved work,
-// settings, opening and recovering. It reports the failure, and nothing is lost.
+// Runs the window while each of its system calls fails in turn: saving, exporting, the copy of unsaved work,
+// settings, opening and recovering. The window must report the failure and lose nothing.
 #include <climits>
 #include <filesystem>
 
@@ -23,8 +23,8 @@ namespace {
 constexpr std::array file_kinds{Kind::Open,   Kind::Read, Kind::Write, Kind::Fsync, Kind::Close,
                                 Kind::Rename, Kind::Stat, Kind::Lock,  Kind::Mode,  Kind::Thread};
 
-/// Runs `act` once with each fault: of every kind and number, a single call and five in a row. `act` does the
-/// tested action within `during(...)`, and its setup and checks outside.
+/// Runs `act` once with each fault: every kind and number, a single call and five in a row. `act` performs
+/// the tested action within `during(...)`, and its setup and checks outside.
 class InTurn {
   public:
     template <class Act> void operator()(const Act& act) {
@@ -96,7 +96,7 @@ template <class Do> void as_in_a_frame(Bench& bench, const Do& action) {
     (void)bench.frame();
 }
 
-/// The folder contains exactly these.
+/// Checks that the folder contains exactly these entries.
 void check_names(const TemporaryDirectory& folder, const std::vector<std::string>& names) {
     CHECK(folder.names() == names);
 }
@@ -292,7 +292,7 @@ TEST_CASE("after any failure while recovering work it is recovered or still offe
         const bool is_taken = same_description(bench.scene(), work);
         CHECK((is_taken || bench.says_something()));
         if (is_taken) CHECK(bench.state.editor.unsaved());
-        // In every case the work is in a copy that a next window would find.
+        // In every case the work is in a copy that the next window would find.
         memory.orphans.clear();
         memory.autosave.reset();
         const auto copies = orphaned_autosaves(state_folder);

@@ -59,7 +59,7 @@ void read(std::string_view bytes) {
 /// Changes a container's JSON and corrects its lengths, or changes arbitrary bytes.
 std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                     unsigned seed) {
-    constexpr std::size_t header = 20;  // of the container and of its first chunk
+    constexpr std::size_t header = 20;  // bytes: the headers of the container and of its first chunk
     const std::string_view bytes = fuzz::text_of(data, size);
     if (!bytes.starts_with("glTF") || size < header) return fuzz::mutate_json(data, size, max_size, seed);
     std::mt19937 random(seed);
@@ -75,7 +75,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     set_memory_limit(memory);
     try {
         read(fuzz::text_of(data, size));
-    } catch (const LimitExceeded&) {  // which the commands report
+    } catch (const LimitExceeded&) {  // the commands report it
     }
     return 0;
 }

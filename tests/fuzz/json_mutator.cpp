@@ -48,7 +48,7 @@ double random_number(std::mt19937& random) {
     return (static_cast<double>(random()) / 4294967295.0 - 0.5) * (below(random, 2) == 0 ? 4 : 400);
 }
 
-/// The number of values in it, including itself.
+/// The number of values in `json`, including `json` itself.
 std::size_t count_of(const Json& json) {
     std::size_t count = 1;
     for (const Json& element : elements_of(json)) count += count_of(element);

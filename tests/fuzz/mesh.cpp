@@ -18,8 +18,8 @@ void require_one_line(const Problem& problem) {
             "a problem is one line");
 }
 
-/// For one input of four, selected by its length, which also selects the operation: it takes several times as
-/// long as reading.
+/// Decimates or subdivides one input in four, because that takes several times as long as reading. The length
+/// of the input selects it, and the operation.
 void make_coarser_and_finer(const Mesh& mesh, std::size_t size) {
     constexpr std::size_t most_faces = 256;
     if (size % 4 != 1 || mesh.face_count() > most_faces) return;

@@ -22,7 +22,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const std::size_t pixels = picture.size.pixels();
         require(picture.rgba.size() == 4 * pixels || picture.linear.size() == 3 * pixels,
                 "a picture has as many numbers as pixels");
-    } catch (const LimitExceeded&) {  // which the commands report
+    } catch (const LimitExceeded&) {  // the commands report it
     }
     return 0;
 }

@@ -12,7 +12,7 @@ std::uint32_t big_endian(const std::uint8_t* at) {
     return std::uint32_t{at[0]} << 24 | std::uint32_t{at[1]} << 16 | std::uint32_t{at[2]} << 8 | at[3];
 }
 
-/// Corrects the checksums, without which every changed byte stops at its chunk.
+/// Corrects the checksums; without this a reader stops at every changed chunk.
 void repair_checksums(std::uint8_t* data, std::size_t size) {
     for (std::size_t at = signature; at + frame <= size;) {
         const std::size_t length = big_endian(data + at);

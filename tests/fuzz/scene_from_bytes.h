@@ -24,8 +24,8 @@ class Bytes {
     std::span<const std::uint8_t> bytes_;
 };
 
-/// A scene that is valid as a file, with few lights and shapes of few faces, its meshes loaded. Each field
-/// reads the same number of any bytes, so that changing a byte changes one field.
+/// A scene that a scene file can contain, with few lights, shapes with few faces, and loaded meshes. Each
+/// field reads a fixed number of bytes, so that changing a byte changes one field.
 [[nodiscard]] Scene scene_from(Bytes& bytes);
 
 /// The scene with one of its fields filled again.

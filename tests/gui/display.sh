@@ -34,8 +34,8 @@ within() {
 
 display_answers() { xdotool getdisplaygeometry >/dev/null 2>&1; }
 
-# WxH OPTIONS...: of Xvfb. Two servers that start at once may choose the same number: then it tries again.
-# Without -noreset a server resets when its last client leaves, such as the one that checks whether it
+# WxH OPTIONS...: starts Xvfb. Two servers that start at once may choose the same number; this one then tries
+# again. Without -noreset a server resets when its last client leaves, such as the one that checks whether it
 # answers, and rejects new clients during the reset.
 start_display() {
     unset WAYLAND_DISPLAY

@@ -17,7 +17,7 @@ JSON
 start_display 1280x800
 start_glint "$work/scene.json"
 xdotool key F11 # only the picture: the list of lights shows the colour too
-handle_seen() { # in look $1
+handle_seen() { # in the screenshot $1
     look "$1"
     read -r x_seen y_seen <<<"$(middle_of "$1" '#ff00ff')"
     [ -n "$y_seen" ]
@@ -50,7 +50,7 @@ changed=$(difference before dragged)
 save_as second
 cmp -s "$work/first" "$work/second" && fail "the drag is not in the saved scene"
 
-looks_like() { # LOOK PIXELS: the present picture differs in fewer
+looks_like() { # LOOK PIXELS: fewer pixels than that differ from the screenshot LOOK
     look now
     [ "$(difference "$1" now)" -lt "$2" ]
 }

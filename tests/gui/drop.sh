@@ -63,7 +63,7 @@ within 10 middle_is 003300 || fail "the first scene did not come back"
 drop second.json
 within 10 middle_is 000000 || fail "the reopened scene is not the saved one"
 
-# A lesson that takes many seconds to load is awaited in the window with the default scene, and can be
+# While a lesson that takes many seconds loads, the window shows the default scene, and loading can be
 # cancelled.
 xdotool key ctrl+q
 within 10 bash -c "! kill -0 $glint_pid 2>/dev/null" || fail "the window did not close"

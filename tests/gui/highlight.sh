@@ -19,7 +19,7 @@ start_display 1280x800
 start_glint "$work/scene.json"
 xdotool key F11 # only the picture
 # The centre of the nearly full green pixels, in the display's coordinates.
-highlight_seen() { # in look $1
+highlight_seen() { # in the screenshot $1
     look "$1"
     local box w h x y
     box=$(convert "$work/$1.png" -channel G -separate +channel -threshold 92% -format '%@' info: | tr 'x+' '  ')

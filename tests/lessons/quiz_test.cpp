@@ -54,13 +54,13 @@ TEST_CASE("the engine confirms the inventory's keys and the options that name a 
     }
 }
 
-TEST_CASE("the two forms ask the same things with other numbers or objects", "[lesson][quiz]") {
+TEST_CASE("the two forms ask the same questions with different numbers or objects", "[lesson][quiz]") {
     const Lesson a = inventory(), b = inventory("assets/inventory-b.md");
     CHECK(a.form == "A");
     CHECK(b.form == "B");
     CHECK(a.plain == 14);
     CHECK(b.plain == 14);
-    CHECK(a.title != b.title);  // it tells the answers apart
+    CHECK(a.title != b.title);  // the title distinguishes their answers
     REQUIRE(a.steps.size() == b.steps.size());
     for (std::size_t i = 1; i < a.steps.size(); ++i) {
         CAPTURE(a.steps[i].title);
@@ -103,7 +103,7 @@ TEST_CASE("the inventory's page has every question and no key; the key explains 
          at = page.find("class=\"course\"", at + 1))
         ++hidden_before;
     CHECK(hidden_before == 10);
-    CHECK(page.find("value=\"before\" checked") == std::string::npos);  // nobody is filed by default
+    CHECK(page.find("value=\"before\" checked") == std::string::npos);  // nothing is preselected
     CHECK(page.find("<legend>Question 24</legend>") != std::string::npos);
     CHECK(page.find("JSON.stringify") != std::string::npos);
     CHECK(page.find("class=\"right\"") == std::string::npos);
@@ -287,7 +287,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
     return count;
 }
 
-/// Each in turn is found after the one before.
+/// Checks that the parts occur in this order.
 void check_order(const std::string& text, const std::vector<std::string>& parts) {
     std::size_t at = 0;
     for (const std::string& part : parts) {

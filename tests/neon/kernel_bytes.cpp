@@ -51,7 +51,7 @@ std::vector<PointBlock> some_points(Numbers& number) {
     std::vector<PointBlock> points(blocks);
     for (PointBlock& block : points)
         for (std::size_t i = 0; i < block_size; ++i) {
-            const bool none = number.bits() % 19 == 0;  // past the last of an object: zeros
+            const bool none = number.bits() % 19 == 0;  // as after the last point of an object: zeros
             const Float3 n = number.unit();
             block.x[i] = none ? 0 : number.between(-3, 3);
             block.y[i] = none ? 0 : number.between(-3, 3);

@@ -47,7 +47,8 @@ class TriangleMap {
 };
 
 /// The allowed difference of a channel: the error of float and Mesa's pow (1.4e-5 at the exponent 128). S of
-/// cook-torrance is not a power and may exceed 1: then it is that fraction of the sum of the highlights here.
+/// cook-torrance is not a power and may exceed 1; the bound is then that fraction of the sum of the
+/// highlights at this pixel.
 glm::dvec3 bound_of(const Scene& scene, const Explanation& e) {
     glm::dvec3 highlights(0), shown(0);
     for (const Light& light : scene.lights)

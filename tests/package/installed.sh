@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the packages of ./package.sh on this machine as its user would, tries what they bring, and removes them:
-# tests/package/installed.sh [FOLDER]. FOLDER is build/package unless given. For a machine without Glint that may be spoilt:
-# it asks for root.
+# Installs the packages of ./package.sh on this machine as a user would, tests their contents, and removes
+# them: tests/package/installed.sh [FOLDER]. FOLDER is build/package by default. Needs root, and a machine
+# without Glint that may be altered.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 packages=${1:-build/package}
@@ -20,11 +20,11 @@ check() { # WHAT COMMAND...
 }
 is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]; }
 draws() { "$@" render "$scene" -o "$work/picture.png" --size 320x180 && is_png "$work/picture.png"; }
-opens() { # the window stays until it is told to go
+opens() { # the window stays open until it is terminated
     timeout 60 xvfb-run -a sh -c '"$0" & sleep 8; kill -0 $! && kill $!' "$@"
 }
 complete_word() { bash -c 'source /usr/share/bash-completion/completions/glint; COMP_WORDS=(glint expl); COMP_CWORD=1; _glint; [ "${COMPREPLY[*]}" = explain ]'; }
-# Where files of Glint lie, but for what is the user's own and what man keeps of pages that were read.
+# The paths of Glint's files, except for the user's own files and the pages cached by man.
 traces() { find / -xdev \( -path "$PWD" -o -path "$HOME" -o -path "$work" -o -path /tmp -o -path /var/cache/man \) -prune -o -iname '*glint*' -print; }
 
 apt-get update -q >/dev/null
@@ -42,7 +42,7 @@ check "the package is removed" apt-get purge -y -q glint
 traces | sort >"$work/after"
 check "nothing is left" diff "$work/before" "$work/after"
 
-# The archive needs no package but the C library and its like, and no root.
+# The archive needs no root, and no packages except the C library and similar ones.
 apt-get autoremove -y -q --purge >/dev/null
 apt-get install -y -q --no-install-recommends libx11-6 libgl1 xz-utils >/dev/null
 tar -xf "$packages"/glint-*.tar.xz -C "$work"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# webgl.sh GLINT: pages by `glint code --language webgl`, drawn by Chromium, are without a mistake for `glint diagnose`.
+# webgl.sh GLINT: checks that `glint diagnose` finds no mistake in the pages of `glint code --language webgl`,
+# drawn by Chromium.
 set -u
 glint=$1
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

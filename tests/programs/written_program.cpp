@@ -44,8 +44,8 @@ bool runs(const std::string& command, const TemporaryDirectory& folder, std::str
 /// each time. With ccache, earlier compilations are reused.
 class QuickerBuild {
   public:
-    /// The command that builds a program in `folder` like `build`, its own line. The first time it is that
-    /// line, so that one program of each kind is built as a user builds it.
+    /// The command that builds the program in `folder` faster than `build`, the line in its comment. The
+    /// first program of each kind is built by `build` itself, as a user would.
     std::string command(const std::string& text, const std::string& build, const TemporaryDirectory& folder) {
         const bool is_cpp = build.starts_with("g++ ");
         std::string headers;
@@ -54,7 +54,8 @@ class QuickerBuild {
             headers += i->str();
         const auto [at, is_new] = known_.try_emplace(build + headers, known_.size());
         if (is_new) return build;
-        if (!is_cpp && !build.starts_with("gcc ")) return "true";  // it checks for numpy
+        // The line for Python only checks for numpy.
+        if (!is_cpp && !build.starts_with("gcc ")) return "true";
         const std::size_t output = build.find(" -o "), source = build.find(" main.c");
         const std::string compile = build.substr(0, output);
         std::string included;

@@ -5,7 +5,7 @@
 
 namespace glint::bench {
 
-/// Compiles and links; `head` is prepended to every text, "light.glsl" if `with_light`. Throws
+/// Compiles and links a program. Prepends `head` to every shader, and "light.glsl" if `with_light`. Throws
 /// std::runtime_error with the compiler's message.
 struct ProgramText {
     std::string vertex, fragment;  // file names

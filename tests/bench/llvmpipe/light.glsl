@@ -5,12 +5,12 @@ struct Light {
     vec4 place;      // for a sun the unit direction towards it
     vec4 falloff;    // constant, linear, quadratic
     vec4 axis;       // unit; w: cosine of the cutoff
-    vec4 diffuse;    // k_d times the light's; w: the spot's exponent
-    vec4 specular;   // k_s times the light's; w: shininess
+    vec4 diffuse;    // k_d times the light's diffuse colour; w: the spot's exponent
+    vec4 specular;   // k_s times the light's specular colour; w: shininess
 };
 layout(std140) uniform Lights {
     Light lights[POINTS + SUNS + SPOTS];
-    vec4 unlit;      // emission + k_a I_a, and the lights' own ambient terms of suns
+    vec4 unlit;      // emission + k_a I_a + the ambient terms of the suns themselves
 };
 
 vec3 reflected(Light light, vec3 l, float strength, vec3 n, vec3 v) {

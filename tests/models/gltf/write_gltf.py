@@ -72,7 +72,8 @@ model = {
     "scene": 0,
     "scenes": [{"nodes": [0, 2, 4, 5]}],
     "nodes": [
-        # Below a quarter turn about y and 2 to the right; its child is twice as large, 1 further along its x.
+        # A node that turns by 90 degrees about y and moves by 2 in x; its child is twice as large, and 1
+        # further along the turned x axis.
         {"name": "turned", "translation": [2, 0, 0], "rotation": [0, half, 0, half], "children": [1]},
         {"name": "box", "mesh": 0, "matrix": [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 0, 0, 1]},
         {"name": "eye", "camera": 0, "translation": [0, 1, 10], "children": [3]},

@@ -1,4 +1,4 @@
-// What a program would draw wrong of a mesh: each finding in the smallest file that has it.
+// Tests of what other programs would draw incorrectly: each finding on the smallest mesh file that has it.
 #include <algorithm>
 
 #include "models/mesh/formats/mesh_file.h"
@@ -36,7 +36,7 @@ TEST_CASE("normals that point against their face are counted by face", "[mesh_in
     CHECK(finding(square + "vn 0 0 1\nf 1//1 2//1 3//1\n", "normals_against_faces").count == 0);
 }
 
-TEST_CASE("neighbours that are wound oppositely are counted by edge", "[mesh_info]") {
+TEST_CASE("oppositely wound neighbours are counted by edge", "[mesh_info]") {
     const MeshFinding found = finding(square + "f 1 2 3\nf 1 4 3\n", "opposite_winding");
     CHECK(found.count == 1);
     CHECK(found.what == "1 edge joins faces that are wound oppositely");
@@ -52,7 +52,7 @@ TEST_CASE("vertices at the position of another are counted", "[mesh_info]") {
           4);  // the diagonal is closed
 }
 
-TEST_CASE("zero, invalid and non-unit normals are counted apart", "[mesh_info]") {
+TEST_CASE("zero, invalid and non-unit normals are counted separately", "[mesh_info]") {
     const std::string obj = square + "vn 0 0 0\nvn nan 0 1\nvn 0 0 2\nvn 0 0 1.005\nf 1//1 2//2 3//3 4//4\n";
     CHECK(finding(obj, "zero_normals").what == "2 of 4 normals are zero or not given");
     CHECK(finding(obj, "invalid_normals").what == "1 of 4 normals are not finite numbers");
@@ -67,7 +67,7 @@ TEST_CASE("degenerate and duplicate faces, open and non-manifold edges are findi
     CHECK(finding(obj, "open_edges").count == 4);
 }
 
-TEST_CASE("other indices for normals than for positions are a finding", "[mesh_info]") {
+TEST_CASE("different indices for normals and for positions are a finding", "[mesh_info]") {
     const MeshFinding found = finding(square + "vn 0 0 1\nf 1//1 2//1 3//1\n", "own_normal_indices");
     CHECK(found.what == "positions and normals have different indices: 3 pairs of 4 positions and 1 normals");
     CHECK(finding("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\nf 1//1 2//2 3//3\n",

@@ -80,7 +80,7 @@ TEST_CASE("every edge is reported, even if OpenMesh cannot represent it", "[topo
     check_against_brute_force(5, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});  // an edge of three, same direction
     check_against_brute_force(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});  // an edge of three
     check_against_brute_force(5, {{0, 1, 2}, {0, 3, 4}});             // two fans at one vertex
-    check_against_brute_force(4, {{0, 1, 2}, {0, 1, 3}});             // wound the other way
+    check_against_brute_force(4, {{0, 1, 2}, {0, 1, 3}});             // wound oppositely
     check_against_brute_force(3, {{0, 1, 2}, {0, 1, 2}, {2, 1, 0}, {1, 2, 0}});  // duplicates
     check_against_brute_force(4, {{0, 1, 1}, {0, 1}, {2}, {}, {3, 3, 3}, {0, 1, 1, 2, 2, 3}});
     check_against_brute_force(5, {{0, 1, 2, 0, 3, 4}, {1, 0, 3}, {2, 1, 4}});  // a vertex twice in a face

@@ -108,7 +108,8 @@ TEST_CASE("polygons that cross themselves are cut approximately", "[triangulate]
     }
     CHECK(make_polygon(pentagram).triangles.size() == 3);
     std::mt19937 random(3);
-    const auto number = [&random] { return static_cast<float>(random() % 5); };  // many equal and collinear
+    // Few values, so that many points are equal or collinear.
+    const auto number = [&random] { return static_cast<float>(random() % 5); };
     for (int trial = 0; trial < 500; ++trial) {
         noise.resize(3 + random() % 20);
         for (glm::vec3& p : noise) p = {number(), number(), trial % 2 == 0 ? 0 : number()};
@@ -171,7 +172,7 @@ TEST_CASE("degenerate polygons keep their number and give no triangle", "[triang
                                 {{0, 1, 2},        // collinear
                                  {0, 1, 1},        // two distinct corners
                                  {0, 1, 3},        // good
-                                 {0, 0, 0, 0, 0},  // one place
+                                 {0, 0, 0, 0, 0},  // a single position
                                  {0, 1, 1, 4, 3},  // a repeated corner, but an area
                                  {0, 1}});
     CHECK(mesh.face_count() == 6);

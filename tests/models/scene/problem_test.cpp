@@ -74,7 +74,8 @@ TEST_CASE("nearest finds the intended name", "[problem]") {
     CHECK(nearest("POSITION", keys) == "position");
     CHECK(nearest("dffiuse", keys) == "diffuse");
     CHECK(nearest("nmae", keys) == "name");
-    CHECK(nearest("fnoe", {"face", "fone"}) == "fone");  // swapping neighbours is one edit, two letters two
+    // Swapping two neighbours is one edit, changing two letters is two.
+    CHECK(nearest("fnoe", {"face", "fone"}) == "fone");
     CHECK(nearest("no_clamp", {"bytes_wrap", "no_clamp_of_cosine"}) == "no_clamp_of_cosine");
     CHECK(nearest(std::string(1'000'000, 'x'), keys) == "name");  // all equally far: the first, quickly
     CHECK(nearest("", keys) == "name");

@@ -1,4 +1,4 @@
-// The rows of models/fields/scene_fields.h against the printed, read and written values of a scene.
+// Compares the rows of models/fields/scene_fields.h with the printed, read and written values of a scene.
 #include "models/fields/scene_fields.h"
 
 #include <map>
