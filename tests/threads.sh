@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs under ThreadSanitizer (preset `tsan`) the tests of what works on several threads: the renderer's stages, the diagnosis,
-# and what the window does in the background. Exit status 0 if there is no race. Further arguments are passed to Catch2.
+# Runs the tests of multithreaded code under ThreadSanitizer (preset `tsan`): the renderer's stages, the
+# diagnosis, and the background work of the window. Exit status 0 if there is no race. Further arguments are
+# passed to Catch2.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../cmake/prepare.sh"
 cd "$glint_root"

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# clang-tidy over the named files, or over every file of the project: tests/tidy.sh [FILE...]. A header is checked in the .cpp of
-# the same name, or else in one that includes it. Each file is compiled alone (preset `edit`), so a missing #include is found.
-# Ends with status 1 if clang-tidy found something or could not check a file. With GLINT_TIDY_SECONDS in the environment it begins no
-# file after that time, and names those that it left out.
+# Runs clang-tidy on the given files, or on every file of the project: tests/tidy.sh [FILE...]. A header is
+# checked in the .cpp of the same name, or else in one that includes it. Each file is compiled alone (preset
+# `edit`), so a missing #include is found. Exits with status 1 if clang-tidy found something or could not
+# check a file. If GLINT_TIDY_SECONDS is set, it starts no file after that time and prints the names of the
+# skipped files.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../cmake/prepare.sh"
 cd "$glint_root"
@@ -22,7 +23,7 @@ reader() {
 
 # Clang reads the compilers' own options, not those of a launcher.
 cmake --preset edit -B build/tidy -DGLINT_TESTS=ON -DGLINT_CCACHE= >/dev/null
-# The templates in assets/programs are no C++ until `glint code` has filled them in.
+# The templates in assets/programs are not C++ until `glint code` has filled them in.
 [ $# -gt 0 ] || mapfile -t all < <(git ls-files '*.cpp' ':!assets/programs')
 failed=0
 files=()

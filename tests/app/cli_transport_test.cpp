@@ -86,7 +86,7 @@ TEST_CASE("glint explain names the object that casts the shadow", "[cli][transpo
     CHECK(contains(run_glint(as_latex).out, "in the shadow of Box"));
 }
 
-TEST_CASE("Ctrl+C during paths leaves no file", "[cli][transport]") {
+TEST_CASE("Ctrl+C while paths are traced leaves no file", "[cli][transport]") {
     const TemporaryDirectory folder;
     const std::string corner = project_file("assets/scenes/corner-bleeding.json");
     // `timeout` sends the signal that a terminal sends for Ctrl+C.

@@ -31,8 +31,8 @@ class Bytes {
 /// The scene with one of its fields filled again.
 struct EditedScene {
     Scene scene;
-    bool moves_faces = true;  // false: the field affects the lighting of a pixel, never its visible face
-                              // (Row)
+    /// False if the field affects the lighting of a pixel, never its visible face (Row).
+    bool moves_faces = true;
 };
 [[nodiscard]] EditedScene edited(const Scene& scene, Bytes& bytes);
 

@@ -37,7 +37,7 @@ echo '{"glint": 1}' >"$work/given/empty.json"
 if grep -q __asan_init "$program"; then
     export ASAN_OPTIONS=detect_leaks=0:handle_abort=1 UBSAN_OPTIONS=print_stacktrace=1
 else
-    ulimit -v $((8 << 20)) # of which graphics drivers reserve most without using it
+    ulimit -v $((8 << 20)) # graphics drivers reserve most of it without using it
 fi
 ulimit -c 0
 start_display 2000x1500

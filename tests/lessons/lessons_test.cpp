@@ -100,7 +100,7 @@ TEST_CASE("every choice in a lesson has three or four options, each wrong one wi
 }
 
 TEST_CASE("without their hiding pictures, most lessons would show an answer", "[lesson]") {
-    // So each of them failed the check once.
+    // Each of the lessons listed below fails the check without them.
     std::set<std::string> shown;
     LessonRunner runner(1);
     for (Lesson lesson : own_lessons()) {

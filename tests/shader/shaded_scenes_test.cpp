@@ -1,4 +1,4 @@
-// Pictures of shaders: of the file that glint code writes, as it is and with mistakes in its text.
+// Pictures drawn by the shader that glint code writes, unchanged and with mistakes in its text.
 #include <cstdio>
 #include <filesystem>
 
@@ -68,7 +68,7 @@ TEST_CASE("the lighting that Glint writes is without a mistake in every asset sc
         const Scene scene = std::get<SceneDocument>(open_document(path)).scene;
         const std::string name = std::filesystem::path(path).stem().string(), text = lighting_of(scene);
         if (scene.transport.model != TransportModel::Local) {
-            CHECK(text.empty());  // GLSL lights each point by itself
+            CHECK(text.empty());  // GLSL lights each point separately
             continue;
         }
         if (text.empty() || scene.shading.reflection == Reflection::None) {
@@ -88,7 +88,7 @@ TEST_CASE("a mistake in the text of the lighting is named first", "[shader][rele
         const MistakeName& mistake = mistake_names()[i];
         Scene scene = test::telling_scene();
         test::mistake_scenes()[i].where_it_shows(scene);
-        if (mistake.name == "unnormalized_light")  // the file gets a unit vector to a directional light
+        if (mistake.name == "unnormalized_light")  // the file receives a unit vector to a directional light
             for (Light& light : scene.lights) light.enabled = light.kind != LightKind::Directional;
         const std::string right = lighting_of(scene);
         scene.shading.mistakes.*mistake.flag = true;

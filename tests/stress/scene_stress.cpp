@@ -1,11 +1,11 @@
-// Draws random scenes and looks for what must never be: a picture that depends on threads, instruction set or
-// what was drawn before, an explanation that is not its pixel, a pixel that is not a number.
+// Draws random scenes and reports errors: a picture that depends on threads, the instruction set or earlier
+// pictures; an explanation that differs from its pixel; a pixel that is not a number.
 //
 //   scene_stress COUNT SEED     COUNT scenes from SEED on, under each instruction set that the processor has
 //   scene_stress --scene SEED   prints one of them, as a scene file
 //
-// Ends with status 1, and the number and text of the first scene that is wrong. Under sanitizers it finds
-// more.
+// Exits with status 1 after the first failing scene and prints its number and text. A build with sanitizers
+// finds more.
 
 #include <bit>
 #include <cmath>
@@ -46,7 +46,7 @@ MeshPtr mesh_of(const Object& object) {
     return mesh;
 }
 
-/// The scene as its file gives it back, with meshes; nothing when the file would be refused.
+/// The scene as read back from its file, with meshes; nothing if the file would be refused.
 std::optional<Scene> valid(const Scene& scene) {
     Result<Scene> read = parse_scene(scene_text(scene), "s.json");
     if (problem_of(read)) return std::nullopt;
@@ -90,8 +90,8 @@ std::uint64_t hash_of(const Picture& picture) {
     return hash;
 }
 
-/// Draws one scene; `all`: and checks all but the instruction set. The picture's hash, or 0 when the scene is
-/// none.
+/// Draws one scene and returns the picture's hash, or 0 if the scene is invalid. `all`: also runs all checks
+/// except that of the instruction set.
 std::uint64_t try_scene(unsigned seed, bool all) {
     StressScenes random(seed);
     const StressCase c = random.next();
@@ -115,13 +115,13 @@ std::uint64_t try_scene(unsigned seed, bool all) {
     }
 }
 
-/// One of several processes, each under an instruction set of its own, which take turns at checking a scene
-/// in full.
+/// One of several processes, each under its own instruction set. They take turns in running all checks on a
+/// scene.
 struct Turn {
     unsigned which = 0, of = 1;
 };
 
-/// Under the instruction set of this process; a line a scene.
+/// Prints one line per scene, drawn under the instruction set of this process.
 int work(unsigned first, unsigned count, Turn turn) {
     for (unsigned seed = first; seed - first < count; ++seed) try {
             std::printf("%llx\n",
@@ -135,7 +135,7 @@ int work(unsigned first, unsigned count, Turn turn) {
     return 0;
 }
 
-/// The lines that this program prints under another instruction set; nothing when it does not end well.
+/// The lines that this program prints under another instruction set; nothing if it fails.
 std::optional<std::vector<std::string>> lines_under(const char* set, const std::string& self, unsigned first,
                                                     unsigned count, Turn turn) {
     const std::string command = "GLINT_ISA=" + std::string(set) + " '" + self + "' --work " +
@@ -162,8 +162,8 @@ std::vector<const char*> usable_sets() {
     return usable;
 }
 
-/// Scenes first .. first + count - 1 under all sets; how many of them are scenes, or nothing when one is
-/// wrong.
+/// Compares the scenes first .. first + count - 1 under all instruction sets. Returns the number of valid
+/// scenes, or nothing if a check fails.
 std::optional<std::size_t> compare_sets(const std::string& self, unsigned first, unsigned count) {
     std::vector<std::string> before;
     const std::vector<const char*> sets = usable_sets();

@@ -7,17 +7,18 @@
 
 namespace glint {
 
-/// A factor: 1, or where the scene is wild there a power of ten.
+/// A factor: usually 1; in extreme scenes sometimes a power of ten.
 float StressScenes::stretch() { return wild() ? std::pow(10.0f, between(-7, 7)) : 1.0f; }
 
-/// Returns a number of any size that a scene file takes, but a plain one where the scene is plain.
+/// Returns a positive number: usually an ordinary one; in extreme scenes sometimes any that a scene file
+/// accepts.
 float StressScenes::positive() {
     constexpr float hard[] = {1e7f, 1e-45f, 1e-38f, 1e-18f, 9999999.0f, 1.0f};
     if (!wild()) return between(0.1, 3);
     return one_in(2) ? hard[below(std::size(hard))] : std::pow(10.0f, between(-30, 7));
 }
 
-/// Returns a number from 0 to 1, often an end; or one of any size.
+/// Returns a number from 0 to 1, often exactly 0 or 1; in extreme scenes sometimes any positive one.
 float StressScenes::share() {
     if (one_in(4)) return static_cast<float>(below(2));
     return wild() ? positive() : between(0, 1);

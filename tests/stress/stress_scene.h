@@ -1,6 +1,6 @@
 #pragma once
-// Scenes that may be drawn, by seed: everything that a scene file can choose, in small, and stretched by any
-// power of ten from 1e-7 to 1e7.
+// Drawable scenes by seed: small scenes with everything that a scene file can contain, scaled by any power of
+// ten from 1e-7 to 1e7.
 
 #include <random>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace glint {
 
-/// What is asked of one scene.
+/// A scene and how to draw it.
 struct StressCase {
     Scene scene;
     PictureSize size;
@@ -20,9 +20,11 @@ class StressScenes {
   public:
     explicit StressScenes(unsigned seed) : random_(seed) {}
 
-    /// May break a rule of the scene file now and then (an eye at its target, say); meshes are not loaded.
+    /// Occasionally breaks a rule of the scene file, for example with an eye at its target. Meshes are not
+    /// loaded.
     StressCase next();
-    /// Changes one thing, as a hand does: a light most often, as the renderer keeps most while one is moved.
+    /// Makes one change, as a user would: most often to a light, because the renderer reuses most while one
+    /// is moved.
     void edit(Scene& scene);
     std::size_t below(std::size_t n) { return random_() % n; }
 
@@ -53,7 +55,7 @@ class StressScenes {
     Npr npr();
 
     std::mt19937 random_;
-    std::size_t wild_ = 0;  // one number of so many may be anything; 0: none
+    std::size_t wild_ = 0;  // one number in this many may have any value; 0: none
 };
 
 }  // namespace glint

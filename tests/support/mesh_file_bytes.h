@@ -44,14 +44,14 @@ inline void check_all(const std::vector<Malformed>& table) {
     }
 }
 
-/// The bytes of numbers, one after the other; little-endian, or big.
+/// The bytes of numbers in sequence, little-endian or big-endian.
 class Bytes {
   public:
     explicit Bytes(std::string head = {}, bool big = false) : bytes_(std::move(head)), big_(big) {}
     template <class T> Bytes& add(std::initializer_list<T> numbers) {
         for (const T number : numbers) {
             char raw[sizeof(T)];
-            std::memcpy(raw, &number, sizeof(T));  // of a little-endian machine
+            std::memcpy(raw, &number, sizeof(T));  // assumes a little-endian machine
             if (big_) std::reverse(raw, raw + sizeof(T));
             bytes_.append(raw, sizeof(T));
         }

@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-/// One word for the shell, with any contents.
+/// Quotes any text as one word for the shell.
 std::string quoted(const std::string& word) {
     std::string text(1, '\'');
     for (const char c : word) {
@@ -30,8 +30,9 @@ std::string quoted(const std::string& word) {
     return text;
 }
 
-/// Runs it without a display and waits; returns the status of wait(), or -1 if it could not start. Standard
-/// output goes to the file `out`; the others are those of the tests if empty.
+/// Runs the command without a display and waits; returns the status from wait(), or -1 if it could not start.
+/// Standard output goes to the file `out`. If `in` or `err` is empty, the command shares that stream with the
+/// tests.
 int run(std::vector<std::string> words, const std::string& out, const std::string& in,
         const std::string& err) {
     std::vector<char*> arguments, environment;

@@ -69,7 +69,7 @@ TEST_CASE("a scene that glTF can express reads back to the same picture", "[cli]
     CHECK(std::count_if(a.begin(), a.end(), [](std::uint8_t x) { return x > 100; }) > 5000);
 }
 
-TEST_CASE("a spot's soft edge is written as it is, and an exponent as one with a warning", "[cli][gltf]") {
+TEST_CASE("a spot's soft edge is written exactly, an exponent as a soft edge with a warning", "[cli][gltf]") {
     const TemporaryDirectory folder;
     struct Case {
         const char *exponent, *inner_deg;

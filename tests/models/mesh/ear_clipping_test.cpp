@@ -1,5 +1,4 @@
-// Ear clipping against its definition, without any shortcut: every question examines every corner of the
-// ring.
+// Ear clipping against its definition, without any shortcut: every query examines every corner of the ring.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -13,7 +13,7 @@ namespace {
 /// A small scene, except for its lights and balls: each is a line of every program, or more.
 Scene scene_of(std::size_t lights, std::size_t balls) {
     Scene scene = test::busy_scene();
-    scene.shading.mode = ShadingMode::Phong;  // which OpenGL 1 does not support
+    scene.shading.mode = ShadingMode::Phong;  // OpenGL 1 does not support it
     scene.lights.assign(lights, Light{});
     scene.objects.assign(balls, scene.objects.front());
     return scene;
@@ -28,7 +28,7 @@ std::string refused(const Scene& scene, Language language) {
 
 TEST_CASE("the message about a program that is too long names a shorter language", "[programs]") {
     CHECK(refused(scene_of(1, 1), Language::Python).empty());
-    CHECK(refused(scene_of(60, 1), Language::Python) ==  // of which GLSL supports 32
+    CHECK(refused(scene_of(60, 1), Language::Python) ==  // GLSL supports 32 lights
           "at most 250: fewer lights and objects, or --language cpp");
     CHECK(refused(scene_of(1, 400), Language::Cpp) ==
           "at most 400: fewer lights and objects, or --language glsl or webgl");

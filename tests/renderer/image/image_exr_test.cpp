@@ -78,7 +78,7 @@ TEST_CASE("an EXR without full red, green and blue channels is a problem", "[ima
     };
     CHECK(what({{"R", 1}, {"G", 1}, {"B", 1}}).empty());
     CHECK(what({{"Y", 1}}).empty());
-    CHECK(what({{"R", 1}, {"Z", 1}}).empty());  // a depth next to colours
+    CHECK(what({{"R", 1}, {"Z", 1}}).empty());  // a depth channel next to colours
     CHECK(what({{"Y", 1}, {"RY", 2}, {"BY", 2}}) == "has the channel RY beside Y and no R, G, B");
     CHECK(what({{"X", 1}, {"Y", 1}, {"Z", 1}}) == "has the channel X beside Y and no R, G, B");
     CHECK(what({{"R", 1}, {"G", 2}, {"B", 2}}) == "has a subsampled channel G");
@@ -178,7 +178,7 @@ TEST_CASE("an EXR with a missing block is refused before its pixels are allocate
     Picture black{{side, side}, {}, {}};
     black.linear.resize(3 * black.size.pixels());
     const std::string whole = exr_bytes(black, 1);
-    constexpr std::size_t blocks = side / 16;  // of ZIP
+    constexpr std::size_t blocks = side / 16;  // of ZIP compression, 16 rows each
     const TemporaryDirectory directory;
     for (const std::string& damaged : {without_block(whole, 0, blocks), whole.substr(0, whole.size() - 99)}) {
         const std::string path = directory.file("a.exr", damaged);

@@ -68,7 +68,7 @@ TEST_CASE("how far terms change matches values worked by hand", "[lighting][why]
     CHECK(sensitivity.spot == 1);
     CHECK(sensitivity.diffuse.light == Approx(1 / (1.8 * 1.8) - 0.25));
     CHECK(sensitivity.diffuse.surface == Approx(0.25 * (1 - std::cos(3.14159265 / 180))).epsilon(0.01));
-    // r = n, v 0.1 aside of 1: its cosine is 1 / sqrt(1.01), to the 32nd.
+    // r = n; v is 0.1 to the side at a distance of 1: the cosine is 1 / sqrt(1.01), to the power of 32.
     white.specular = glm::vec3(1);
     white.shininess = 32;
     CHECK(light_sensitivity(scene, light_picture, bulb, white, {0, 0, -4}, {0, 0, 1}).specular.viewer ==

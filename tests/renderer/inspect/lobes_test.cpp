@@ -156,8 +156,8 @@ TEST_CASE("lobe: the albedo at a grazing light matches an independent integral",
         CHECK(specular_energy(mirror_like(Reflection::BlinnPhong, 10000), deg).x ==
               Approx(at_10000).epsilon(5e-4));
     }
-    // The smoothest, a mirror except for Smith's 2 / (1 + sqrt(1 + a^2 tan^2)) each way, a = 0.001 at 60
-    // degrees.
+    // The smoothest surface: a mirror except for Smith's 2 / (1 + sqrt(1 + a^2 tan^2)) each way, a = 0.001 at
+    // 60 degrees.
     CHECK(directional_albedo(mirror_like(Reflection::CookTorrance, 0, 0), 60).x == Approx(1).margin(1e-5));
 }
 

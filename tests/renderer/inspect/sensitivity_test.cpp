@@ -113,7 +113,7 @@ TEST_CASE("sensitivity: a light that culls faces moves them", "[sensitivity][mis
     cube.source = PrimitiveMesh{Primitive::Cube, 1};
     cube.mesh = primitive(Primitive::Cube, 1);
     document.scene.shading.cull = Cull::Back;          // the background is behind that face
-    constexpr float z = 5e-5f, h = 1e-4f;              // h: of 0.1, the smallest assumed size of a number
+    constexpr float z = 5e-5f, h = 1e-4f;              // h: a thousandth of 0.1, the smallest assumed size
     document.scene.lights[0].position = {1, 0, z, 0};  // grazes the face in front of the eye
     const auto drawn = [&document](float at) {
         Scene scene = document.scene;
@@ -171,7 +171,7 @@ TEST_CASE("sensitivity: no number changes a pixel that is and stays NaN", "[sens
             ++found;
             const Sensitivities s = of_pixel(document, x, y);
             CHECK(lists(s.no_effect, "/display/background/0"));
-            CHECK(s.numbers.size() < 5);  // a shininess other than 0 makes it a number
+            CHECK(s.numbers.size() < 5);  // any other shininess gives a number
         }
     CHECK(found == 1);
 }

@@ -1,4 +1,4 @@
-// A number of a scene that changes no picture has a row but no effect.
+// Finds numbers of a scene that have a row but change no picture.
 #include <algorithm>
 #include <regex>
 #include <set>

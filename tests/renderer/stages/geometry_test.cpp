@@ -72,7 +72,7 @@ TEST_CASE("vertices are transformed by GLM's matrices, for any count", "[geometr
             CHECK(s.inv_w == static_cast<float>(count % 3 == 0 ? 0.5 * (1 - c.z / c.w) : 1 / c.w));
         }
     }
-    CHECK(met == 127);  // every kind of outside
+    CHECK(met == 127);  // every flag of `outside` occurred
 }
 
 TEST_CASE("normals are transformed by GLM's matrices, unit or zero", "[geometry]") {

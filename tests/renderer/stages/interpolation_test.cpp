@@ -82,7 +82,7 @@ TEST_CASE("extra corners on straight edges do not change scanline interpolation"
     Scene scene = values_scene(std::make_shared<const Mesh>(std::move(mesh)), 0.1f);
     scene.shading.interpolation = Interpolation::Scanline;
     Renderer renderer(1);
-    constexpr PictureSize one_row{101, 1};  // in which every frame begins at the end of the last one
+    constexpr PictureSize one_row{101, 1};  // so that every frame begins where the last one ended
     const std::array<std::array<float, 2>, 5> rows{
         {{0, 0.5f}, {90, 0.625f}, {45, 0.833333f}, {15, 0.648808f}, {0, 0.5f}}};
     for (const auto& [turn, value] : rows) {

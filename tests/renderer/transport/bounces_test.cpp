@@ -1,4 +1,4 @@
-// Bounced light and shadows in pictures: closed forms of a furnace, and the promises of every picture.
+// Bounced light and shadows in pictures: closed forms of a furnace, and the guarantees of every picture.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr PictureSize size{32, 24};
 
-/// Seen from inside a ball. With two halves, each point of a sphere gets as much from each half.
+/// Seen from inside a ball. If the ball has two halves, every point of it sees both halves equally.
 Scene furnace(float k_d, glm::vec3 emission) {
     Scene scene;
     scene.camera.eye = {0.2f, 0.1f, 0.3f};
@@ -30,7 +30,7 @@ Scene furnace(float k_d, glm::vec3 emission) {
     return scene;
 }
 
-/// A furnace of two half balls, of which one reflects and shines more.
+/// A furnace of two hemispheres, one of which reflects and emits more.
 Scene furnace_of_halves() {
     Scene scene = furnace(0.5f, glm::vec3(0));
     const Mesh& ball = *scene.objects[0].mesh;
@@ -50,8 +50,8 @@ Scene furnace_of_halves() {
     return scene;
 }
 
-/// Light that arrives in it after at most `bounces` surfaces: the mean emission 0.8, and half of each
-/// surface's light again.
+/// The light that arrives in this furnace after at most `bounces` surfaces: the mean emission of 0.8, halved
+/// by each further surface.
 double arriving_in_halves(int bounces) {
     double sum = 0;
     for (int k = 0; k < bounces; ++k) sum += 0.8 * std::pow(0.5, k);
@@ -261,7 +261,7 @@ TEST_CASE("a penumbra shows the visible part of an area light", "[transport]") {
     CHECK(partial > 5);
 }
 
-TEST_CASE("the steps of a path add up to what it brings", "[transport]") {
+TEST_CASE("the steps of a path add up to the light that it contributes", "[transport]") {
     Scene scene = transport_scene(TransportModel::Bounces, ShadingMode::Phong);
     scene.transport.paths = 1;
     Renderer renderer;

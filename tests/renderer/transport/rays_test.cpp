@@ -32,7 +32,7 @@ std::vector<PlainTriangle> triangles_of(const Scene& scene) {
         const Mesh& mesh = *scene.objects[o].mesh;
         const auto corner = [&](std::uint32_t c) {
             const dvec3 p(mesh.positions[mesh.corner_position[c]]);
-            return dvec3(glm::vec3(world * glm::dvec4(p, 1)));  // as rounded as the renderer's
+            return dvec3(glm::vec3(world * glm::dvec4(p, 1)));  // rounded like the renderer's
         };
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             const auto& c = mesh.triangles[t].corner;

@@ -1,9 +1,9 @@
 #pragma once
-// Stands for oneTBB under ThreadSanitizer (tests/threads.sh). Debian's library is not built with it, which
-// then cannot see that a loop ends before what follows it begins: each value that one stage hands to the next
-// would look like a race, and a real one could not be told from them. These loops run on threads that
-// ThreadSanitizer knows. Which thread runs a piece depends on its number alone, so each run compares the same
-// accesses.
+// Replaces oneTBB under ThreadSanitizer (tests/threads.sh). Debian's library is not built for it, so that
+// ThreadSanitizer cannot see that a loop ends before the code after it begins: each value that one stage
+// passes to the next would look like a race, indistinguishable from a real one. These loops run on threads
+// that ThreadSanitizer knows. The thread that runs a piece depends only on the piece's number, so each run
+// compares the same accesses.
 
 #include <algorithm>
 #include <atomic>
@@ -19,7 +19,7 @@
 namespace tbb {
 namespace detail {
 
-/// The first exception of a loop; the pieces that have not begun are left out, as the library does it.
+/// The first exception of a loop. Pieces that have not started are skipped, as in the library.
 class FirstException {
   public:
     template <typename Piece> void run(const Piece& piece) {
@@ -32,7 +32,7 @@ class FirstException {
             thrown_.store(true, std::memory_order_relaxed);
         }
     }
-    /// Throws what a thread threw first. To be called after all threads have ended.
+    /// Rethrows the first exception of a thread. To be called after all threads have ended.
     void rethrow() const {
         if (first_) std::rethrow_exception(first_);
     }
@@ -43,8 +43,8 @@ class FirstException {
     std::exception_ptr first_;
 };
 
-/// Calls `piece(i)` for each i < `count` on the threads of this arena; a loop within a loop stays on its
-/// thread.
+/// Calls `piece(i)` for each i < `count` on the threads of this arena; a nested loop runs on the thread that
+/// started it.
 template <typename Piece> void on_all_threads(std::size_t count, const Piece& piece) {
     const std::size_t threads = std::min(count, static_cast<std::size_t>(arena_threads));
     FirstException thrown;

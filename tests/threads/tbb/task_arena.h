@@ -1,5 +1,5 @@
 #pragma once
-// Stands for oneTBB under ThreadSanitizer: see parallel_for.h.
+// Replaces oneTBB under ThreadSanitizer: see parallel_for.h.
 
 #include <algorithm>
 #include <thread>
@@ -10,7 +10,7 @@ namespace detail {
 
 inline thread_local int arena_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 
-/// Loops of this thread run on `threads` threads while it lives.
+/// During its lifetime, loops of this thread run on `threads` threads.
 class ArenaOf {
   public:
     explicit ArenaOf(int threads) : before_(std::exchange(arena_threads, threads)) {}

@@ -64,7 +64,7 @@ TEST_CASE("the initial interval of a chosen number is within its range", "[ui][w
         bench.click(bench.control(name));
         return bench.state.get<AnimateState>().animation.to;
     };
-    CHECK(choose("samples", "Window: area samples") == 36);  // of 32 the nearest square
+    CHECK(choose("samples", "Window: area samples") == 36);  // the square nearest to 32
     CHECK(choose("view angle", "Camera: view angle") == 60);
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("a turntable starts at the scene itself and keeps distance and height"
     CHECK(quarter.z == Approx(-start.eye.x));
 }
 
-TEST_CASE("a light circles about the target in world coordinates, whatever its own", "[ui][animate]") {
+TEST_CASE("a light circles about the target in world coordinates, whatever its own frame", "[ui][animate]") {
     SceneDocument document = busy_document();
     Scene& scene = document.scene;
     scene.camera.eye = {1, 2, 9}, scene.camera.target = {1, 2, 3};
@@ -141,7 +141,7 @@ TEST_CASE("an animation without a light does not play", "[ui][window][animate]")
     CHECK(bench.state.get<AnimateState>().refused == "The scene has no light");
 }
 
-TEST_CASE("ffmpeg makes the video from every frame, or its absence is said", "[ui][window][animate]") {
+TEST_CASE("ffmpeg makes the video from every frame, or its absence is reported", "[ui][window][animate]") {
     const TemporaryDirectory folder;
     const char* const path = std::getenv("PATH");
     const std::string path_before = path != nullptr ? path : "";
@@ -159,7 +159,7 @@ TEST_CASE("ffmpeg makes the video from every frame, or its absence is said", "[u
     bench.click(bench.control("Export animation"));
     bench.frames(2);
     CHECK_FALSE(bench.state.files.open);
-    // In place of ffmpeg: keeps what it reads, in the file that its last argument names.
+    // A replacement for ffmpeg: writes its input to the file that its last argument names.
     const auto install = [&](const char* script) {
         std::filesystem::permissions(folder.file("ffmpeg", script), std::filesystem::perms::owner_all);
     };
@@ -341,7 +341,7 @@ TEST_CASE("numbered frames are replaced only after a question", "[ui][window][an
     CHECK(bytes_of(folder.path("turn-0007.png")) == "precious");
 }
 
-TEST_CASE("an added line in a panel gets its room in the same frame", "[ui][window][animate]") {
+TEST_CASE("a line added to a panel gets its space in the same frame", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.state.get<AnimateState>().open = true;
     bench.frames(10);

@@ -36,7 +36,7 @@ Scene with_meshes_of(const std::vector<MeshSource>& sources) {
     return scene;
 }
 
-/// In place of the load of all awaited meshes: ends on request, with a result chosen by the test.
+/// Replaces the load of all awaited meshes: ends on request, with a result chosen by the test.
 class HeldLoad {
   public:
     HeldLoad(HeadlessWindow& bench, const Result<SceneDocument>& result) : bench_(bench) {

@@ -81,7 +81,7 @@ TEST_CASE("Copy as command gives the size and samples of the last export", "[ui]
     CHECK(bench.copied("--size 80x60 --samples 4 -o beside.png"));
     CHECK(bench.state.notifications.list.back().text.find("80 × 60") != std::string::npos);
 
-    open_scene(bench, "sun.json");  // nothing was exported from another document
+    open_scene(bench, "sun.json");  // nothing was exported from this document
     bench.copy();
     CHECK_FALSE(bench.copied("80x60"));
 }

@@ -390,6 +390,6 @@ TEST_CASE("a size typed into one field of the export sets both", "[ui][export][w
         bench.state.notifications.list.clear();
         type(wrong);
         CHECK(size.height == 768);
-        CHECK(bench.state.notifications.list.size() == 1);  // which reports that it is not a number
+        CHECK(bench.state.notifications.list.size() == 1);  // it reports that the text is not a number
     }
 }

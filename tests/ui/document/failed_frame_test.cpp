@@ -58,7 +58,7 @@ TEST_CASE("a window that grows beyond the memory limit keeps the size of its pic
         CHECK(bench.state.rendered->size == size);
         CHECK(bench.state.notifications.list.size() == 1);
     }
-    take_document(bench.state.editor, first_scene());  // which may be a smaller one
+    take_document(bench.state.editor, first_scene());  // the first scene may be smaller
     bench.frames(2);
     CHECK(bench.state.rendered->size.width > size.width);
 }

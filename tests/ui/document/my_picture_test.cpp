@@ -117,7 +117,7 @@ TEST_CASE("under the mistake of a picture the scene has no difference from it", 
     CHECK(bench.state.get<CompareState>().numbers.max_error > 50);
     bench.scene().shading.mistakes.normals_flipped = true;
     bench.frames(2);
-    CHECK(bench.state.get<CompareState>().numbers.mean[0] < 0.5);  // pixels differ in size
+    CHECK(bench.state.get<CompareState>().numbers.mean[0] < 0.5);  // the two pictures differ in size
 }
 
 TEST_CASE("display mistakes are removed from the compared picture", "[ui][window][mine]") {
@@ -248,7 +248,7 @@ TEST_CASE("an incompatible picture is reported, and an unreadable one in one lin
     Scene other = bench.scene();
     Renderer renderer(1);
     const Picture wide = renderer.render(other, {320, 180});
-    Picture narrow{{240, 180}, {}, {}};  // the same squeezed: drawn for 16:9, opened as 4:3
+    Picture narrow{{240, 180}, {}, {}};  // the same picture, squeezed: drawn for 16:9, opened as 4:3
     for (int y = 0; y < 180; ++y)
         for (int x = 0; x < 240; ++x)
             for (std::size_t c = 0; c < 4; ++c)

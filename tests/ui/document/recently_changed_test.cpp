@@ -63,7 +63,7 @@ TEST_CASE("a changed example returns from the menu Recently changed, and undo le
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE("a changed example is never asked for, not even by Quit; a file of the user's is",
+TEST_CASE("a changed example is never asked about, even by Quit; a user's own file is",
           "[ui][window][lecture]") {
     HeadlessWindow bench;
     change_example(bench);

@@ -131,7 +131,7 @@ TEST_CASE("Alt and a click on a light's eye shows that light alone, with a badge
     CHECK(bench.state.rendered_scene == before);
 }
 
-TEST_CASE("S and M on a light's row are solo and mute, elsewhere they are not", "[ui][window][lights]") {
+TEST_CASE("S and M on a light's row toggle solo and mute, elsewhere they do not", "[ui][window][lights]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();

@@ -1,4 +1,4 @@
-// What is wrong with an object's mesh, in its panel and in the picture.
+// Findings about an object's mesh, in its panel and in the picture.
 #include "ui/fields/mesh_check.h"
 
 #include <fmt/core.h>

@@ -91,7 +91,7 @@ TEST_CASE("each thumbnail is the scene under its mistake, or marked if nothing c
     CHECK(words_at(bench, &Mistakes::normals_flipped).empty());
 }
 
-TEST_CASE("thumbnails wait until no button is down and the scene has been still", "[ui][window][why]") {
+TEST_CASE("thumbnails wait until no button is down and the scene has stopped changing", "[ui][window][why]") {
     HeadlessWindow bench;
     ImGui::GetIO().MousePos = {5, 5};
     ImGui::GetIO().MouseDown[0] = true;

@@ -58,7 +58,7 @@ TEST_CASE("a target differs from its start only in the named numbers, by seed", 
     CHECK_FALSE(match_task(1).target == match_task(8).target);
 }
 
-TEST_CASE("the difference falls on the way to the target, from any view", "[ui][window][match]") {
+TEST_CASE("the difference decreases towards the target, from any view", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
     open_game(bench, 2);  // only the exponent
     const MatchState& match = bench.state.get<MatchState>();

@@ -90,7 +90,7 @@ TEST_CASE("an answer is shown next to the right one, and its number is marked", 
     CHECK(column.holds(bench.control("Marked number")));
 }
 
-TEST_CASE("a long unit is below its number, and the two answers below each other", "[ui][window][lesson]") {
+TEST_CASE("a long unit is below its number, and the two answers are stacked", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     (void)folder.file("ball.json", ball);
     HeadlessWindow bench({1280, 1000});
@@ -230,7 +230,7 @@ TEST_CASE("a curve drawn from edge to edge is complete and visible", "[ui][windo
     CHECK(from == Approx(pixels).margin(4));
     CHECK(to == Approx(2 * pixels).margin(4));
     bench.click(bench.control("Wipe"));
-    // Begun next to the plot, and far above it at the end.
+    // The stroke starts next to the plot and ends far above it.
     bench.drag({plot.low.x - 6, middle}, {plot.high.x - 6, plot.low.y - 200});
     CHECK(can_lock(lesson));
     for (const Json& value : elements_of(lesson.chosen)) CHECK(value.get<double>() <= 1.08);
@@ -277,7 +277,7 @@ TEST_CASE("typing into a lesson's field ends the lesson's animation", "[ui][wind
     bench.type_into_x("25");
     CHECK(bench.state.rendered_scene == bench.scene());
     CHECK(bench.scene().lights[0].position == glm::vec4(25, 2, 3, 1));
-    bench.state.get<AnimateState>().open = true;  // there a button ends it
+    bench.state.get<AnimateState>().open = true;  // while it is open, its button ends the animation
     play();
     bench.type_into_x("7");
     CHECK(bench.scene().lights[0].position == glm::vec4(7, 2, 3, 1));

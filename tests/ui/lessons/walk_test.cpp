@@ -68,7 +68,7 @@ int tasks_in(const std::string& path) {
     return count;
 }
 
-/// By the way that the lesson describes.
+/// Does the tasks as the lesson describes.
 void do_tasks(HeadlessWindow& bench) {
     LessonState& lesson = bench.state.get<LessonState>();
     const Station& station = lesson.station();

@@ -310,7 +310,7 @@ TEST_CASE("a slow comparison is drawn smaller during a drag and at full size aft
     HeadlessWindow bench;
     comparing(bench);
     const PictureSize full = bench.state.rendered->size;
-    // The parts count: three pictures of 20 ms are one of 60.
+    // The parts add up: three pictures of 20 ms count as one of 60 ms.
     bench.move(bench.at_pixel({20, 20}));
     bench.button(true, 1);
     bench.move(bench.at_pixel({60, 30}));

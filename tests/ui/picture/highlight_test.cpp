@@ -169,17 +169,19 @@ TEST_CASE("after a highlight drag the specular peak is within a pixel in 999 of 
     CHECK(misses(20, 1000, round_shapes(), Fall::Off) <= 1);
 }
 
-TEST_CASE("also on saddles and bumps, under lights without falloff", "[ui][hands][property][long][release]") {
+TEST_CASE("the dragged peak is within a pixel on saddles and bumps, without falloff",
+          "[ui][hands][property][long][release]") {
     CHECK(misses(21, 1000, hollow_shapes(), Fall::No) <= 1);
 }
 
 // Where the normal hardly turns along some direction, falloff and a cone may leave no solution at the light's
 // own distance, or with its own aim.
-TEMPLATE_TEST_CASE_SIG("also on saddles and bumps, under lights with falloff",
+TEMPLATE_TEST_CASE_SIG("the dragged peak is within a pixel on saddles and bumps, with falloff",
                        "[ui][hands][property][long][release]", ((unsigned seed), seed), 22, 101) {
     CHECK(misses(seed, 1000, hollow_shapes(), Fall::Off) <= 1);
 }
 
-TEST_CASE("also with light reflected back, and with microfacets", "[ui][hands][property][long][release]") {
+TEST_CASE("the dragged peak is within a pixel in retro-reflection, and with microfacets",
+          "[ui][hands][property][long][release]") {
     CHECK(misses(23, 1000, round_shapes(), Fall::No, {Reflection::Retro, Reflection::CookTorrance}) <= 1);
 }

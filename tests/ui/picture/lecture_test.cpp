@@ -157,8 +157,8 @@ TEST_CASE("an unreadable page is reported, and PgDn and PgUp skip it", "[ui][lec
         CHECK(told.find(name) != std::string::npos);
     };
     fails(Key::PageDown, "1.json", "2.json");
-    CHECK(page(Key::PageUp).second == "This is the first scene");  // in the other direction it is relative to
-                                                                   // the open one
+    // In the other direction it is relative to the open one.
+    CHECK(page(Key::PageUp).second == "This is the first scene");
     fails(Key::PageDown, "1.json", "3.json");
     CHECK(page(Key::PageDown).first == "4.json");
     CHECK(page(Key::PageDown).second == "This is the last scene");

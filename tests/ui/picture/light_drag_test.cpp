@@ -161,7 +161,7 @@ TEST_CASE("a world light stays when the camera turns, a camera light moves with 
     CHECK(glm::length(side.handle(camera).pixel - front.handle(world).pixel) < 0.01);
 }
 
-TEST_CASE("a kind changed there and back shines from the same side", "[ui]") {
+TEST_CASE("a light changed to another kind and back shines from the same side", "[ui]") {
     const Case c = cases()[1];
     const Light bulb = light_at(c, LightKind::Point, LightSpace::World, {0.3f, 0.8f, -0.4f});
     const Light sun = as_kind(bulb, LightKind::Directional, c.view.dome, c.view.map);

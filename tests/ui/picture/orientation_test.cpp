@@ -106,7 +106,7 @@ TEST_CASE("F frames each object to 80 % of the picture, also on a large floor", 
             bench.state.editor.selection = {Selection::Kind::Object, object};
             (void)bench.key(Key::F);
             bench.frames(3);
-            scene.objects[1].visible = object == 1;  // it hides nothing of the other
+            scene.objects[1].visible = object == 1;  // so that it hides no part of the other
             bench.frames(3);
             const PictureSize drawn = bench.state.rendered->size;
             glm::ivec2 low(drawn.width, drawn.height), high(-1);

@@ -50,7 +50,7 @@ struct BouncingWindow : HeadlessWindow {
         state.viewport.shares_of = size;
         frames(3);
     }
-    /// Whether the picture is the one that a renderer of its own draws.
+    /// Whether the picture equals that of a separate renderer.
     [[nodiscard]] bool is_complete_picture() {
         Renderer alone(1);
         return state.rendered->rgba == alone.render(scene(), state.rendered->size).rgba;
@@ -68,7 +68,7 @@ TEST_CASE("bounced light is refined in the background until it has all its paths
     bench.refine();
     CHECK(bench.state.picture_serial > serial);
     CHECK(bench.is_complete_picture());
-    // A change begins again, also in the middle of the work.
+    // A change restarts the refinement, even before it is complete.
     bench.scene().transport.paths = 65536;
     bench.frames(30);
     CHECK(bench.state.refinement.progress() < 1);

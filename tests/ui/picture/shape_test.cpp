@@ -90,7 +90,7 @@ TEST_CASE("the aim of a spot or panel stays under the cursor, and the light in p
         }
 }
 
-TEST_CASE("an aim at a target shines at it", "[ui][hands]") {
+TEST_CASE("a light aimed at a target shines at it", "[ui][hands]") {
     const LightStage stage;
     const glm::dvec3 place(0.2, -0.4, -0.3);
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {

@@ -18,7 +18,7 @@ ImGuiWindow* open_popup() {
     return stack.empty() ? nullptr : stack.back().Window;
 }
 
-/// Opens the picker of the selected light's diffuse colour; where its swatch is.
+/// Opens the picker of the selected light's diffuse colour; returns the position of its swatch.
 ImVec2 open_picker(HeadlessWindow& bench) {
     const ImVec2 swatch = bench.control("/lights/0/diffuse");
     bench.click(swatch);
@@ -27,7 +27,7 @@ ImVec2 open_picker(HeadlessWindow& bench) {
     return swatch;
 }
 
-/// Middle of a preset: `row` 0 the pure colours, 1 the lamps.
+/// The middle of a preset. `row`: 0 for pure colours, 1 for lamps.
 ImVec2 preset_at(const ImGuiWindow& popup, int row, int column) {
     const ImVec2 pad = popup.WindowPadding;
     const float gap = 4, across = popup.Size.x - 2 * pad.x, side = (across - 9 * gap) / 10;

@@ -115,8 +115,7 @@ TEST_CASE("pictures of examples are offered in the user's folder for pictures", 
     CHECK(offered_name(bench.state, ".png") == "/somewhere/mine.png");
 }
 
-TEST_CASE("a picture of another program that is opened can be compared with the scene",
-          "[ui][window][diagnosis]") {
+TEST_CASE("an opened picture by another program can be compared with the scene", "[ui][window][diagnosis]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;

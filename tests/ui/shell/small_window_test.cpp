@@ -53,7 +53,7 @@ TEST_CASE("ImGui accepts the theme at every display scale", "[ui][small]") {
         HeadlessWindow bench({400, 300});
         apply_theme(light_theme(), scale);
         INFO("scale " << scale);
-        // What ImGui requires of every frame (ErrorCheckNewFrameSanityChecks).
+        // ImGui's requirements for every frame (ErrorCheckNewFrameSanityChecks).
         REQUIRE(ImGui::GetStyle().WindowMinSize.x >= 1);
         REQUIRE(ImGui::GetStyle().WindowMinSize.y >= 1);
         bench.frames(2);

@@ -128,7 +128,7 @@ std::size_t check_letters(const NamedControl& control, const Glyphs& glyphs, con
     return painter.inks().size();
 }
 
-/// Where a control of that name and key was checked.
+/// The positions at which a control of that name and key was checked.
 using Checked = std::set<std::tuple<std::string, std::string, float, float>>;
 
 /// Each control outside the picture: idle, hovered, and pressed; once per position.

@@ -141,13 +141,13 @@ TEST_CASE("a menu explains why an item is disabled", "[ui][window][tooltip]") {
     wait(bench);
     const ImGuiWindow* tip = shown_tooltip();
     REQUIRE(tip != nullptr);
-    // Its text is not stored; that there is a line below the title is.
+    // Its text is not stored; the height shows that there is a line below the title.
     CHECK(tip->Size.y > 2 * ImGui::GetTextLineHeight());
 }
 
 TEST_CASE("tooltips and menus of disabled or dimmed controls are opaque", "[ui][window][tooltip]") {
     HeadlessWindow bench;
-    bench.scene().shading.reflection = Reflection::BlinnPhong;  // which has no roughness
+    bench.scene().shading.reflection = Reflection::BlinnPhong;  // this model has no roughness
     bench.state.editor.selection = {Selection::Kind::Object, 0};
     bench.frames(2);
     const auto tooltip_at = [&](ImVec2 at) {
