@@ -230,8 +230,7 @@ TEST_CASE("glint grade ends with status 1 if a file cannot be judged", "[cli][sh
     CHECK(ended.out.find("none.glsl,not judged,") != ended.out.npos);
 }
 
-TEST_CASE("a rubric with an unknown mistake is refused, and so is a scene that cannot be read",
-          "[cli][shader]") {
+TEST_CASE("a rubric with an unknown mistake and an unreadable scene are refused", "[cli][shader]") {
     const TemporaryDirectory folder;
     const std::string file = folder.file("a.glsl", normals_as_color),
                       rubric = folder.file("r.json", R"({"mistakes": {"reflect_sin": {"points": 1}}})");

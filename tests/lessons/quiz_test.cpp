@@ -395,8 +395,7 @@ TEST_CASE("Moodle XML has a category, and each question with its answers and fee
     CHECK(count_of(xml, "<question type") == 3);
 }
 
-TEST_CASE("the quiz exports every question with one right option, a picture and its description",
-          "[lesson][quiz]") {
+TEST_CASE("the quiz exports every question with one right option and a described picture", "[lesson][quiz]") {
     LessonRunner runner(1);
     const auto questions = std::get<std::vector<ExportedQuestion>>(quiz_questions(runner, inventory()));
     REQUIRE(questions.size() == 24);

@@ -41,7 +41,7 @@ TEST_CASE("PgDn leaves a changed example without a question", "[ui][window][lect
     CHECK(bench.state.get<RecentlyChanged>().list[0].changed.lights[0].intensity == 0.123f);
 }
 
-TEST_CASE("a changed example returns from the menu Recently changed, and undo leads to the original",
+TEST_CASE("the menu Recently changed restores a changed example and its undo history",
           "[ui][window][lecture]") {
     HeadlessWindow bench;
     change_example(bench);
