@@ -206,8 +206,8 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
     CHECK(with_edit("size: 320x180", "size: 320") ==
           "l.md:6: \"320\" is not a size; expected WIDTHxHEIGHT as in 640x360, at most 2048x2048");
     CHECK(with_edit("```predict number", "```predcit number") ==
-          "l.md:24: there is no block \"predcit\"; expected \"predict\", or \"text\" for what is only to be "
-          "read");
+          "l.md:24: there is no block \"predcit\"; expected \"predict\", or \"text\" for a block that "
+          "is only read");
     CHECK(with_edit("```predict number", "```predict numbers") ==
           "l.md:24: predict \"numbers\" is not known; expected number, choice, click, sketch, colour");
     CHECK(with_edit("tolerance: 0.02", "tolarance: 0.02") ==

@@ -117,6 +117,7 @@ TEST_CASE("the picture returns with all its paths after a preview", "[ui][transp
 
 TEST_CASE("terms and pixel agree at every number of paths, in parts of a comparison too", "[ui][transport]") {
     BouncingWindow bench;
+    bench.scene().transport.model = TransportModel::Local;  // only a part has bounced light
     bench.compare({variant_of(TransportModel::Local), variant_of(TransportModel::Bounces)});
     bench.ask_ball();
     const auto check = [&bench] {
@@ -132,6 +133,7 @@ TEST_CASE("terms and pixel agree at every number of paths, in parts of a compari
     };
     bench.refine();
     CHECK(check() == 16);
+    (void)bench.area_of("b  bounced");  // a row of the table
     bench.scene().lights[0].intensity *= 1.5f;
     bench.frames(2);
     CHECK(check() < 16);

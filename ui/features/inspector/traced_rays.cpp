@@ -114,7 +114,7 @@ void traced_controls(UiState& state, const ExplainedPoint& point) {
     InspectorState& inspector = state.get<InspectorState>();
     const ExplainedBounces& bounces = point.bounces;
     if (bounces.used)
-        small_dim(fmt::format("L_b: {} paths, standard error {}", bounces.paths,
+        small_dim(fmt::format("Bounced light: {} paths, standard error {}", bounces.paths,
                               shown_vector(bounces.standard_error)));
     inspector.shows_ray ^= small_chosen_button("Show the ray", inspector.shows_ray);
     tooltip("Show the ray", "From the point to the selected light, and what it meets first");
