@@ -117,6 +117,12 @@ void add_size(Options& options, std::optional<PictureSize>& size) {
         [&size](const std::string& text) { size = read_size("--size", text); });
 }
 
+void add_json_format(Options& options, bool& as_json) {
+    options.add_value("--format", "FORMAT", "text (default) or json", [&as_json](const std::string& text) {
+        as_json = read_word("--format", text, {"text", "json"}) == 1;
+    });
+}
+
 void add_timeout(Options& options, double& seconds) {
     constexpr double most = 3600;
     options.add_value(

@@ -48,6 +48,8 @@ void add_scene(Options& options, SceneArguments& arguments);
 void add_threads(Options& options, int& threads);
 void add_memory(Options& options);
 void add_size(Options& options, std::optional<PictureSize>& size);
+/// `--format text`, the default, or `--format json`.
+void add_json_format(Options& options, bool& as_json);
 /// Adds --timeout SECONDS, the time limit for drawing one shader.
 void add_timeout(Options& options, double& seconds);
 void add_samples(Options& options, std::optional<int>& samples);

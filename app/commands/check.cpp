@@ -16,12 +16,10 @@
 namespace glint {
 namespace {
 
-enum class CheckFormat { Text, Json };
-
 struct CheckArguments {
     SceneArguments scene;
     std::string directory;
-    CheckFormat format = CheckFormat::Text;
+    bool as_json = false;
 };
 
 /// Whether the path exists. A dangling symbolic link counts: reading it reports the problem. Throws Failure
@@ -112,8 +110,7 @@ Outcome check(const CheckArguments& arguments) {
     Warnings warnings = document.warnings;
     for (std::string& unknown : unknown_pictures(arguments.directory, checked_buffers(document.scene)))
         warnings.push_back(std::move(unknown));
-    return {arguments.format == CheckFormat::Json ? check_json(found) : check_text(found), warnings,
-            ExitStatus::Done};
+    return {arguments.as_json ? check_json(found) : check_text(found), warnings, ExitStatus::Done};
 }
 
 Run declare_check(Options& options) {
@@ -122,10 +119,7 @@ Run declare_check(Options& options) {
     add_text(options, "DIR", "",
              "a directory with buffers by another program, named as render --buffers names them",
              arguments->directory);
-    options.add_value("--format", "FORMAT", "text (default) or json",
-                      [&format = arguments->format](const std::string& text) {
-                          format = static_cast<CheckFormat>(read_word("--format", text, {"text", "json"}));
-                      });
+    add_json_format(options, arguments->as_json);
     return [arguments] { return check(*arguments); };
 }
 

@@ -79,10 +79,7 @@ Run declare_formfactor(Options& options) {
                       [&seed = arguments->seed](const std::string& text) {
                           seed = read_count("--seed", text, 0, 1'000'000);
                       });
-    options.add_value("--format", "FORMAT", "text (default) or json",
-                      [&as_json = arguments->as_json](const std::string& text) {
-                          as_json = read_word("--format", text, {"text", "json"}) == 1;
-                      });
+    add_json_format(options, arguments->as_json);
     return [arguments] { return formfactor(*arguments); };
 }
 

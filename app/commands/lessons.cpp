@@ -163,10 +163,7 @@ Run declare_lessons(Options& options) {
     options.add_flag("--slides", arguments->slides, "write slides: each question and its answer apart");
     options.add_flag("--instructor", arguments->instructor,
                      "write notes for the lecturer: goals, answers, what students believe");
-    options.add_value("--format", "FORMAT", "text (default) or json",
-                      [&as_json = arguments->as_json](const std::string& text) {
-                          as_json = read_word("--format", text, {"text", "json"}) == 1;
-                      });
+    add_json_format(options, arguments->as_json);
     add_threads(options, arguments->threads);
     add_memory(options);
     return [arguments] { return lessons(*arguments); };

@@ -64,9 +64,7 @@ std::string catalogue_text() {
 
 Run declare_mistakes(Options& options) {
     auto as_json = std::make_shared<bool>(false);
-    options.add_value("--format", "FORMAT", "text (default) or json", [as_json](const std::string& text) {
-        *as_json = read_word("--format", text, {"text", "json"}) == 1;
-    });
+    add_json_format(options, *as_json);
     return [as_json] {
         return Outcome{*as_json ? catalogue_json() : catalogue_text(), {}, ExitStatus::Done};
     };
