@@ -1,8 +1,8 @@
 #include "lessons/question_export.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
-#include <cstdint>
 #include <utility>
 
 #include "models/io/markup.h"
@@ -12,15 +12,6 @@ namespace glint {
 namespace {
 
 using ZipFiles = std::vector<std::pair<std::string, std::string>>;  // name and bytes
-
-std::uint32_t crc32(std::string_view bytes) {
-    std::uint32_t crc = 0xffffffffU;
-    for (const char c : bytes) {
-        crc ^= static_cast<unsigned char>(c);
-        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xedb88320U : 0);
-    }
-    return ~crc;
-}
 
 /// Encodes pairs of size in bytes and value as little-endian numbers.
 std::string little_endian(std::initializer_list<std::pair<std::size_t, int>> numbers) {
@@ -35,16 +26,17 @@ std::string zip_bytes(const ZipFiles& files) {
     constexpr std::size_t version = 20, first_day = (1 << 5) + 1;
     std::string zip, directory;
     for (const auto& [name, bytes] : files) {
-        const std::string fields = little_endian({{version, 2},
-                                                  {0, 2},
-                                                  {0, 2},
-                                                  {0, 2},
-                                                  {first_day, 2},
-                                                  {crc32(bytes), 4},
-                                                  {bytes.size(), 4},
-                                                  {bytes.size(), 4},
-                                                  {name.size(), 2},
-                                                  {0, 2}});
+        const std::string fields =
+            little_endian({{version, 2},
+                           {0, 2},
+                           {0, 2},
+                           {0, 2},
+                           {first_day, 2},
+                           {crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()), 4},
+                           {bytes.size(), 4},
+                           {bytes.size(), 4},
+                           {name.size(), 2},
+                           {0, 2}});
         directory.append("PK\x01\x02").append(little_endian({{version, 2}})).append(fields);
         directory.append(little_endian({{0, 2}, {0, 2}, {0, 2}, {0, 4}, {zip.size(), 4}})).append(name);
         zip.append("PK\x03\x04").append(fields).append(name).append(bytes);
