@@ -158,16 +158,21 @@ Result<Rubric> read_rubric(const std::string& text, const std::string& file) {
 }
 
 void apply_rubric(GradeRow& row, const Rubric& rubric) {
-    const std::string verdict = string_of(row, "verdict"), mistake = string_of(row, "mistake");
+    const std::string verdict = string_of(row, "verdict");
+    std::vector<std::string> names = strings_of(row, "also");  // they look the same
+    names.insert(names.begin(), string_of(row, "mistake"));
     RubricEntry entry;
     if (verdict == "no mistake") {
         entry.points = rubric.points;
     } else {
         if (const auto found = rubric.verdicts.find(verdict); found != rubric.verdicts.end())
             entry = found->second;
-        if (const auto found = rubric.mistakes.find(mistake); found != rubric.mistakes.end()) {
+        for (const std::string& name : names) {
+            const auto found = rubric.mistakes.find(name);
+            if (found == rubric.mistakes.end()) continue;
             if (found->second.points) entry.points = found->second.points;
             if (!found->second.hint.empty()) entry.hint = found->second.hint;
+            break;
         }
         if (!entry.points && rubric.points) entry.points = 0;
     }

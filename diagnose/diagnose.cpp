@@ -9,11 +9,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "diagnose/difference.h"
-#include "diagnose/display_finding.h"
-#include "diagnose/experiment.h"
-#include "diagnose/search/noise.h"
-#include "diagnose/unexplained.h"
+#include "diagnose/judged.h"
+#include "diagnose/search/softness.h"
 #include "renderer/lighting/display.h"
 #include "renderer/threads.h"
 
@@ -25,7 +22,7 @@ constexpr std::uint64_t fewest_compared = 16;
 /// pictures from 17 on.
 constexpr float most_noise = 12;
 
-/// The sets of mistakes that an experiment is to tell apart: the first candidate and those that look like it,
+/// The sets of mistakes that an experiment separates: the first candidate and those that look like it,
 /// or else the second candidate.
 std::vector<MistakeSet> to_tell_apart(const std::vector<Candidate>& candidates) {
     constexpr std::size_t most = 4;
@@ -33,7 +30,8 @@ std::vector<MistakeSet> to_tell_apart(const std::vector<Candidate>& candidates) 
     if (candidates.empty()) return sets;
     sets.push_back(candidates[0].mistakes);
     sets.insert(sets.end(), candidates[0].also.begin(), candidates[0].also.end());
-    if (sets.size() == 1 && candidates.size() > 1) sets.push_back(candidates[1].mistakes);
+    for (std::size_t i = 1; i < candidates.size() && sets.size() == 1; ++i)
+        if (!candidates[i].mistakes.empty()) sets.push_back(candidates[i].mistakes);
     if (sets.size() > most) sets.resize(most);
     return sets;
 }
@@ -45,24 +43,81 @@ bool is_exact(const Judged& best) {
     return best.is_believed && !best.change.soft && best.score.residual() < rounding;
 }
 
-/// The term of the equation that, multiplied by a number, explains nearly all that is wrong where an
-/// explanation differs from the right picture; nothing where none does.
-std::optional<DifferenceTerm> term_that_explains(Renderer& renderer, const Scene& scene,
-                                                 const Exhibit& exhibit, const Judged& explained) {
-    constexpr double nearly_all = 0.98, hardly_any = 0.02;  // of the difference's energy; of the wrong pixels
-    (void)renderer.render(under_mistakes(scene, {}), exhibit.right.size);
-    const DescribedDifference found =
-        describe_difference(renderer, exhibit, exhibit.least_change, scene.display,
-                            explained.is_right ? nullptr : &explained.drawing.picture);
-    if (found.terms.empty() || found.terms.front().explained <= nearly_all ||
-        found.pixels_left > hardly_any * static_cast<double>(found.pixels))
-        return std::nullopt;
-    return found.terms.front();
+/// Levels from which on a right picture clearly has more than one colour.
+constexpr int several_colours = 8;
+
+/// Whether the picture's surfaces have a single colour, although those of the right picture have several.
+bool have_one_colour(const Exhibit& e, const DisplayChange& change) {
+    constexpr float rounding = 1;
+    RgbBounds mine, right;
+    const PictureSize size = e.right.size;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
+            mine.add(mine_at(e.wrong, change, x, y));
+            right.add(rgb_at(e.right, size.index(x, y)));
+        }
+    return static_cast<float>(mine.spread()) <= rounding + e.least_change.scatter() &&
+           right.spread() > several_colours;
 }
 
-bool is_left_out(const std::optional<DifferenceTerm>& term) {
-    constexpr double rounding = 0.01;
-    return term && std::abs(term->factor) < rounding;
+/// Further display changes to try for a picture that nothing explains, the smaller first.
+std::array<DisplayChange, 2> larger_changes(const DisplayChange& supposed) {
+    DisplayChange turned = supposed;
+    turned.before = turned.after = Code::Same;
+    turned.gain = 1;
+    turned.soft = false;
+    return {turned, supposed};
+}
+
+double count_wrong(const DescribedDifference& d) {
+    double pixels = 0;
+    for (const DifferenceRegion& r : d.regions) pixels += static_cast<double>(r.pixels);
+    return pixels;
+}
+
+/// What differs under the smallest change that leaves little unexplained: a gain or a curve takes away
+/// something of any difference, and so does a term of the equation.
+DescribedDifference cautious_difference(DisplayChange& change, const Renderer& renderer,
+                                        const Exhibit& exhibit, const DisplayChange& supposed,
+                                        const Display& display) {
+    constexpr double clearly = 4;
+    change = exhibit.least_change;
+    DescribedDifference best = describe_difference(renderer, exhibit, change, display);
+    for (const DisplayChange& tried : larger_changes(supposed)) {
+        if (tried == change) continue;
+        DescribedDifference found = describe_difference(renderer, exhibit, tried, display);
+        const bool is_better = clearly * found.pixels_left < best.pixels_left ||
+                               clearly * count_wrong(found) < count_wrong(best);
+        if (!is_better) continue;
+        best = std::move(found);
+        change = tried;
+    }
+    return best;
+}
+
+/// Fills in the diagnosis of a picture that nothing fits: whether it can be compared at all, and where the
+/// difference lives. `none`: the judgement without a mistake.
+void say_what_is_unexplained(Diagnosis& d, Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
+                             const Judged& none) {
+    if (const auto why = other_outline(exhibit)) {
+        d = Diagnosis{};
+        d.size = exhibit.wrong.size;
+        d.why = *why;
+        return;
+    }
+    d.verdict = Verdict::NotInCatalogue;
+    (void)renderer.render(under_mistakes(scene, {}), d.size);
+    DisplayChange change;
+    DescribedDifference found = cautious_difference(change, renderer, exhibit, none.change, scene.display);
+    constexpr double much = 0.5;  // the nearest candidates are kept if they explain this share
+    std::erase_if(d.candidates, [&](const Candidate& c) {
+        return c.explained < much || !are_of_one_display(c.change, change);
+    });
+    d.display = display_finding(exhibit, none.drawing, change);
+    d.pixels = count_unlike(exhibit, none.drawing, change);
+    d.regions = std::move(found.regions);
+    d.terms = std::move(found.terms);
 }
 
 void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, const Exhibit& exhibit,
@@ -70,17 +125,19 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
     const Judged& best = all.front();
     const Judged& none = of_no_mistake(all);
     d.display = display_finding(exhibit, best.drawing, best.change);
-    constexpr double rounded_twice = 0.6;  // levels; rounding in two programs leaves less
-    // A single term is the simpler explanation: simpler than a mistake with a change at the display, or two
-    // such changes where the picture is right, or a mistake that leaves more error than rounding does.
-    const bool supposes_more = best.change.count() > (best.is_right ? 1 : 0) ||
-                               (!best.is_right && best.score.residual() > rounded_twice);
-    std::optional<DifferenceTerm> term;
-    if (best.is_believed && (supposes_more || !best.is_right))
-        term = term_that_explains(renderer, document.scene, exhibit, best);
-    const bool is_believed = best.is_believed && !(supposes_more && term);
+    d.display.tone = best.explanation.tone;
+    const ExplanationKind kind = best.explanation.kind;
+    const bool is_simple =
+        best.is_believed && (kind == ExplanationKind::LeftOut || kind == ExplanationKind::Setting);
+    if (!is_simple && have_one_colour(exhibit, best.change)) {
+        d.why = "its surfaces have a single colour, which many mistakes would give";
+        return;
+    }
+    const bool is_believed = best.is_believed;
+    d.display.lossy = is_believed && best.is_lossy;
     const Judged& shown = is_believed ? best : none;
     d.pixels = count_unlike(exhibit, shown.drawing, shown.change);
+    if (is_believed) d.conventions = best.explanation.conventions;
     if (is_believed && best.is_right) {
         d.verdict = Verdict::NoMistake;
         return;
@@ -96,28 +153,20 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         std::find_if(others, d.candidates.end(), [](const Candidate& c) { return c.explained < hardly_any; }),
         d.candidates.end());
     if (!is_believed) return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
-    d.verdict = Verdict::Mistake;
-    if (is_left_out(term)) d.left_out = term;
-    d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
-}
-
-/// Levels between the darkest and the brightest pixel, of the channel in which they are farthest apart.
-int spread_of(const Picture& picture) {
-    std::array<std::uint8_t, 3> low{255, 255, 255}, high{};
-    for (std::size_t i = 0; i < picture.size.pixels(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) {
-            low[c] = std::min(low[c], picture.rgba[4 * i + c]);
-            high[c] = std::max(high[c], picture.rgba[4 * i + c]);
-        }
-    return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    d.verdict = static_cast<Verdict>(best.explanation.kind);  // they are in the same order
+    if (d.verdict == Verdict::Mistake)
+        d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
 }
 
 /// Whether the picture has a single colour, within rounding and `room` levels, although the right picture has
-/// clearly more than one. A program that draws nothing gives such a picture, and so do many mistakes.
+/// several. A program that draws nothing gives such a picture, and so do many mistakes.
 bool is_of_one_colour(const Picture& wrong, const Picture& right, float room) {
-    constexpr float rounding = 1, clearly = 8;
-    return static_cast<float>(spread_of(wrong)) <= rounding + room &&
-           static_cast<float>(spread_of(right)) > clearly;
+    const auto spread_of = [](const Picture& picture) {
+        RgbBounds bounds;
+        for (std::size_t i = 0; i < picture.size.pixels(); ++i) bounds.add(rgb_at(picture, i));
+        return bounds.spread();
+    };
+    return static_cast<float>(spread_of(wrong)) <= 1 + room && spread_of(right) > several_colours;
 }
 
 /// Returns the mean colours of the picture's squares of 8 x 8 pixels. The means hold hardly any of the noise
@@ -137,13 +186,66 @@ Picture means_of_squares(const Picture& picture) {
     return means;
 }
 
+void find_explanation(Diagnosis& d, Renderer& renderer, const SceneDocument& document, const Picture& wrong,
+                      const Picture& right, const std::vector<PixelKind>& kinds,
+                      const DiagnosisOptions& options) {
+    const Exhibit clean(wrong, right, kinds);
+    std::vector<Judged> all = judge_all(renderer, document.scene, clean, options);
+    const float noise = is_exact(all.front()) ? 0 : noise_of(wrong, right);
+    if (noise == 0) return conclude(d, renderer, document, clean, all, options.threads);
+    if (noise > most_noise) {
+        d.why = fmt::format(
+            "noise of about {:.0f} levels hides what mistakes would change; {:.0f} at most can be judged",
+            noise, most_noise);
+        return;
+    }
+    if (is_of_one_colour(means_of_squares(wrong), right, 1.5f * noise)) {
+        d.why = fmt::format("it has a single colour but for noise of about {:.0f} levels", noise);
+        return;
+    }
+    all.clear();  // its drawings are large
+    const Exhibit noisy(wrong, right, kinds, noise);
+    conclude(d, renderer, document, noisy, judge_all(renderer, document.scene, noisy, options),
+             options.threads);
+}
+
+/// Adds the difference of the cameras, which was undone, to a diagnosis. A large one is the diagnosis.
+void report_camera(Diagnosis& d, const CameraDifference& camera, const Scene& scene) {
+    d.display.camera = camera;
+    d.display.camera_words = camera_text(camera, scene.camera, d.size);
+    const SceneEdit edit = [to = camera.camera](Scene& s) { s.camera = to; };
+    if (camera.is_small) {
+        for (Candidate& c : d.candidates) c.convention_edits.push_back(edit);
+        return;
+    }
+    d.experiment.reset();
+    d.candidates.clear();
+    if (d.verdict == Verdict::NoMistake && camera.is_field_of_view()) {
+        const float fov = std::get<Perspective>(camera.camera.projection).fov_y_deg;
+        Candidate c;
+        c.kind = ExplanationKind::Number;
+        c.name = "/camera/projection/fov_y_deg";
+        c.words = "In your picture, " + d.display.camera_words + ".";
+        c.set = {fmt::format("{}={}", c.name, fov)};
+        c.edits = {edit};
+        c.explained = 1;
+        d.verdict = Verdict::AnotherNumber;
+        d.candidates = {c};
+        d.display.camera_words.clear();
+        return;
+    }
+    d.verdict = Verdict::NotComparable;
+    d.why = d.display.camera_words + ". Set the scene's camera to that of your program, and diagnose again";
+}
+
 Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, const DiagnosisOptions& options) {
     Diagnosis d;
     d.size = wrong.size;
     d.of_pairs = options.pairs;
     Renderer renderer(options.threads);
-    const Picture right = renderer.render(under_mistakes(document.scene, {}), d.size);
-    const std::vector<PixelKind> kinds = pixel_kinds(renderer, d.size);
+    Scene scene = under_mistakes(document.scene, {});
+    Picture right = renderer.render(scene, d.size);
+    std::vector<PixelKind> kinds = pixel_kinds(renderer, d.size);
     const auto compared = std::count(kinds.begin(), kinds.end(), PixelKind::Surface);
     if (static_cast<std::uint64_t>(compared) < fewest_compared) {
         d.why = "the scene's surfaces cover too few pixels of a picture of this size";
@@ -154,27 +256,17 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
                             wrong.rgba[0], wrong.rgba[1], wrong.rgba[2]);
         return d;
     }
-    const Exhibit clean(wrong, right, kinds);
-    std::vector<Judged> all = judge_all(renderer, document.scene, clean, options);
-    const float noise = is_exact(all.front()) ? 0 : noise_of(wrong, right);
-    if (noise == 0) {
-        conclude(d, renderer, document, clean, all, options.threads);
+    const auto camera = camera_difference(renderer, scene, wrong, kinds);
+    if (!camera) {
+        find_explanation(d, renderer, document, wrong, right, kinds, options);
         return d;
     }
-    if (noise > most_noise) {
-        d.why = fmt::format(
-            "noise of about {:.0f} levels hides what mistakes would change; {:.0f} at most can be judged",
-            noise, most_noise);
-        return d;
-    }
-    if (is_of_one_colour(means_of_squares(wrong), right, 1.5f * noise)) {
-        d.why = fmt::format("it has a single colour but for noise of about {:.0f} levels", noise);
-        return d;
-    }
-    all.clear();  // its drawings are large
-    const Exhibit noisy(wrong, right, kinds, noise);
-    conclude(d, renderer, document, noisy, judge_all(renderer, document.scene, noisy, options),
-             options.threads);
+    SceneDocument seen = document;
+    scene.camera = seen.scene.camera = camera->camera;
+    right = renderer.render(scene, d.size);
+    kinds = pixel_kinds(renderer, d.size);
+    find_explanation(d, renderer, seen, wrong, right, kinds, options);
+    report_camera(d, *camera, document.scene);
     return d;
 }
 
@@ -185,6 +277,18 @@ Diagnosis diagnose(const SceneDocument& document, const Picture& wrong, const Di
     Diagnosis found;
     arena.execute([&] { found = diagnosis_of(document, wrong, options); });
     return found;
+}
+
+Scene scene_under(const Scene& scene, const Candidate& candidate) {
+    Scene edited = candidate.applied(under_mistakes(scene, {}));
+    edited.shading.mistakes.only = candidate.only;
+    return edited;
+}
+
+std::vector<std::string> Candidate::options() const {
+    std::vector<std::string> all = convention_set;
+    all.insert(all.end(), set.begin(), set.end());
+    return all;
 }
 
 Picture as_shown(Picture picture, const Display& display) {

@@ -1,5 +1,5 @@
 #pragma once
-// Finds what is wrong in a picture that another program drew of a scene: draws the scene without mistakes and
+// Finds the mistake in a picture that another program drew of a scene: draws the scene without mistakes and
 // with each mistake of models/scene/mistakes.h, and names the explanation that gives the same picture. It
 // does not guess: a picture that none of them gives is reported as not in the catalogue.
 
@@ -9,31 +9,52 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/search/camera_fit.h"
 #include "diagnose/search/display_change.h"
 #include "diagnose/search/hypotheses.h"
 #include "diagnose/search/score.h"
+#include "diagnose/search/supposition.h"
 #include "models/scene_file/scene_file.h"
 
 namespace glint {
 
 /// NotReadable: of a file among several that holds no picture; diagnose() does not return it.
-enum class Verdict { NoMistake, Mistake, NotInCatalogue, NotComparable, NotReadable };
+enum class Verdict {
+    NoMistake,
+    LeftOut,
+    AnotherSetting,
+    Mistake,
+    AnotherNumber,
+    NotInCatalogue,
+    NotComparable,
+    NotReadable
+};
+/// Whether the first candidate explains the picture.
+[[nodiscard]] inline bool is_explained(Verdict verdict) {
+    return verdict >= Verdict::LeftOut && verdict <= Verdict::AnotherNumber;
+}
 
 /// What was discounted before mistakes were searched for.
 struct DisplayFinding {
     DisplayChange change;
-    std::optional<Rgb> background;  // where it is another than the scene's, as the picture shows it
+    ToneCurve tone = ToneCurve::None;
+    std::optional<Rgb> background;  // where it differs from the scene's, as the picture shows it
     bool smooth_edges = false;      // silhouettes are anti-aliased
-    glm::vec2 shift{0};     // pixels to the right and down by which it is displaced; 0 where it is not
-    bool smoothed = false;  // within surfaces, too, and no shift is the reason
+    bool lossy = false;             // single pixels differ, but not their means
+    std::optional<CameraDifference> camera;
+    std::string camera_words, arrived;  // what was undone, in words
+    glm::vec2 shift{0};                 // pixels to the right and down; 0 if it is not displaced
+    bool smoothed = false;              // within surfaces as well, and no shift is the reason
     // Only for a smoothed or shifted picture: how many surface pixels differ from the drawing itself, but not
     // from the range between the pixel's neighbours, and by how many levels at most.
     std::uint64_t softened = 0;
     int softened_most = 0;
 };
 
-struct Candidate {
-    MistakeSet mistakes;
+/// An explanation of the picture, with its evidence.
+struct Candidate : Supposition {
+    bool almost = false;                  // a small residual remains
+    std::vector<std::string> also_named;  // other explanations with the same picture
     std::vector<MistakeSet> also;  // whose pictures show surfaces the same within one level in this scene
     DisplayChange change;          // under which it explains the picture
     double residual = 0;           // RMS in levels of 0 to 255, over what can be compared
@@ -43,7 +64,12 @@ struct Candidate {
     // as this display would show them.
     glm::ivec2 pixel{0};
     Rgb mine{}, reference{}, as_mistaken{};
+
+    /// The `--set` options that draw the picture, conventions first.
+    [[nodiscard]] std::vector<std::string> options() const;
 };
+/// Returns the scene with the candidate's conventions and edits.
+[[nodiscard]] Scene scene_under(const Scene& scene, const Candidate& candidate);
 
 /// Where an unexplained difference lives.
 struct DifferenceRegion {
@@ -51,7 +77,7 @@ struct DifferenceRegion {
     std::uint64_t pixels = 0;      // comparable ones that are wrong
     double share = 0;              // of its comparable pixels that are wrong, 0 to 1
     glm::ivec2 low{0}, high{0};    // the box around them, both inside
-    std::array<double, 3> mean{};  // picture - right, levels
+    std::array<double, 3> mean{};  // of the absolute differences, levels
 };
 /// The sum of a term over all lights, in the place of one light's index.
 inline constexpr int all_lights = -2;
@@ -61,6 +87,9 @@ struct DifferenceTerm {
     int light = -1;        // in Scene::lights; -1 for the terms without one, or all_lights
     double factor = 1;     // what the term seems to be multiplied by
     double explained = 0;  // share of the difference's energy that this explains, 0 to 1
+    std::array<double, 3> channels{};  // factors of each channel, in place of `factor`; 0: none
+    int object = -1;                   // the only object of which this is so
+    [[nodiscard]] bool is_by_channel() const { return channels != std::array<double, 3>{}; }
 };
 
 /// The change of the scene under which the candidates look most different.
@@ -73,7 +102,7 @@ struct Experiment {
 
 struct Diagnosis {
     PictureSize size;
-    bool of_pairs = false;  // two mistakes at once were looked for, too
+    bool of_pairs = false;  // the search included two mistakes at once
     Verdict verdict = Verdict::NotComparable;
     std::string why;  // of NotComparable and NotReadable
     DisplayFinding display;
@@ -83,15 +112,15 @@ struct Diagnosis {
     PixelCounts pixels{};
     std::vector<DifferenceRegion> regions;
     std::vector<DifferenceTerm> terms;
-    // Of Mistake: the term without which the picture would be the same. The program may not add it.
-    std::optional<DifferenceTerm> left_out;
+    std::vector<std::string> conventions;  // that the program is supposed to have
     std::optional<Experiment> experiment;
 };
 
 struct DiagnosisOptions {
     bool pairs = false;
-    int threads = 0;             // 0: all cores; the answer is the same for every number
-    DiagnosisProgress progress;  // of the search, which takes most of the time
+    std::vector<std::string> conventions = {};  // of convention_names(), that the program is known to have
+    int threads = 0;                            // 0: all cores; the answer is the same for every number
+    DiagnosisProgress progress = {};            // of the search, which takes most of the time
 };
 
 /// Diagnoses `wrong`, whose bytes must be filled in (see as_shown()). Mistakes that the scene itself makes
@@ -102,5 +131,12 @@ struct DiagnosisOptions {
 /// Fills in the picture's bytes from its linear numbers, which already include exposure, as the scene's
 /// display would; NaN is black. A picture that has bytes stays as it is.
 [[nodiscard]] Picture as_shown(Picture picture, const Display& display);
+
+/// Returns the small change of the camera, of a light or of a material under which the pictures of the given
+/// mistakes differ most from each other; nothing for fewer than two, or where no change that is tried parts
+/// them by more than a few levels. Throws LoadCancelled when this thread's load shall end
+/// (models/progress.h).
+[[nodiscard]] std::optional<Experiment> find_experiment(const SceneDocument& document, PictureSize size,
+                                                        const std::vector<MistakeSet>& mistakes, int threads);
 
 }  // namespace glint

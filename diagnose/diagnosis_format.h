@@ -10,14 +10,15 @@
 
 namespace glint {
 
-/// "no mistake", "mistake", "not in the catalogue", "not comparable", "not readable".
+/// "no mistake", "left out", "another setting", "mistake", "another number", "not in the catalogue", "not
+/// comparable", "not readable".
 [[nodiscard]] std::string_view verdict_text(Verdict verdict);
 /// The display finding in words, joined by "; "; empty when nothing was found.
 [[nodiscard]] std::string display_text(const DisplayFinding& display);
 
 /// "12 %"; "less than 1 %" of a share that is not 0 and would round to it.
 [[nodiscard]] std::string percent_text(double share);
-/// The share of the wrong pixels that a candidate explains, in whole per cent, rounded down: what is too few
+/// The share of the wrong pixels that a candidate explains, in whole per cent, rounded down: too few
 /// does not read as enough.
 [[nodiscard]] int explained_percent(const Candidate& candidate);
 
@@ -29,6 +30,8 @@ namespace glint {
 [[nodiscard]] std::string experiment_text(const std::optional<Experiment>& experiment);
 [[nodiscard]] std::string experiment_json(const std::optional<Experiment>& experiment);
 
+/// Returns the picture as it was drawn: the right way up, channels in order, gain and encoding removed.
+[[nodiscard]] Picture undone(const Picture& wrong, const DisplayChange& change);
 /// Four pictures in a row: the given one, the right way up and with its channels in order; the right one and
 /// the first candidate's as that display would show them; and the difference of the first two. Without a
 /// candidate there are three.
@@ -37,11 +40,34 @@ namespace glint {
 /// The size of the sheet in pixels.
 [[nodiscard]] PictureSize diagnosis_sheet_size(const Diagnosis& diagnosis, const Font& font);
 
-/// "Or the specular term of Sun is left out: that shows the same." `term`: Diagnosis::left_out.
-[[nodiscard]] std::string left_out_text(const DifferenceTerm& term, const Scene& scene);
-
-/// What a candidate supposes of the brightness beyond what is said to have happened at the display:
+/// The gain that a candidate supposes in addition to the reported one:
 /// "with all brightness times 0.04"; empty where that is nothing.
 [[nodiscard]] std::string own_brightness(const Diagnosis& diagnosis, const Candidate& candidate);
+
+// Diagnoses of many pictures of one scene: a row for each.
+
+struct DiagnosedPicture {
+    std::string name;  // of its file
+    Diagnosis diagnosis;
+    Picture thumbnail;  // of the submitted picture; empty if it is not readable
+    Picture
+        as_explained;  // of the scene under the first candidate, or right where there is none; never bigger
+};
+
+/// Fills in the small pictures, at most 160 pixels wide and high.
+[[nodiscard]] DiagnosedPicture diagnosed_picture(const std::string& name, Diagnosis diagnosis,
+                                                 const Scene& scene, const Picture& wrong, int threads);
+
+/// One JSON object a picture, each on a line of its own (docs/command_line.md has the fields).
+[[nodiscard]] std::string diagnoses_json(const std::vector<DiagnosedPicture>& pictures, const Scene& scene);
+
+/// A line of names, then one a picture (RFC 4180, lines ending in "\n"): picture, verdict, mistake, also,
+/// explained, residual, display, experiment, why. What there is not is empty.
+/// A picture whose name begins as a formula of a spreadsheet does is written with "./" before it.
+[[nodiscard]] std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures);
+
+/// The diagnoses as a self-contained HTML page, with the small pictures in it. `title` is the scene's name.
+[[nodiscard]] std::string diagnoses_html(const std::vector<DiagnosedPicture>& pictures,
+                                         const std::string& title);
 
 }  // namespace glint

@@ -1,5 +1,6 @@
+#include <array>
+
 #include "diagnose/diagnosis_format.h"
-#include "diagnose/diagnosis_table.h"
 #include "models/json/json.h"
 
 namespace glint {
@@ -7,10 +8,12 @@ namespace {
 
 Json rgb_json(Rgb c) { return {int{c[0]}, int{c[1]}, int{c[2]}}; }
 
-Json names_json(const std::vector<MistakeSet>& sets) {
-    Json names = Json::array();
-    for (const MistakeSet& set : sets) names.push_back(name_of(set));
-    return names;
+constexpr std::array kind_texts{"right", "left out", "setting", "mistake", "number"};
+
+Json strings_json(const std::vector<std::string>& strings) {
+    Json json = Json::array();
+    for (const std::string& s : strings) json.push_back(s);
+    return json;
 }
 
 Json display_json(const DisplayFinding& display) {
@@ -21,10 +24,24 @@ Json display_json(const DisplayFinding& display) {
     if (c.red_blue) json["red_blue_exchanged"] = true;
     if (c.encodings() != 0) json["srgb"] = c.encodings() > 0 ? "encoded" : "decoded";
     if (c.is_by_power()) json["power"] = encoding_power;
-    if (c.gain != 1) json["gain"] = c.gain;
+    if (c.gain != 1) {
+        json["gain"] = c.gain;
+        json["gain_of"] = c.before == Code::Decoded ? "linear light" : "stored levels";
+    }
     if (c.noise > 0) json["noise"] = c.noise;
+    if (display.tone != ToneCurve::None) json["curve"] = tone_name(display.tone);
     if (display.background) json["background"] = rgb_json(*display.background);
     if (display.shift != glm::vec2(0)) json["shift"] = Json{display.shift.x, display.shift.y};
+    if (display.camera) {
+        const CameraDifference& d = *display.camera;
+        json["camera"] = display.camera_words;
+        if (const auto* p = std::get_if<Perspective>(&d.camera.projection)) json["fov_y_deg"] = p->fov_y_deg;
+        if (d.scale != glm::dvec2(1)) json["scale"] = Json{d.scale.x, d.scale.y};
+        if (d.shift != glm::dvec2(0)) json["shift"] = Json{d.shift.x, d.shift.y};
+        if (d.eye != glm::dvec3(0)) json["eye"] = Json{d.eye.x, d.eye.y, d.eye.z};
+    }
+    if (!display.arrived.empty()) json["arrived"] = display.arrived;
+    if (display.lossy) json["lossy"] = true;
     if (display.smooth_edges) json["smooth_edges"] = true;
     if (display.smoothed) json["smoothed"] = true;
     if (display.softened > 0)
@@ -34,8 +51,12 @@ Json display_json(const DisplayFinding& display) {
 
 Json candidate_json(const Candidate& c) {
     Json json;
-    json["name"] = name_of(c.mistakes);
-    json["also"] = names_json(c.also);
+    json["kind"] = kind_texts[static_cast<std::size_t>(c.kind)];
+    json["name"] = c.name;
+    json["set"] = strings_json(c.options());
+    json["also"] = strings_json(c.also_named);
+    json["conventions"] = strings_json(c.conventions);
+    json["almost"] = c.almost;
     json["residual"] = c.residual;
     json["explained"] = c.explained;
     json["gain"] = c.change.gain;
@@ -59,6 +80,8 @@ Json answer_json(const Experiment& e) {
 
 Json term_json(const DifferenceTerm& t, const Scene& scene) {
     Json json{{"term", t.term}, {"factor", t.factor}, {"explained", t.explained}};
+    if (t.is_by_channel()) json["channels"] = t.channels;
+    if (t.object >= 0) json["object"] = scene.objects[static_cast<std::size_t>(t.object)].name;
     if (t.light >= 0) json["light"] = scene.lights[static_cast<std::size_t>(t.light)].name;
     return json;
 }
@@ -100,11 +123,11 @@ Json answer_json(const DiagnosedPicture& p, const Scene& scene) {
     json["width"] = d.size.width;
     json["height"] = d.size.height;
     json["display"] = display_json(d.display);
+    json["conventions"] = strings_json(d.conventions);
     json["pixels"] = pixels_json(d.pixels);
     Json& candidates = json["candidates"] = Json::array();
     for (const Candidate& c : d.candidates) candidates.push_back(candidate_json(c));
     if (d.verdict == Verdict::NotInCatalogue) json["difference"] = difference_json(d, scene);
-    if (d.left_out) json["left_out"] = term_json(*d.left_out, scene);
     json["experiment"] = d.experiment ? answer_json(*d.experiment) : Json();
     return json;
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "diagnose/diagnosis_format.h"
 #include "renderer/image/compare.h"
@@ -37,7 +38,26 @@ Picture upright(const Picture& wrong, const DisplayChange& change) {
     return picture;
 }
 
+/// The byte of which the change makes a level nearest to this one.
+std::uint8_t drawn_byte(const ByteRanges& ranges, std::uint8_t wrong) {
+    const auto nearest = std::min_element(
+        ranges.begin(), ranges.end(),
+        [wrong](const auto& a, const auto& b) { return a.from_middle(wrong) < b.from_middle(wrong); });
+    return static_cast<std::uint8_t>(nearest - ranges.begin());
+}
+
 }  // namespace
+
+Picture undone(const Picture& wrong, const DisplayChange& change) {
+    Picture picture = upright(wrong, change);
+    const ByteRanges ranges = byte_ranges(change);
+    std::array<std::uint8_t, 256> drawn{};
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        drawn[i] = drawn_byte(ranges, static_cast<std::uint8_t>(i));
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        if (i % 4 != 3) picture.rgba[i] = drawn[picture.rgba[i]];
+    return picture;
+}
 
 PictureSize diagnosis_sheet_size(const Diagnosis& d, const Font& font) {
     return sheet_size(one_row, columns_of(d), d.size, font);
@@ -52,8 +72,8 @@ Picture diagnosis_sheet(const Diagnosis& d, const Scene& scene, const Picture& w
     const Comparison far = std::get<Comparison>(compare(cells[0], cells[1]));
     Picture difference = difference_picture(cells[0], cells[1], difference_gain(far));
     if (!d.candidates.empty())
-        cells.push_back(as_displayed(
-            renderer.render(under_mistakes(scene, d.candidates.front().mistakes), d.size), change));
+        cells.push_back(
+            as_displayed(renderer.render(scene_under(scene, d.candidates.front()), d.size), change));
     cells.push_back(std::move(difference));
     return make_sheet(one_row, columns_of(d), d.size, font,
                       [&](std::size_t, std::size_t column) -> const Picture& { return cells[column]; });

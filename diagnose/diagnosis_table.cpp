@@ -1,5 +1,4 @@
-#include "diagnose/diagnosis_table.h"
-
+// Diagnoses of many pictures as a table, in CSV and in HTML.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,8 +6,8 @@
 #include <array>
 #include <string_view>
 
+#include "diagnose/arrived.h"
 #include "diagnose/diagnosis_format.h"
-#include "diagnose/search/resample.h"
 #include "models/io/markup.h"
 #include "renderer/image/html_image.h"
 #include "renderer/renderer.h"
@@ -33,12 +32,10 @@ Row row_of(const DiagnosedPicture& p) {
     Row row;
     row[0] = on_one_line(p.name);
     row[1] = verdict_text(d.verdict);
-    if (!d.candidates.empty() && d.verdict == Verdict::Mistake) {
+    if (!d.candidates.empty() && is_explained(d.verdict)) {
         const Candidate& c = d.candidates.front();
-        std::vector<std::string> also;
-        for (const MistakeSet& set : c.also) also.push_back(name_of(set));
-        row[2] = name_of(c.mistakes);
-        row[3] = fmt::format("{}", fmt::join(also, ", "));
+        row[2] = c.name;
+        row[3] = fmt::format("{}", fmt::join(c.also_named, ", "));
         row[4] = fmt::format("{:.3f}", c.explained);
         row[5] = fmt::format("{:.2f}", c.residual);
     }
@@ -79,8 +76,8 @@ std::string html_row(const DiagnosedPicture& p) {
     return fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td><code>{}</code></td></"
         "tr>\n",
-        html_escaped(row[0]), image(p.thumbnail, "as it was brought"),
-        image(p.as_explained, "as Glint draws it"), words, share, html_escaped(row[6]), html_escaped(row[7]));
+        html_escaped(row[0]), image(p.thumbnail, "as submitted"), image(p.as_explained, "as Glint draws it"),
+        words, share, html_escaped(row[6]), html_escaped(row[7]));
 }
 
 }  // namespace
@@ -88,11 +85,10 @@ std::string html_row(const DiagnosedPicture& p) {
 DiagnosedPicture diagnosed_picture(const std::string& name, Diagnosis diagnosis, const Scene& scene,
                                    const Picture& wrong, int threads) {
     const PictureSize size = thumbnail_size(wrong.size);
-    const bool mistaken = diagnosis.verdict == Verdict::Mistake;
-    const MistakeSet mistakes = mistaken ? diagnosis.candidates.front().mistakes : MistakeSet{};
+    const Scene shown = is_explained(diagnosis.verdict) ? scene_under(scene, diagnosis.candidates.front())
+                                                        : under_mistakes(scene, {});
     Renderer renderer(threads);
-    return {name, std::move(diagnosis), resampled(wrong, size),
-            renderer.render(under_mistakes(scene, mistakes), size)};
+    return {name, std::move(diagnosis), resampled(wrong, size), renderer.render(shown, size)};
 }
 
 std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures) {

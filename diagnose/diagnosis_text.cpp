@@ -2,7 +2,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 #include "diagnose/diagnosis_format.h"
 #include "models/scene/mistakes.h"
@@ -12,18 +14,10 @@ namespace {
 
 std::string text_of(Rgb c) { return fmt::format("({}, {}, {})", c[0], c[1], c[2]); }
 
-std::string names_of(const std::vector<MistakeSet>& sets) {
-    std::vector<std::string> names;
-    names.reserve(sets.size());
-    for (const MistakeSet& set : sets) names.push_back(name_of(set));
-    return fmt::format("{}", fmt::join(names, ", "));
-}
-
-/// What the program that drew the picture does.
-std::string what_is_done(const MistakeSet& set) {
-    std::vector<std::string_view> words;
-    for (const std::size_t i : set) words.push_back(mistake_names()[i].what);
-    return fmt::format("{}", fmt::join(words, " And: "));
+/// Whether the nearest candidate explains so much that something small must be wrong in addition.
+bool is_nearest_near(const Diagnosis& d) {
+    constexpr double much = 0.95;
+    return d.verdict == Verdict::NotInCatalogue && !d.candidates.empty() && d.candidates[0].explained >= much;
 }
 
 std::string verdict_line(const Diagnosis& d) {
@@ -38,13 +32,76 @@ std::string verdict_line(const Diagnosis& d) {
         return fmt::format(
             "Not in the catalogue: {} of the pixels are wrong, and no {}.",
             percent_text(count_of(d.pixels, PixelKind::Surface).share()),
-            d.of_pairs ? "mistake explains them, nor do any two at once as far as a small picture tells"
-                       : "single mistake explains them");
+            is_nearest_near(d) ? "single mistake explains all of them"
+            : d.of_pairs ? "mistake explains them, nor do any two at once as far as a small picture tells"
+                         : "single mistake explains them");
+    case Verdict::LeftOut:
+    case Verdict::AnotherSetting:
     case Verdict::Mistake:
+    case Verdict::AnotherNumber:
         break;
     }
     const Candidate& best = d.candidates.front();
-    return fmt::format("Mistake: {}. {}", name_of(best.mistakes), what_is_done(best.mistakes));
+    std::string verdict(verdict_text(d.verdict));
+    verdict[0] = static_cast<char>(std::toupper(verdict[0]));
+    return fmt::format("{}: {}{}. {}", verdict, best.name, best.almost ? ", almost exactly" : "", best.words);
+}
+
+/// A line of a program, as `glint code` writes it, and the mistakes that are made there.
+struct ProgramLine {
+    std::string_view line, mistakes;
+};
+constexpr ProgramLine program_lines[] = {
+    {"l = unit(light - p)",
+     "unnormalized_light light_direction_reversed position_is_direction "
+     "divided_by_square light_vector_interpolated"},
+    {"h = unit(l + v)", "unnormalized_half"},
+    {"r = 2 (n·l) n - l", "reflect_sign reflect_of_difference"},
+    {"v = unit(eye - p)",
+     "viewer_at_origin_of_world unnormalized_view view_reversed perspective_view_in_ortho"},
+    {"diffuse = max(n·l, 0)", "no_clamp_of_cosine absolute_cosine half_lambert missing_pi"},
+    {"the highlight's cosine to the power of the shininess",
+     "half_angle_with_phong_shininess shininess_as_fraction shininess_inverted power_zero_is_nan "
+     "power_of_negative_is_nan specular_without_cosine fresnel_of_view_angle highlight_normalized "
+     "alpha_not_squared"},
+    {"if (n·l <= 0) the highlight is 0", "specular_behind_surface"},
+    {"ambient * k_a + diffuse * k_d + highlight * k_s",
+     "coefficients_swapped ambient_without_material highlight_tinted lit_in_srgb "
+     "ambient_per_light_added_twice ambient_not_attenuated"},
+    {"sum = sum + the light's share", "clamp_each_light last_light_only average_of_lights"},
+    {"1 / (constant + linear r + quadratic r^2), r = length(light - p)",
+     "falloff_of_directional falloff_without_constant falloff_inverted falloff_forgotten distance_is_one "
+     "distance_includes_w distance_across_spaces"},
+    {"the test of a spot's cone: dot(-l, direction) >= cos(radians(cutoff))",
+     "degrees_for_radians cutoff_as_full_angle aim_stays_at_origin cone_cosines_swapped "
+     "spot_direction_left_in_world"},
+    {"the matrix that moves lights: the view, with w = 1 for positions and w = 0 for directions",
+     "light_in_wrong_space light_moved_twice light_by_inverse_view direction_is_position"},
+    {"the space of p: lights, p and n in one space", "lit_after_projection"},
+    {"the matrix of the normals: the inverse transpose of view times model, with w = 0",
+     "normals_by_model_matrix normals_left_in_object normals_left_in_world normals_as_points "
+     "normals_without_model normals_by_inverse normals_by_projection"},
+    {"n = unit(n), at the corner or at the pixel",
+     "unnormalized_normals interpolated_normals_not_normalized interpolated_lengths zero_normal_is_nan"},
+    {"the attribute of the normals, as the mesh gives it",
+     "no_normals_given normals_flipped normals_axes_exchanged positions_as_normals "
+     "normals_by_position_index"},
+    {"a facet's normal: cross(b - a, c - a), averaged at the corners",
+     "some_faces_flipped cross_reversed facet_normals_of_screen_points cross_component_wrong "
+     "facet_normal_of_first_corners last_facet_wins"},
+    {"the choice of front and back: by the winding on the screen",
+     "mirror_turns_inside_out flipped_by_view flipped_twice culled_by_light"},
+    {"the last line: clamp to 0 to 1, encode once, round to a byte", "encoded_twice bytes_wrap"},
+};
+
+/// Where a program makes this mistake.
+std::string_view line_of(std::string_view mistake) {
+    const auto row =
+        std::find_if(std::begin(program_lines), std::end(program_lines), [mistake](const ProgramLine& l) {
+            return (" " + std::string(l.mistakes) + " ").find(fmt::format(" {} ", mistake)) !=
+                   std::string::npos;
+        });
+    return row == std::end(program_lines) ? "" : row->line;
 }
 
 /// The colour of a pixel, as the wrong picture stores its channels.
@@ -58,7 +115,9 @@ std::string candidate_lines(const Candidate& c, PictureSize size) {
         explained_percent(c), c.residual, place.x, place.y, stored_text(c.change, c.mine),
         stored_text(c.change, c.reference), stored_text(c.change, c.as_mistaken));
     text += place == c.pixel ? ".\n" : fmt::format("; the scene has that at {},{}.\n", c.pixel.x, c.pixel.y);
-    if (!c.also.empty()) text += "In this scene surfaces look the same under " + names_of(c.also) + ".\n";
+    if (!c.also_named.empty())
+        text +=
+            fmt::format("In this scene surfaces look the same under {}.\n", fmt::join(c.also_named, ", "));
     return text;
 }
 
@@ -85,26 +144,34 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
     if (!d.regions.empty()) {
         const DifferenceRegion& r = d.regions.front();
         text += fmt::format(
-            "Most of it is on {}, wrong in {} of its pixels, from {},{} to {},{}, on average {} "
+            "Most of it is on {}, wrong in {} of its pixels, from {},{} to {},{}, on average by {} "
             "levels.\n",
             on_one_line(scene.objects[static_cast<std::size_t>(r.object)].name), percent_text(r.share),
             r.low.x, r.low.y, r.high.x, r.high.y,
-            fmt::format("({:+.0f}, {:+.0f}, {:+.0f})", r.mean[0], r.mean[1], r.mean[2]));
+            fmt::format("({:.0f}, {:.0f}, {:.0f})", r.mean[0], r.mean[1], r.mean[2]));
     }
     if (!d.terms.empty()) {
         const DifferenceTerm& t = d.terms.front();
-        const double factor = std::round(100 * t.factor) / 100 + 0.0;  // never "-0.00"
+        const std::string factor = t.is_by_channel() ? fmt::format("({:.2f}, {:.2f}, {:.2f})", t.channels[0],
+                                                                   t.channels[1], t.channels[2])
+                                                     : fmt::format("{:.2f}", t.factor);
         text += fmt::format(
-            "The difference is as if {} were multiplied by {:.2f}, which explains {:.0f} % of it.\n",
-            term_words(t, scene), factor, 100 * t.explained);
+            "The difference is as if {} were multiplied by {}{}, which explains {:.0f} % of it.\n",
+            term_words(t, scene), factor,
+            t.object < 0 ? "" : " on " + on_one_line(scene.objects[static_cast<std::size_t>(t.object)].name),
+            100 * t.explained);
     }
     if (!d.candidates.empty()) {
         const Candidate& nearest = d.candidates.front();
         const std::string brightness = own_brightness(d, nearest);
-        constexpr double enough = 0.95;  // it is another reason that speaks against it
-        text += fmt::format("Nearest is {}{}, which explains {} % of the wrong pixels{}.\n",
-                            name_of(nearest.mistakes), brightness.empty() ? "" : " " + brightness,
-                            explained_percent(nearest), nearest.explained < enough ? ": too few" : "");
+        const std::string name = nearest.name + (brightness.empty() ? "" : " " + brightness);
+        text += is_nearest_near(d)
+                    ? fmt::format(
+                          "Begin with {}, which explains {} % of them but leaves {:.1f} "
+                          "levels; something else differs, too.\n",
+                          name, explained_percent(nearest), nearest.residual)
+                    : fmt::format("Nearest is {}, which explains {} % of the wrong pixels: too few.\n", name,
+                                  explained_percent(nearest));
     }
     return text;
 }
@@ -127,24 +194,16 @@ std::string still_unlike_line(const PixelCounts& counts, float noise) {
 }  // namespace
 
 std::string_view verdict_text(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::NoMistake:
-        return "no mistake";
-    case Verdict::Mistake:
-        return "mistake";
-    case Verdict::NotInCatalogue:
-        return "not in the catalogue";
-    case Verdict::NotComparable:
-        return "not comparable";
-    case Verdict::NotReadable:
-        return "not readable";
-    }
-    return "";  // not reached
+    constexpr std::array texts{"no mistake",     "left out",       "another setting",
+                               "mistake",        "another number", "not in the catalogue",
+                               "not comparable", "not readable"};
+    return texts[static_cast<std::size_t>(verdict)];
 }
 
 std::string display_text(const DisplayFinding& display) {
     const DisplayChange& c = display.change;
     std::vector<std::string> words;
+    if (display.tone != ToneCurve::None) words.emplace_back(tone_name(display.tone));
     if (c.upside_down && c.mirrored) {
         words.emplace_back("turned by 180 degrees");
     } else if (c.upside_down || c.mirrored) {
@@ -159,8 +218,13 @@ std::string display_text(const DisplayFinding& display) {
     else if (c.encodings() != 0)
         words.emplace_back(c.encodings() > 0 ? "sRGB-encoded once too often"
                                              : "sRGB-encoded one time too few");
-    if (c.gain != 1) words.push_back(fmt::format("all brightness times {:.3g}", c.gain));
+    if (c.gain != 1)
+        words.push_back(fmt::format("all brightness times {:.3g}, in {}", c.gain,
+                                    c.before == Code::Decoded ? "linear light" : "stored levels"));
     if (c.noise > 0) words.push_back(fmt::format("noise of about {:.1f} levels", c.noise));
+    if (!display.arrived.empty()) words.push_back(display.arrived);
+    if (!display.camera_words.empty()) words.push_back(display.camera_words);
+    if (display.lossy) words.emplace_back("single pixels, as lossy compression changes them");
     if (display.background) words.push_back("another background, " + text_of(*display.background));
     if (display.shift != glm::vec2(0))
         words.push_back(fmt::format("shifted by {:.2f} pixels to the right and {:.2f} down", display.shift.x,
@@ -191,23 +255,23 @@ int explained_percent(const Candidate& candidate) {
 std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
     std::string text = verdict_line(d) + "\n";
     if (d.verdict == Verdict::NotComparable || d.verdict == Verdict::NotReadable) return text;
+    if (d.verdict == Verdict::Mistake)
+        text += fmt::format("Look in your program for {}.\n",
+                            line_of(mistake_names()[d.candidates.front().mistakes.front()].name));
+    if (d.experiment) text += "To be sure, " + experiment_line(*d.experiment);
+    if (is_explained(d.verdict)) text += candidate_lines(d.candidates.front(), d.size);
     if (const std::string display = display_text(d.display); !display.empty())
         text += "Set aside first, because it is not a lighting mistake: " + display + ".\n";
+    for (const std::string& convention : d.conventions)
+        text +=
+            "Your program differs in a convention: " + convention.substr(convention.find(": ") + 2) + ".\n";
     if (d.verdict == Verdict::NoMistake) text += still_unlike_line(d.pixels, d.display.change.noise);
     if (d.verdict == Verdict::NoMistake && d.display.softened > 0)
         text +=
-            "A small highlight that is lit differently can look like a softened one: a larger "
-            "picture "
-            "would tell it from a soft one.\n";
-    if (d.verdict == Verdict::Mistake) text += candidate_lines(d.candidates.front(), d.size);
-    if (d.left_out) text += left_out_text(*d.left_out, scene) + "\n";
-    if (d.experiment) text += "To be sure, " + experiment_line(*d.experiment);
+            "A small highlight that is lit differently can look like a softened one: a larger picture would "
+            "tell them apart.\n";
     if (d.verdict == Verdict::NotInCatalogue) text += difference_lines(d, scene);
     return text;
-}
-
-std::string left_out_text(const DifferenceTerm& term, const Scene& scene) {
-    return fmt::format("Or {} is left out: that shows the same.", term_words(term, scene));
 }
 
 std::string own_brightness(const Diagnosis& diagnosis, const Candidate& candidate) {

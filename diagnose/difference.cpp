@@ -1,10 +1,10 @@
-#include "diagnose/difference.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
 #include <utility>
+
+#include "diagnose/judged.h"
 
 namespace glint {
 namespace {
@@ -17,9 +17,9 @@ struct WrongPixel {
     Difference difference{};
 };
 
-/// Returns the pixels that differ visibly, and fills in the region of each object.
+/// Returns the pixels that differ visibly, and fills in the region of each object and all compared pixels.
 std::vector<WrongPixel> wrong_pixels(const Exhibit& e, const Renderer& renderer, const DisplayChange& change,
-                                     std::map<int, DifferenceRegion>& regions) {
+                                     std::map<int, DifferenceRegion>& regions, std::vector<WrongPixel>& all) {
     const ByteRanges ranges = byte_ranges(change);
     std::vector<WrongPixel> wrong;
     std::map<int, std::size_t> compared;
@@ -36,6 +36,7 @@ std::vector<WrongPixel> wrong_pixels(const Exhibit& e, const Renderer& renderer,
                 most = std::max(most, ranges[right[c]].distance(mine[c]));
                 pixel.difference[c] = double(mine[c]) - double(ranges[right[c]].middle);
             }
+            all.push_back(pixel);
             if (most <= visible_levels) continue;
             wrong.push_back(pixel);
             DifferenceRegion& region = regions[object];
@@ -43,7 +44,7 @@ std::vector<WrongPixel> wrong_pixels(const Exhibit& e, const Renderer& renderer,
             region.object = object;
             region.low = first ? pixel.at : glm::min(region.low, pixel.at);
             region.high = first ? pixel.at : glm::max(region.high, pixel.at);
-            for (std::size_t c = 0; c < 3; ++c) region.mean[c] += pixel.difference[c];
+            for (std::size_t c = 0; c < 3; ++c) region.mean[c] += std::abs(pixel.difference[c]);
         }
     for (auto& [object, region] : regions) {
         const auto pixels = static_cast<double>(region.pixels);
@@ -85,7 +86,6 @@ struct Sample {
     glm::ivec2 at{0};
     int channel = 0;
     double difference = 0;
-    double room = 0;  // what rounding to levels may have done to it
 };
 
 /// The channels of a wrong pixel that are not clamped.
@@ -101,64 +101,83 @@ std::vector<Sample> samples_of(const WrongPixel& pixel, Rgb right, const Display
         const auto k = static_cast<std::size_t>(c);
         const double mine = double(right[k]) + pixel.difference[k];
         if (mine <= 0 || mine > white || double(right[k]) > white) continue;
-        constexpr double rounding = 0.75;  // levels, of both pictures
-        samples.push_back({pixel.at, c, linear(mine) - linear(double(right[k])),
-                           (linear(mine + rounding) - linear(mine - rounding)) / 2});
+        samples.push_back({pixel.at, c, linear(mine) - linear(double(right[k]))});
     }
     return samples;
 }
 
-/// Those of some hundred pixels, a pixel's one after another.
-std::vector<Sample> sampled(const std::vector<WrongPixel>& wrong, const Picture& right,
-                            const Display& display) {
-    constexpr std::size_t pixels = 300;
-    std::vector<Sample> samples;
-    const std::size_t step = std::max<std::size_t>(1, wrong.size() / pixels);
-    for (std::size_t i = step / 2; i < wrong.size(); i += step) {
-        const glm::ivec2 at = wrong[i].at;
-        for (const Sample& s : samples_of(wrong[i], rgb_at(right, right.pixel(at.x, at.y)), display))
+/// Adds those of some hundred pixels, a pixel's one after another.
+void add_samples(std::vector<Sample>& samples, const std::vector<WrongPixel>& pixels, const Picture& right,
+                 const Display& display) {
+    constexpr std::size_t count = 300;
+    const std::size_t step = std::max<std::size_t>(1, pixels.size() / count);
+    for (std::size_t i = step / 2; i < pixels.size(); i += step) {
+        const glm::ivec2 at = pixels[i].at;
+        for (const Sample& s : samples_of(pixels[i], rgb_at(right, right.pixel(at.x, at.y)), display))
             samples.push_back(s);
     }
-    return samples;
 }
 
-/// Whether a pixel of a drawing differs visibly from that of the right picture.
-bool shows(const Picture& drawn, const Picture& right, glm::ivec2 at) {
-    const std::size_t pixel = right.pixel(at.x, at.y);
-    const Rgb a = rgb_at(drawn, pixel), b = rgb_at(right, pixel);
-    for (std::size_t c = 0; c < 3; ++c)
-        if (std::abs(float(a[c]) - float(b[c])) > visible_levels) return true;
-    return false;
-}
+/// Sums of a least-squares fit of a difference by one term.
+struct Sums {
+    double product = 0, square = 0, energy = 0;  // energy: of the difference
 
-/// Sums of a least-squares fit of the difference by each term alone.
-struct Fits {
-    struct Sums {
-        double product = 0, square = 0;
-    };
-    std::map<std::pair<std::string, int>, Sums> of;
-    double energy = 0;  // of the difference
-
-    /// `terms`: of the sample's pixel.
-    void add(const Sample& s, const TermValues& terms) {
-        energy += s.difference * s.difference;
-        for (const auto& [name, value] : terms) {
-            Sums& sums = of[name];
-            sums.product += s.difference * value[s.channel];
-            sums.square += value[s.channel] * value[s.channel];
-        }
+    [[nodiscard]] double factor() const { return 1 + (square > 0 ? product / square : 0); }
+    [[nodiscard]] double explained() const { return square > 0 ? product * product / square : 0; }
+    Sums& operator+=(const Sums& other) {
+        product += other.product;
+        square += other.square;
+        energy += other.energy;
+        return *this;
     }
 };
+/// By object, and by channel.
+using TermSums = std::map<int, std::array<Sums, 3>>;
 
-std::vector<DifferenceTerm> likely_terms(const Fits& fits) {
-    constexpr std::size_t most = 3;
-    constexpr double least_explained = 0.5;
-    std::vector<DifferenceTerm> terms;
-    for (const auto& [name, sums] : fits.of) {
-        if (sums.square <= 0 || fits.energy <= 0) continue;
-        const double gain = sums.product / sums.square, explained = gain * sums.product / fits.energy;
-        if (explained >= least_explained) terms.push_back({name.first, name.second, 1 + gain, explained});
+/// The term as a factor of the whole picture, else one for each channel, else one for the object on which
+/// most of the difference is. Nothing where none of these explains nearly all of the difference: a hint that
+/// is not so sends the reader to the wrong line.
+std::optional<DifferenceTerm> term_of(const std::pair<std::string, int>& name, const TermSums& sums) {
+    constexpr double nearly_all = 0.95;
+    DifferenceTerm term{name.first, name.second};
+    const auto accept = [&](double explained, double energy) {
+        term.explained = energy > 0 ? explained / energy : 0;
+        return term.explained >= nearly_all;
+    };
+    Sums all;
+    std::array<Sums, 3> channels{};
+    std::pair<int, Sums> most{-1, {}};
+    for (const auto& [object, of_object] : sums) {
+        Sums one;
+        for (std::size_t c = 0; c < 3; ++c) {
+            channels[c] += of_object[c];
+            one += of_object[c];
+        }
+        all += one;
+        if (one.energy > most.second.energy) most = {object, one};
     }
+    term.factor = all.factor();
+    if (term.factor >= 0 && accept(all.explained(), all.energy)) return term;
+    double explained = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        term.channels[c] = channels[c].factor();
+        explained += channels[c].explained();
+    }
+    const bool is_negative = *std::min_element(term.channels.begin(), term.channels.end()) < 0;
+    if (!is_negative && accept(explained, all.energy)) return term;
+    term.channels = {};
+    term.object = most.first;
+    term.factor = most.second.factor();
+    if (sums.size() > 1 && term.factor >= 0 && accept(most.second.explained(), most.second.energy))
+        return term;
+    return std::nullopt;
+}
+
+std::vector<DifferenceTerm> likely_terms(const std::map<std::pair<std::string, int>, TermSums>& fits) {
+    constexpr std::size_t most = 3;
+    std::vector<DifferenceTerm> terms;
+    for (const auto& [name, sums] : fits)
+        if (const auto term = term_of(name, sums)) terms.push_back(*term);
     // Where one light's term explains as much as that of all, it is that light's.
     constexpr double as_much = 0.005;
     const auto is_of_one = [all = terms](const DifferenceTerm& t) {
@@ -167,57 +186,43 @@ std::vector<DifferenceTerm> likely_terms(const Fits& fits) {
                });
     };
     std::erase_if(terms, is_of_one);
-    std::stable_sort(terms.begin(), terms.end(),
-                     [](const auto& a, const auto& b) { return a.explained > b.explained; });
+    std::stable_sort(terms.begin(), terms.end(), [](const auto& a, const auto& b) {
+        const auto is_partial = [](const DifferenceTerm& t) { return t.object >= 0; };
+        return is_partial(a) != is_partial(b) ? is_partial(b) : a.explained > b.explained;
+    });
     if (terms.size() > most) terms.resize(most);
     return terms;
-}
-
-/// Returns the share of the samples that the likeliest term does not explain; 1 if there is no term. The
-/// terms of each pixel are computed again, because those of all pixels would take gigabytes under thousands
-/// of lights.
-double share_left(const Renderer& renderer, const std::vector<Sample>& samples,
-                  const std::vector<DifferenceTerm>& terms, double near) {
-    if (terms.empty() || samples.empty()) return 1;
-    const DifferenceTerm& term = terms.front();
-    glm::ivec2 known(-1);
-    glm::dvec3 value(0);
-    const auto left = std::count_if(samples.begin(), samples.end(), [&](const Sample& s) {
-        if (s.at != known) value = terms_at(renderer, s.at).at({term.term, term.light});
-        known = s.at;  // its other channels follow
-        const double explained = (term.factor - 1) * value[s.channel];
-        return std::abs(s.difference - explained) > near * std::abs(s.difference) + s.room;
-    });
-    return static_cast<double>(left) / static_cast<double>(samples.size());
 }
 
 }  // namespace
 
 DescribedDifference describe_difference(const Renderer& renderer, const Exhibit& exhibit,
-                                        const DisplayChange& change, const Display& display,
-                                        const Picture* mistaken) {
+                                        const DisplayChange& change, const Display& display) {
     std::map<int, DifferenceRegion> regions;
-    std::vector<WrongPixel> wrong = wrong_pixels(exhibit, renderer, change, regions);
+    std::vector<WrongPixel> all;
+    const std::vector<WrongPixel> wrong = wrong_pixels(exhibit, renderer, change, regions, all);
     DescribedDifference found;
     for (const auto& [object, region] : regions) found.regions.push_back(region);
     std::stable_sort(found.regions.begin(), found.regions.end(),
                      [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
-    Fits fits;
-    std::vector<Sample> samples = sampled(wrong, exhibit.right, display);
+    std::map<std::pair<std::string, int>, TermSums> fits;
+    std::vector<Sample> samples;
+    add_samples(samples, wrong, exhibit.right, display);
+    add_samples(samples, all, exhibit.right, display);  // where a term shows and nothing is wrong
     for (auto s = samples.begin(); s != samples.end();) {
         const TermValues terms = terms_at(renderer, s->at);
-        for (const glm::ivec2 at = s->at; s != samples.end() && s->at == at; ++s) fits.add(*s, terms);
+        const int object = renderer.object_at(s->at.x, s->at.y);
+        for (const glm::ivec2 at = s->at; s != samples.end() && s->at == at; ++s)
+            for (const auto& [name, value] : terms) {
+                Sums& sums = fits[name][object][static_cast<std::size_t>(s->channel)];
+                sums.product += s->difference * value[s->channel];
+                sums.square += value[s->channel] * value[s->channel];
+                sums.energy += s->difference * s->difference;
+            }
     }
     found.terms = likely_terms(fits);
-    double near = 0.1;  // of a difference, by which a term may miss it
-    if (mistaken != nullptr) {
-        near = 0.03;
-        std::erase_if(wrong,
-                      [&](const WrongPixel& pixel) { return !shows(*mistaken, exhibit.right, pixel.at); });
-        samples = sampled(wrong, exhibit.right, display);
-    }
-    found.pixels = wrong.size();
-    found.pixels_left = share_left(renderer, samples, found.terms, near) * static_cast<double>(wrong.size());
+    const double left = found.terms.empty() ? 1 : 1 - found.terms.front().explained;
+    found.pixels_left = left * static_cast<double>(wrong.size());
     return found;
 }
 

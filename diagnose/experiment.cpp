@@ -1,5 +1,3 @@
-#include "diagnose/experiment.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
+#include "diagnose/diagnose.h"
 #include "models/numbers.h"
 #include "models/progress.h"
 
@@ -89,7 +88,7 @@ int channels_apart(const Picture& a, const Picture& b, std::size_t pixel) {
     return sum;
 }
 
-/// The difference, at a pixel, of the two pictures that are most alike there.
+/// The difference, at a pixel, of the two most similar pictures there.
 int least_apart_at(const std::vector<Picture>& pictures, std::size_t pixel) {
     int least = channels_apart(pictures[0], pictures[1], pixel);
     for (std::size_t i = 2; i < pictures.size(); ++i)
@@ -98,7 +97,7 @@ int least_apart_at(const std::vector<Picture>& pictures, std::size_t pixel) {
     return least;
 }
 
-/// The pixel at which, with its neighbours, the two pictures that are most alike differ most: a pixel on an
+/// The pixel at which, with its neighbours, the two most similar pictures differ most: a pixel on an
 /// outline or on a highlight's rim might look different in a program that rounds otherwise.
 glm::ivec2 telling_pixel(const std::vector<Picture>& pictures) {
     const PictureSize size = pictures[0].size;
@@ -142,7 +141,7 @@ std::vector<Picture> drawn_under(Renderer& renderer, const Scene& scene, Picture
     return pictures;
 }
 
-/// The difference of the two pictures that are most alike.
+/// The difference of the two most similar pictures.
 double least_apart(const std::vector<Picture>& pictures) {
     double least = apart(pictures[0], pictures[1]);
     for (std::size_t a = 0; a < pictures.size(); ++a)

@@ -1,52 +1,28 @@
 #include "diagnose/judged.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 
-#include "diagnose/display_finding.h"
+#include "diagnose/search/hypotheses.h"
 #include "diagnose/search/softness.h"
 #include "models/scene/mistakes.h"
 
 namespace glint {
 namespace {
 
-constexpr std::uint64_t drawings_bytes = std::uint64_t{256} << 20;
-constexpr std::size_t fewest_drawings = 3, most_drawings = 16;
-
-/// Returns the size at which to search, of about `pixels` pixels. An odd divisor that divides both sides
-/// without remainder keeps the centres of pixels, and with them a pattern of faces. Such a divisor is
-/// preferred if it gives at most `room` times and at least one `room`-th of that many pixels.
-PictureSize search_size(PictureSize size, std::size_t pixels, std::size_t room) {
-    const auto pixels_at = [size](int divisor) {
-        return size.pixels() / static_cast<std::size_t>(divisor * divisor);
-    };
-    const auto divides = [size](int divisor) {
-        return size.width % divisor == 0 && size.height % divisor == 0;
-    };
-    int divisor = 1;
-    while (pixels_at(divisor) > pixels) divisor += 2;
-    int exact = divisor;
-    while (exact > 1 && !divides(exact) && pixels_at(exact - 2) <= room * pixels) exact -= 2;
-    if (!divides(exact))
-        for (exact = divisor; !divides(exact) && room * pixels_at(exact + 2) >= pixels;) exact += 2;
-    if (divides(exact)) divisor = exact;
-    return {std::max(1, size.width / divisor), std::max(1, size.height / divisor)};
-}
-
-std::size_t drawings_of(PictureSize size) {
-    return std::clamp<std::size_t>(drawings_bytes / (4 * size.pixels()), fewest_drawings, most_drawings);
-}
-
+constexpr std::size_t drawings = 14;    // judged on a part of the rows
 constexpr double free_in_picture = 50;  // in excess_of() over a whole picture
 
 void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step) {
     j.change = change;
     j.score = score(exhibit, j.drawing, change, step);
-    j.cost = explanation_cost(j.score.excess, free_in_picture / step, j.mistakes.size(), change) +
+    j.cost = explanation_cost(j.score.excess, free_in_picture / step, j.explanation.belief, change) +
              (has_other_background(exhibit, j.drawing, change) ? 1 : 0);
 }
 
-/// Judges under another change, too, and keeps the cheaper one; at equal cost, the one with less error beyond
+/// Also judges under another change, and keeps the cheaper one; at equal cost, the one with less error beyond
 /// rounding. Also keeps the new change if it costs less than `for_much_nearer` more and has less than half
 /// the RMS error.
 void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step,
@@ -78,21 +54,21 @@ void judge_whole(Judged& j, const Exhibit& exhibit) {
     judge(j, exhibit, change, 1);
 }
 
-/// The best of the changes that the hypothesis allows, judged by every so many rows.
-Judged judged(Renderer& renderer, BareMasks& masks, const Scene& scene, const Exhibit& exhibit,
-              const Hypothesis& hypothesis, int step) {
-    const PictureSize size = exhibit.right.size;
+/// The best of the changes that the hypothesis allows, judged by every `step`-th row.
+Judged judged(Drawings& drawings, BareMasks& masks, const Exhibit& exhibit, const Hypothesis& hypothesis,
+              int step) {
     Judged best;
-    best.mistakes = hypothesis.mistakes;
-    best.drawing.picture = renderer.render(under_mistakes(scene, hypothesis.mistakes), size);
-    best.drawing.bare = masks.of(renderer, size);
+    best.explanation = hypothesis.explanation;
+    best.same = hypothesis.same;
+    best.drawing.picture = drawings.whole(hypothesis.explanation);
+    best.drawing.bare = masks.of(drawings.renderer(), exhibit.right.size);
     judge(best, exhibit, hypothesis.changes.front(), step);
     for (std::size_t i = 1; i < hypothesis.changes.size(); ++i)
         judge_also(best, exhibit, hypothesis.changes[i], step);
     return best;
 }
 
-/// Whether two drawings are the same within one level wherever they can be compared.
+/// Whether two drawings are the same within one level on all compared pixels.
 bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
     for (std::size_t i = 0; i < exhibit.kinds.size(); ++i) {
         if (exhibit.kinds[i] != PixelKind::Surface) continue;
@@ -117,7 +93,8 @@ void judge_by_power(Judged& none, const Exhibit& exhibit, DisplayChange change) 
 /// Whether it supposes that colours were encoded twice, and decoded again.
 bool encodes_and_decodes(const Judged& j) {
     const auto encodes = [](std::size_t m) { return mistake_names()[m].flag == &Mistakes::encoded_twice; };
-    return j.change.encodings() < 0 && std::any_of(j.mistakes.begin(), j.mistakes.end(), encodes);
+    return j.change.encodings() < 0 &&
+           std::any_of(j.explanation.mistakes.begin(), j.explanation.mistakes.end(), encodes);
 }
 
 /// Whether two changes encode otherwise, or brighten by clearly other gains.
@@ -131,9 +108,9 @@ bool shows_otherwise(const DisplayChange& a, const DisplayChange& b) {
 /// gain of pi together with a mistake that divides by pi. If its encoding or gain differs from that one's,
 /// one pixel in a hundred may be unlike.
 bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) {
-    constexpr std::uint64_t few = 100;  // one pixel of so many
+    constexpr std::uint64_t few = 100;  // one pixel in 100
     if (encodes_and_decodes(j)) return true;
-    if (j.change.count() + static_cast<int>(j.mistakes.size()) <= none.change.count()) return false;
+    if (j.explanation.belief + j.change.count() <= none.change.count()) return false;
     if (way_turned(j.change) != way_turned(none.change) || j.change.red_blue != none.change.red_blue)
         return false;
     const ByteRanges ranges = byte_ranges(j.change), right = byte_ranges(none.change);
@@ -192,32 +169,39 @@ bool has_few_colours(const Exhibit& exhibit) {
     return colours.size() <= few;
 }
 
-/// Returns the explanations that are worth drawing at full size, at most `count`. Pairs of mistakes are
-/// searched in a smaller picture, where another gain may fit. So explanations that need no pair come from the
-/// search without pairs.
-std::vector<Hypothesis> worth_drawing(const Scene& scene, const Exhibit& exhibit,
-                                      const DiagnosisOptions& options, std::size_t count,
-                                      const DiagnosisProgress& progress) {
-    constexpr std::size_t singles_pixels = 400'000, pairs_pixels = 24'000;
-    const auto likely = [&](bool pairs, std::size_t of_these, const DiagnosisProgress& told) {
-        const PictureSize at = pairs ? search_size(exhibit.right.size, pairs_pixels, 3)
-                                     : search_size(exhibit.right.size, singles_pixels, 1);
-        return likely_hypotheses(scene, exhibit.wrong, exhibit.least_change.noise, at, pairs, of_these,
-                                 options.threads, told);
+/// Returns which flips are worth trying: no flip, and those under which the silhouettes match clearly better,
+/// or only the flipped background has the scene's colour.
+std::array<bool, 4> likely_turns(const Exhibit& exhibit) {
+    constexpr double clearly = 0.6, at_least = 0.004;
+    std::array<bool, 4> turns{true, false, false, false};
+    const std::array<DisplayChange, 4> ways = ways_of_turning();
+    const std::optional<OutlineMisfit> as_it_is = outline_misfit(exhibit, ways[0]);
+    if (!as_it_is) return {true, true, true, true};
+    const auto is_better = [](double turned, double before) {
+        return turned < clearly * before && turned < before - at_least;
     };
-    if (!options.pairs) return likely(false, count, progress);
-    std::vector<Hypothesis> found = likely(false, std::max<std::size_t>(2, count / 4), {});
-    for (Hypothesis& h : likely(true, count, progress)) {
-        const auto is_same = [&h](const Hypothesis& other) { return other.mistakes == h.mistakes; };
-        if (found.size() < count && std::none_of(found.begin(), found.end(), is_same))
-            found.push_back(std::move(h));
+    const std::optional<Rgb> ground = background_of(exhibit.right, exhibit.kinds, {});
+    const auto shows_ground = [&](std::size_t way) {
+        constexpr int near = 1;
+        const std::optional<Rgb>& mine = exhibit.grounds[way];
+        return ground && mine && most_apart(*ground, *mine) <= near;
+    };
+    for (std::size_t i = 1; i < turns.size(); ++i) {
+        const OutlineMisfit turned = *outline_misfit(exhibit, ways[i]);
+        // Surfaces that a mistake takes away are missing either way. A surface may have the background's
+        // colour, so nothing is told where no surface lies on the background.
+        const bool misses_as_much = turned.outside < at_least && turned.inside < as_it_is->inside + at_least;
+        turns[i] = (is_better(turned.most(), as_it_is->most()) && turned.outside < as_it_is->outside) ||
+                   (misses_as_much && is_better(turned.outside, as_it_is->outside)) ||
+                   (shows_ground(i) && !shows_ground(0));
     }
-    return found;
+    return turns;
 }
 
 Candidate candidate_of(const Exhibit& exhibit, const Judged& j) {
     Candidate c;
-    c.mistakes = j.mistakes;
+    static_cast<Supposition&>(c) = j.explanation;
+    c.almost = j.is_almost;
     c.change = j.change;
     c.residual = j.score.residual();
     c.explained = j.score.share_explained();
@@ -236,8 +220,24 @@ Candidate candidate_of(const Exhibit& exhibit, const Judged& j) {
 }  // namespace
 
 const Judged& of_no_mistake(const std::vector<Judged>& all) {
-    return *std::find_if(all.begin(), all.end(), [](const Judged& j) { return j.mistakes.empty(); });
+    return *std::find_if(all.begin(), all.end(), [](const Judged& j) { return j.is_plain(); });
 }
+
+namespace {
+
+/// Adds the name of another explanation with the same picture to a candidate.
+void add_also(Candidate& c, const Supposition& e) {
+    if (e.name == c.name || std::find(c.also_named.begin(), c.also_named.end(), e.name) != c.also_named.end())
+        return;
+    constexpr std::size_t most = 8;
+    if (c.also_named.size() >= most || e.belief > 2) return;
+    c.also_named.push_back(e.name);
+    if (e.kind == ExplanationKind::Mistake && c.kind == e.kind && e.mistakes.size() == c.mistakes.size() &&
+        e.only.is_all())
+        c.also.push_back(e.mistakes);
+}
+
+}  // namespace
 
 std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all,
                                      const DisplayChange& told) {
@@ -245,6 +245,12 @@ std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<J
     std::vector<Candidate> candidates;
     std::vector<const Judged*> shown;
     const Judged& none = of_no_mistake(all);
+    // The same edit under other conventions or for a part of the equation is one candidate: the likeliest.
+    const auto is_named = [&candidates](const Judged& j) {
+        return std::any_of(candidates.begin(), candidates.end(), [&j](const Candidate& c) {
+            return c.kind == j.explanation.kind && c.name == j.explanation.name;
+        });
+    };
     for (const Judged& j : all) {
         if (j.is_right || undoes_itself(exhibit, j, none)) continue;
         const auto like = std::find_if(shown.begin(), shown.end(), [&](const Judged* s) {
@@ -252,64 +258,266 @@ std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<J
         });
         if (like != shown.end()) {
             Candidate& first = candidates[static_cast<std::size_t>(like - shown.begin())];
-            if (first.mistakes.size() == j.mistakes.size()) first.also.push_back(j.mistakes);
-        } else if (candidates.size() < most && are_of_one_display(j.change, told)) {
+            add_also(first, j.explanation);
+            for (const Supposition& e : j.same) add_also(first, e);
+        } else if (candidates.size() < most && !is_named(j) && are_of_one_display(j.change, told)) {
             candidates.push_back(candidate_of(exhibit, j));
+            for (const Supposition& e : j.same) add_also(candidates.back(), e);
             shown.push_back(&j);
         }
     }
     return candidates;
 }
 
-std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
-                              const DiagnosisOptions& options) {
+namespace {
+
+/// Whether the residual is so much smaller than that of the right picture that only a small difference of the
+/// programs can remain.
+bool fits_almost(const Judged& j, const Judged& none) {
+    constexpr double most_residual = 1.0, of_right = 0.06, least_explained = 0.93, most_unlike = 0.04;
+    const Supposition& e = j.explanation;
+    if (e.kind == ExplanationKind::Number || e.mistakes.size() > 1 || !e.only.is_all()) return false;
+    return j.score.residual() < most_residual && j.score.residual() < of_right * none.score.residual() &&
+           j.score.share_explained() > least_explained &&
+           static_cast<double>(j.score.unlike) < most_unlike * static_cast<double>(j.score.compared);
+}
+
+/// Whether every other explanation leaves a clearly larger residual.
+bool stands_alone(const Judged& j, const std::vector<Judged>& all, const Exhibit& exhibit) {
+    constexpr double clearly = 2;
+    return std::none_of(all.begin(), all.end(), [&](const Judged& other) {
+        return &other != &j && other.score.residual() < clearly * j.score.residual() &&
+               other.explanation.name != j.explanation.name && !look_alike(exhibit, other.drawing, j.drawing);
+    });
+}
+
+/// Whether a picture without a mistake differs from the scene by a few levels, in few pixels. No mistake that
+/// is seen at a glance leaves so little.
+bool is_nearly_right(const Judged& j) {
+    constexpr double most_residual = 1;
+    constexpr std::uint64_t per_unlike = 20, per_far = 1000;
+    return j.score.residual() < most_residual && j.score.unlike * per_unlike <= j.score.compared &&
+           j.score.far * per_far <= j.score.compared;
+}
+
+/// The sums of differences over a square, by channel, and the sum of their squares.
+struct SquareSums {
+    std::array<double, 3> sums{};
+    double squares = 0;
+    void add(const SquareSums& other) {
+        for (std::size_t c = 0; c < 3; ++c) sums[c] += other.sums[c];
+        squares += other.squares;
+    }
+};
+
+/// Whether the difference changes more where the 8 x 8 blocks of a JPEG meet than within them.
+bool shows_blocks(const Exhibit& e, const Judged& j) {
+    constexpr double more = 1.15;
+    const ByteRanges ranges = byte_ranges(j.change);
+    const PictureSize size = e.right.size;
+    const auto off = [&](int x, int y) {
+        return double(mine_at(e.wrong, j.change, x, y)[1]) -
+               double(ranges[j.drawing.picture.rgba[4 * size.index(x, y) + 1]].middle);
+    };
+    struct Mean {
+        double sum = 0, count = 0;
+    };
+    std::array<Mean, 2> between{}, within{};  // blocks, to the right and down
+    for (int y = 0; y + 1 < size.height; ++y)
+        for (int x = 0; x + 1 < size.width; ++x) {
+            if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
+            for (const int k : {0, 1}) {
+                const bool meets = (k == 0 ? x : y) % 8 == 7;
+                const double step = std::abs(off(x + 1 - k, y + k) - off(x, y));
+                Mean& mean = (meets ? between : within)[k];
+                mean.sum += step;
+                ++mean.count;
+            }
+        }
+    const auto jumps = [&](int k) {
+        return between[k].sum * within[k].count > more * within[k].sum * between[k].count;
+    };
+    return jumps(0) && jumps(1);
+}
+
+/// Whether single pixels differ, but hardly the means of squares of 16 x 16. That is what lossy compression
+/// and dithering leave, and no mistake of lighting. `few`: how many squares of a thousand may differ.
+bool means_fit(const Exhibit& e, const Judged& j, std::uint64_t few) {
+    constexpr int edge = 16, part = 8;                 // JPEG averages colours over these, and codes these
+    constexpr double most_residual = 3.5, near = 1.6;  // levels
+    constexpr double most_even = 8;  // noise gives 1, a difference that is the same around gives part * part
+    constexpr std::uint64_t enough = 20, per_unlike = 50;  // a convention or a small highlight changes fewer
+    if (j.score.residual() > most_residual || j.score.unlike * per_unlike < j.score.compared) return false;
+    const ByteRanges ranges = byte_ranges(j.change);
+    const PictureSize size = e.right.size;
+    const auto sums_at = [&](int left, int top) -> std::optional<SquareSums> {
+        SquareSums s;
+        for (int v = top; v < top + part; ++v)
+            for (int u = left; u < left + part; ++u) {
+                if (e.kinds[size.index(u, v)] != PixelKind::Surface) return std::nullopt;
+                const Rgb mine = mine_at(e.wrong, j.change, u, v);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const ByteRange& r = ranges[j.drawing.picture.rgba[4 * size.index(u, v) + c]];
+                    const double off = r.off(mine[c]) > 0 ? double(mine[c]) - double(r.middle) : 0;
+                    s.sums[c] += off;
+                    s.squares += off * off;
+                }
+            }
+        return s;
+    };
+    std::uint64_t squares = 0, unlike = 0;
+    double even = 0, all = 0;
+    for (int y = 0; y + edge <= size.height; y += edge)
+        for (int x = 0; x + edge <= size.width; x += edge) {
+            SquareSums whole;
+            int parts = 0;
+            for (const auto& [u, v] : {std::pair{0, 0}, {part, 0}, {0, part}, {part, part}}) {
+                const auto sums = sums_at(x + u, y + v);
+                if (!sums) break;
+                ++parts;
+                for (const double sum : sums->sums) even += sum * sum / (part * part);
+                whole.add(*sums);
+            }
+            if (parts < 4) continue;
+            all += whole.squares;
+            ++squares;
+            double most = 0;
+            for (const double sum : whole.sums) most = std::max(most, std::abs(sum));
+            unlike += most > near * edge * edge ? 1 : 0;
+        }
+    return squares >= enough && unlike * 1000 <= few * squares &&
+           (even * part * part <= most_even * all || shows_blocks(e, j));
+}
+
+/// Decides which explanations are believed. The first of `all` is that of no mistake.
+void believe(std::vector<Judged>& all, const Exhibit& exhibit, const Drawing& right) {
+    constexpr double rounding = 0.3;  // levels, RMS
+    constexpr double most_wrong = 0.9;
+    const bool tells_little = has_few_colours(exhibit);
+    const Judged& none = all.front();
+    // Then only what leaves hardly anything is nearer: a mistake may fit what compression lost by chance. Nor
+    // is noise a reason for much of what is wrong.
+    const bool is_lossy = !none.score.fits() && means_fit(exhibit, none, 0);
+    for (Judged& j : all) {
+        const bool is_of_right = j.explanation.kind == ExplanationKind::Right;
+        j.is_right = is_of_right || look_alike(exhibit, j.drawing, right);
+        j.is_lossy =
+            !j.score.fits() && (is_of_right || shows_blocks(exhibit, j)) && means_fit(exhibit, j, 20);
+        const bool fits = j.score.fits() || j.is_lossy;
+        j.is_almost = !fits && (is_of_right ? is_nearly_right(j)
+                                            : fits_almost(j, none) && stands_alone(j, all, exhibit));
+        const bool may_be =
+            (fits || j.is_almost) && !encodes_and_decodes(j) && !kept_its_brightness(exhibit, j.change);
+        const bool is_overdone = tells_little && j.change.gain != 1 && j.change.count() > 1;
+        const bool is_better = j.cost < none.cost && j.score.comes_nearer() && !is_overdone &&
+                               (!is_lossy || j.score.residual() < rounding) &&
+                               (j.change.noise == 0 || j.score.share_explained() > most_wrong);
+        // The last two conditions read all pixels again.
+        j.is_believed = may_be && (j.is_right || (is_better && !undoes_itself(exhibit, j, none))) &&
+                        !(way_turned(j.change) != 0 && covers_background(exhibit, j.change));
+    }
+}
+
+/// Returns the given flips, and those that the silhouettes do not tell from the picture as it is.
+std::array<bool, 4> with_hidden_turns(std::array<bool, 4> turns, const Exhibit& exhibit) {
+    constexpr double nearly = 0.002;
+    const std::optional<OutlineMisfit> as_it_is = outline_misfit(exhibit, {});
+    if (!as_it_is) return turns;
+    for (const DisplayChange& way : ways_of_turning())
+        if (outline_misfit(exhibit, way)->most() <= as_it_is->most() + nearly) turns[way_turned(way)] = true;
+    return turns;
+}
+
+/// Also considers flips of the right picture that leave its silhouettes the same. An explanation without a
+/// flip is preferred.
+void consider_hidden_flips(std::vector<Judged>& all, const Exhibit& exhibit,
+                           const std::array<bool, 4>& tried) {
+    if (all.front().is_believed && all.front().is_right) return;
+    constexpr std::array names{"", "mirrored", "upside down", "turned by 180 degrees"};
+    for (DisplayChange change : ways_of_turning()) {
+        const std::size_t way = way_turned(change);
+        if (tried[way]) continue;
+        change.noise = exhibit.least_change.noise;
+        Judged turned;
+        turned.drawing.picture = exhibit.right;
+        judge(turned, exhibit, change, 1);
+        if (!turned.score.fits() || covers_background(exhibit, change)) continue;
+        turned.explanation.name = fmt::format("the right picture, {}", names[way]);
+        if (all.front().is_believed) {
+            all.front().same.push_back(turned.explanation);
+        } else {
+            turned.is_right = turned.is_believed = true;
+            all.insert(all.begin(), turned);
+        }
+        return;
+    }
+}
+
+/// Searches with these flips.
+std::vector<Judged> judged_with(const std::array<bool, 4>& turns, Renderer& renderer, const Scene& scene,
+                                const Exhibit& exhibit, const DiagnosisOptions& options) {
     constexpr std::size_t judged_whole = 8;
     constexpr int coarse_rows = 100, most_step = 8;
     const PictureSize size = exhibit.right.size;
-    const std::size_t drawings = drawings_of(size);
+    const Scene right = under_mistakes(scene, {});
+    Drawings drawn(renderer, right, size);
     std::size_t tried = 0;
     const auto search_progress = [&](std::size_t done, std::size_t of) {
         tried = of;
         options.progress(done, of + drawings);
     };
-    const std::vector<Hypothesis> likely =
-        worth_drawing(scene, exhibit, options, drawings,
-                      options.progress ? DiagnosisProgress(search_progress) : DiagnosisProgress());
+    const SearchJob job{exhibit.wrong,
+                        exhibit.right,
+                        exhibit.kinds,
+                        exhibit.least_change.noise,
+                        turns,
+                        options.pairs,
+                        options.conventions,
+                        drawings,
+                        options.progress ? DiagnosisProgress(search_progress) : DiagnosisProgress()};
+    const std::vector<Hypothesis> likely = likely_hypotheses(drawn, job);
     const int step = std::clamp(size.height / coarse_rows, 1, most_step);
     std::vector<Judged> all;
     BareMasks masks;  // the first hypothesis is that of no mistake
-    for (std::size_t i = 0; i < std::min(drawings, likely.size()); ++i) {
+    for (std::size_t i = 0; i < likely.size(); ++i) {
         if (options.progress) options.progress(tried + i, tried + drawings);
-        all.push_back(judged(renderer, masks, scene, exhibit, likely[i], step));
+        all.push_back(judged(drawn, masks, exhibit, likely[i], step));
     }
     // Only the likeliest are judged on the whole picture; the hypothesis of no mistake, which comes first,
     // always is.
     std::stable_sort(all.begin() + 1, all.end(),
                      [](const Judged& a, const Judged& b) { return a.cost < b.cost; });
     all.resize(std::min(all.size(), judged_whole));
-    const Drawing right{exhibit.right, {}};
+    const Drawing of_right{exhibit.right, {}};
     for (Judged& j : all) judge_whole(j, exhibit);
     // The whole picture may speak against a change that few rows chose.
     const DisplayChange of_few_rows = all.front().change;
     judge_also(all.front(), exhibit, exhibit.least_change, 1);
-    judge_by_power(all.front(), exhibit, exhibit.least_change);
-    if (!(of_few_rows == exhibit.least_change)) judge_by_power(all.front(), exhibit, of_few_rows);
-    const bool tells_little = has_few_colours(exhibit);
     for (Judged& j : all) {
-        j.is_right = j.mistakes.empty() || look_alike(exhibit, j.drawing, right);
-        const bool may_be =
-            j.score.fits() && !encodes_and_decodes(j) && !kept_its_brightness(exhibit, j.change);
-        const bool is_overdone = tells_little && j.change.gain != 1 && j.change.count() > 1;
-        const bool is_better = j.cost < all.front().cost && j.score.comes_nearer() && !is_overdone;
-        // The last two look at all pixels again.
-        j.is_believed = may_be && (j.is_right || (is_better && !undoes_itself(exhibit, j, all.front()))) &&
-                        !(way_turned(j.change) != 0 && covers_background(exhibit, j.change));
+        if (j.explanation.kind != ExplanationKind::Right) continue;
+        judge_by_power(j, exhibit, exhibit.least_change);
+        if (!(of_few_rows == exhibit.least_change)) judge_by_power(j, exhibit, of_few_rows);
     }
+    believe(all, exhibit, of_right);
     std::stable_sort(all.begin(), all.end(), [](const Judged& a, const Judged& b) {
         if (a.is_believed != b.is_believed) return a.is_believed;
         return a.cost != b.cost ? a.cost < b.cost : a.score.squares < b.score.squares;
     });
+    consider_hidden_flips(all, exhibit, turns);
     return all;
+}
+
+}  // namespace
+
+std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
+                              const DiagnosisOptions& options) {
+    const std::array<bool, 4> turns = likely_turns(exhibit);
+    std::vector<Judged> all = judged_with(turns, renderer, scene, exhibit, options);
+    if (all.front().is_believed) return all;
+    const std::array<bool, 4> hidden = with_hidden_turns(turns, exhibit);
+    if (hidden == turns) return all;
+    std::vector<Judged> flipped = judged_with(hidden, renderer, scene, exhibit, options);
+    return flipped.front().is_believed ? flipped : all;
 }
 
 }  // namespace glint

@@ -1,6 +1,8 @@
 #pragma once
-// Judges explanations of a wrong picture on the whole picture.
+// The parts of a diagnosis: judges explanations on the complete picture, finds what happened at the display,
+// and describes what no explanation covers.
 
+#include <algorithm>
 #include <vector>
 
 #include "diagnose/diagnose.h"
@@ -9,16 +11,25 @@ namespace glint {
 
 /// An explanation judged on the whole picture.
 struct Judged {
-    MistakeSet mistakes;
+    Supposition explanation;
+    std::vector<Supposition> same;  // others with the same picture
     DisplayChange change;
     Score score;
     double cost = 0;
     Drawing drawing;
-    bool is_right = false;     // the drawing is the right one, but for a level
+    bool is_right = false;     // same picture as the right scene within a level, or only conventions differ
+    bool is_lossy = false;     // single pixels differ, but not the means of squares
+    bool is_almost = false;    // believed, but a small residual remains
     bool is_believed = false;  // it shows the whole picture, and costs less than no mistake does
+
+    /// Whether it supposes nothing of the scene and its program.
+    [[nodiscard]] bool is_plain() const {
+        const Supposition& e = explanation;
+        return e.kind == ExplanationKind::Right && e.conventions.empty() && e.tone == ToneCurve::None;
+    }
 };
 
-/// The likeliest explanations, those that are believed first. One of them is that there is no mistake.
+/// The likeliest explanations, those that are believed first. One of them is that the picture is right.
 [[nodiscard]] std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
                                             const DiagnosisOptions& options);
 
@@ -30,5 +41,41 @@ struct Judged {
 /// change at the display does not agree with `told`, the change that the diagnosis reports.
 [[nodiscard]] std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all,
                                                    const DisplayChange& told);
+
+/// `drawn`: the drawing that explains the picture under `change`.
+[[nodiscard]] DisplayFinding display_finding(const Exhibit& exhibit, const Drawing& drawn,
+                                             const DisplayChange& change);
+
+/// Whether the picture's background differs from the drawing's, as is and after the change.
+[[nodiscard]] bool has_other_background(const Exhibit& exhibit, const Drawing& drawn,
+                                        const DisplayChange& change);
+
+/// Whether the picture, turned so, shows something in much of the scene's background.
+[[nodiscard]] bool covers_background(const Exhibit& exhibit, const DisplayChange& turned);
+
+/// How a picture's outline differs from the scene's, in shares of 0 to 1.
+struct OutlineMisfit {
+    double outside = 1;  // of what is background in the scene, what shows something
+    double inside = 1;   // of the surfaces that are told from the background in the right picture, what shows
+                         // the background
+    [[nodiscard]] double most() const { return std::max(outside, inside); }
+};
+/// Returns that of the turned picture; nothing if it is unknown.
+[[nodiscard]] std::optional<OutlineMisfit> outline_misfit(const Exhibit& exhibit,
+                                                          const DisplayChange& turned);
+
+/// Why the picture cannot be of this scene; nothing if its outline is the scene's, or unknown.
+[[nodiscard]] std::optional<std::string> other_outline(const Exhibit& exhibit);
+
+struct DescribedDifference {
+    std::vector<DifferenceRegion> regions;  // the largest first
+    std::vector<DifferenceTerm> terms;      // the likeliest first
+    double pixels_left = 0;                 // about how many wrong pixels the likeliest term does not explain
+};
+
+/// Of the picture minus the right one after `change` was taken away. `renderer` has drawn the right picture
+/// last.
+[[nodiscard]] DescribedDifference describe_difference(const Renderer& renderer, const Exhibit& exhibit,
+                                                      const DisplayChange& change, const Display& display);
 
 }  // namespace glint

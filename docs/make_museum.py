@@ -20,6 +20,9 @@ size = "288x216"
 # Changes of the room that make a mistake visible. Mistakes that are visible without a change are not listed.
 sun_alone = {"/lights/1/enabled": False, "/lights/2/enabled": False}
 ball = "/objects/1"
+rough = {"/shading/reflection": "cook-torrance"}
+averaged = {ball + "/normals/source": "vertex", "/objects/3/normals/source": "vertex"}
+chevron = {ball + "/mesh": {"file": "museum-chevron.obj"}}
 changes = {
     "light_direction_reversed": sun_alone,
     "direction_is_position": sun_alone,
@@ -27,8 +30,18 @@ changes = {
     "perspective_view_in_ortho": {"/camera/projection": {"type": "orthographic", "height": 4, "near": 0.1, "far": 50}},
     "power_zero_is_nan": {ball + "/material/shininess": 0},
     "bytes_wrap": {"/display/exposure": 2},
-    "clamp_each_light": {"/lights/0/intensity": 2},
-    "cross_reversed": {"/objects/1/normals/source": "vertex", "/objects/3/normals/source": "vertex"},
+    "clamp_each_light": {"/lights/0/intensity": 2, "/display/exposure": 0.5},
+    "cross_reversed": averaged,
+    "cross_component_wrong": averaged,
+    "last_facet_wins": averaged,
+    "specular_without_cosine": rough,
+    "fresnel_of_view_angle": rough,
+    "alpha_not_squared": rough,
+    "facet_normals_of_screen_points": {"/shading/mode": "facet"},
+    "facet_normal_of_first_corners": {**chevron, "/shading/mode": "facet"},
+    "normals_by_position_index": {ball + "/mesh": {"primitive": "cylinder"}},
+    "interpolated_lengths": {"/objects/2/mesh/detail": 6},
+    "zero_normal_is_nan": {**chevron, ball + "/normals/source": "file"},
     "specular_behind_surface": {"/lights/0/position": [-1, 0.3, -3, 0], "/lights/0/specular": [1, 1, 1],
                                 ball + "/material/shininess": 3, "/objects/2/material/shininess": 3},
     "unnormalized_half": {"/shading/reflection": "blinn-phong", ball + "/material/shininess": 12},

@@ -17,10 +17,11 @@ struct Change {
     bool Mistakes::*flag;
     std::string_view right, wrong;
 };
-constexpr std::array<Change, 7> changes{{
+constexpr std::array<Change, 8> changes{{
     {&Mistakes::unnormalized_half, "unit(l + v)", "0.5 * (l + v)"},
     {&Mistakes::absolute_cosine, "max(n_l, 0.0)", "abs(n_l)"},  // with both, it is never negative
     {&Mistakes::no_clamp_of_cosine, "max(n_l, 0.0)", "n_l"},
+    {&Mistakes::half_lambert, "max(n_l, 0.0)", "(0.5 + 0.5 * n_l)"},
     {&Mistakes::no_clamp_of_cosine, " power(", " unclamped_power("},
     {&Mistakes::absolute_cosine, "above_zero(n_l)", "above_zero(abs(n_l))"},
     {&Mistakes::reflect_of_difference, "2.0 * n_l * n - l", "2.0 * n_l * (n - l)"},

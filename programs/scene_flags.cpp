@@ -117,6 +117,10 @@ bool shows(const MistakeName& mistake, const Facts& f) {
 constexpr std::array need_rows{
     NeedRow{"transport", "/transport/model", "light is blocked or bounces off other surfaces",
             [](const Facts& f) { return f.scene.transport.model != TransportModel::Local && f.is_lit(); }},
+    NeedRow{"mistakes.form", "/shading/mistakes/form", "another form of a mistake is made",
+            [](const Facts& f) { return f.wrong.form != 0 || f.wrong.highlight_form != 0; }},
+    NeedRow{"mistakes.only", "/shading/mistakes", "mistakes are made in a part of the picture",
+            [](const Facts& f) { return !f.wrong.only.is_all(); }},
     NeedRow{"mode.phong", "/shading/mode", "normals are interpolated and lit at each pixel",
             [](const Facts& f) { return f.lit_in(ShadingMode::Phong); }},
     NeedRow{"mode.facet", "/shading/mode", "each pixel is lit",
@@ -223,7 +227,8 @@ void add_derived(Flags& flags, const Facts& f) {
     add("lights.any", f.is_lit() && !f.lights.empty());
     add("first_light", f.is_lit() && (tone || f.wrong.culled_by_light));
     add("cosine.above_1",
-        f.wrong.unnormalized_light || f.wrong.unnormalized_view || f.wrong.reflect_of_difference);
+        f.wrong.unnormalized_light || f.wrong.unnormalized_view || f.wrong.reflect_of_difference ||
+            f.wrong.unnormalized_normals);
     add("clamped_highlight", !(f.wrong.no_clamp_of_cosine && f.uses_shininess()));
     add("mirrored", std::any_of(f.objects.begin(), f.objects.end(), [](const Object& o) {
             const glm::vec3& s = o.transform.scale;

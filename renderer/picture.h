@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "models/scene/camera.h"
@@ -25,6 +26,10 @@ struct Picture {
         return {p[0], p[1], p[2]};
     }
 };
+
+/// Which blocks of 16 pixels of a row are drawn: 1, or 0. Each row has (width + 15) / 16 of them; those
+/// beyond the end of the list are not drawn. Null: all are.
+using BlockChoice = std::shared_ptr<const std::vector<std::uint8_t>>;
 
 /// A component of a linear colour as a linear file stores it: times the exposure, clamped to the float range.
 [[nodiscard]] inline float exposed(float linear, float exposure) {

@@ -6,12 +6,14 @@
 #include <chrono>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "models/fields/choices.h"
 #include "models/memory_limit.h"
 #include "models/problem.h"
 #include "models/scene/scene_cost.h"
 #include "renderer/explain/explain.h"
+#include "renderer/scoped_mistakes.h"
 #include "renderer/shade/culled_by_light.h"
 #include "renderer/shade/surface_material.h"
 #include "renderer/simd/isa/instruction_set.h"
@@ -37,11 +39,14 @@ struct Renderer::Kept {
     Warnings warnings;
     PathProgress on_paths;
     bool drawn = false;
+    Picture scoped;  // the last picture of mistakes with a scope
 
     /// Releases all memory; the next picture is drawn from scratch.
     void forget() {
         const bool follow = stages.lighting.moving_light.allowed;
+        const BlockChoice blocks = stages.surface.wanted_blocks;
         stages = KeptStages{};
+        stages.surface.wanted_blocks = blocks;
         stages.lighting.moving_light.allowed = follow;
         warnings.clear();
         drawn = false;
@@ -112,6 +117,11 @@ void Renderer::Kept::draw(const Scene& scene, PictureSize size, bool linear, int
 const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linear, int samples) {
     Kept& k = *kept_;
     KeptStages& s = k.stages;
+    if (!scene.shading.mistakes.only.is_all()) {
+        k.scoped = draw_scoped(*this, scene, size, samples);
+        if (!linear) k.scoped.linear.clear();
+        return k.scoped;
+    }
     const Clock::time_point start = Clock::now();
     if (const auto problem = too_large(scene, size, samples)) throw LimitExceeded(*problem);
     try {
@@ -133,6 +143,7 @@ const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linea
     return s.lighting.picture;
 }
 
+void Renderer::draw_blocks(BlockChoice blocks) { kept_->stages.surface.wanted_blocks = std::move(blocks); }
 void Renderer::keep_sums(bool keep) { kept_->stages.lighting.moving_light.allowed = keep; }
 void Renderer::on_paths(std::function<void(int, int)> progress) { kept_->on_paths = std::move(progress); }
 bool Renderer::has_rays() const { return kept_->stages.transport.rays.is_of(kept_->stages.scene); }

@@ -58,6 +58,8 @@ class Renderer {
     /// LimitExceeded before drawing, and the last picture remains. Any other exception discards the picture;
     /// the next call then starts from scratch. `samples`: 1, 2, 4 or 8 per pixel; each face seen in a pixel
     /// is lit once, at the mean of its covered samples, and weighted by their count, in linear light.
+    /// Mistakes with a scope (MistakeScope) are drawn three or four times; explain() then shows them without
+    /// it.
     const Picture& render(const Scene& scene, PictureSize size, bool linear = false, int samples = 1);
 
     /// Sets whether a frame in which only one light has changed may reuse the sum of the others. If true (the
@@ -68,6 +70,10 @@ class Renderer {
     /// are done. A picture refines in steps if the scene's number of paths grows from call to call: render()
     /// then follows only the further ones, and the bytes are those of all at once.
     void on_paths(std::function<void(int done, int all)> progress);
+
+    /// Draws only these blocks from the next frame on, so that many variants of a scene can be compared
+    /// quickly. The other pixels keep their earlier contents. Null: all are drawn.
+    void draw_blocks(BlockChoice blocks);
 
     [[nodiscard]] const FrameStats& stats() const;
 

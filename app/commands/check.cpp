@@ -20,6 +20,7 @@ struct CheckArguments {
     SceneArguments scene;
     std::string directory;
     bool as_json = false;
+    bool in_world = false;
 };
 
 /// Whether the path exists. A dangling symbolic link counts: reading it reports the problem. Throws Failure
@@ -102,7 +103,7 @@ Outcome check(const CheckArguments& arguments) {
         throw wrong_usage("DIR", arguments.directory + " is not a directory", expected);
     const SceneDocument document = open_scene(arguments.scene);
     const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene);
-    const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads);
+    const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads, arguments.in_world);
     if (found.compared == 0)
         throw Failure{ExitStatus::Impossible,
                       {arguments.directory, "", "no pixel to compare",
@@ -120,6 +121,10 @@ Run declare_check(Options& options) {
              "a directory with buffers by another program, named as render --buffers names them",
              arguments->directory);
     add_json_format(options, arguments->as_json);
+    options.add_value("--frame", "FRAME", "of the program's vectors: camera (default) or world",
+                      [&in_world = arguments->in_world](const std::string& text) {
+                          in_world = read_word("--frame", text, {"camera", "world"}) == 1;
+                      });
     return [arguments] { return check(*arguments); };
 }
 

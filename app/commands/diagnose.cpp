@@ -11,9 +11,8 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/progress.h"
+#include "diagnose/arrived.h"
 #include "diagnose/diagnosis_format.h"
-#include "diagnose/diagnosis_table.h"
-#include "diagnose/experiment.h"
 #include "models/io/file.h"
 #include "models/scene/mistakes.h"
 #include "renderer/image/image_file.h"
@@ -28,7 +27,8 @@ struct DiagnoseArguments {
     std::vector<std::string> pictures;
     std::string out;
     bool pairs = false;
-    std::vector<MistakeSet> apart;  // to be distinguished, without a picture
+    std::vector<std::string> conventions;  // declared
+    std::vector<MistakeSet> apart;         // to be distinguished, without a picture
     DiagnosisFormat format = DiagnosisFormat::Text;
 };
 
@@ -72,7 +72,7 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, c
     const bool many = arguments.pictures.size() > 1;
     std::optional<Progress> progress;
     if (many) progress.emplace("picture", arguments.pictures.size());
-    DiagnosisOptions options{arguments.pairs, threads, {}};
+    DiagnosisOptions options{arguments.pairs, arguments.conventions, threads, {}};
     if (!many)
         options.progress = [&progress](std::size_t done, std::size_t all) {
             if (!progress) progress.emplace("explanation", all);
@@ -90,8 +90,9 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, c
         }
         Picture picture = take(std::move(read));
         require_not_read(arguments.out);
-        const Picture wrong = as_shown(std::move(picture), document.scene.display);
+        const auto [wrong, undone] = as_arrived(as_shown(std::move(picture), document.scene.display));
         Diagnosis found = glint::diagnose(document, wrong, options);
+        found.display.arrived = undone;
         outcome.path = arguments.out;
         if (font) outcome.bytes = sheet_png(arguments, *font, found, document.scene, wrong);
         all.push_back(diagnosed_picture(path, std::move(found), document.scene, wrong, threads));
@@ -177,6 +178,12 @@ Run declare_diagnose(Options& options) {
         "PICTURE", "pictures of the scene by another program, of any size (.png, .pfm, .exr)",
         [&pictures = arguments->pictures](const std::string& text) { pictures.push_back(text); });
     options.add_flag("--pairs", arguments->pairs, "also look for two mistakes at once");
+    options.add_value("--convention", "NAME", "the program has this convention; may be repeated",
+                      [&declared = arguments->conventions](const std::string& text) {
+                          std::vector<std::string> known;
+                          for (const ConventionName& c : convention_names()) known.emplace_back(c.name);
+                          declared.push_back(known[read_word("--convention", text, known)]);
+                      });
     options.add_value(
         "--apart", "A,B",
         "without PICTURE: find the change of the scene that separates these two to four mistakes",

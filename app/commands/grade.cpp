@@ -14,8 +14,8 @@
 #include "app/commands/command.h"
 #include "app/grade_report.h"
 #include "app/progress.h"
+#include "diagnose/arrived.h"
 #include "diagnose/diagnosis_format.h"
-#include "diagnose/diagnosis_table.h"
 #include "models/io/file.h"
 #include "models/memory_limit.h"
 #include "renderer/image/html_image.h"
@@ -59,8 +59,9 @@ void add_diagnosis(GradeRow& row, const DiagnosedPicture& diagnosed, const Scene
 
 /// Judges a picture. All that depends on the diagnosis is here.
 void judge_picture(GradeRow& row, const SceneDocument& document, Picture picture, int threads) {
-    const Picture shown = as_shown(std::move(picture), document.scene.display);
-    Diagnosis diagnosis = glint::diagnose(document, shown, {false, threads, {}});
+    const auto [shown, undone] = as_arrived(as_shown(std::move(picture), document.scene.display));
+    Diagnosis diagnosis = glint::diagnose(document, shown, {.threads = threads});
+    diagnosis.display.arrived = undone;
     const DiagnosedPicture diagnosed =
         diagnosed_picture("", std::move(diagnosis), document.scene, shown, threads);
     add_diagnosis(row, diagnosed, document.scene);

@@ -29,15 +29,16 @@ struct BufferCheck {
     PictureSize size;
     std::size_t compared = 0;                 // pixels; where there is none nothing is said of the buffers
     std::vector<std::string> agree;           // those before the first that differs
+    std::vector<std::string> conventions;     // what the program does differently and is not a mistake
     std::optional<BufferDifference> differs;  // the first
 };
 
 /// Draws the scene without mistakes at the size of the given buffers and compares. `given`: at least one of
-/// checked_buffers(), `linear` filled, all of one size.
+/// checked_buffers(), `linear` filled, all of one size. `in_world`: their vectors are in world coordinates.
 [[nodiscard]] BufferCheck check_buffers(const SceneDocument& document, const std::vector<PixelBuffer>& given,
-                                        int threads);
+                                        int threads, bool in_world = false);
 
-/// The result as text of at most three lines, and as JSON.
+/// The result as text, and as JSON.
 [[nodiscard]] std::string check_text(const BufferCheck& check);
 [[nodiscard]] std::string check_json(const BufferCheck& check);
 

@@ -13,15 +13,18 @@ namespace glint {
 struct ReadAt {
     double weight = 1;  // in the pixel's blend
     glm::dvec3 position{0}, normal{0}, view{0};
-    glm::dvec3 to_light{0};  // unit; 0 where the buffer is of no light
-    double distance = 0;     // to the light; 0: it is directional
+    glm::dvec3 to_light{0};               // unit; 0 where the buffer is of no light
+    double distance = 0;                  // to the light; 0: it is directional
+    glm::dvec3 falloff{1, 0, 0};          // of the light: constant, linear, quadratic
+    glm::dvec3 axis{0};                   // of its cone
+    double cutoff_deg = 0, exponent = 0;  // of its cone
     glm::dmat4 world_from_object{1};
 };
 
 /// One pixel of a wrong buffer.
 struct ReadPoint {
     glm::vec3 mine{0}, ours{0};  // what the buffer has, and what it should have
-    std::vector<ReadAt> at;      // what is blended
+    std::vector<ReadAt> at;      // the blended points
 };
 
 struct CheckFrames {
@@ -29,8 +32,22 @@ struct CheckFrames {
 };
 
 /// What kind of numbers a buffer holds.
-enum class BufferKind { Point, Depth, Normal, View, ToLight, Cosine, Color };
-/// Returns the kind that a buffer's name tells: ToLight for "l_3".
+enum class BufferKind {
+    Point,
+    Depth,
+    Normal,
+    View,
+    ToLight,
+    Cosine,
+    Distance,
+    Falloff,
+    Cone,
+    Mirrored,
+    Halfway,
+    Diffuse,
+    Color
+};
+/// Returns the kind of a buffer by its name: ToLight for "l_3".
 [[nodiscard]] BufferKind buffer_kind(const std::string& name);
 /// The index of the light in a buffer's name: 3 for "l_3" and "n_dot_l_3"; -1 for a buffer that does not
 /// belong to one light.

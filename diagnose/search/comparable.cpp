@@ -43,7 +43,7 @@ void mark_row(std::vector<std::uint8_t>& breaks, PictureSize size, int y, const 
     }
 }
 
-/// Whether a break between two neighbours lies within one pixel of (x, y).
+/// Whether a break between two neighbours is within one pixel of (x, y).
 bool near_break(const std::vector<std::uint8_t>& breaks, PictureSize size, int x, int y) {
     const int left = std::max(x - 2, 0), right = std::min(x + 1, size.width - 1);
     const int top = std::max(y - 2, 0), bottom = std::min(y + 1, size.height - 1);

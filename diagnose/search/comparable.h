@@ -1,5 +1,5 @@
 #pragma once
-// Which pixels of a scene's picture another program must have drawn alike, whatever it does at edges.
+// Which pixels of a scene's picture another program must have drawn equally, however it draws edges.
 
 #include <cstdint>
 #include <vector>

@@ -70,7 +70,7 @@ int DisplayChange::encodings() const { return steps_of(before) + steps_of(after)
 
 int DisplayChange::count() const {
     return int{upside_down} + int{mirrored} + int{red_blue} + int{encodings() != 0 || is_by_power()} +
-           int{gain != 1} + int{soft};
+           int{gain != 1} + int{gain < 0.33f || gain > 3} + int{soft};
 }
 
 std::array<DisplayChange, 4> ways_of_turning() {

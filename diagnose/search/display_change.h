@@ -17,8 +17,8 @@ namespace glint {
 /// Many programs encode by the power of 1 / 2.2 in place of sRGB's curve.
 inline constexpr double encoding_power = 2.2;
 
-/// A curve applied to what is shown: none, sRGB's (IEC 61966-2-1) from linear to encoded, the same back, or
-/// the power of 1 / encoding_power.
+/// A curve applied to the displayed numbers: none, sRGB's (IEC 61966-2-1) from linear to encoded, the same
+/// back, or the power of 1 / encoding_power.
 enum class Code { Same, Encoded, Decoded, Power };
 
 struct DisplayChange {
@@ -36,9 +36,9 @@ struct DisplayChange {
     /// How many encodings the picture has too many: -1, 0 or 1.
     [[nodiscard]] int encodings() const;
     [[nodiscard]] bool is_by_power() const { return after == Code::Power; }
-    /// How many things happened, noise left out: it is measured, not supposed.
+    /// How many things happened; a gain beyond 1/3 to 3 counts twice. Noise is measured, not supposed.
     [[nodiscard]] int count() const;
-    /// Levels by which noise may take a pixel from what it would be: four deviations, which one in 16,000
+    /// How far noise may move a pixel, in levels: four deviations, which one in 16,000
     /// exceeds.
     [[nodiscard]] float scatter() const { return 4 * noise; }
 };
@@ -64,7 +64,7 @@ template <class T>
     return {colour[changed_channel(change, 0)], colour[1], colour[changed_channel(change, 2)]};
 }
 
-/// Levels by which `level` lies outside of `low` to `high`.
+/// How far `level` is outside of `low` to `high`.
 template <Number F> [[nodiscard]] F levels_outside(F low, F high, F level) {
     return max0(max(low - level, level - high));
 }
@@ -81,7 +81,7 @@ struct ByteRange {
     [[nodiscard]] float from_middle(std::uint8_t byte) const {
         return std::abs(middle - static_cast<float>(byte));
     }
-    /// Levels by which the drawing itself is off, without the room that noise and softness leave.
+    /// How far the drawing itself is off, in levels, without the range for noise and softness.
     [[nodiscard]] float off(std::uint8_t byte) const {
         return is_clamped && static_cast<float>(byte) > middle ? 0 : from_middle(byte);
     }

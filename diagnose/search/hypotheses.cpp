@@ -3,104 +3,37 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <optional>
+#include <queue>
 
-#include "diagnose/search/cost_bound.h"
-#include "diagnose/search/resample.h"
 #include "models/scene/mistakes.h"
 
 namespace glint {
 namespace {
 
-constexpr std::size_t even_probes = 1200, probes_a_mistake = 24, changes_kept = 3;
-constexpr double free_in_probes = 8;
+constexpr std::size_t even_probes = 1500, wrong_probes = 1200, changes_kept = 3;
+constexpr std::size_t likely_in_many = 48;  // of a large batch, tried on all probes
+constexpr double free_in_probes = 12;
 
-/// Every n-th of some pixels, so that there are about `count`.
-void add_every(std::vector<Probe>& probes, const std::vector<std::size_t>& pixels, PictureSize size,
-               std::size_t count) {
-    const std::size_t step = std::max<std::size_t>(1, pixels.size() / std::max<std::size_t>(1, count));
-    const auto width = static_cast<std::size_t>(size.width);
-    for (std::size_t i = step / 2; i < pixels.size(); i += step)
-        probes.push_back({static_cast<int>(pixels[i] % width), static_cast<int>(pixels[i] / width)});
-}
-
-/// Probes from everywhere first, so that what is hopeless is seen soon.
-std::vector<Probe> shuffled(const std::vector<Probe>& probes) {
-    constexpr std::size_t stride = 7919;  // a prime
-    if (probes.size() % stride == 0) return probes;
-    std::vector<Probe> mixed;
-    for (std::size_t i = 0; i < probes.size(); ++i) mixed.push_back(probes[i * stride % probes.size()]);
-    return mixed;
-}
-
-int difference(const Picture& a, const Picture& b, std::size_t pixel) {
-    int most = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-        most = std::max(most, std::abs(int{a.rgba[4 * pixel + c]} - int{b.rgba[4 * pixel + c]}));
-    return most;
-}
-
-/// The pictures of a scene under each mistake alone, of those that change any.
-struct Singles {
-    std::vector<Picture> picture;  // that of no mistake first
-    std::vector<BareMask> bare;    // of each
-    std::vector<MistakeSet> mistakes;
-    std::vector<PixelKind> kinds;
-    std::vector<Probe> probes;
-};
-
-/// Probes everywhere, and where each mistake shows.
-std::vector<Probe> choose_probes(const Singles& s, PictureSize size) {
-    std::vector<std::size_t> surface;
-    for (std::size_t i = 0; i < s.kinds.size(); ++i)
-        if (s.kinds[i] == PixelKind::Surface) surface.push_back(i);
-    std::vector<Probe> probes;
-    add_every(probes, surface, size, even_probes);
-    for (std::size_t m = 1; m < s.picture.size(); ++m) {
-        std::vector<std::size_t> shows;
-        int most = 0;
-        for (const std::size_t i : surface) most = std::max(most, difference(s.picture[m], s.picture[0], i));
-        for (const std::size_t i : surface)
-            if (const int d = difference(s.picture[m], s.picture[0], i); d > 0 && 2 * d >= most)
-                shows.push_back(i);
-        add_every(probes, shows, size, probes_a_mistake);
-    }
-    return shuffled(probes);
-}
-
-Singles draw_singles(Renderer& renderer, const Scene& scene, PictureSize size,
-                     const DiagnosisProgress& progress) {
-    Singles s;
-    BareMasks masks;
-    const auto keep = [&](MistakeSet mistakes, const Picture& picture, BareMask bare) {
-        s.picture.push_back(picture);
-        s.bare.push_back(std::move(bare));
-        s.mistakes.push_back(std::move(mistakes));
-    };
-    const Picture& right = renderer.render(under_mistakes(scene, {}), size);
-    keep({}, right, masks.of(renderer, size));
-    s.kinds = pixel_kinds(renderer, size);
-    for (std::size_t m = 0; m < mistake_names().size(); ++m) {
-        if (progress) progress(m, mistake_names().size());
-        const Picture& picture = renderer.render(under_mistakes(scene, {m}), size);
-        BareMask bare = masks.of(renderer, size);
-        if (picture.rgba != s.picture[0].rgba)
-            keep({m}, picture, std::move(bare));  // else inert in this scene
-    }
-    return s;
-}
-
-/// Every curve that a display may have put its numbers through, with its gain to be found.
-std::vector<DisplayChange> curves() {
+/// Every curve that a display may have put its numbers through, with its gain to be found. `is_encoded`: the
+/// levels are, so that a gain of light is not one of levels.
+std::vector<DisplayChange> curves(bool is_encoded) {
     std::vector<DisplayChange> all;
     for (const auto& [before, after] : {std::pair{Code::Same, Code::Same},
                                         {Code::Encoded, Code::Same},
                                         {Code::Decoded, Code::Same},
                                         {Code::Same, Code::Encoded},
                                         {Code::Decoded, Code::Encoded}}) {
+        if (before == Code::Decoded && after == Code::Encoded && !is_encoded) continue;
         DisplayChange change;
         change.before = before;
         change.after = after;
@@ -110,21 +43,25 @@ std::vector<DisplayChange> curves() {
 }
 
 /// Every way in which colours may have got lost, with its gain to be found.
-std::vector<DisplayChange> all_changes() {
+std::vector<DisplayChange> all_changes(const std::array<bool, 4>& turns, bool is_encoded) {
     std::vector<DisplayChange> all;
-    for (DisplayChange change : curves())
-        for (int ways = 0; ways < 8; ++ways) {
-            change.upside_down = (ways & 1) != 0;
-            change.mirrored = (ways & 2) != 0;
-            change.red_blue = (ways & 4) != 0;
-            all.push_back(change);
+    for (DisplayChange change : curves(is_encoded))
+        for (const DisplayChange& turned : ways_of_turning()) {
+            if (!turns[way_turned(turned)]) continue;
+            change.upside_down = turned.upside_down;
+            change.mirrored = turned.mirrored;
+            for (const bool exchanged : {false, true}) {
+                change.red_blue = exchanged;
+                all.push_back(change);
+            }
         }
     return all;
 }
 
-IsBare is_bare(const BareMask& mask, PictureSize size) {
-    if (mask.empty()) return {};
-    return [&mask, size](int x, int y) { return mask[size.index(x, y)] != 0; };
+/// Whether a supposition encodes the levels, if the scene does not.
+bool encodes(const Supposition& e) {
+    return std::any_of(e.mistakes.begin(), e.mistakes.end(),
+                       [](std::size_t m) { return mistake_names()[m].flag == &Mistakes::encoded_twice; });
 }
 
 struct CostedChange {
@@ -134,131 +71,576 @@ struct CostedChange {
 
 /// Returns the excess above which a change costs more than `cost`. It is a hair larger, so that rounding
 /// never stops the trial of a change of equal cost early.
-double most_excess(double cost, std::size_t mistakes, const DisplayChange& change) {
+double most_excess(double cost, double belief, const DisplayChange& change) {
     constexpr double hair = 1 + 1e-9;
-    return std::exp2(cost - explanation_cost(1, 0, mistakes, change)) * hair - free_in_probes;
+    return std::exp2(cost - explanation_cost(1, 0, belief, change)) * hair - free_in_probes;
 }
+
+/// The range of gains that is believed together with an edit of the scene. Without an edit a wider range is
+/// believed.
+constexpr float least_gain = 0.33f, most_gain = 3.0f;
+bool is_believed(float gain, const DisplayChange& change, const Supposition& e) {
+    if (gain >= least_gain && gain <= most_gain) return true;
+    const bool alone = e.kind == ExplanationKind::Right && e.conventions.empty() && change.encodings() == 0;
+    return alone && gain > least_gain / 5 && gain < 5 * most_gain;
+}
+
+/// Probes, and what is known at them.
+struct Sample {
+    std::vector<Probe> probes;
+    BlockChoice blocks;
+    WrongProbes wrong;
+    DrawnProbes right;  // without conventions
+
+    Sample(std::vector<Probe> of, Drawings& drawings, const SearchJob& job)
+        : probes(std::move(of)),
+          blocks(blocks_of(probes, job.wrong.size)),
+          wrong(probes, job.wrong, job.kinds, job.noise) {
+        drawings.draw_blocks(blocks);
+        right = drawings.at_probes({}, probes);
+    }
+    Sample(const Sample&) = delete;  // Drawings remembers the address of the probes
+};
 
 /// Tries every change at the display, each with the gain that fits it, supposing that the picture was drawn
 /// as `drawn`. `enough(change)` returns the excess above which the cost does not matter. `take(change, cost)`
 /// receives a cost that is exact up to there.
 template <class Enough, class Take>
-void try_changes(std::size_t mistakes, const DrawnProbes& drawn, const WrongProbes& wrong,
-                 const Enough& enough, const Take& take) {
-    static const std::vector<DisplayChange> changes = all_changes();
-    constexpr float no_gain = 0.004f;
+void try_changes(const std::vector<DisplayChange>& changes, const Supposition& e, const DrawnProbes& drawn,
+                 const WrongProbes& wrong, const Enough& enough, const Take& take) {
+    constexpr float no_gain = 0.007f;  // less changes no level visibly
+    const bool may_be_soft = drawn.low != drawn.at;
     const auto attempt = [&](DisplayChange change) {
         change.noise = wrong.noise();
         const ByteBounds bounds = byte_bounds(change);
         for (const bool soft : {false, true}) {
+            if (soft && !may_be_soft) continue;
             change.soft = soft;
             const double excess = excess_at(drawn, wrong, change, bounds, enough(change));
-            take(change, explanation_cost(excess, free_in_probes, mistakes, change));
+            take(change, explanation_cost(excess, free_in_probes, e.belief, change));
         }
     };
     for (DisplayChange change : changes) {
         if (change.after == Code::Same) attempt(change);  // without a gain the others say the same
         const auto gain = fitted_gain(drawn, wrong, change);
-        if (!gain || std::abs(*gain - 1) < no_gain) continue;
+        if (!gain || std::abs(*gain - 1) < no_gain || !is_believed(*gain, change, e)) continue;
         change.gain = *gain;
         attempt(change);
     }
 }
 
-/// The likeliest things that happened at the display if the picture was drawn as `drawn`.
-Hypothesis judged(const MistakeSet& mistakes, const DrawnProbes& drawn, const WrongProbes& wrong) {
+/// The largest of the `count` smallest costs that were added so far; infinity while fewer were added.
+/// Several threads may add and ask at once.
+class CostBound {
+  public:
+    explicit CostBound(std::size_t count) : count_(count) {}
+
+    [[nodiscard]] double get() const { return bound_.load(std::memory_order_relaxed); }
+    void add(double cost) {
+        const std::lock_guard lock(mutex_);
+        smallest_.push(cost);
+        if (smallest_.size() > count_) smallest_.pop();
+        if (count_ > 0 && smallest_.size() == count_)
+            bound_.store(smallest_.top(), std::memory_order_relaxed);
+    }
+
+  private:
+    std::size_t count_;
+    std::mutex mutex_;
+    std::priority_queue<double> smallest_;
+    std::atomic<double> bound_ = std::numeric_limits<double>::infinity();
+};
+
+/// An explanation as it was drawn at the probes.
+struct Drawn {
+    Supposition explanation;
+    DrawnProbes at;
+    double cost = 0;  // of the likeliest change; one above the bound need not be exact
+    double misfit = std::numeric_limits<double>::infinity();  // its cost without what is supposed
+    std::vector<Supposition> same = {};
+};
+
+class Search {
+  public:
+    Search(Drawings& drawings, const SearchJob& job)
+        : drawings_(drawings),
+          job_(job),
+          changes_(all_changes(job.turns, drawings.right().display.transfer == Transfer::Srgb)),
+          encoded_changes_(all_changes(job.turns, true)),
+          bound_(job.count) {
+        choose_probes();
+        leave_out_exchanges();
+    }
+
+    std::vector<Hypothesis> likeliest() {
+        try_right();
+        if (!is_plainly_right()) {
+            try_singles();
+            if (!is_explained()) try_details();
+            if (job_.pairs && !is_explained()) try_pairs();
+            try_same();
+        }
+        drawings_.draw_blocks(nullptr);
+        return hypotheses();
+    }
+
+  private:
+    void choose_probes();
+    template <class TakeSome>
+    void draw_batch(std::vector<Supposition>& batch, const Sample& sample, CostBound& bound,
+                    const TakeSome& take_some);
+    void take(std::vector<Supposition> batch);
+    void keep(Drawn d);
+    void try_right();
+    void try_singles();
+    void add_conventions();
+    void try_details();
+    void try_pairs();
+    void try_same();
+    [[nodiscard]] std::vector<Convention> conventions_in(const Supposition& e) const;
+    [[nodiscard]] std::vector<Supposition> singles() const;
+    std::vector<Supposition> take_likely(std::vector<Supposition> batch, std::size_t count = likely_in_many);
+    void leave_out_exchanges();
+    std::vector<Hypothesis> hypotheses();
+    Hypothesis judged(const Drawn& drawn) const;
+    void find_cost(Drawn& drawn, const WrongProbes& wrong, const CostBound& bound) const;
+    [[nodiscard]] static bool fits(const Drawn& d) {
+        constexpr double few = 1;  // times the free excess
+        return d.misfit < std::log2((1 + few) * free_in_probes);
+    }
+    [[nodiscard]] bool is_plainly_right() const;
+    [[nodiscard]] bool shows_background_of(ToneCurve tone) const;
+    [[nodiscard]] bool is_explained() const {
+        return std::any_of(kept_.begin(), kept_.end(), [this](const Drawn& d) { return fits(d); });
+    }
+    /// Returns the explanation under the conventions that fit the right scene best.
+    [[nodiscard]] Supposition as_usual(const Supposition& e) const {
+        Supposition with = e;
+        for (const Convention& c : usual_) with = with_convention(with, c);
+        return with;
+    }
+    /// Adds the explanation as it is, and under the usual conventions; where these were declared, under them
+    /// only.
+    void add_as_usual(std::vector<Supposition>& to, const Supposition& e) const {
+        if (!are_declared_) to.push_back(e);
+        if (!usual_.empty()) to.push_back(as_usual(e));
+    }
+    [[nodiscard]] const std::vector<DisplayChange>& changes_for(const Supposition& e) const {
+        return encodes(e) ? encoded_changes_ : changes_;
+    }
+    void progress(std::size_t done, std::size_t all) const {
+        if (job_.progress) job_.progress(done, all);
+    }
+
+    Drawings& drawings_;
+    const SearchJob& job_;
+    std::vector<DisplayChange> changes_, encoded_changes_;  // the latter of what encodes()
+    std::optional<Sample> sample_, few_;                    // few_: a part of it, for many explanations
+    CostBound bound_;
+    std::vector<Drawn> kept_;              // the likeliest so far, the plain right one first
+    std::vector<Convention> conventions_;  // those that change the picture
+    std::vector<Convention> usual_;        // those that fit the right scene, or that the user declared
+    bool are_declared_ = false;
+};
+
+/// Every so many of a list, `count` at least where there are so many.
+template <class T> void add_every(std::vector<T>& to, const std::vector<T>& from, std::size_t count) {
+    const std::size_t step = std::max<std::size_t>(1, from.size() / count);
+    for (std::size_t i = step / 2; i < from.size(); i += step) to.push_back(from[i]);
+}
+
+/// Shuffled, always in the same way.
+template <class T> std::vector<T> mixed(std::vector<T> all) {
+    std::uint32_t state = 1;
+    for (std::size_t i = all.size(); i > 1; --i) {
+        // W. Press et al., Numerical Recipes; the lowest bits repeat soon.
+        constexpr std::uint32_t factor = 1664525, summand = 1013904223, low_bits = 8;
+        state = factor * state + summand;
+        std::swap(all[i - 1], all[(state >> low_bits) % i]);
+    }
+    return all;
+}
+
+/// The surface pixels of every `every`-th row.
+std::vector<Probe> surface_pixels(const SearchJob& job, int every) {
+    const PictureSize size = job.wrong.size;
+    std::vector<Probe> surface;
+    for (int y = every > 1 ? 1 : 0; y < size.height; y += every)
+        for (int x = 0; x < size.width; ++x)
+            if (job.kinds[size.index(x, y)] == PixelKind::Surface) surface.push_back({x, y});
+    return surface;
+}
+
+void Search::choose_probes() {
+    constexpr std::size_t rows_of_pixels = 40'000, wrong_blocks = 300, blocks_each = 20;
+    constexpr std::size_t least_in_block = 7, least_few = 200;
+    const PictureSize size = job_.wrong.size;
+    int every = std::max(3, static_cast<int>(3 * size.pixels() / rows_of_pixels));
+    if (every > 3 && size.height / every < 8) every = std::max(3, size.height / 8);
+    std::vector<Probe> surface = surface_pixels(job_, every);
+    if (surface.size() < 2 * even_probes) surface = surface_pixels(job_, 1);  // thin objects
+    std::vector<Probe> chosen;
+    add_every(chosen, surface, even_probes);
+    sample_.emplace(chosen, drawings_, job_);
+    // Where the picture differs from the right one under the display change that fits best so far.
+    const DisplayChange change = judged({{}, sample_->right, 0}).changes.front();
+    const ByteRanges ranges = byte_ranges(change);
+    const auto is_wrong = [&](const Probe& p) {
+        const Rgb mine = mine_at(job_.wrong, change, p.x, p.y);
+        const Rgb right = rgb_at(job_.right, size.index(p.x, p.y));
+        for (std::size_t c = 0; c < 3; ++c)
+            if (ranges[right[c]].distance(mine[c]) > 2) return true;
+        return false;
+    };
+    struct Block {
+        std::vector<Probe> inner, wrong;  // inner: not at the ends, which have neighbours in other blocks
+    };
+    std::map<std::size_t, Block> blocks;  // of 16 pixels of a row each
+    for (const Probe& p : surface_pixels(job_, 1)) {
+        constexpr int width = 16;
+        Block& block = blocks[size.index(p.x / width, p.y)];
+        if (p.x % width != 0 && p.x % width != width - 1) block.inner.push_back(p);
+        if (is_wrong(p)) block.wrong.push_back(p);
+    }
+    std::vector<std::vector<Probe>> even, with_wrong, few_blocks, all_wrong, wrong;
+    for (const auto& [place, block] : blocks) {
+        if (!block.wrong.empty()) all_wrong.push_back(block.wrong);
+        if (block.inner.size() < least_in_block) continue;
+        even.push_back(block.inner);
+        if (!block.wrong.empty()) with_wrong.push_back(block.inner);
+    }
+    const auto joined = [](const std::vector<std::vector<Probe>>& lists) {
+        std::vector<Probe> all;
+        for (const std::vector<Probe>& list : lists) all.insert(all.end(), list.begin(), list.end());
+        return all;
+    };
+    // Mixed, because a pattern of faces may repeat as often as blocks are taken.
+    add_every(wrong, mixed(all_wrong), wrong_blocks);
+    add_every(chosen, joined(wrong), wrong_probes);
+    sample_.emplace(mixed(chosen), drawings_, job_);  // so that bad explanations are rejected early
+    add_every(few_blocks, mixed(even), blocks_each);
+    add_every(few_blocks, mixed(with_wrong), blocks_each);
+    const std::vector<Probe> few = joined(few_blocks);
+    few_.emplace(mixed(few.size() < least_few ? chosen : few), drawings_, job_);
+}
+
+/// Red and blue are not exchanged where they differ as in the right picture.
+void Search::leave_out_exchanges() {
+    const auto differs_alike = [this](DisplayChange change) {
+        change.red_blue = false;
+        const ProbeLevels &right = sample_->right.at, &mine = sample_->wrong.at(change);
+        std::int64_t sum = 0;
+        for (std::size_t i = 0; i < right.size(); i += 3)
+            sum += std::int64_t{right[i] - right[i + 2]} * (mine[i] - mine[i + 2]);
+        return sum >= 0;
+    };
+    for (std::vector<DisplayChange>* changes : {&changes_, &encoded_changes_})
+        std::erase_if(*changes, [&](const DisplayChange& c) { return c.red_blue && differs_alike(c); });
+}
+
+void Search::find_cost(Drawn& d, const WrongProbes& wrong, const CostBound& bound) const {
+    constexpr double rounding = 1e-6;
+    double& least = d.cost = std::numeric_limits<double>::infinity();
+    const auto enough = [&](const DisplayChange& change) {
+        return most_excess(std::min(least, bound.get() + rounding), d.explanation.belief, change);
+    };
+    try_changes(changes_for(d.explanation), d.explanation, d.at, wrong, enough,
+                [&](const DisplayChange& change, double cost) {
+                    if (cost >= least) return;
+                    least = cost;
+                    // Softness leaves room for much, and a gain takes something away from any difference.
+                    // Beyond the bound the cost is not exact.
+                    const bool is_loose = change.soft || change.gain != 1 || cost > bound.get() + rounding;
+                    d.misfit = is_loose ? std::numeric_limits<double>::infinity()
+                                        : cost - d.explanation.belief - change.count();
+                });
+}
+
+/// Returns the likeliest display changes.
+Hypothesis Search::judged(const Drawn& d) const {
     std::vector<CostedChange> kept;
     const auto enough = [&](const DisplayChange& change) {
         if (kept.size() < changes_kept) return std::numeric_limits<double>::infinity();
-        return most_excess(kept.back().cost, mistakes.size(), change);
+        return most_excess(kept.back().cost, d.explanation.belief, change);
     };
-    try_changes(mistakes.size(), drawn, wrong, enough, [&](const DisplayChange& change, double cost) {
-        const auto after =
-            std::find_if(kept.begin(), kept.end(), [cost](const CostedChange& c) { return cost < c.cost; });
-        kept.insert(after, {change, cost});
-        if (kept.size() > changes_kept) kept.pop_back();
-    });
-    Hypothesis hypothesis{mistakes, {}, kept.front().cost};
+    try_changes(changes_for(d.explanation), d.explanation, d.at, sample_->wrong, enough,
+                [&](const DisplayChange& change, double cost) {
+                    const auto after = std::find_if(kept.begin(), kept.end(),
+                                                    [cost](const CostedChange& c) { return cost < c.cost; });
+                    kept.insert(after, {change, cost});
+                    if (kept.size() > changes_kept) kept.pop_back();
+                });
+    Hypothesis hypothesis{d.explanation, {}, d.same, kept.front().cost};
     for (const CostedChange& c : kept) hypothesis.changes.push_back(c.change);
     return hypothesis;
 }
 
-/// The cost of the likeliest change; one above `bound` need not be exact.
-double least_cost(std::size_t mistakes, const DrawnProbes& drawn, const WrongProbes& wrong,
-                  const CostBound& bound) {
-    double least = std::numeric_limits<double>::infinity();
-    const auto enough = [&](const DisplayChange& change) {
-        return most_excess(std::min(least, bound.get()), mistakes, change);
-    };
-    try_changes(mistakes, drawn, wrong, enough,
-                [&](const DisplayChange&, double cost) { least = std::min(least, cost); });
-    return least;
+/// Keeps an explanation, or adds it to one with the same picture.
+void Search::keep(Drawn d) {
+    const auto like = std::find_if(kept_.begin(), kept_.end(), [&d](const Drawn& k) { return k.at == d.at; });
+    if (like == kept_.end()) {
+        kept_.push_back(std::move(d));
+        return;
+    }
+    if (d.explanation.belief < like->explanation.belief) {
+        std::swap(d.explanation, like->explanation);
+        std::swap(d.cost, like->cost);
+        std::swap(d.misfit, like->misfit);
+    }
+    like->same.push_back(std::move(d.explanation));
 }
 
-/// An explanation as it was drawn at the probes.
-struct Drawn {
-    MistakeSet mistakes;
-    DrawnProbes at;
-    double cost = 0;  // least_cost()
-};
-
-/// Adds all pairs of mistakes that together show what neither shows alone. A mistake that changes nothing
-/// alone may have an effect beside another: exchanged coefficients bring a highlight, and then the vectors
-/// matter.
-void draw_pairs(std::vector<Drawn>& all, Renderer& renderer, const Scene& scene, PictureSize size, Singles& s,
-                const DiagnosisProgress& progress) {
-    const std::size_t n = mistake_names().size(), twos = n * (n - 1) / 2;
-    std::vector<std::size_t> alone(n);  // where each stands in `all`; what is inert is the right picture
-    for (std::size_t i = 1; i < s.mistakes.size(); ++i) alone[s.mistakes[i][0]] = i;
-    std::size_t done = 0;
-    for (std::size_t a = 0; a < n; ++a)
-        for (std::size_t b = a + 1; b < n; ++b) {
-            if (progress) progress(++done, twos);
-            const Picture& picture = renderer.render(under_mistakes(scene, {a, b}), size);
-            DrawnProbes at =
-                drawn_at(s.probes, picture, [&](int x, int y) { return renderer.object_at(x, y) < 0; });
-            if (at == all[alone[a]].at || at == all[alone[b]].at) continue;  // one hides the other
-            all.push_back({{a, b}, std::move(at)});
+/// Draws explanations at probes, some at a time, and passes those with an effect on `take_some`, with costs.
+template <class TakeSome>
+void Search::draw_batch(std::vector<Supposition>& batch, const Sample& sample, CostBound& bound,
+                        const TakeSome& take_some) {
+    constexpr std::size_t together = 128;
+    drawings_.draw_blocks(sample.blocks);
+    for (std::size_t first = 0; first < batch.size(); first += together) {
+        std::vector<Drawn> drawn;
+        for (std::size_t i = first; i < std::min(batch.size(), first + together); ++i) {
+            Drawn d{std::move(batch[i]), {}, 0};
+            d.at = drawings_.at_probes(d.explanation, sample.probes);
+            const bool is_plain = kept_.empty();
+            if (is_plain || d.at != sample.right) drawn.push_back(std::move(d));
         }
+        tbb::parallel_for(std::size_t{0}, drawn.size(), [&](std::size_t i) {
+            find_cost(drawn[i], sample.wrong, bound);
+            bound.add(drawn[i].cost);
+        });
+        take_some(std::move(drawn));
+    }
 }
 
-/// The first, and of the others the cheapest, `count` in all.
-std::vector<Hypothesis> likeliest(std::vector<Drawn>& all, const WrongProbes& wrong, std::size_t count) {
-    CostBound bound(count - 1);
-    tbb::parallel_for(std::size_t{1}, all.size(), [&](std::size_t i) {
-        all[i].cost = least_cost(all[i].mistakes.size(), all[i].at, wrong, bound);
-        bound.add(all[i].cost);
+bool is_cheaper(const Drawn& a, const Drawn& b) { return a.cost < b.cost; }
+
+/// Draws explanations, and keeps the likeliest.
+void Search::take(std::vector<Supposition> batch) {
+    draw_batch(batch, *sample_, bound_, [&](std::vector<Drawn> drawn) {
+        for (Drawn& d : drawn) keep(std::move(d));
+        std::stable_sort(kept_.begin() + 1, kept_.end(), is_cheaper);
+        kept_.resize(std::min(kept_.size(), 3 * job_.count));
     });
-    std::stable_sort(all.begin() + 1, all.end(),
-                     [](const Drawn& a, const Drawn& b) { return a.cost < b.cost; });
-    std::vector<Hypothesis> found(std::min(count, all.size()));
-    tbb::parallel_for(std::size_t{0}, found.size(),
-                      [&](std::size_t i) { found[i] = judged(all[i].mistakes, all[i].at, wrong); });
+}
+
+/// Tries the unedited scene with conventions and tone curves.
+void Search::try_right() {
+    take({Supposition{}});
+    const double plain = kept_.front().cost;
+    std::vector<Supposition> batch;
+    for (Convention c : conventions_of(drawings_.right())) {
+        const bool is_declared =
+            std::any_of(job_.declared.begin(), job_.declared.end(),
+                        [&c](const std::string& name) { return c.name.starts_with(name); });
+        if (is_declared) c.cost = 0;
+        const bool has_variants = c.name.find('=') != std::string::npos || c.name == "highlight_normalized";
+        if (is_declared && !has_variants) usual_.push_back(c);
+        const DrawnProbes at = drawings_.at_probes(with_convention({}, c), sample_->probes);
+        if (c.name != "specular_behind_surface" && at == kept_.front().at) continue;
+        conventions_.push_back(c);
+        batch.push_back(with_convention({}, c));
+    }
+    for (std::size_t a = 0; a < conventions_.size(); ++a)
+        for (std::size_t b = a + 1; b < conventions_.size(); ++b)
+            if (conventions_[a].name != conventions_[b].name)
+                batch.push_back(with_convention(with_convention({}, conventions_[a]), conventions_[b]));
+    for (const ToneCurve tone : all_tones) {
+        Supposition e;
+        e.tone = tone;
+        e.belief = 1;
+        batch.push_back(e);
+    }
+    are_declared_ = !usual_.empty();
+    if (are_declared_) batch.push_back(as_usual({}));
+    take(std::move(batch));
+    if (are_declared_) return;
+    // The conventions under which the right scene fits clearly better.
+    constexpr double clearly = 0.3;
+    for (const Drawn& d : kept_) {
+        if (d.explanation.conventions.empty() || d.cost > plain - clearly) continue;
+        usual_ = conventions_in(d.explanation);
+        break;
+    }
+}
+
+std::vector<Convention> Search::conventions_in(const Supposition& e) const {
+    std::vector<Convention> all;
+    for (const Convention& c : conventions_)
+        for (const std::string& name : e.conventions)
+            if (name == c.name + ": " + c.words) all.push_back(c);
+    return all;
+}
+
+bool Search::is_plainly_right() const {
+    for (const Drawn& d : kept_) {
+        if (d.explanation.kind != ExplanationKind::Right || !fits(d)) continue;
+        const DisplayChange change = judged(d).changes.front();
+        if (change.gain == 1 && change.encodings() == 0 && !change.soft) return true;
+    }
+    return false;
+}
+
+/// Whether the picture's background is the scene's background under the tone curve, and not the plain one.
+bool Search::shows_background_of(ToneCurve tone) const {
+    constexpr int near = 2;
+    const std::optional<Rgb> mine = background_of(job_.wrong, job_.kinds, {});
+    if (!mine) return false;
+    const Display& display = drawings_.right().display;
+    const glm::vec3 plain = display.background,
+                    shown = toned(tone, display.exposure * plain) / display.exposure;
+    const std::vector<std::uint8_t> bytes =
+        bytes_of_linear({plain.x, plain.y, plain.z, shown.x, shown.y, shown.z}, display);
+    return most_apart(*mine, {bytes[0], bytes[1], bytes[2]}) > near &&
+           most_apart(*mine, {bytes[4], bytes[5], bytes[6]}) <= near;
+}
+
+std::vector<Supposition> Search::singles() const {
+    const Scene& scene = drawings_.right();
+    std::vector<Supposition> all = left_out_edits(scene);
+    for (auto& list : {setting_edits(scene), mistake_edits(), all_lights_reversed(scene)})
+        all.insert(all.end(), list.begin(), list.end());
+    return all;
+}
+
+void Search::try_singles() {
+    const std::vector<Supposition> all = singles();
+    std::vector<Supposition> batch;
+    batch.reserve(2 * all.size());
+    for (const Supposition& e : all) add_as_usual(batch, e);
+    progress(1, 4);
+    const std::vector<Supposition> likeliest = take_likely(std::move(batch));
+    if (is_explained()) return;
+    progress(2, 4);
+    batch.clear();
+    for (const Convention& c : conventions_)
+        for (const Supposition& e : likeliest)
+            if (e.conventions.empty()) batch.push_back(with_convention(e, c));
+    (void)take_likely(std::move(batch));
+    if (is_explained()) return;
+    add_conventions();
+    if (is_explained()) return;
+    // Tone curves that the background shows.
+    batch.clear();
+    for (const ToneCurve tone : all_tones)
+        if (shows_background_of(tone))
+            for (Supposition e : all) {
+                e.tone = tone;
+                e.belief += 1;
+                batch.push_back(as_usual(e));
+            }
+    (void)take_likely(std::move(batch));
+}
+
+/// Adds conventions, one after another, to the likeliest explanations so far.
+void Search::add_conventions() {
+    constexpr int rounds = 3;
+    constexpr std::size_t few = 16;
+    for (int round = 0; round < rounds && !is_explained(); ++round) {
+        std::vector<Supposition> batch;
+        for (std::size_t i = 0; i < std::min(few, kept_.size()); ++i)
+            for (const Convention& c : conventions_) {
+                const Supposition& e = kept_[i].explanation;
+                const auto has = [&c](const std::string& name) { return name.starts_with(c.name + ":"); };
+                if (std::none_of(e.conventions.begin(), e.conventions.end(), has))
+                    batch.push_back(with_convention(e, c));
+            }
+        (void)take_likely(std::move(batch), few);
+    }
+}
+
+/// Tries other numbers, and mistakes in a single light, object or term.
+void Search::try_details() {
+    progress(3, 4);
+    const Scene& scene = drawings_.right();
+    const DisplayChange change = judged(kept_.front()).changes.front();
+    DisplayChange as_it_is = change;
+    as_it_is.gain = 1;
+    as_it_is.before = as_it_is.after = Code::Same;
+    as_it_is.soft = false;
+    const auto try_numbers = [&](const std::vector<Convention>& conventions) {
+        drawings_.draw_blocks(few_->blocks);
+        take(fitted_numbers(drawings_, few_->probes, few_->wrong.at(as_it_is), conventions));
+    };
+    if (!are_declared_) try_numbers({});
+    if (!usual_.empty() && !is_explained()) try_numbers(usual_);
+    std::vector<Supposition> batch, not_gated;
+    for (const Supposition& mistake : mistake_edits())
+        for (const Supposition& e : restricted(mistake, scene)) add_as_usual(batch, e);
+    const std::vector<Supposition> likeliest = take_likely(std::move(batch));
+    if (is_explained()) return;
+    for (const Supposition& e : likeliest)
+        for (const Convention& c : conventions_)
+            if (usual_.empty() && c.name == "specular_behind_surface")
+                not_gated.push_back(with_convention(e, c));
+    take(std::move(not_gated));
+    add_conventions();
+}
+
+/// Draws a large batch at few probes, and takes the likeliest. Returns these, the best first.
+std::vector<Supposition> Search::take_likely(std::vector<Supposition> batch, std::size_t count) {
+    std::vector<Drawn> drawn;
+    CostBound bound(count);
+    draw_batch(batch, *few_, bound, [&](std::vector<Drawn> some) {
+        drawn.insert(drawn.end(), std::move_iterator(some.begin()), std::move_iterator(some.end()));
+        std::stable_sort(drawn.begin(), drawn.end(), is_cheaper);
+        drawn.resize(std::min(drawn.size(), count));
+        progress(3, 4);
+    });
+    std::vector<Supposition> found;
+    found.reserve(drawn.size());
+    for (Drawn& d : drawn) found.push_back(std::move(d.explanation));
+    take(found);
+    return found;
+}
+
+void Search::try_pairs() {
+    constexpr int most_forms = 4;  // further forms are not tried in pairs
+    std::vector<Supposition> all;
+    for (std::size_t i = 0; i < mistake_names().size(); ++i)
+        for (int form = 0; form < std::min(form_count(mistake_names()[i]), most_forms); ++form)
+            all.push_back(mistake_edit(i, form));
+    std::vector<Supposition> batch;
+    for (std::size_t a = 0; a < all.size(); ++a)
+        for (std::size_t b = a + 1; b < all.size(); ++b)
+            if (all[a].mistakes != all[b].mistakes) batch.push_back(as_usual(pair_of(all[a], all[b])));
+    (void)take_likely(std::move(batch));
+}
+
+/// Tries all single edits under the conventions of the best explanation: some may give the same picture.
+void Search::try_same() {
+    const Supposition best = std::min_element(kept_.begin(), kept_.end(), is_cheaper)->explanation;
+    if (!is_explained() || best.kind == ExplanationKind::Right || best.conventions.empty()) return;
+    std::vector<Supposition> batch = singles();
+    for (Supposition& e : batch)
+        for (const Convention& c : conventions_in(best)) e = with_convention(e, c);
+    (void)take_likely(std::move(batch));
+}
+
+std::vector<Hypothesis> Search::hypotheses() {
+    // A few variants of each edit, so that the list has room for others.
+    constexpr int variants = 3;
+    std::map<std::string, int> count_of_name;
+    std::vector<const Drawn*> chosen;
+    for (const Drawn& d : kept_)
+        if (chosen.size() < job_.count &&
+            (d.explanation.kind == ExplanationKind::Right || ++count_of_name[d.explanation.name] <= variants))
+            chosen.push_back(&d);
+    std::vector<Hypothesis> found(chosen.size());
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) { found[i] = judged(*chosen[i]); });
     return found;
 }
 
 }  // namespace
 
-double explanation_cost(double excess, double free, std::size_t mistakes, const DisplayChange& change) {
-    // Where explanations are equal, one mistake is preferred to a change at the display, and that to two
-    // mistakes; softness, which leaves room for much, comes last.
+double explanation_cost(double excess, double free, double belief, const DisplayChange& change) {
+    // Softness, which leaves room for much, comes last.
     constexpr double nearly = 0.01;
-    const double preference = (mistakes == 1 ? 0 : nearly) + (change.soft ? nearly : 0);
-    return std::log2(excess + free) + static_cast<double>(mistakes) + change.count() + preference;
+    return std::log2(excess + free) + belief + change.count() + (change.soft ? nearly : 0);
 }
 
-std::vector<Hypothesis> likely_hypotheses(const Scene& scene, const Picture& wrong, float noise,
-                                          PictureSize at, bool pairs, std::size_t count, int threads,
-                                          const DiagnosisProgress& progress) {
-    Renderer renderer(threads);
-    Singles s = draw_singles(renderer, scene, at, pairs ? DiagnosisProgress() : progress);
-    s.probes = choose_probes(s, at);
-    const WrongProbes mine(s.probes, resampled(wrong, at), s.kinds, noise);
-    std::vector<Drawn> all;
-    for (std::size_t m = 0; m < s.mistakes.size(); ++m)
-        all.push_back({s.mistakes[m], drawn_at(s.probes, s.picture[m], is_bare(s.bare[m], at))});
-    if (pairs) draw_pairs(all, renderer, scene, at, s, progress);
-    return likeliest(all, mine, count);
+std::vector<Hypothesis> likely_hypotheses(Drawings& drawings, const SearchJob& job) {
+    Search search(drawings, job);
+    return search.likeliest();
 }
 
 }  // namespace glint

@@ -1,5 +1,3 @@
-#include "diagnose/search/noise.h"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -8,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "diagnose/search/softness.h"
+
 namespace glint {
 namespace {
 
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t responses = 16 * 255 + 1;
 
 /// The mask's amount in one channel at a pixel around which it is not of one colour; nothing where it is. The
-/// mask answers 0 to all that is linear or constant along rows or columns.
+/// mask answers 0 to levels that are linear or constant along rows or columns.
 std::optional<std::size_t> response_at(const Picture& picture, int x, int y, std::size_t channel) {
     constexpr std::array<int, 3> weight{1, -2, 1};
     const int middle = picture.rgba[4 * picture.pixel(x, y) + channel];
@@ -44,10 +44,10 @@ std::vector<std::uint16_t> answers_of(const Picture& picture, std::size_t channe
 
 /// Returns the median of the mask's absolute responses over all channels. Only responses inside areas count,
 /// not along lines: noise fills areas, but the mask also responds around edges between areas of one colour.
-/// Returns 0 if fewer than one response in four lies in an area.
+/// Returns 0 if fewer than one response in four is in an area.
 std::size_t median_response(const Picture& picture) {
     constexpr int apart = 3;          // beyond the mask's own width
-    constexpr std::size_t share = 4;  // of the answers; at least one of so many lies in an area
+    constexpr std::size_t share = 4;  // of the answers; at least one in this many is in an area
     std::array<std::uint64_t, responses> counts{};
     std::uint64_t all = 0, answered = 0;
     for (std::size_t c = 0; c < 3; ++c) {

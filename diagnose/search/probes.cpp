@@ -4,21 +4,17 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <memory>
 #include <numeric>
+#include <utility>
 
 namespace glint {
 
 RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel) {
     const int left = std::max(pixel.x - 1, 0), right = std::min(pixel.x + 1, picture.size.width - 1);
     RgbBounds bounds;
-    for (int y = std::max(pixel.y - 1, 0); y <= std::min(pixel.y + 1, picture.size.height - 1); ++y) {
-        const std::uint8_t* at = &picture.rgba[4 * picture.pixel(left, y)];
-        for (int x = left; x <= right; ++x, at += 4)
-            for (std::size_t c = 0; c < 3; ++c) {
-                bounds.low[c] = std::min(bounds.low[c], at[c]);
-                bounds.high[c] = std::max(bounds.high[c], at[c]);
-            }
-    }
+    for (int y = std::max(pixel.y - 1, 0); y <= std::min(pixel.y + 1, picture.size.height - 1); ++y)
+        for (int x = left; x <= right; ++x) bounds.add(rgb_at(picture, picture.pixel(x, y)));
     return bounds;
 }
 
@@ -51,14 +47,27 @@ RowBounds::RowBounds(const Picture& picture, int y) {
     high_ = among_neighbours(high, [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
 }
 
+BlockChoice blocks_of(const std::vector<Probe>& probes, PictureSize size) {
+    constexpr int block = 16;
+    const PictureSize in_blocks{(size.width + block - 1) / block, size.height};
+    std::vector<std::uint8_t> blocks(in_blocks.pixels());
+    for (const Probe& p : probes)
+        for (int y = std::max(p.y - 1, 0); y <= std::min(p.y + 1, size.height - 1); ++y)
+            for (const int x : {std::max(p.x - 1, 0), std::min(p.x + 1, size.width - 1)})
+                blocks[in_blocks.index(x / block, y)] = 1;
+    return std::make_shared<const std::vector<std::uint8_t>>(std::move(blocks));
+}
+
 DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture, const IsBare& is_bare) {
     DrawnProbes drawn;
-    for (const Probe& p : probes) {
+    for (ProbeLevels* levels : {&drawn.at, &drawn.low, &drawn.high}) levels->resize(3 * probes.size());
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        const Probe& p = probes[i];
         const auto [low, high] = bounds_around(picture, {p.x, p.y});
         const Rgb at = rgb_at(picture, picture.pixel(p.x, p.y));
-        drawn.at.insert(drawn.at.end(), at.begin(), at.end());
-        drawn.low.insert(drawn.low.end(), low.begin(), low.end());
-        drawn.high.insert(drawn.high.end(), high.begin(), high.end());
+        std::copy(at.begin(), at.end(), &drawn.at[3 * i]);
+        std::copy(low.begin(), low.end(), &drawn.low[3 * i]);
+        std::copy(high.begin(), high.end(), &drawn.high[3 * i]);
         if (is_bare) drawn.bare.push_back(is_bare(p.x, p.y) ? 1 : 0);
     }
     if (std::count(drawn.bare.begin(), drawn.bare.end(), 1) == 0) drawn.bare.clear();
@@ -136,7 +145,7 @@ WrongProbes::WrongProbes(const std::vector<Probe>& probes, const Picture& wrong,
 
 namespace {
 
-/// So many channels at a time are looked up, and then computed side by side.
+/// The number of channels that are looked up together, and then computed side by side.
 constexpr std::size_t block_probes = 16, block = 3 * block_probes;
 
 struct Block {
@@ -178,7 +187,7 @@ double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong, const Displ
     double sum = 0;
     for (std::size_t first = 0; first < mine.size() && sum <= enough; first += block) {
         const std::size_t count = std::min(block, mine.size() - first);
-        if (count < block) at = {};  // what there is no probe for counts nothing
+        if (count < block) at = {};  // channels without a probe count nothing
         for (std::size_t i = 0; i < count; ++i) {
             at.low[i] = bounds.low[lows[first + i]];
             at.high[i] = bounds.high[highs[first + i]];
@@ -216,20 +225,27 @@ const CodeTable& code_table(Code code) {
 std::vector<Pair> gain_pairs(const DrawnProbes& drawn, const WrongProbes& wrong,
                              const DisplayChange& change) {
     constexpr std::uint8_t least = 4, most = 250;
-    constexpr std::size_t enough = 200;
+    constexpr std::size_t enough = 80, few = 60;
     const CodeTable& before = code_table(change.before);
     const CodeTable& after = code_table(inverse(change.after));
     const ProbeLevels& mine = wrong.at(change);
     const std::size_t probes = mine.size() / 3, step = std::max<std::size_t>(1, probes / enough);
     std::vector<Pair> pairs;
     pairs.reserve(3 * (enough + enough));
-    for (std::size_t i = 0; i < probes; i += step) {
-        if (!drawn.bare.empty() && drawn.bare[i] != 0) continue;
-        for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
-            const std::uint8_t from = drawn.at[k], to = mine[k];
-            if (from < least || to < least || from > most || to > most) continue;
-            pairs.push_back({before[from], after[to], after[to] / before[from]});
+    const auto add_every = [&](std::size_t nth) {
+        for (std::size_t i = 0; i < probes; i += nth) {
+            if (!drawn.bare.empty() && drawn.bare[i] != 0) continue;
+            for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
+                const std::uint8_t from = drawn.at[k], to = mine[k];
+                if (from < least || to < least || from > most || to > most) continue;
+                pairs.push_back({before[from], after[to], after[to] / before[from]});
+            }
         }
+    };
+    add_every(step);
+    if (pairs.size() < few && step > 1) {  // most of the drawing is black or clamped
+        pairs.clear();
+        add_every(1);
     }
     return pairs;
 }

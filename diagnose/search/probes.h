@@ -33,6 +33,14 @@ using Rgb = std::array<std::uint8_t, 3>;
 /// Each channel's least and largest level among a pixel of a picture and those around it.
 struct RgbBounds {
     Rgb low{255, 255, 255}, high{};
+    void add(Rgb color) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            low[c] = std::min(low[c], color[c]);
+            high[c] = std::max(high[c], color[c]);
+        }
+    }
+    /// Levels between both in the channel in which they are farthest apart.
+    [[nodiscard]] int spread() const { return most_apart(low, high); }
 };
 [[nodiscard]] RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel);
 
@@ -53,6 +61,9 @@ struct Probe {
     int x = 0, y = 0;
 };
 
+/// The blocks that contain the probes and the eight pixels around each.
+[[nodiscard]] BlockChoice blocks_of(const std::vector<Probe>& probes, PictureSize size);
+
 /// Three channels of each probe in turn.
 using ProbeLevels = std::vector<std::uint8_t>;
 
@@ -68,14 +79,14 @@ using IsBare = std::function<bool(int x, int y)>;
                                    const IsBare& is_bare);
 
 /// Returns the colour that more than `share` of the scene's background pixels have in the wrong picture,
-/// within the noise of `change`; nothing if there is no such colour. Precondition: `share` is at least 0.5.
+/// within the noise of `change`; nothing if none has. Precondition: `share` is at least 0.5.
 /// Of `change`, only the noise and how the picture is turned over are used.
 [[nodiscard]] std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
                                                const DisplayChange& change, double share = 0.5);
 
 /// What the wrong picture must show where a mistake takes the surface away.
 struct Ground {
-    bool is_known = false;          // false: the scene shows no background; what is drawn there is compared
+    bool is_known = false;          // false: the scene shows no background; the drawing is compared there
     std::array<float, 3> levels{};  // of the wrong picture's channels. If its background is not one colour,
                                     // it is not this scene's: then they are levels that no byte has
 };
@@ -105,18 +116,18 @@ class WrongProbes {
 
 /// A difference up to this is a matter of rounding: it counts nothing.
 inline constexpr float free_levels = 1;
-/// What a difference of so many levels counts: its square beyond what is free, at most 16.
+/// The weight of a difference in levels: its square beyond the free levels, at most 16.
 template <Number F> [[nodiscard]] F excess_of(F levels) {
     const F beyond = max0(levels - F(free_levels));
     return min(beyond * beyond, F(16));
 }
 
-/// Sum of excess_of() over all channels of all probes; only as far as it is above `enough`. `bounds` are
+/// Sum of excess_of() over all channels of all probes; the sum stops once it exceeds `enough`. `bounds` are
 /// those of `change`.
 [[nodiscard]] double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong,
                                const DisplayChange& change, const ByteBounds& bounds, double enough);
 
-/// The gain under which `change` explains most channels; nothing where there is too little to tell it from.
+/// The gain under which `change` explains most channels; nothing if too few channels show it.
 [[nodiscard]] std::optional<float> fitted_gain(const DrawnProbes& drawn, const WrongProbes& wrong,
                                                const DisplayChange& change);
 

@@ -11,7 +11,7 @@ namespace {
 /// The colours that a picture may show at the pixels of a row, channels in the scene's order.
 class ExpectedRow {
   public:
-    /// `ranges` are those of `change`. All that is given but the last lives longer than this.
+    /// `ranges` are those of `change`. All arguments but the last must outlive this.
     ExpectedRow(const Picture& drawn, const BareMask* bare, const ByteRanges& ranges,
                 const DisplayChange& change, const Ground& ground, int y)
         : drawn_(drawn),
@@ -78,7 +78,7 @@ bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const Expecte
     return false;
 }
 
-/// Adds a pixel to `row`. Returns whether it is unlike what is explained. `misses`: count it as unlike
+/// Adds a pixel to `row`. Returns whether it is unlike the explanation. `misses`: count it as unlike
 /// although its colour is in the range that is explained.
 bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
                Rgb mine, glm::ivec2 at, bool misses) {
@@ -99,11 +99,12 @@ bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std:
     if (misses) row.excess += double(excess_of(off + 2 * visible_levels));
     ++row.compared;
     row.unlike += is_unlike ? 1 : 0;
+    row.far += off > clear_levels ? 1 : 0;
     row.wrong += is_wrong ? 1 : 0;
     row.explained += is_wrong && !is_unlike ? 1 : 0;
     row.off += is_wrong ? double(apart) : 0;
     row.off_right += is_wrong ? double(apart_right) : 0;
-    constexpr float of_open = 1.0f / 1024;  // such a pixel counts where no other tells anything
+    constexpr float of_open = 1.0f / 1024;  // such a pixel counts only if no other is decisive
     if (open) told *= of_open;
     if (told > row.told_best) {
         row.told_best = told;
@@ -115,6 +116,7 @@ bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std:
 void add(Score& all, const Score& row) {
     all.compared += row.compared;
     all.unlike += row.unlike;
+    all.far += row.far;
     all.wrong += row.wrong;
     all.explained += row.explained;
     all.excess += row.excess;

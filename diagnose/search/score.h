@@ -38,6 +38,7 @@ struct Exhibit {
 struct Score {
     std::uint64_t compared = 0;     // pixels
     std::uint64_t unlike = 0;       // that differ by more than visible_levels in some channel
+    std::uint64_t far = 0;          // of those that are unlike, those by more than clear_levels
     std::uint64_t solid = 0;        // of those that are unlike, those whose four neighbours are so too
     std::uint64_t wrong = 0;        // that differ so from the right picture
     std::uint64_t explained = 0;    // of these, those that the explanation shows
@@ -61,6 +62,8 @@ struct Score {
 
 /// Another program may differ by so many levels.
 inline constexpr float visible_levels = 2;
+/// A difference by more is seen at a glance.
+inline constexpr float clear_levels = 6;
 
 /// `step`: only every so many rows are looked at. `solid` is filled in when all are and few pixels are
 /// unlike.

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -230,21 +231,33 @@ template <class ColorAt> Steps steps_of(const Exhibit& e, const ColorAt& color_a
     return steps;
 }
 
-/// Whether the wrong picture has as hard steps at its silhouettes as the drawing has.
-bool has_hard_edges(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
-    constexpr int least = 20;
-    constexpr double as_hard = 0.6;
+/// The hardness of the steps at silhouettes, in the drawing and in the wrong picture.
+std::pair<Steps, Steps> steps_at_silhouettes(const Exhibit& e, const Drawing& drawn,
+                                             const DisplayChange& change) {
     const int flat = 4 + static_cast<int>(2 * change.noise);
     const PictureSize size = e.right.size;
-    const Steps ours = steps_of(
-        e, [&](glm::ivec2 at) { return rgb_at(drawn.picture, size.index(at.x, at.y)); }, flat);
-    if (ours.hard < least) return false;
-    const Steps theirs = steps_of(
-        e, [&](glm::ivec2 at) { return mine_at(e.wrong, change, at.x, at.y); }, flat);
-    return theirs.share_hard() >= as_hard * ours.share_hard();
+    return {steps_of(
+                e, [&](glm::ivec2 at) { return rgb_at(drawn.picture, size.index(at.x, at.y)); }, flat),
+            steps_of(
+                e, [&](glm::ivec2 at) { return mine_at(e.wrong, change, at.x, at.y); }, flat)};
+}
+
+/// Whether the wrong picture has as hard steps at its silhouettes as the drawing has.
+bool has_hard_edges(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    constexpr int enough_steps = 20;
+    constexpr double as_hard = 0.6;
+    const auto [ours, theirs] = steps_at_silhouettes(e, drawn, change);
+    return ours.hard >= enough_steps && theirs.share_hard() >= as_hard * ours.share_hard();
 }
 
 }  // namespace
+
+bool has_smooth_edges(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
+    constexpr double as_smooth = 0.7, by_chance = 3;  // standard deviations
+    const auto [ours, theirs] = steps_at_silhouettes(e, drawn, change);
+    const double expected = theirs.all * ours.share_hard(), missing = expected - theirs.hard;
+    return theirs.hard < as_smooth * expected && missing > by_chance * std::sqrt(expected);
+}
 
 glm::vec2 fitted_shift(const Exhibit& e, const Picture& drawn, const DisplayChange& change, int rows) {
     const ByteRanges ranges = byte_ranges(change);

@@ -11,6 +11,10 @@ namespace glint {
 [[nodiscard]] glm::vec2 fitted_shift(const Exhibit& exhibit, const Picture& drawn,
                                      const DisplayChange& change, int rows = 1);
 
+/// Whether the wrong picture's silhouettes are much softer than those of the drawing: they are anti-aliased.
+[[nodiscard]] bool has_smooth_edges(const Exhibit& exhibit, const Drawing& drawn,
+                                    const DisplayChange& change);
+
 /// Whether the wrong picture was neither blurred nor resampled: it steps from one side of a silhouette to the
 /// other as hard as the drawing does, and no shift explains most of what differs on surfaces. False where the
 /// drawing has too few such steps to tell.
@@ -22,5 +26,13 @@ namespace glint {
 /// the kernel must explain most of the difference. Returns false if is_hard(). Precondition: `change` is
 /// soft.
 [[nodiscard]] bool may_be_softened(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
+
+// Noise: of a renderer that samples, of dithering, of a camera.
+
+/// Returns the standard deviation, in levels, of noise that is independent from pixel to pixel; 0 where the
+/// picture has little, or not clearly more than `right`, which has none. `wrong` and `right` have one size.
+/// Source: J. Immerkær, Fast Noise Variance Estimation, Computer Vision and Image Understanding 64(2), 1996.
+/// We take the median in place of the mean, and only over areas: edges and creases are few pixels, in lines.
+[[nodiscard]] float noise_of(const Picture& wrong, const Picture& right);
 
 }  // namespace glint

@@ -113,6 +113,34 @@ constexpr Choice choice_of(TransportModel model) {
     return {};
 }
 
+constexpr Choice choice_of(ScopeLights lights) {
+    switch (lights) {
+    case ScopeLights::All:
+        return {"all", "All", "All lights"};
+    case ScopeLights::Directional:
+        return {"directional", "Directional", "Directional lights"};
+    case ScopeLights::Point:
+        return {"point", "Point", "Point lights"};
+    case ScopeLights::Spot:
+        return {"spot", "Spot", "Spots"};
+    case ScopeLights::Area:
+        return {"area", "Area", "Area lights"};
+    }
+    return {};
+}
+
+constexpr Choice choice_of(ScopeTerm term) {
+    switch (term) {
+    case ScopeTerm::All:
+        return {"all", "All", "All terms"};
+    case ScopeTerm::Diffuse:
+        return {"diffuse", "Diffuse", "The diffuse term"};
+    case ScopeTerm::Specular:
+        return {"specular", "Specular", "The highlight"};
+    }
+    return {};
+}
+
 constexpr Choice choice_of(Transfer transfer) {
     switch (transfer) {
     case Transfer::None:

@@ -247,6 +247,23 @@ template <Of<Mistakes> M, class Visit> void fields(M& m, Visit&& visit) {
     for (const MistakeName& mistake : mistake_names())
         visit(Row{mistake.name, mistake.name.data(), mistake.what.data()}.omitted_by_default(), Switch{},
               m.*mistake.flag);
+    visit(Row{"form", "Form", "Which form of a mistake that has several, from 0"}.omitted_by_default(),
+          Count{0, axes_forms - 1}, m.form);
+    visit(
+        Row{"highlight_form", "Highlight", "Which form of highlight_normalized, from 0"}.omitted_by_default(),
+        Count{0, 3}, m.highlight_form);
+    const Count index_or_all{-1, 1'000'000};
+    visit(Row{"only_light", "Only light", "Mistakes are made for this light only; -1: for all"}
+              .omitted_by_default(),
+          index_or_all, m.only.light);
+    visit(Row{"only_lights", "Only lights", "Mistakes are made for lights of this type only"}
+              .omitted_by_default(),
+          OneOf{}, m.only.lights);
+    visit(Row{"only_object", "Only object", "Mistakes are made on this object only; -1: on all"}
+              .omitted_by_default(),
+          index_or_all, m.only.object);
+    visit(Row{"only_term", "Only term", "Mistakes are made in this term only"}.omitted_by_default(), OneOf{},
+          m.only.term);
 }
 
 constexpr bool is_table_size(int entries) { return entries != 1; }

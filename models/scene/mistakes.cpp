@@ -1,5 +1,6 @@
 #include "models/scene/mistakes.h"
 
+#include <algorithm>
 #include <array>
 
 namespace glint {
@@ -9,10 +10,13 @@ constexpr std::array names{
     MistakeName{"unnormalized_light", &Mistakes::unnormalized_light, MistakeStage::Equation,
                 SeenAs::WrongBrightness, "The vector to the light keeps its length in n·l, r and h.",
                 "Surfaces far from the light get brighter, and highlights grow into blots.",
-                "no_clamp_of_cosine falloff_inverted", "openFrameworks#6221"},
+                "no_clamp_of_cosine falloff_inverted", "openFrameworks#6221",
+                "in n·l, r and h|in the cone of a spot, too|not of directional lights|"
+                "in the cone of a spot, too, and not of directional lights"},
     MistakeName{"unnormalized_half", &Mistakes::unnormalized_half, MistakeStage::Equation,
                 SeenAs::WrongHighlight, "h = (l + v)/2, as the lecture first writes it, is not normalized.",
-                "Highlights shrink and darken where l and v diverge.", "", "openFrameworks#6221"},
+                "Highlights shrink and darken where l and v diverge.", "", "openFrameworks#6221",
+                "half of l + v|l + v"},
     MistakeName{"specular_behind_surface", &Mistakes::specular_behind_surface, MistakeStage::Equation,
                 SeenAs::WrongHighlight, "n·l is not tested before the highlight is added.",
                 "A highlight shines on the side that the light cannot reach.",
@@ -107,7 +111,8 @@ constexpr std::array names{
     MistakeName{"light_direction_reversed", &Mistakes::light_direction_reversed, MistakeStage::Lights,
                 SeenAs::WrongSide, "l = −l for directional lights.",
                 "The sun lights the side that faces away from it.", "normals_flipped",
-                "gamedev.net \"Directional Lighting Question\""},
+                "gamedev.net \"Directional Lighting Question\"",
+                "directional lights|bulbs and spots|bulbs and spots, in their cones too"},
     MistakeName{"aim_stays_at_origin", &Mistakes::aim_stays_at_origin, MistakeStage::Lights,
                 SeenAs::WrongReach,
                 "A spot points from its position to the world's origin, regardless of its `direction`.",
@@ -126,7 +131,7 @@ constexpr std::array names{
     MistakeName{"last_light_only", &Mistakes::last_light_only, MistakeStage::Lights, SeenAs::WrongBrightness,
                 "Each light overwrites the one before: only the last enabled one counts.",
                 "Lights are missing; if the last one is switched off, another one appears.", "",
-                "Software Engineering SE \"Combination lighting shader\""},
+                "Software Engineering SE \"Combination lighting shader\"", "the last light|the first light"},
     MistakeName{"average_of_lights", &Mistakes::average_of_lights, MistakeStage::Lights,
                 SeenAs::WrongBrightness, "The lights' shares are divided by the number of enabled lights.",
                 "Every light that is added makes the others darker.", "missing_pi last_light_only",
@@ -159,7 +164,8 @@ constexpr std::array names{
                 SeenAs::WrongBrightness,
                 "Normals keep the length that they have in the file, and scaling changes it.",
                 "Brightness follows the length, so that small objects are too bright.",
-                "interpolated_normals_not_normalized", "GL_NORMALIZE threads; openFrameworks#6221"},
+                "interpolated_normals_not_normalized", "GL_NORMALIZE threads; openFrameworks#6221",
+                "the highlight's cosine may exceed 1|it is clamped to 1"},
     MistakeName{"normals_by_model_matrix", &Mistakes::normals_by_model_matrix, MistakeStage::Normals,
                 SeenAs::WrongSide,
                 "Normals are transformed by the matrix of the points instead of its inverse transpose.",
@@ -190,7 +196,8 @@ constexpr std::array names{
     MistakeName{"normals_as_points", &Mistakes::normals_as_points, MistakeStage::Normals, SeenAs::WrongSide,
                 "Normals are transformed like points, with w = 1 and translation, and normalized afterwards.",
                 "Objects far from the eye are lit evenly, as flat as a cut-out.",
-                "no_normals_given normals_by_model_matrix", "Khronos forum \"GLSL per-vertex Phong\""},
+                "no_normals_given normals_by_model_matrix", "Khronos forum \"GLSL per-vertex Phong\"",
+                "of view and model|of the model alone, in a program that lights in world coordinates"},
     MistakeName{
         "some_faces_flipped", &Mistakes::some_faces_flipped, MistakeStage::Normals, SeenAs::WrongFaces,
         "Every third facet in the file's order, from the first on, has reversed normals.",
@@ -223,11 +230,155 @@ constexpr std::array names{
                 "The displayed value is not clamped: the byte is floor(255 x + ½) modulo 256.",
                 "Black or oddly coloured blots in the middle of areas that are too bright.",
                 "power_zero_is_nan", "TinyRenderer's wiki, \"Visual troubleshooting\""},
+    MistakeName{"power_of_negative_is_nan", &Mistakes::power_of_negative_is_nan, MistakeStage::Equation,
+                SeenAs::SpotsAndHoles,
+                "pow() of a negative cosine is NaN: where r·v (or n·h) is below 0 the pixel is NaN.",
+                "Parts that have no highlight are black, ambient light included.", "power_zero_is_nan",
+                "three.js#5626", "shown black|shown white"},
+    MistakeName{"half_lambert", &Mistakes::half_lambert, MistakeStage::Equation, SeenAs::WrongSide,
+                "(1 + n·l) / 2 in place of max(n·l, 0).",
+                "Light wraps around to the side away from the light.", "absolute_cosine", "godot#65515",
+                "plain|squared"},
+    MistakeName{"specular_without_cosine", &Mistakes::specular_without_cosine, MistakeStage::Equation,
+                SeenAs::WrongHighlight, "Cook–Torrance's term is not multiplied by n·l.",
+                "Highlights glare where light grazes the surface.", "fresnel_of_view_angle", "QGIS#65961"},
+    MistakeName{"fresnel_of_view_angle", &Mistakes::fresnel_of_view_angle, MistakeStage::Equation,
+                SeenAs::WrongHighlight, "Fresnel's factor takes n·v in place of v·h.",
+                "Highlights brighten towards the silhouette.", "specular_without_cosine", ""},
+    MistakeName{"ambient_not_attenuated", &Mistakes::ambient_not_attenuated, MistakeStage::Equation,
+                SeenAs::WrongReach, "A light's ambient share does not follow its falloff and cone.",
+                "Far from a lamp and outside of its cone it is too light.", "ambient_per_light_added_twice",
+                "castle-model-viewer#15"},
+    MistakeName{
+        "position_is_direction", &Mistakes::position_is_direction, MistakeStage::Lights, SeenAs::WrongSide,
+        "The position of a bulb or spot is used as the direction to it: the point is not subtracted.",
+        "A lamp shines like a sun: everything is lit from one side.", "light_in_wrong_space", "gama.old#1711",
+        "its direction, at the true distance|the place in camera coordinates, at the true "
+        "distance|its direction and its length|the place in camera coordinates and its length"},
+    MistakeName{"distance_is_one", &Mistakes::distance_is_one, MistakeStage::Lights, SeenAs::WrongReach,
+                "The distance is taken after l was normalised, so that it is 1 everywhere.",
+                "Brightness does not fall off with the distance.", "falloff_forgotten", "many-lights-gi#1"},
+    MistakeName{"distance_includes_w", &Mistakes::distance_includes_w, MistakeStage::Lights,
+                SeenAs::WrongReach,
+                "The length is that of the four components (L − P, 1), in l and in the falloff.",
+                "Surfaces near a lamp are too dark.", "unnormalized_light", "three.js#33679"},
+    MistakeName{"divided_by_square", &Mistakes::divided_by_square, MistakeStage::Lights, SeenAs::WrongReach,
+                "l is divided by l·l in place of its length.",
+                "What is farther than one unit from a lamp is too dark, what is nearer too bright.",
+                "unnormalized_light", "ray4#11", "l|l and v"},
+    MistakeName{"distance_across_spaces", &Mistakes::distance_across_spaces, MistakeStage::Lights,
+                SeenAs::MovesWithCamera,
+                "The distance for the falloff is between the light in world coordinates and the point in "
+                "camera coordinates.",
+                "Lamps brighten and fade as the camera moves.", "falloff_inverted", "habitat-sim#961"},
+    MistakeName{"spot_direction_left_in_world", &Mistakes::spot_direction_left_in_world, MistakeStage::Lights,
+                SeenAs::MovesWithCamera,
+                "A spot's axis is not transformed to camera coordinates; its position is.",
+                "The pool of light swings as the camera orbits.", "aim_stays_at_origin", "lwjglbook#24"},
+    MistakeName{"ambient_without_material", &Mistakes::ambient_without_material, MistakeStage::Materials,
+                SeenAs::WrongBrightness, "Ambient light is added without k_a.",
+                "Shadows have the colour of the light instead of the object's.",
+                "ambient_per_light_added_twice", "VulkanSceneGraph#432",
+                "the global ambient light|all ambient light"},
+    MistakeName{"highlight_tinted", &Mistakes::highlight_tinted, MistakeStage::Materials,
+                SeenAs::WrongHighlight,
+                "The whole sum, highlight included, is multiplied by the object's diffuse colour.",
+                "Highlights are dull and have the object's colour.", "coefficients_swapped",
+                "LearnOpenGL, \"Basic Lighting\""},
+    MistakeName{
+        "highlight_normalized", &Mistakes::highlight_normalized, MistakeStage::Materials,
+        SeenAs::WrongHighlight, "The highlight is multiplied by (n + 8) / 8π, n the shininess.",
+        "Sharp highlights are too bright, wide ones too dark.", "", "godot#50455",
+        "(n + 8) / 8π|(n + 2) / 2π|(n + 2) / 8|(n + 2) / 8, n·l and Fresnel's factor, as in three.js"},
+    MistakeName{"alpha_not_squared", &Mistakes::alpha_not_squared, MistakeStage::Materials,
+                SeenAs::WrongHighlight,
+                "The width of the microfacets is the roughness instead of its square.",
+                "Highlights are too wide, most of all on smooth surfaces.", "", "three.js#8348",
+                "the roughness itself|its fourth power"},
+    MistakeName{"normals_without_model", &Mistakes::normals_without_model, MistakeStage::Normals,
+                SeenAs::WrongSide,
+                "Normals are transformed by the view alone; the model's matrix is missing.",
+                "Shading does not turn with the object.", "normals_left_in_object", "thunder#61"},
+    MistakeName{"normals_by_inverse", &Mistakes::normals_by_inverse, MistakeStage::Normals, SeenAs::WrongSide,
+                "Normals are transformed by the inverse of the matrix, not transposed.",
+                "Rotations turn the shading the wrong way.", "normals_by_model_matrix",
+                "cocos2d-objc#1214; Terasology#3885",
+                "of view and model|of the model alone|the view transposed"},
+    MistakeName{"normals_by_projection", &Mistakes::normals_by_projection, MistakeStage::Normals,
+                SeenAs::WrongSide,
+                "Normals are transformed by the inverse transpose of projection, view and model.",
+                "Everything is nearly of one brightness, or black.", "normals_as_points", "tinyrenderer#155",
+                "the inverse transpose|the matrix itself"},
+    MistakeName{"facet_normals_of_screen_points", &Mistakes::facet_normals_of_screen_points,
+                MistakeStage::Normals, SeenAs::WrongFaces,
+                "A facet's cross product is taken of projected corners: all normals point to the viewer.",
+                "All facets are lit alike.", "no_normals_given", "tinyrenderer#47"},
+    MistakeName{"cross_component_wrong", &Mistakes::cross_component_wrong, MistakeStage::Normals,
+                SeenAs::WrongFaces, "One component of a facet's cross product has the wrong sign.",
+                "Facets are lit as if mirrored.", "cross_reversed", "tinyrenderer#120", "y|x|z"},
+    MistakeName{"facet_normal_of_first_corners", &Mistakes::facet_normal_of_first_corners,
+                MistakeStage::Normals, SeenAs::WrongFaces,
+                "The normal of a polygon comes from its first three corners.",
+                "Single polygons with a notch are lit from behind.", "some_faces_flipped", "Elements#652"},
+    MistakeName{"last_facet_wins", &Mistakes::last_facet_wins, MistakeStage::Normals, SeenAs::WrongFaces,
+                "A vertex has the normal of its last facet instead of the average.",
+                "Smooth surfaces look torn, with streaks across the faces.", "some_faces_flipped",
+                "pycollada#37"},
+    MistakeName{"normals_axes_exchanged", &Mistakes::normals_axes_exchanged, MistakeStage::Normals,
+                SeenAs::WrongSide, "Components of the normals are exchanged or negated: y and z exchanged.",
+                "The light seems to come from another axis.", "normals_flipped", "rviz#339", "axes"},
+    MistakeName{"positions_as_normals", &Mistakes::positions_as_normals, MistakeStage::Normals,
+                SeenAs::WrongFaces, "The position attribute is bound as the normal.",
+                "Flat faces are shaded as if bulging from the object's origin.", "normals_left_in_object",
+                "raylib#1865"},
+    MistakeName{"normals_by_position_index", &Mistakes::normals_by_position_index, MistakeStage::Normals,
+                SeenAs::WrongFaces, "Normals are looked up by the position's index.",
+                "Single faces have the shading of others.", "last_facet_wins", "Pangolin#502"},
+    MistakeName{"interpolated_lengths", &Mistakes::interpolated_lengths, MistakeStage::Normals,
+                SeenAs::WrongSide,
+                "Corner normals are interpolated with their lengths, and made unit at the pixel only.",
+                "Shading leans towards corners with long normals.", "unnormalized_normals", "cesium#6008"},
+    MistakeName{"zero_normal_is_nan", &Mistakes::zero_normal_is_nan, MistakeStage::Normals,
+                SeenAs::SpotsAndHoles, "A corner without a normal makes its faces NaN.",
+                "Single faces are black.", "power_zero_is_nan", "bevy#10905"},
 };
 
 }  // namespace
 
 std::span<const MistakeName> mistake_names() { return names; }
+
+int form_count(const MistakeName& mistake) {
+    if (mistake.flag == &Mistakes::normals_axes_exchanged) return axes_forms;
+    return 1 + static_cast<int>(std::count(mistake.forms.begin(), mistake.forms.end(), '|'));
+}
+
+std::string form_words(const MistakeName& mistake, int form) {
+    if (mistake.flag == &Mistakes::normals_axes_exchanged) {
+        const AxesForm axes = axes_form(form);
+        std::string words = "(";
+        for (int i = 0; i < 3; ++i) {
+            words += axes.sign[i] < 0 ? "-" : "";
+            words += "xyz"[axes.from[i]];
+            words += i < 2 ? ", " : ") for (x, y, z)";
+        }
+        return words;
+    }
+    std::string_view left = mistake.forms;
+    for (int i = 0; i < form; ++i) left.remove_prefix(std::min(left.size(), left.find('|') + 1));
+    return std::string(left.substr(0, left.find('|')));
+}
+
+AxesForm axes_form(int form) {
+    constexpr int orders[6][3] = {{0, 2, 1}, {0, 1, 2}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    const int code = form < 8 ? form : form + 1;  // the identity is left out
+    const int* order = orders[code / 8 % 6];
+    AxesForm axes{};
+    for (int i = 0; i < 3; ++i) {
+        axes.from[i] = order[i];
+        axes.sign[i] = (code >> i & 1) != 0 ? -1 : 1;
+    }
+    return axes;
+}
 
 std::string_view heading_of(SeenAs seen_as) {
     switch (seen_as) {

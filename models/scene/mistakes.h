@@ -3,6 +3,7 @@
 // program does, how to recognize it, and where people asked about it.
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "models/scene/shading.h"
@@ -39,9 +40,22 @@ struct MistakeName {
     std::string_view looks;        // how to recognize it in a picture
     std::string_view look_alikes;  // names of mistakes that look similar, separated by spaces
     std::string_view sources;      // threads that ask about it, separated by "; "; may be empty
+    std::string_view forms = {};   // names of its forms, separated by "|"; empty if it has one
 };
 
 /// All of them, in the order of struct Mistakes.
 [[nodiscard]] std::span<const MistakeName> mistake_names();
+
+/// The number of forms of a mistake, at least 1, and the name of one of them; empty if it has only one.
+[[nodiscard]] int form_count(const MistakeName& mistake);
+[[nodiscard]] std::string form_words(const MistakeName& mistake, int form);
+
+/// A form of normals_axes_exchanged: a permutation of the axes with signs. All but the identity exist.
+struct AxesForm {
+    int from[3];  // the source of each component
+    int sign[3];  // 1 or -1
+};
+inline constexpr int axes_forms = 47;
+[[nodiscard]] AxesForm axes_form(int form);
 
 }  // namespace glint

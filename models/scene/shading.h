@@ -18,6 +18,21 @@ struct Terms {
     bool operator==(const Terms&) const = default;
 };
 
+enum class ScopeLights { All, Directional, Point, Spot, Area };
+enum class ScopeTerm { All, Diffuse, Specular };
+
+/// The only part of the picture in which mistakes are made. An index of -1 means all.
+struct MistakeScope {
+    int light = -1, object = -1;
+    ScopeLights lights = ScopeLights::All;
+    ScopeTerm term = ScopeTerm::All;
+    constexpr bool is_of_light() const {
+        return light >= 0 || lights != ScopeLights::All || term != ScopeTerm::All;
+    }
+    constexpr bool is_all() const { return !is_of_light() && object < 0; }
+    bool operator==(const MistakeScope&) const = default;
+};
+
 /// Common mistakes of students, each a switch that makes its effect visible. Names and effects:
 /// models/scene/mistakes.h.
 struct Mistakes {
@@ -26,7 +41,8 @@ struct Mistakes {
     bool no_clamp_of_cosine = false, half_angle_with_phong_shininess = false;
     bool ambient_per_light_added_twice = false, clamp_each_light = false, shininess_as_fraction = false;
     bool missing_pi = false, absolute_cosine = false, reflect_sign = false, reflect_of_difference = false;
-    bool power_zero_is_nan = false;
+    bool power_zero_is_nan = false, power_of_negative_is_nan = false, half_lambert = false;
+    bool specular_without_cosine = false, fresnel_of_view_angle = false, ambient_not_attenuated = false;
     // In lights and viewer.
     bool light_in_wrong_space = false, light_moved_twice = false, falloff_of_directional = false;
     bool falloff_without_constant = false, degrees_for_radians = false, cutoff_as_full_angle = false;
@@ -35,16 +51,28 @@ struct Mistakes {
     bool aim_stays_at_origin = false, cone_cosines_swapped = false, falloff_inverted = false;
     bool falloff_forgotten = false, last_light_only = false, average_of_lights = false;
     bool unnormalized_view = false, view_reversed = false, perspective_view_in_ortho = false;
+    bool position_is_direction = false, distance_is_one = false, distance_includes_w = false;
+    bool divided_by_square = false, distance_across_spaces = false, spot_direction_left_in_world = false;
     // In the materials.
     bool lit_in_srgb = false, coefficients_swapped = false, shininess_inverted = false;
+    bool ambient_without_material = false, highlight_tinted = false, highlight_normalized = false;
+    bool alpha_not_squared = false;
     // In the normals.
     bool unnormalized_normals = false, normals_by_model_matrix = false, normals_flipped = false;
     bool no_normals_given = false, interpolated_normals_not_normalized = false;
     bool normals_left_in_object = false, normals_left_in_world = false, normals_as_points = false;
     bool some_faces_flipped = false, cross_reversed = false, mirror_turns_inside_out = false;
     bool flipped_by_view = false, flipped_twice = false;
+    bool normals_without_model = false, normals_by_inverse = false, normals_by_projection = false;
+    bool facet_normals_of_screen_points = false, cross_component_wrong = false;
+    bool facet_normal_of_first_corners = false, last_facet_wins = false, normals_axes_exchanged = false;
+    bool positions_as_normals = false, normals_by_position_index = false, interpolated_lengths = false;
+    bool zero_normal_is_nan = false;
     // In the choice of faces, and in the bytes.
     bool culled_by_light = false, encoded_twice = false, bytes_wrap = false;
+    int form = 0;            // of those mistakes that have several (MistakeName::forms)
+    int highlight_form = 0;  // of highlight_normalized, which combines with any other
+    MistakeScope only{};
     bool operator==(const Mistakes&) const = default;
 };
 

@@ -78,6 +78,17 @@ void add_directions(std::vector<Buffer>& all, const Scene& scene) {
         all.push_back({"l" + number, of_light(i, [](const ExplainedLight& e) { return e.l.camera; })});
         all.push_back(
             {"n_dot_l" + number, of_light(i, [](const ExplainedLight& e) { return glm::vec3(e.n_dot_l); })});
+        if (light.kind != LightKind::Directional) {
+            all.push_back({"distance" + number,
+                           of_light(i, [](const ExplainedLight& e) { return glm::vec3(e.distance); })});
+            all.push_back({"falloff" + number,
+                           of_light(i, [](const ExplainedLight& e) { return glm::vec3(e.falloff); })});
+        }
+        if (light.kind == LightKind::Spot)
+            all.push_back(
+                {"cone" + number, of_light(i, [](const ExplainedLight& e) { return glm::vec3(e.spot); })});
+        all.push_back({"r" + number, of_light(i, [](const ExplainedLight& e) { return e.r.camera; })});
+        all.push_back({"h" + number, of_light(i, [](const ExplainedLight& e) { return e.h.camera; })});
     });
 }
 

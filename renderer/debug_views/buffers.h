@@ -24,6 +24,8 @@ struct PixelBuffer {
 ///   view                      to the eye; unit unless corners are lit
 ///   l_N, n_dot_l_N            to light N of Scene::lights, unit unless corners are lit; its cosine, not
 ///                             clamped; not of area lights
+///   distance_N, falloff_N, cone_N  of a light with a position, and of a spot; the cone's factor
+///   r_N, h_N                  l mirrored at n; halfway between l and v
 ///   emission, global_ambient  terms of the sum (bounced: under the model `bounces`)
 ///   ambient_N, diffuse_N, specular_N  those of light N
 ///   ambient, diffuse, specular  those of all lights together

@@ -78,10 +78,10 @@ EquationPower power_of(const LightOfEquation& in) {
     return {n, material_pointer(in.scene, in.explanation, "shininess")};
 }
 
-bool is_close(glm::dvec3 a, glm::dvec3 b) {
-    const auto close = [](double x, double y) {
+bool is_close(glm::dvec3 a, glm::dvec3 b, double relative = 1e-2) {
+    const auto close = [relative](double x, double y) {
         return std::abs(x - y) <=
-               1e-2 * std::max(std::abs(x), std::abs(y)) + 1e-7;  // fainter highlights are left out
+               relative * std::max(std::abs(x), std::abs(y)) + 1e-7;  // fainter highlights are left out
     };
     return close(a.x, b.x) && close(a.y, b.y) && close(a.z, b.z);
 }
@@ -130,7 +130,8 @@ std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
         EquationFactor n_dot_v = plain(Quantity::NV, facets.n_dot_v);
         n_dot_v.divides = true;
         const double shared = std::numbers::pi / 4 * double(facets.d) * double(facets.g) / facets.n_dot_v;
-        if (dropped || is_close(shared * glm::dvec3(facets.f), s))
+        constexpr double rounding = 1e-5;  // a mistake may change F by less than 1 %
+        if (dropped || is_close(shared * glm::dvec3(facets.f), s, rounding))
             return {plain(Quantity::QuarterPi, std::numbers::pi / 4),
                     plain(Quantity::Facets, facets.d),
                     plain(Quantity::Masking, facets.g),

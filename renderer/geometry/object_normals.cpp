@@ -3,12 +3,14 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
 #include <utility>
 
+#include "models/scene/mistakes.h"
 #include "renderer/geometry/recent_faces.h"
 #include "renderer/geometry/vertex_transform.h"
 #include "renderer/simd/glm_vec3.h"
@@ -32,9 +34,21 @@ struct NormalFrame {
 
 /// The matrix for the normals.
 glm::dmat3 linear_part(const ObjectGeometry& object, const NormalMistakes& mistakes) {
+    const glm::dmat3 all(object.view_from_object);
+    const auto model = [&] { return glm::dmat3(world_from_object(object.transform)); };
+    const auto view = [&] { return all * glm::inverse(model()); };
     if (mistakes.left_in_object) return glm::dmat3(1.0);
-    if (mistakes.left_in_world)
-        return glm::transpose(glm::inverse(glm::dmat3(world_from_object(object.transform))));
+    if (mistakes.left_in_world) return glm::transpose(glm::inverse(model()));
+    if (mistakes.without_model) return view();
+    if (mistakes.by_inverse) {
+        if (mistakes.form == 0) return glm::inverse(all);
+        if (mistakes.form == 1) return view() * glm::inverse(model());
+        return glm::transpose(view()) * glm::transpose(glm::inverse(model()));
+    }
+    if (mistakes.by_projection) {
+        const glm::dmat4& clip = object.clip_from_object;
+        return glm::dmat3(mistakes.form == 0 ? glm::transpose(glm::inverse(clip)) : clip);
+    }
     if (mistakes.by_model_matrix || mistakes.as_points) return glm::dmat3(object.view_from_object);
     return object.normal_matrix;
 }
@@ -49,15 +63,24 @@ NormalFrame normal_frame(const ObjectGeometry& object, bool flip, const NormalMi
         for (int r = 0; r < 3; ++r) frame.matrix.column[c][r] = turned ? -m[c][r] : m[c][r];
     const bool in_camera = !mistakes.left_in_object && !mistakes.left_in_world;
     if (mistakes.as_points && in_camera) {
-        const glm::dvec4& t = object.view_from_object[3];
+        glm::dvec3 t(object.view_from_object[3]);
+        if (mistakes.form == 1) {  // lit in world coordinates, rotated to camera coordinates
+            const glm::dmat4 model = world_from_object(object.transform);
+            t = glm::dmat3(object.view_from_object) * glm::inverse(glm::dmat3(model)) * glm::dvec3(model[3]);
+        }
         frame.offset = {t.x, t.y, t.z};
     }
     return frame;
 }
 
 Vec3<double> object_normal(glm::vec3 n, const NormalMistakes& mistakes) {
-    const glm::vec3 taken = mistakes.none_given ? opengl_default_normal : n;
-    return {taken.x, taken.y, taken.z};
+    if (mistakes.none_given) n = opengl_default_normal;
+    if (mistakes.axes_exchanged) {
+        const AxesForm axes = axes_form(mistakes.form);
+        const glm::vec3 given = n;
+        for (int i = 0; i < 3; ++i) n[i] = static_cast<float>(axes.sign[i]) * given[axes.from[i]];
+    }
+    return {n.x, n.y, n.z};
 }
 
 /// Lengths of the file's normals before normalisation, one for each of `of_mesh->normals`.
@@ -92,19 +115,29 @@ std::vector<std::uint8_t> own_normals(const ObjectNormals& normals) {
     return own;
 }
 
+/// Changes the sign of one component of a facet normal in object coordinates.
+glm::vec3 with_wrong_component(glm::vec3 facet, const NormalMistakes& mistakes) {
+    constexpr int component[3] = {1, 0, 2};
+    facet[component[mistakes.form % 3]] *= -1;
+    return facet;
+}
+
 /// Transforms the normals with the mistakes.
 void transform_mistaken_normals(ObjectNormals& normals, const NormalFrame& frame,
                                 const NormalMistakes& mistakes) {
     std::vector<float> lengths;
-    if (mistakes.unnormalized) lengths = given_lengths(normals);
+    const bool keeps_lengths = mistakes.unnormalized || mistakes.lengths;
+    if (keeps_lengths) lengths = given_lengths(normals);
     std::vector<std::uint8_t> own;
-    if (mistakes.facets_reversed) own = own_normals(normals);
+    if (mistakes.facets_reversed || mistakes.cross_component_wrong) own = own_normals(normals);
     tbb::parallel_for(std::size_t{0}, normals.normals.size(), [&](std::size_t i) {
         const bool reversed = mistakes.facets_reversed && !own[i];
-        const glm::vec3 given = normals.of_mesh->normals[i];
+        glm::vec3 given = normals.of_mesh->normals[i];
+        if (mistakes.cross_component_wrong && !own[i]) given = with_wrong_component(given, mistakes);
         const Vec3<double> n = frame.to_camera(object_normal(reversed ? -given : given, mistakes));
-        const glm::vec3 taken =
-            to_glm(mistakes.unnormalized ? static_cast<double>(lengths[i]) * n : unit_or_zero(n));
+        const bool kept = keeps_lengths || std::isnan(n.x);
+        const double length = keeps_lengths ? static_cast<double>(lengths[i]) : 1;
+        const glm::vec3 taken = to_glm(kept ? length * n : unit_or_zero(n));
         constexpr float most = 1e18f;  // products with positions must fit a float
         const glm::vec3 held = glm::clamp(taken, -most, most);
         normals.normals[i] = {held.x, held.y, held.z};
@@ -115,13 +148,64 @@ void transform_normals(ObjectNormals& normals, const ObjectGeometry& object, con
     const std::vector<glm::vec3>& from = normals.of_mesh->normals;
     normals.normals.resize(from.size());
     const NormalFrame frame = normal_frame(object, normals.options.flip, mistakes);
-    if (mistakes.unnormalized || mistakes.none_given || mistakes.as_points || mistakes.facets_reversed)
+    if (mistakes.unnormalized || mistakes.none_given || mistakes.as_points || mistakes.facets_reversed ||
+        mistakes.lengths || mistakes.axes_exchanged || mistakes.cross_component_wrong || mistakes.zero_is_nan)
         return transform_mistaken_normals(normals, frame, mistakes);
     if (from.empty()) return;
     const NormalJob job{&from.front().x, frame.matrix, normals.normals.data()};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.size(), 4096), [&job](const auto& range) {
         geometry_kernels().transform_normals(job, range.begin(), range.end());
     });
+}
+
+/// Returns the normal of the plane through the first three corners.
+glm::vec3 normal_of_first_corners(const Mesh& mesh, std::size_t face) {
+    const auto around = mesh.corners_of(face);
+    if (around.size() < 3) return glm::vec3(0);
+    return facet_normal(mesh.positions[around[0]], mesh.positions[around[1]], mesh.positions[around[2]]);
+}
+
+/// Whether the mistakes replace the normals that the mesh and the options define.
+bool gives_other_normals(const NormalMistakes& m) {
+    return m.first_corners || m.last_facet_wins || m.positions || m.by_position_index || m.zero_is_nan;
+}
+
+/// Returns the mistaken normal of a corner, object coordinates.
+glm::vec3 mistaken_corner(const ObjectNormals& n, std::size_t face, std::uint32_t corner,
+                          const NormalMistakes& mistakes, const std::vector<glm::vec3>& last_facets) {
+    const Mesh& mesh = *n.mesh;
+    const std::uint32_t position = mesh.corner_position[corner];
+    const NormalSource source = used_source(mesh, n.options.source);
+    const bool given = source == NormalSource::File || source == NormalSource::Analytic;
+    if (mistakes.positions) return glm::vec3(unit_or_zero(glm::dvec3(mesh.positions[position])));
+    if (mistakes.last_facet_wins && source == NormalSource::Vertex) return last_facets[position];
+    if (mistakes.first_corners && source == NormalSource::Facet) return normal_of_first_corners(mesh, face);
+    if (mistakes.by_position_index && given)
+        return position < mesh.normals.size() ? glm::vec3(unit_or_zero(glm::dvec3(mesh.normals[position])))
+                                              : opengl_default_normal;
+    if (mistakes.zero_is_nan && given) {
+        const std::uint32_t which = mesh.given_normal_of(corner);
+        if (which == no_index || mesh.normals[which] == glm::vec3(0)) return glm::vec3(__builtin_nanf(""));
+    }
+    return n.of_mesh->normals[n.normal_of_corner()[corner]];
+}
+
+/// Replaces of_mesh by the mistaken normals of all corners.
+void take_mistaken_normals(ObjectNormals& n, const NormalMistakes& mistakes) {
+    const Mesh& mesh = *n.mesh;
+    std::vector<glm::vec3> last_facets(mistakes.last_facet_wins ? mesh.positions.size() : 0);
+    if (mistakes.last_facet_wins)
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            for (const std::uint32_t p : mesh.corners_of(f)) last_facets[p] = facet_normal(mesh, f);
+    auto made = std::make_shared<CornerNormals>();
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        for (std::uint32_t c = mesh.first_corner[f]; c < mesh.first_corner[f + 1]; ++c) {
+            made->corner.push_back(c);
+            made->normals.push_back(mistaken_corner(n, f, c, mistakes, last_facets));
+        }
+    made->warnings = n.of_mesh->warnings;
+    n.of_mesh = made;
+    n.mistaken = true;
 }
 
 /// The known normals of meshes, with the options they were computed for.
@@ -143,13 +227,14 @@ void take_normals(std::vector<ObjectNormals>& kept, const Scene& scene) {
     KnownNormals known;
     for (std::size_t o = 0; o < kept.size(); ++o) {
         const Object& object = scene.objects[o];
-        if (kept[o].mesh == object.mesh && kept[o].options == object.normals) continue;
+        if (kept[o].mesh == object.mesh && kept[o].options == object.normals && !kept[o].mistaken) continue;
         if (known.empty())
             for (const ObjectNormals& n : kept)
-                if (n.of_mesh) known.insert({n.mesh.get(), {n.options, n.of_mesh}});
+                if (n.of_mesh && !n.mistaken) known.insert({n.mesh.get(), {n.options, n.of_mesh}});
         kept[o].of_mesh = normals_of(known, object);
         kept[o].mesh = object.mesh;
         kept[o].options = object.normals;
+        kept[o].mistaken = false;
     }
 }
 
@@ -183,13 +268,28 @@ NormalMistakes normal_mistakes(const Mistakes& m) {
             .facets_reversed = m.cross_reversed,
             .mirror_turns = m.mirror_turns_inside_out,
             .unnormalized_at_pixel = m.interpolated_normals_not_normalized || m.unnormalized_normals,
-            .some_faces_flipped = m.some_faces_flipped};
+            .some_faces_flipped = m.some_faces_flipped,
+            .without_model = m.normals_without_model,
+            .by_inverse = m.normals_by_inverse,
+            .by_projection = m.normals_by_projection,
+            .of_screen_points = m.facet_normals_of_screen_points,
+            .cross_component_wrong = m.cross_component_wrong,
+            .first_corners = m.facet_normal_of_first_corners,
+            .last_facet_wins = m.last_facet_wins,
+            .axes_exchanged = m.normals_axes_exchanged,
+            .positions = m.positions_as_normals,
+            .by_position_index = m.normals_by_position_index,
+            .lengths = m.interpolated_lengths,
+            .zero_is_nan = m.zero_normal_is_nan,
+            .form = m.form};
 }
 
 void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const Geometry& g,
                     const NormalMistakes& mistakes) {
     kept.resize(scene.objects.size());
     take_normals(kept, scene);
+    if (gives_other_normals(mistakes))
+        for (ObjectNormals& n : kept) take_mistaken_normals(n, mistakes);
     for (std::size_t o = 0; o < kept.size(); ++o) transform_normals(kept[o], g.objects[o], mistakes);
 }
 
@@ -203,7 +303,14 @@ bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene) {
 
 glm::vec3 camera_facet_normal(const ObjectGeometry& object, bool flip, std::uint32_t face,
                               const NormalMistakes& mistakes) {
-    const glm::vec3 facet = known_facet_normal(object.mesh, face);
+    glm::vec3 facet = mistakes.first_corners ? normal_of_first_corners(*object.mesh, face)
+                                             : known_facet_normal(object.mesh, face);
+    if (mistakes.cross_component_wrong) facet = with_wrong_component(facet, mistakes);
+    if (mistakes.of_screen_points) {
+        const glm::vec3 n = glm::mat3(object.normal_matrix) * facet;
+        const glm::vec3 p = object.position(object.mesh->corners_of(face)[0]);
+        return {0, 0, glm::dot(n, p) < 0 ? 1 : -1};
+    }
     const Vec3<double> n = object_normal(mistakes.facets_reversed ? -facet : facet, mistakes);
     return to_glm(unit_or_zero(normal_frame(object, flip, mistakes).to_camera(n)));
 }

@@ -16,6 +16,11 @@ struct NormalMistakes {
     bool left_in_object = false, left_in_world = false, as_points = false;
     bool facets_reversed = false, mirror_turns = false;
     bool unnormalized_at_pixel = false, some_faces_flipped = false;
+    bool without_model = false, by_inverse = false, by_projection = false, of_screen_points = false;
+    bool cross_component_wrong = false, first_corners = false, last_facet_wins = false;
+    bool axes_exchanged = false, positions = false, by_position_index = false, lengths = false;
+    bool zero_is_nan = false;
+    int form = 0;  // Mistakes::form
     bool operator==(const NormalMistakes&) const = default;
 };
 [[nodiscard]] NormalMistakes normal_mistakes(const Mistakes& mistakes);
@@ -24,6 +29,7 @@ struct NormalMistakes {
 struct ObjectNormals {
     MeshPtr mesh;
     NormalOptions options;
+    bool mistaken = false;  // of_mesh holds mistaken normals, not those of mesh and options
     // Object coordinates; the same for all objects of that mesh with those options.
     std::shared_ptr<const CornerNormals> of_mesh;
     std::vector<CameraNormal> normals;  // of_mesh->normals in camera coordinates

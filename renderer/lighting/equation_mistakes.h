@@ -18,8 +18,40 @@ void apply_light_mistakes(const Mistakes& wrong, const LightAt<F>& light, F dist
     if (wrong.falloff_inverted && light.has_falloff)
         falloff =
             min(falloff_polynomial(light.constant, light.linear, light.quadratic, distance), F(max_factor));
+    if (wrong.light_direction_reversed && wrong.form == 1 && light.has_cone) spot = spot_factor(light, -l);
+    if (wrong.unnormalized_light && (wrong.form & 1) != 0 && light.has_cone)
+        spot = spot_factor(light, distance * l);
     if (wrong.cone_cosines_swapped && light.has_cone)
         spot = select(along_axis(light, l) >= light.cos_cutoff, F(0), F(1));
+}
+
+/// Changes the vector to a lamp, its length, or the distance that the falloff takes.
+template <Number F>
+void apply_vector_mistakes(const Mistakes& wrong, const LightAt<F>& light, const PointAt<F>& at,
+                           LightVector<F>& towards, Attenuation<F>& reach) {
+    if (!is_positional(light) || light.is_patch) return;
+    const auto fall_off = [&](F distance) {
+        if (light.has_falloff) reach.falloff = falloff(light, distance);
+    };
+    if (wrong.position_is_direction) {
+        const Vec3<F> given = (wrong.form & 1) != 0 ? light.xyz : light.as_direction;
+        const F size = length(given), distance = (wrong.form & 2) != 0 ? size : reach.distance;
+        towards.xyz = (distance * inverse_or_zero(size)) * given;
+        reach = {distance, inverse_or_zero(distance), reach.falloff};
+        fall_off(distance);
+    }
+    if (wrong.light_direction_reversed && wrong.form > 0) towards.xyz = -towards.xyz;
+    if (wrong.distance_includes_w) {
+        const F distance = square_root(dot(towards.xyz, towards.xyz) + F(1));
+        reach = {distance, F(1) / distance, reach.falloff};
+        fall_off(distance);
+    }
+    if (wrong.divided_by_square) {
+        reach.inverse = reach.inverse * reach.inverse;
+        reach.distance = reach.distance * reach.distance;
+    }
+    if (wrong.distance_across_spaces) fall_off(length(light.as_given - at.p));
+    towards.n_dot = dot(at.n, towards.xyz);
 }
 
 /// Keeps the length of l in n.l, r and h (not in l.v, cone and falloff), keeps h unnormalised, or changes r.
@@ -33,8 +65,8 @@ void apply_direction_mistakes(const Mistakes& wrong, Reflection model, Direction
         d = directions_for(light_vector, Attenuation<F>{}, at);
         d.l_dot_v = l_dot_v;
     }
-    if (wrong.unnormalized_half) {  // half of l + v, of any length
-        d.h = F(0.5f) * (d.l + at.v);
+    if (wrong.unnormalized_half) {  // half of l + v, or l + v itself, of any length
+        d.h = F(wrong.form == 1 ? 1.0f : 0.5f) * (d.l + at.v);
         d.n_dot_h = dot(at.n, d.h);
         d.n_dot_unnormalized_h = d.n_dot_h;
         d.unnormalized_h_squared = F(1);
@@ -111,14 +143,43 @@ void apply_diffuse_mistakes(const Mistakes& wrong, Reflection model, F& diffuse,
         diffuse = abs(d.n_dot_l);
         if (info.rough_diffuse) diffuse = diffuse * roughness_factor(d, m, at);
     }
+    if (wrong.half_lambert && info.is_lit) {
+        diffuse = max0(F(0.5f) + F(0.5f) * d.n_dot_l);
+        if (wrong.form == 1) diffuse = diffuse * diffuse;
+    }
     if (wrong.missing_pi) diffuse = diffuse / F(3.14159265f);
 }
 
 /// Whether mistakes let the cosine exceed 1, which highlight() does not expect.
 inline bool may_exceed_one(const Mistakes& wrong, HighlightCosine measured) {
-    if (measured == HighlightCosine::LV) return wrong.unnormalized_view;
-    return measured == HighlightCosine::RV &&
-           (wrong.unnormalized_light || wrong.unnormalized_view || wrong.reflect_of_difference);
+    if (wrong.unnormalized_normals && wrong.form == 0) return true;
+    if (measured == HighlightCosine::NH) return wrong.unnormalized_half && wrong.form == 1;
+    if (measured == HighlightCosine::LV) return wrong.unnormalized_view || wrong.divided_by_square;
+    return measured == HighlightCosine::RV && (wrong.unnormalized_light || wrong.unnormalized_view ||
+                                               wrong.reflect_of_difference || wrong.divided_by_square);
+}
+
+/// The highlight's factors that differ between programs.
+template <Number F>
+void apply_highlight_mistakes(const Mistakes& wrong, Reflection model, Vec3<F>& specular,
+                              const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
+    const auto fresnel = [](Vec3<F> f0, F c) -> Vec3<F> {
+        return {f_schlick(f0.x, c), f_schlick(f0.y, c), f_schlick(f0.z, c)};
+    };
+    if (wrong.highlight_normalized && wrong.highlight_form == 3) {  // k_s is Fresnel's f0
+        const Vec3<F> f = fresnel(m.k_s, max0(dot(at.v, d.h)));
+        specular = max0(d.n_dot_l) * (specular * f);
+        specular = {specular.x * inverse_or_zero(m.k_s.x), specular.y * inverse_or_zero(m.k_s.y),
+                    specular.z * inverse_or_zero(m.k_s.z)};
+    }
+    if (model != Reflection::CookTorrance) return;
+    if (wrong.specular_without_cosine) specular = inverse_or_zero(max0(d.n_dot_l)) * specular;
+    if (wrong.fresnel_of_view_angle) {
+        const Vec3<F> is = fresnel(m.f0, max0(dot(at.v, d.h)));
+        specular = specular * fresnel(m.f0, max0(at.n_dot_v));
+        specular = {specular.x * inverse_or_zero(is.x), specular.y * inverse_or_zero(is.y),
+                    specular.z * inverse_or_zero(is.z)};
+    }
 }
 
 template <Number F>
@@ -130,7 +191,8 @@ void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection 
     tested.n_dot_l = tested_cosine(wrong, d);
     const Reflection formula = measured == info_of(model).cosine ? model : Reflection::BlinnPhong;
     used.specular = keep_lit_side(wrong, d, respond(formula, tested, m, at).specular);
-    if (measured == HighlightCosine::None) return;
+    if (measured == HighlightCosine::None)
+        return apply_highlight_mistakes(wrong, model, used.specular, d, m, at);
     const F cosine = cosine_of(measured, d);
     if (wrong.no_clamp_of_cosine) {
         const F s = unclamped_power(cosine, m.shininess.value);
@@ -140,21 +202,38 @@ void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection 
         used.specular = keep_lit_side(wrong, d, {s, s, s});
     } else if (may_exceed_one(wrong, measured)) {
         const F s = unheld_highlight(cosine, m);
-        used.specular = keep_lit_side(wrong, d, {s, s, s});
+        const Vec3<F> unclamped = keep_lit_side(wrong, d, {s, s, s});
+        // The lengths of normals are inert where all are unit: there the bits must not change.
+        constexpr float unit = 1.00001f;
+        used.specular =
+            wrong.unnormalized_normals ? select<F>(cosine > F(unit), unclamped, used.specular) : unclamped;
     }
+    apply_highlight_mistakes(wrong, model, used.specular, d, m, at);
 }
 
-/// pow(0, 0), which GLSL leaves undefined: if the highlight is not dropped, its clamped cosine is 0, and the
-/// shininess is 0, S and everything computed from it are NaN.
+/// A normal that is NaN makes every term NaN, whatever the comparisons of this program do with it.
 template <Number F>
-void apply_undefined_power(const Mistakes& wrong, Reflection model, const Directions<F>& d,
-                           const MaterialAt<F>& m, Vec3<F>& response, Vec3<F>* specular) {
+void apply_undefined_normal(const PointAt<F>& at, Vec3<F>& ambient, Vec3<F>& diffuse, Vec3<F>& specular) {
+    const auto defined = dot(at.n, at.n) >= F(0);
+    const F nan(__builtin_nanf(""));
+    for (Vec3<F>* term : {&ambient, &diffuse, &specular})
+        *term = select<F>(defined, *term, Vec3<F>{nan, nan, nan});
+}
+
+/// pow(0, 0) and powers of negative numbers, which GLSL leaves undefined: where the highlight is not dropped,
+/// its cosine is 0 once clamped and the shininess is 0, or its cosine is negative, S and everything computed
+/// from it are NaN, or shown white.
+template <Number F>
+void apply_undefined_powers(const Mistakes& wrong, Reflection model, const Directions<F>& d,
+                            const MaterialAt<F>& m, Vec3<F>& response, Vec3<F>* specular) {
     const HighlightCosine measured = measured_cosine(wrong, model);
-    if (!wrong.power_zero_is_nan || measured == HighlightCosine::None || lane(m.shininess.value, 0) != 0)
-        return;
+    const bool of_zero = wrong.power_zero_is_nan && lane(m.shininess.value, 0) == 0;
+    if (!(of_zero || wrong.power_of_negative_is_nan) || measured == HighlightCosine::None) return;
     const F tested = wrong.specular_behind_surface ? F(1) : tested_cosine(wrong, d);
-    const auto undefined = mask_and(tested > F(0), F(0) >= cosine_of(measured, d));
-    const F nan = F(__builtin_nanf(""));
+    const F cosine = cosine_of(measured, d);
+    const F least = of_zero ? F(0) : F(-smallest_normal);
+    const auto undefined = mask_and(tested > F(0), least >= cosine);
+    const F nan = F(wrong.form == 1 && !of_zero ? 1e6f : __builtin_nanf(""));
     const Vec3<F> none{nan, nan, nan};
     response = select<F>(undefined, none, response);
     if (specular) *specular = select<F>(undefined, none, *specular);
@@ -180,6 +259,7 @@ template <Number F> PointAt<F> mistakenly_seen(const LightJob& job, Vec3<F> p, V
     if (wrong.lit_after_projection) p = projected(job.projection, p);
     const Vec3<F> to_eye = broadcast<F>(job.eye) - p;
     Vec3<F> v = wrong.unnormalized_view ? to_eye : unit(to_eye);
+    if (wrong.divided_by_square && wrong.form == 1) v = inverse_or_zero(dot(to_eye, to_eye)) * to_eye;
     if (job.infinite_viewer) v = {F(0), F(0), F(1)};
     if (wrong.view_reversed) v = -v;
     if (wrong.flipped_by_view) n = select<F>(dot(n, v) < F(0), -n, n);

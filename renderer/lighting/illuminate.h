@@ -59,7 +59,7 @@ template <Number F> Attenuation<F> attenuation(const LightAt<F>& light, const Li
 /// The equation for one light and one point. `colors`: colors_on(m, light), which is the same at all points;
 /// `light_vector` and `attenuation`: results of the functions of these names at this point. Degenerate input:
 /// a light at the point has l = 0, so only its ambient share is left; n = 0 likewise; l = -v gives h = 0. No
-/// term overflows or is NaN (max_factor in light_job.h), except with the mistake that causes NaN.
+/// term overflows or is NaN (max_factor in light_job.h), except with the mistakes that cause NaN.
 /// `with_mistakes`: must be true unless equation.mistakes is null. If false, the code of the mistakes is not
 /// compiled, which saves registers in the kernels.
 template <bool with_mistakes = true, Number F>
@@ -67,15 +67,19 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
                          const LightColors<F>& colors, const LightVector<F>& light_vector,
                          const Attenuation<F>& attenuation, const PointAt<F>& at) {
     LightTerms<F> t;
+    LightVector<F> towards = light_vector;
+    Attenuation<F> reach = attenuation;
+    if constexpr (with_mistakes)
+        if (equation.mistakes) apply_vector_mistakes(*equation.mistakes, light, at, towards, reach);
     t.distance = attenuation.distance;
-    t.directions = directions_for(light_vector, attenuation, at);
-    t.falloff = attenuation.falloff;
+    t.directions = directions_for(towards, reach, at);
+    t.falloff = reach.falloff;
     if (light.is_patch) t.falloff = patch_factor(light, t.directions.l, t.distance);
     t.spot = light.has_cone ? spot_factor(light, t.directions.l) : F(1);
     [[maybe_unused]] const Mistakes* const wrong = with_mistakes ? equation.mistakes : nullptr;
     if constexpr (with_mistakes) {
         if (wrong) apply_light_mistakes(*wrong, light, t.distance, t.directions.l, t.falloff, t.spot);
-        if (wrong) apply_direction_mistakes(*wrong, equation.model, t.directions, light_vector, at);
+        if (wrong) apply_direction_mistakes(*wrong, equation.model, t.directions, towards, at);
     }
     const F reaching = t.falloff * t.spot;  // scales all three terms, as in OpenGL 2.1, section 2.14.1
 
@@ -89,6 +93,8 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
                                     at);
 
     if (equation.terms.ambient && light.has_ambient) t.ambient = reaching * colors.ambient;
+    if (wrong && wrong->ambient_not_attenuated && equation.terms.ambient && light.has_ambient)
+        t.ambient = colors.ambient;
     if (wrong && wrong->ambient_per_light_added_twice) t.ambient = F(2) * t.ambient;
     F diffuse = reaching * t.response.diffuse;
     Vec3<F> specular = reaching * t.response.specular;
@@ -101,8 +107,10 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     if (equation.terms.specular) t.specular = specular * colors.specular;
     if constexpr (with_mistakes)
         if (wrong)
-            apply_undefined_power(*wrong, equation.model, t.directions, m, t.response.specular,
-                                  equation.terms.specular ? &t.specular : nullptr);
+            apply_undefined_powers(*wrong, equation.model, t.directions, m, t.response.specular,
+                                   equation.terms.specular ? &t.specular : nullptr);
+    if constexpr (with_mistakes)
+        if (wrong && wrong->zero_normal_is_nan) apply_undefined_normal(at, t.ambient, t.diffuse, t.specular);
     return t;
 }
 template <Number F>

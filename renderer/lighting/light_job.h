@@ -27,6 +27,7 @@ inline constexpr float max_factor = 1e10f;
 struct LightSource {
     Float3 xyz;
     float w = 0;
+    Float3 as_direction, as_given;  // see LightAt
     Float3 ambient, diffuse, specular;
     float constant = 1, linear = 0, quadratic = 0;
     Float3 axis;

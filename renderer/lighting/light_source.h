@@ -9,8 +9,10 @@
 namespace glint::inline GLINT_ISA {
 
 template <Number F> struct LightAt {
-    Vec3<F> xyz;                           // w = 0: unit direction towards the light; w = 1: its position
-    F w{};                                 // 0 or 1, the same in all lanes
+    Vec3<F> xyz;  // w = 0: unit direction towards the light; w = 1: its position
+    F w{};        // 0 or 1, the same in all lanes
+    // For mistakes: the position transformed as a direction, and as the scene has it.
+    Vec3<F> as_direction, as_given;
     Vec3<F> ambient, diffuse, specular;    // linear RGB times intensity
     F constant{1}, linear{}, quadratic{};  // falloff 1 / (constant + linear r + quadratic r^2)
     Vec3<F> axis;          // unit: the direction of a spot, or the normal of an area light's patch

@@ -11,6 +11,8 @@ template <Number F> LightAt<F> light_at(const LightSource& s) {
     LightAt<F> light;
     light.xyz = broadcast<F>(s.xyz);
     light.w = F(s.w);
+    light.as_direction = broadcast<F>(s.as_direction);
+    light.as_given = broadcast<F>(s.as_given);
     light.ambient = broadcast<F>(s.ambient);
     light.diffuse = broadcast<F>(s.diffuse);
     light.specular = broadcast<F>(s.specular);

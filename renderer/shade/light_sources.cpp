@@ -49,6 +49,10 @@ void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSourc
         source.constant = falloff_polynomial(f.constant, f.linear, f.quadratic, r);
         source.linear = source.quadratic = 0;
     }
+    if (wrong.distance_is_one && light.kind != LightKind::Directional) {
+        source.constant = source.constant + source.linear + source.quadratic;
+        source.linear = source.quadratic = 0;
+    }
     if (wrong.falloff_forgotten) {
         source.has_falloff = false;
         source.constant = 1;
@@ -80,6 +84,7 @@ LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
 
 /// The direction of a spot, camera coordinates, not unit; 0 if it is at the origin at which it is aimed.
 glm::dvec3 aim_of(const Mistakes& wrong, const Light& light, const Frame& frame, const glm::dmat4& view) {
+    if (wrong.spot_direction_left_in_world) return light.spot.direction;
     if (!wrong.aim_stays_at_origin) return frame.direction(light.spot.direction);
     const glm::dvec3 place(glm::dvec3(light.position) / static_cast<double>(light.position.w));
     const glm::dvec3 origin = light.space == LightSpace::World ? glm::dvec3(0) : glm::dvec3(view[3]);
@@ -127,8 +132,9 @@ struct LightsOfScene {
 void add_directional(std::vector<LightSource>& sources, LightSource s, const Light& light, const Frame& frame,
                      const Mistakes& mistakes) {
     const glm::dvec3 given = frame.direction(glm::dvec3(light.position));
-    const glm::dvec3 towards = mistakes.light_direction_reversed ? -given : given;
-    s.xyz = to_float3(mistakes.unnormalized_light ? towards : unit_or_zero(towards));
+    const glm::dvec3 towards = mistakes.light_direction_reversed && mistakes.form == 0 ? -given : given;
+    const bool keeps_length = mistakes.unnormalized_light && (mistakes.form & 2) == 0;
+    s.xyz = to_float3(keeps_length ? towards : unit_or_zero(towards));
     apply_source_mistakes(mistakes, light, s);
     sources.push_back(s);
 }
@@ -149,6 +155,8 @@ void add_light(std::vector<LightSource>& sources, const LightsOfScene& all, std:
     const double w = directional ? 1 : static_cast<double>(light.position.w);
     const glm::dvec3 position = frame.position(glm::dvec3(light.position) / w);
     s.w = 1;
+    s.as_direction = to_float3(frame.direction(glm::dvec3(light.position) / w));
+    s.as_given = to_float3(glm::dvec3(light.position) / w);
     if (light.kind == LightKind::Area) {
         add_area(sources, s, light, frame, position);
         return;
@@ -210,7 +218,9 @@ void light_sources(const Scene& scene, std::vector<LightSource>& sources) {
     sources.clear();
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         if (!scene.lights[i].enabled) continue;
-        if (scene.shading.mistakes.last_light_only) sources.clear();
+        const Mistakes& wrong = scene.shading.mistakes;
+        if (wrong.last_light_only && wrong.form == 1 && !sources.empty()) continue;
+        if (wrong.last_light_only) sources.clear();
         add_light(sources, all, i);
     }
 }
@@ -230,7 +240,12 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& given,
     job.light_count = lights.size();
     job.material = surface_material(m);
     if (opengl) job.material.shininess = std::min(m.shininess, opengl_max_shininess);
-    job.material.global_ambient = product(m.ambient, scene.global_ambient);
+    const Mistakes& wrong = scene.shading.mistakes;
+    const bool without_k_a = wrong.ambient_without_material;
+    job.material.global_ambient = product(without_k_a ? glm::vec3(1) : m.ambient, scene.global_ambient);
+    if (without_k_a && wrong.form == 1) job.material.k_a = {1, 1, 1};
+    if (wrong.alpha_not_squared && scene.shading.reflection == Reflection::CookTorrance)
+        job.material.roughness = wrong.form == 1 ? m.roughness * m.roughness : std::sqrt(m.roughness);
     job.model = scene.shading.reflection;
     job.terms = scene.shading.terms;
     job.tone = tone_of(scene.npr, lights);

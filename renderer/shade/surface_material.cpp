@@ -25,6 +25,14 @@ Material mistaken_material(const Mistakes& wrong, Material m) {
         for (glm::vec3* color : {&m.ambient, &m.diffuse, &m.specular, &m.emission})
             for (int i = 0; i < 3; ++i) (*color)[i] = srgb_of((*color)[i]);
     if (wrong.coefficients_swapped) std::swap(m.diffuse, m.specular);
+    if (wrong.highlight_tinted) m.specular *= m.diffuse;
+    if (wrong.highlight_normalized) {
+        constexpr float pi = 3.14159265f;
+        const float n = m.shininess;
+        m.specular *= wrong.highlight_form == 0   ? (n + 8) / (8 * pi)
+                      : wrong.highlight_form == 1 ? (n + 2) / (2 * pi)
+                                                  : (n + 2) / 8;
+    }
     if (wrong.shininess_as_fraction) m.shininess /= 128;
     if (wrong.shininess_inverted && m.shininess > 0) m.shininess = std::min(1 / m.shininess, 1e30f);
     return m;

@@ -72,7 +72,7 @@ PositionNormal pixel_point(const SurfaceInputs& surface, const Geometry& g, cons
     Vec n;
     if (!surface.choice.facet_normals) {
         const Vec sum = blended_normal(surface, g, face);
-        if (length(sum) > shortest_normal)
+        if (!(length(sum) <= shortest_normal))  // also if it is NaN
             n = surface.choice.mistakes.unnormalized_at_pixel ? sum : unit(sum);
     }
     // If opposite corner normals cancel as well, the facet's own normal is the best choice.

@@ -19,6 +19,10 @@ ObjectTriangles triangles_beside(const Geometry& g, std::uint32_t triangle) {
     return {o, g.objects[o].first_triangle, static_cast<std::uint32_t>(g.objects[o].mesh->triangles.size())};
 }
 
+bool is_chosen(const std::vector<std::uint8_t>& blocks, std::size_t block) {
+    return block < blocks.size() && blocks[block] != 0;
+}
+
 /// Bit i: pixel i of the block shows a triangle of this object; considers only the pixels of `covered`.
 std::uint32_t pixels_of(ObjectTriangles triangles, const std::uint32_t* codes, std::uint32_t covered) {
     if (covered == 0xFFFF) {
@@ -36,13 +40,16 @@ std::uint32_t pixels_of(ObjectTriangles triangles, const std::uint32_t* codes, s
     return pixels;
 }
 
-/// Calls visit(group) for the groups of one row, left to right; 16 pixels give one group per object.
+/// Calls visit(group) for the chosen groups of one row, left to right; 16 pixels give one group per object.
 template <class Visit>
-void visit_row(const Geometry& g, const Visibility& visibility, int y, const Visit& visit) {
+void visit_row(const Geometry& g, const Visibility& visibility, const BlockChoice& chosen, std::size_t y,
+               const Visit& visit) {
     const auto width = static_cast<std::uint32_t>(g.size.width);
-    const std::uint16_t* covered = &visibility.covered[static_cast<std::size_t>(y) * visibility.groups_a_row];
+    const std::size_t first = y * visibility.groups_a_row;
+    const std::uint16_t* covered = &visibility.covered[first];
     ObjectTriangles nearby;  // neighbouring pixels usually show the same object
     for (std::uint32_t x0 = 0; x0 < width; x0 += block_size) {
+        if (chosen && !is_chosen(*chosen, first + x0 / block_size)) continue;
         std::uint32_t left = covered[x0 / block_size];  // pixels that are not in a group yet
         const std::uint32_t first_pixel = static_cast<std::uint32_t>(y) * width + x0;
         if (left && g.objects.size() == 1) {
@@ -60,13 +67,13 @@ void visit_row(const Geometry& g, const Visibility& visibility, int y, const Vis
     }
 }
 
-/// All groups of the picture, in reading order for any number of threads.
+/// All groups of the picture that are chosen, in reading order for any number of threads.
 void find_groups(Surface& s, const Geometry& g, const Visibility& visibility) {
     const auto height = static_cast<std::size_t>(g.size.height);
     s.row_groups.assign(height + 1, {});
     tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
         RowGroups counted;
-        visit_row(g, visibility, static_cast<int>(y), [&counted](const PixelGroup& group) {
+        visit_row(g, visibility, s.blocks, y, [&counted](const PixelGroup& group) {
             ++counted.first_group;
             counted.pixels +=
                 group.mask == 0xFFFF ? block_size : static_cast<unsigned>(std::popcount(group.mask));
@@ -78,7 +85,7 @@ void find_groups(Surface& s, const Geometry& g, const Visibility& visibility) {
     s.groups.resize(count);
     tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
         PixelGroup* next = s.groups.data() + s.row_groups[y].first_group;
-        visit_row(g, visibility, static_cast<int>(y), [&next](const PixelGroup& group) { *next++ = group; });
+        visit_row(g, visibility, s.blocks, y, [&next](const PixelGroup& group) { *next++ = group; });
     });
     s.group_samples.clear();
     s.pixel_count = 0;
@@ -105,8 +112,11 @@ SurfaceChoice surface_choice(const Shading& shading) {
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& g, const Visibility& visibility,
                     bool visibility_redone) {
     const SurfaceChoice choice = surface_choice(scene.shading);
-    if (!visibility_redone && kept.choice == choice && same_normals(kept.normals, scene)) return false;
+    if (!visibility_redone && kept.choice == choice && kept.blocks == kept.wanted_blocks &&
+        same_normals(kept.normals, scene))
+        return false;
     kept.choice = choice;
+    kept.blocks = kept.wanted_blocks;
     update_normals(kept.normals, scene, g, choice.mistakes);
     if (visibility.samples > 1)
         find_sampled_groups(kept, g, visibility);

@@ -11,6 +11,7 @@
 
 #include "renderer/geometry/object_normals.h"
 #include "renderer/lighting/light_job.h"
+#include "renderer/picture.h"
 #include "renderer/simd/pixel_vector.h"
 #include "renderer/surface/surface_kernels.h"
 #include "renderer/visibility/visibility.h"
@@ -156,6 +157,7 @@ template <class Value>
 
 struct Surface {
     SurfaceChoice choice;
+    BlockChoice wanted_blocks, blocks;  // of the next frame, and of the kept groups
     std::vector<ObjectNormals> normals;
     std::vector<PixelGroup> groups;                   // those of 16 consecutive pixels are adjacent
     std::vector<GroupSamples> group_samples;          // one per group; empty with one sample per pixel

@@ -65,7 +65,8 @@ TEST_CASE("glint diagnose prints its result in at most five lines", "[cli][diagn
     CHECK(same.status == 0);
     CHECK(same.out ==
           "No mistake: the picture shows the scene as Glint does.\n"
-          "Set aside first, because it is not a lighting mistake: all brightness times 0.8.\n");
+          "Set aside first, because it is not a lighting mistake: all brightness times 0.8, in stored "
+          "levels.\n");
     const std::string wrong = files.drawn("wrong.png", {"--set", "/shading/mistakes/normals_flipped=true"});
     const Ended mistake = run_glint({"diagnose", files.scene, wrong, "--pairs"});
     CHECK(mistake.status == 0);
@@ -288,15 +289,17 @@ TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][che
     const Files files;
     const TemporaryDirectory buffers;
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
-    CHECK(run_glint({"check", files.scene, buffers.path("")}).out ==
-          "These agree: position, depth, normal, side, view, l_0, n_dot_l_0, emission, global_ambient, "
-          "ambient_0, diffuse_0, specular_0, ambient, diffuse, specular, sum.\nNothing differs.\n");
+    CHECK(
+        run_glint({"check", files.scene, buffers.path("")}).out ==
+        "These agree: position, depth, normal, side, view, l_0, n_dot_l_0, distance_0, falloff_0, r_0, h_0, "
+        "emission, global_ambient, ambient_0, diffuse_0, specular_0, ambient, diffuse, specular, "
+        "sum.\nNothing differs.\n");
     const Ended wrong = run_glint({"check", files.scene, buffers.path(""), "--set",
                                    "/lights/0/diffuse=[0.5,0.5,0.5]", "--format", "json"});
     REQUIRE(wrong.status == 0);
     const json answer = json::parse(wrong.out);
     CHECK(answer["differs"]["buffer"] == "diffuse_0");
-    CHECK(answer["agree"].size() == 10);
+    CHECK(answer["agree"].size() == 14);
     CHECK(answer["differs"]["found"] == "ours times 2");
 }
 

@@ -255,16 +255,18 @@ TEST_CASE("glint render --buffers writes the numbers behind the pixels", "[cli][
     REQUIRE(run_glint({"render", "-", "-o", out, "--size", "32x24", "--buffers", directory.path("")}, ball)
                 .status == 0);
     CHECK(directory.names() ==
-          std::vector<std::string>{"a.pfm", "ambient.pfm", "ambient_0.pfm", "depth.pfm", "diffuse.pfm",
-                                   "diffuse_0.pfm", "emission.pfm", "face.pfm", "global_ambient.pfm",
-                                   "l_0.pfm", "n_dot_l_0.pfm", "normal.pfm", "position.pfm", "side.pfm",
-                                   "specular.pfm", "specular_0.pfm", "sum.pfm", "view.pfm"});
+          std::vector<std::string>{"a.pfm",       "ambient.pfm",   "ambient_0.pfm",      "depth.pfm",
+                                   "diffuse.pfm", "diffuse_0.pfm", "distance_0.pfm",     "emission.pfm",
+                                   "face.pfm",    "falloff_0.pfm", "global_ambient.pfm", "h_0.pfm",
+                                   "l_0.pfm",     "n_dot_l_0.pfm", "normal.pfm",         "position.pfm",
+                                   "r_0.pfm",     "side.pfm",      "specular.pfm",       "specular_0.pfm",
+                                   "sum.pfm",     "view.pfm"});
     CHECK(bytes_of(directory.path("sum.pfm")) == bytes_of(out));
     const TemporaryDirectory beside_exr;
     const std::string exr = beside_exr.path("a.exr");
     REQUIRE(run_glint({"render", "-", "-o", exr, "--size", "32x24", "--buffers", beside_exr.path("")}, ball)
                 .status == 0);
-    CHECK(beside_exr.names().size() == 18);
+    CHECK(beside_exr.names().size() == 22);
     CHECK(bytes_of(beside_exr.path("sum.exr")) == bytes_of(exr));
     check_wrong({"render", "-", "-o", out, "--buffers", "/nowhere"},
                 "--buffers: /nowhere is not a directory; expected a directory that is there");

@@ -17,7 +17,7 @@ TEST_CASE("glint mistakes lists the catalogue as text and as JSON", "[cli][mista
     REQUIRE(text.status == 0);
     REQUIRE(json.status == 0);
     const auto all = nlohmann::json::parse(json.out)["mistakes"];
-    CHECK(all.size() == 52);
+    CHECK(all.size() == 79);
     std::string scene = R"({"glint": 1, "shading": {"mistakes": {)";
     for (const auto& mistake : all) {
         const std::string name = mistake["name"];

@@ -3,7 +3,6 @@
 
 #include "diagnose/diagnose.h"
 #include "diagnose/search/comparable.h"
-#include "diagnose/search/hypotheses.h"
 #include "diagnose/search/score.h"
 #include "models/scene/mistakes.h"
 #include "tests/diagnose/wrong_pictures.h"
@@ -70,7 +69,7 @@ TEST_CASE("faces that the light culls are named on another background, alone and
         wrong.display.background = {0.6f, 0.1f, 0.3f};
         Renderer renderer(2);
         const Picture picture = renderer.render(wrong, diagnosed_size);
-        const Diagnosis d = diagnose(document, picture, {two, 0, {}});
+        const Diagnosis d = diagnose(document, picture, {.pairs = two});
         CAPTURE(two, d.why);
         REQUIRE(d.verdict == Verdict::Mistake);
         MistakeSet expected;

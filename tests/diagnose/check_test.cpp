@@ -57,7 +57,8 @@ class RightBuffers {
             }
         }
         const BufferCheck check = check_buffers(document_, buffers, 1);
-        if (!check.differs) return "nothing";
+        if (!check.differs)
+            return check.conventions.empty() ? "nothing" : check.conventions.front().substr(name.size() + 2);
         CHECK(check.differs->name == name);
         return check.differs->found;
     }
@@ -206,6 +207,85 @@ TEST_CASE("the eye and the light in one frame and the point in another are named
                            fmt::format("from the point in {} to the light in {}", point_name, head_name)));
             }
         }
+}
+
+TEST_CASE("distances, falloffs, cones, r and h are named by what the program computed", "[diagnose][check]") {
+    const RightBuffers right(torus_scene());
+    const auto found = [&](const char* name, const auto& change) {
+        return right.found_in(
+            name, [&](glm::dvec3, const Explanation& e) { return glm::dvec3(change(e.at.lights[1], e.at)); });
+    };
+    const auto r = [](const ExplainedLight& l) { return double(l.distance); };
+    CHECK(says(found("distance_1", [](const auto&, const auto&) { return 1.0; }), "1 everywhere"));
+    CHECK(says(found("distance_1", [&](const auto& l, const auto&) { return std::sqrt(r(l) * r(l) + 1); }),
+               "sqrt(r^2 + 1)"));
+    // The bulb's factors are 1, 0.1 and 0.05.
+    CHECK(says(
+        found("falloff_1", [&](const auto& l, const auto&) { return 1 / (0.1 * r(l) + 0.05 * r(l) * r(l)); }),
+        "without the constant"));
+    CHECK(says(found("falloff_1", [](const auto&, const auto&) { return 1 / 1.15; }),
+               "1 everywhere: taken after l"));
+    CHECK(says(found("falloff_1",
+                     [&](const auto& l, const auto&) { return 1 / (1 + 0.05 * r(l) + 0.1 * r(l) * r(l)); }),
+               "exchanged"));
+    CHECK(says(right.found_in("cone_2", [](glm::dvec3, const Explanation&) { return glm::dvec3(1); }),
+               "the cone is not tested"));
+    CHECK(says(found("r_1",
+                     [](const auto& l, const auto& at) {
+                         return glm::dvec3(double(l.n_dot_l) * glm::dvec3(at.normal.camera) -
+                                           glm::dvec3(l.l.camera));
+                     }),
+               "not doubled"));
+    CHECK(says(
+        found("h_1", [](const auto& l,
+                        const auto& at) { return glm::dvec3(glm::normalize(l.l.camera - at.view.camera)); }),
+        "of l - v"));
+}
+
+TEST_CASE("normals as colours, with exchanged axes and by an inverse are named", "[diagnose][check]") {
+    const SceneDocument document = torus_scene();
+    const RightBuffers right(document);
+    CHECK(says(found_in("normal", [](glm::dvec3 n) { return 0.5 * n + 0.5; }), "n / 2 + 1/2"));
+    const glm::dmat3 from_object(view_from_world(document.scene.camera) *
+                                 world_from_object(document.scene.objects[0].transform));
+    const auto by = [&](const auto& change) {
+        return right.found_in("normal", [&](glm::dvec3 n, const Explanation&) {
+            return glm::normalize(change(glm::normalize(glm::transpose(from_object) * n)));
+        });
+    };
+    CHECK(says(by([&](glm::dvec3 n) { return glm::inverse(from_object) * n; }),
+               "inverse of V M, not transposed"));
+    CHECK(says(by([&](glm::dvec3 n) {
+                   return glm::transpose(glm::inverse(from_object)) * glm::dvec3(n.x, n.z, n.y);
+               }),
+               "(x, z, y)"));
+}
+
+TEST_CASE("rows from top to bottom and vectors in world coordinates are accepted", "[diagnose][check]") {
+    const SceneDocument document = torus_scene();
+    Renderer renderer(1);
+    (void)renderer.render(document.scene, diagnosed_size, true);
+    std::vector<PixelBuffer> buffers =
+        pixel_buffers(renderer, document.scene, diagnosed_size, {"position", "normal", "view"});
+    const glm::mat4 to_world(world_from_view(document.scene.camera));
+    for (PixelBuffer& b : buffers)
+        for (std::size_t i = 0; i < b.picture.linear.size(); i += 3) {
+            float* const at = &b.picture.linear[i];
+            const glm::vec3 moved(to_world * glm::vec4(at[0], at[1], at[2], b.name == "position" ? 1 : 0));
+            std::copy_n(&moved.x, 3, at);
+        }
+    CHECK(check_buffers(document, buffers, 1).differs.has_value());
+    CHECK_FALSE(check_buffers(document, buffers, 1, true).differs.has_value());
+    std::vector<PixelBuffer> turned = pixel_buffers(renderer, document.scene, diagnosed_size, {"position"});
+    std::vector<float>& numbers = turned[0].picture.linear;
+    const std::vector<float> before = numbers;
+    const int row = 3 * diagnosed_size.width;
+    for (int y = 0; y < diagnosed_size.height; ++y)
+        std::copy_n(&before[std::size_t(row * y)], row,
+                    &numbers[std::size_t(row * (diagnosed_size.height - 1 - y))]);
+    const BufferCheck check = check_buffers(document, turned, 1);
+    REQUIRE(check.differs.has_value());
+    CHECK(says(check.differs->found, "rows from top to bottom"));
 }
 
 TEST_CASE("a cosine of a normal and a light in different frames is named", "[diagnose][check][release]") {

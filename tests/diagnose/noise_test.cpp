@@ -1,13 +1,13 @@
 // Noise, as a renderer that samples or dithering leaves it, is neither a mistake nor hides one.
-#include "diagnose/search/noise.h"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
 
 #include "diagnose/diagnose.h"
 #include "diagnose/diagnosis_format.h"
+#include "diagnose/search/softness.h"
 #include "tests/diagnose/wrong_pictures.h"
 #include "tests/support/catch.h"
 
@@ -61,17 +61,20 @@ TEST_CASE("a picture with more noise than can be judged is not comparable, and t
 }
 
 TEST_CASE("noise around one colour is not a picture of a scene", "[diagnose]") {
-    for (const char* name : {"sun.json", "still-life.json", "default.json"})
-        for (const int level : {0, 40, 128})
-            for (const double deviation : {2.0, 4.0, 9.0}) {
-                const SceneDocument document = shipped(name);
-                Picture grey = picture_under(document.scene, {});
-                std::fill(grey.rgba.begin(), grey.rgba.end(), static_cast<std::uint8_t>(level));
-                INFO(name << ", " << level << ", noise " << deviation);
-                const Diagnosis d = diagnosed(document, noisy(grey, deviation, 6));
-                CHECK(d.verdict == Verdict::NotComparable);
-                CHECK(d.why.starts_with("it has a single colour but for noise of about "));
-            }
+    constexpr std::array names{"sun.json", "still-life.json", "default.json"};
+    constexpr std::array levels{0, 40, 128};
+    constexpr std::array deviations{2.0, 4.0, 9.0};
+    for (std::size_t scene = 0; scene < names.size(); ++scene)
+        for (std::size_t i = 0; i < levels.size(); ++i) {  // any two values meet once
+            const double deviation = deviations[(scene + i) % deviations.size()];
+            const SceneDocument document = shipped(names[scene]);
+            Picture grey = picture_under(document.scene, {});
+            std::fill(grey.rgba.begin(), grey.rgba.end(), static_cast<std::uint8_t>(levels[i]));
+            INFO(names[scene] << ", " << levels[i] << ", noise " << deviation);
+            const Diagnosis d = diagnosed(document, noisy(grey, deviation, 6));
+            CHECK(d.verdict == Verdict::NotComparable);
+            CHECK(d.why.starts_with("it has a single colour but for noise of about "));
+        }
 }
 
 TEST_CASE("a mistake is named in a noisy picture", "[diagnose][release]") {
@@ -83,9 +86,6 @@ TEST_CASE("a mistake is named in a noisy picture", "[diagnose][release]") {
             const Picture wrong = noisy(picture_under(document.scene, mistake), deviation, 4);
             INFO(name << ", noise " << deviation);
             const Diagnosis d = diagnosed(document, wrong);
-            REQUIRE(d.verdict == Verdict::Mistake);
-            const Candidate& first = d.candidates.front();
-            CHECK((first.mistakes == mistake ||
-                   std::count(first.also.begin(), first.also.end(), mistake) == 1));
+            CHECK(is_named(d, mistake));
         }
 }

@@ -74,7 +74,29 @@ inline std::size_t place_of(std::string_view name) {
 
 /// On one thread, without pairs.
 inline Diagnosis diagnosed(const SceneDocument& document, const Picture& picture) {
-    return diagnose(document, picture, {false, 1, {}});
+    return diagnose(document, picture, {.threads = 1});
+}
+
+/// Whether the first candidate explains the picture and is these mistakes, or shows the same as they do. A
+/// mistake that removes a term or light is the second name: what is missing is the simpler explanation. A
+/// mistake that is a convention of many programs is named as one.
+inline bool is_named(const Diagnosis& d, const MistakeSet& mistakes) {
+    if (d.verdict == Verdict::NoMistake && d.conventions.size() == 1)
+        return d.conventions.front().starts_with(name_of(mistakes) + ":");
+    if (!is_explained(d.verdict)) return false;
+    const Candidate& first = d.candidates.front();
+    return first.mistakes == mistakes ||
+           std::find(first.also.begin(), first.also.end(), mistakes) != first.also.end() ||
+           std::find(first.also_named.begin(), first.also_named.end(), name_of(mistakes)) !=
+               first.also_named.end();
+}
+
+/// The --set options of the first candidate, separated by spaces.
+inline std::string settings_of(const Diagnosis& d) {
+    std::string all;
+    if (d.candidates.empty()) return all;
+    for (const std::string& set : d.candidates.front().options()) all += (all.empty() ? "" : " ") + set;
+    return all;
 }
 
 struct WrongPicture {

@@ -6,6 +6,7 @@
 #include "models/scene/mistakes.h"
 #include "models/scene_file/scene_file.h"
 #include "shader/shader_canvas.h"
+#include "tests/diagnose/wrong_pictures.h"
 #include "tests/support/asset_scenes.h"
 #include "tests/support/catch.h"
 #include "tests/support/mistake_scenes.h"
@@ -56,10 +57,6 @@ int unlike(const Picture& a, const Picture& b) {
     return count;
 }
 
-bool is_among(const MistakeSet& wanted, const std::vector<MistakeSet>& sets) {
-    return std::find(sets.begin(), sets.end(), wanted) != sets.end();
-}
-
 }  // namespace
 
 TEST_CASE("the lighting that Glint writes is without a mistake in every asset scene", "[shader][release]") {
@@ -101,10 +98,7 @@ TEST_CASE("a mistake in the text of the lighting is named first", "[shader][rele
         if (unlike(picture, drawn(scene, right).picture) < enough) continue;
         ++shown;
         const Diagnosis found = diagnosis_of(scene, picture);
-        const MistakeSet wanted{i};
-        const bool is_first =
-            found.verdict == Verdict::Mistake &&
-            (found.candidates[0].mistakes == wanted || is_among(wanted, found.candidates[0].also));
+        const bool is_first = test::is_named(found, {i});
         named += is_first;
         if (!is_first) others += " " + std::string(mistake.name);
     }

@@ -12,7 +12,7 @@
 //@can mode.phong spot.soft wrong.no_clamp_of_cosine flat.centroid exposure exponent.large lights.above_8 lights.above_32
 //@can shininess.large shininess.zero
 //@can wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
-//@can wrong.mirror_turns_inside_out wrong.falloff_forgotten
+//@can wrong.half_lambert wrong.mirror_turns_inside_out wrong.falloff_forgotten
 
 #include <algorithm>
 #include <cmath>
@@ -25,15 +25,10 @@
 //@if reflection.lit
 //@if uses.power|uses.table_power|light.spot
 /// x^s; anything to the power 0 is 1, a negative cosine gives 0.
-//@if wrong.unnormalized_normals&!wrong.unnormalized_light&!wrong.unnormalized_view
-/// (what exceeds 1 counts as 1)
-double power(double x, double s) { return s == 0 ? 1 : x <= 0 ? 0 : std::pow(std::min(x, 1.0), s); }
-//@else
 //@if wrong.power_zero_is_nan
 double power(double x, double s) { return s == 0 && x <= 0 ? NAN : x <= 0 ? 0 : std::pow(x, s); }
 //@else
 double power(double x, double s) { return s == 0 ? 1 : x <= 0 ? 0 : std::pow(x, s); }
-//@end
 //@end
 //@end
 //@if uses.unclamped_power

@@ -50,16 +50,11 @@ float over(float a, float b) { return b == 0.0 ? 0.0 : a / b; }
 vec3 unit(vec3 a) { return over(1.0, length(a)) * a; }
 //@if uses.power|uses.table_power|light.spot
 // x^s; anything to the power 0 is 1, a negative cosine gives 0.
-//@if wrong.unnormalized_normals&!wrong.unnormalized_light&!wrong.unnormalized_view
-// (what exceeds 1 counts as 1)
-float power(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : pow(min(x, 1.0), s); }
-//@else
 //@if cosine.above_1
 // (a vector that is not unit makes it huge: infinity could not be interpolated)
 float power(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : min(pow(x, s), 1.0e30); }
 //@else
 float power(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : pow(x, s); }
-//@end
 //@end
 //@end
 //@if uses.unclamped_power

@@ -13,7 +13,7 @@
 // Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye at the origin, x to
 // the right, y up, the view along -z.
 //@can mode.phong spot.soft mode.facet mode.flat flat.centroid exposure exponent.large lights.above_8 shininess.large shininess.zero
-//@can corners.clamped interpolation.screen tone power_table two_sided transfer.srgb wrong.no_clamp_of_cosine
+//@can corners.clamped interpolation.screen tone power_table two_sided transfer.srgb wrong.no_clamp_of_cosine wrong.half_lambert
 //@can wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
 
 #define GL_GLEXT_PROTOTYPES

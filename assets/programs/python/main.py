@@ -9,7 +9,7 @@
 # Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye at the origin, x to
 # the right, y up, the view along -z.
 #@can mode.phong spot.soft wrong.no_clamp_of_cosine flat.centroid exposure exponent.large lights.above_8 lights.above_32 shininess.large shininess.zero
-#@can wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
+#@can wrong.half_lambert wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
 from collections import namedtuple
 from types import SimpleNamespace as Named
 
@@ -72,9 +72,6 @@ def power(x, s):  # anything to the power 0 is 1, a negative cosine gives 0
         #@else
         return np.ones_like(x)
         #@end
-    #@if wrong.unnormalized_normals&!wrong.unnormalized_light&!wrong.unnormalized_view
-    x = np.minimum(x, 1.0)  # (what exceeds 1 counts as 1)
-    #@end
     return np.where(x > 0, max(x, 1e-300) ** s, 0.0)
 
 #@end

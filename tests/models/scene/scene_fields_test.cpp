@@ -80,8 +80,10 @@ TEST_CASE("every field has its own key, a label and a help text", "[fields]") {
 /// Whether the text omits the number at that value, its default.
 bool is_omitted(const std::string& pointer, double value) {
     if (pointer.ends_with("/spot/inner_deg")) return value == 180;
+    if (pointer.starts_with("/shading/mistakes/only_")) return value == -1;
     if (value != 0) return false;
-    return pointer == "/shading/power_table" || pointer.ends_with("/mesh/part") ||
+    return pointer == "/shading/power_table" || pointer.ends_with("/form") ||
+           pointer.ends_with("/highlight_form") || pointer.ends_with("/mesh/part") ||
            pointer.ends_with("/mesh/decimate") || pointer.ends_with("/mesh/subdivide");
 }
 

@@ -134,6 +134,19 @@ TEST_CASE("mistakes in the direction of a lamp", "[mistakes]") {
     CHECK(brightness(plate({of_camera}, {&Mistakes::aim_stays_at_origin})) == Approx(1));
 }
 
+TEST_CASE("an unnormalized l of length 2 is inside a cone of 30 degrees at 60 degrees", "[mistakes]") {
+    Scene scene = plate({lamp_at({0, 0, 2}, {std::sqrt(3.0f) / 2, 0, -0.5f})}, {});
+    CHECK(brightness(scene) == 0);
+    scene.shading.mistakes.unnormalized_light = true;
+    CHECK(brightness(scene) == 0);
+    scene.shading.mistakes.form = 1;  // cos 60 times 2 is more than cos 30; n.l is 2
+    CHECK(brightness(scene) == Approx(2));
+    scene.lights = {sun_from({0, 0, 3})};
+    CHECK(brightness(scene) == Approx(3));
+    scene.shading.mistakes.form = 2;  // not of directional lights
+    CHECK(brightness(scene) == Approx(1));
+}
+
 TEST_CASE("mistakes in r: l = (3, 0, 4)/5 has r.v = 4/5, GLSL's sign -4/5, subtraction 8/25", "[mistakes]") {
     const auto r_dot_v = [](std::initializer_list<bool Mistakes::*> mistakes) {
         return middle_of_plate(plate({sun_from({0.6f, 0, 0.8f})}, mistakes)).at.lights[0].r_dot_v;

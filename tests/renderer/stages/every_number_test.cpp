@@ -32,6 +32,7 @@ std::vector<Scene> scenes() {
     all[0].shading.reflection = Reflection::CookTorrance;
     all[1].shading.reflection = Reflection::OrenNayar;
     all[2].camera.projection = Orthographic{3};
+    all[2].shading.mistakes.half_lambert = true;
     all[3].camera.projection = Frustum{-0.1f, 0.1f, -0.08f, 0.08f, 0.2f, 6};
     all[5].transport = {TransportModel::Bounces, 2, 1, 1};
     all[4].npr.cool_to_warm = all[4].npr.silhouettes = all[4].npr.creases = true;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "diagnose/diagnosis_format.h"
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
@@ -130,6 +131,7 @@ TEST_CASE("display mistakes are removed from the compared picture", "[ui][window
         std::copy_n(&upright.rgba[4 * upright.pixel(0, y)], 4 * brought_size.width,
                     &turned.rgba[4 * turned.pixel(0, brought_size.height - 1 - y)]);
     bring(bench, folder, turned);
+    INFO(diagnosis_text(found(bench), bench.scene()));
     CHECK(found(bench).display.change.upside_down);
     REQUIRE(bench.state.get<CompareState>().choice.mine);
     CHECK(bench.state.get<CompareState>().choice.mine->rgba == upright.rgba);

@@ -19,7 +19,8 @@ bool wait_for_pictures(HeadlessWindow& bench) {
     const MistakePictures& m = bench.state.get<MistakePictures>();
     for (int i = 0; i < 4000; ++i) {
         bench.frames(1);
-        if (m.begun && !m.pictures.job) return m.pictures.taken == 53;
+        if (m.begun && !m.pictures.job)
+            return m.pictures.taken == static_cast<int>(mistake_names().size()) + 1;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return false;

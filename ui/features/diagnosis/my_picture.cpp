@@ -11,7 +11,8 @@
 #include <thread>
 #include <utility>
 
-#include "diagnose/search/undone.h"
+#include "diagnose/arrived.h"
+#include "diagnose/diagnosis_format.h"
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
 #include "ui/commands/command.h"
@@ -41,9 +42,8 @@ int threads_beside() {
 }
 
 /// Reports to the job's own progress, and stops the diagnosis when that is cancelled.
-PictureAnswer answer_of(const SceneDocument& document, const Picture& wrong, bool pairs,
-                        LoadProgress& progress) {
-    DiagnosisOptions options{pairs, threads_beside(), {}};
+PictureAnswer answer_of(const SceneDocument& document, const Picture& wrong, const std::string& arrived,
+                        DiagnosisOptions options, LoadProgress& progress) {
     options.progress = [&progress](std::size_t done, std::size_t all) {
         progress.total = all;
         progress.done = done;
@@ -51,11 +51,12 @@ PictureAnswer answer_of(const SceneDocument& document, const Picture& wrong, boo
     };
     PictureAnswer answer;
     answer.diagnosis = diagnose(document, wrong, options);
+    answer.diagnosis.display.arrived = arrived;
     answer.mine = std::make_shared<const Picture>(undone(wrong, answer.diagnosis.display.change));
     Renderer renderer(options.threads);
     for (const Candidate& candidate : answer.diagnosis.candidates)
         answer.thumbnails.push_back(
-            renderer.render(under_mistakes(document.scene, candidate.mistakes), thumbnail_size(wrong.size)));
+            renderer.render(scene_under(document.scene, candidate), thumbnail_size(wrong.size)));
     return answer;
 }
 
@@ -77,8 +78,12 @@ void show_answer(UiState& state, PictureAnswer answer) {
 
 BroughtPicture brought(const std::string& path, const std::shared_ptr<const Picture>& file,
                        const Display& display) {
-    if (!file->rgba.empty()) return {path, file, file, display};
-    return {path, file, std::make_shared<const Picture>(as_shown(*file, display)), display};
+    auto [picture, undone] = as_arrived(as_shown(*file, display));
+    return {.path = path,
+            .file = file,
+            .shown = std::make_shared<const Picture>(std::move(picture)),
+            .display = display,
+            .arrived = std::move(undone)};
 }
 
 /// A picture at half its brightness, in place of one that cannot be drawn; black if there is none.
@@ -142,6 +147,7 @@ void take_picture(UiState& state, BroughtPicture picture) {
     if (!picture.shown) return show_outdated(state, std::move(picture.messages));
     mine.shown = std::move(picture.shown);
     mine.file = std::move(picture.file);
+    mine.arrived = std::move(picture.arrived);
     mine.display = picture.display;
     mine.messages = std::move(picture.messages);
     mine.is_outdated = false;
@@ -170,8 +176,9 @@ void begin_diagnosis(UiState& state) {
     document.scene = mine.asked_of;
     mine.job = state.jobs.start<PictureAnswer>(
         mine.name,
-        [document = std::move(document), wrong = mine.shown, pairs = mine.pairs](LoadProgress& progress)
-            -> Result<PictureAnswer> { return answer_of(document, *wrong, pairs, progress); });
+        [document = std::move(document), wrong = mine.shown, arrived = mine.arrived,
+         options = DiagnosisOptions{mine.pairs, mine.conventions, threads_beside()}](LoadProgress& progress)
+            -> Result<PictureAnswer> { return answer_of(document, *wrong, arrived, options, progress); });
 }
 
 /// Begins to load a file. `follows`: as in MyPictureState.

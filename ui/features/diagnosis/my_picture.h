@@ -37,12 +37,12 @@ struct TriedExperiment {
     Scene scene;
 };
 
-/// A picture as in its file, and as bytes (see as_shown()): the same if the file contains bytes, or is a
-/// shader.
+/// A picture as in its file, and as bytes (see as_shown() and as_arrived()).
 struct BroughtPicture {
     std::string path;
     std::shared_ptr<const Picture> file, shown;  // null: of a shader that cannot be drawn
     Display display;                             // that made the bytes
+    std::string arrived = {};                    // what as_arrived() undid
     std::optional<WatchedFile> watched = {};     // since before it was read
     // Of a shader: its text, and errors and warnings with their lines in it, or 0.
     std::string text = {};
@@ -60,7 +60,9 @@ struct MyPictureState {
     std::shared_ptr<const Picture> shown;  // its bytes; null without a picture
     std::shared_ptr<const Picture> file;   // as in the file
     Display display;                       // that made the bytes of a linear one
+    std::string arrived;                   // what as_arrived() undid
     bool pairs = false;                    // also search for two mistakes at once
+    std::vector<std::string> conventions;  // of convention_names(), that the program is known to have
     JobPtr<BroughtPicture> reading;
     double reading_since = 0;  // ImGui time when it began
     bool follows = false;      // `reading` reads the file again, and only its picture changes
@@ -124,6 +126,7 @@ void save_shader(UiState& state);
 
 /// "Normals flipped + gamma twice", as the Mistakes tab names them.
 [[nodiscard]] std::string title_of(const MistakeSet& mistakes);
+[[nodiscard]] std::string title_of(const Candidate& candidate);
 
 /// Switches these mistakes on and all others off; if exactly these are on, switches them off.
 void switch_mistakes(Scene& scene, const MistakeSet& mistakes);

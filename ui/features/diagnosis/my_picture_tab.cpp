@@ -110,14 +110,14 @@ void previous_verdicts(const MyPictureState& mine) {
 void verdict(const Diagnosis& d, const Scene& scene) {
     std::string word(verdict_text(d.verdict));
     word[0] = static_cast<char>(word[0] - 'a' + 'A');
-    if (d.verdict == Verdict::Mistake) word += ": " + title_of(d.candidates.front().mistakes);
+    if (is_explained(d.verdict)) word += ": " + title_of(d.candidates.front());
     ImGui::Dummy({0, px(2)});
     ImGui::PushFont(fonts().title);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(word.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
-    if (d.verdict != Verdict::Mistake) {
+    if (!is_explained(d.verdict)) {
         std::string text = diagnosis_text(d, scene);
         text.erase(0, text.find(": ") + 2);  // the verdict, which is shown above
         text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -126,7 +126,7 @@ void verdict(const Diagnosis& d, const Scene& scene) {
     }
     if (const std::string display = display_text(d.display); !display.empty())
         wrapped_dim("Set aside first, because it is not a lighting mistake: " + display + ".");
-    if (d.left_out) wrapped_dim(left_out_text(*d.left_out, scene));
+    if (d.verdict != Verdict::Mistake) wrapped_dim(d.candidates.front().words);
     ImGui::Dummy({0, px(2)});
 }
 
@@ -137,13 +137,30 @@ void offer_pairs(MyPictureState& mine) {
     tooltip("Look for two mistakes at once", "Tries all pairs of the catalogue, which takes a second or two");
 }
 
+/// What the user knows of the program, so that nothing else is supposed.
+void known_conventions(MyPictureState& mine) {
+    if (!fold("My program", !mine.conventions.empty())) return;
+    for (const ConventionName& row : convention_names()) {
+        const auto at = std::find(mine.conventions.begin(), mine.conventions.end(), row.name);
+        bool has = at != mine.conventions.end();
+        const bool switched = ImGui::Checkbox(row.label.data(), &has);
+        tooltip(row.label.data(), row.words.data());
+        if (!switched) continue;
+        if (has)
+            mine.conventions.emplace_back(row.name);
+        else
+            mine.conventions.erase(at);
+        ask_again(mine);
+    }
+}
+
 /// Draws a candidate's thumbnail and text, in rows as high as they need.
 void candidate_row(UiState& state, const Candidate& candidate, std::size_t index) {
     MyPictureState& mine = state.get<MyPictureState>();
     const PictureSize cell = mine.sheet.cell;
     const ImVec2 small = px(shown_share) * ImVec2(float(cell.width), float(cell.height));
     const float pad = px(5), width = ImGui::GetContentRegionAvail().x, left = small.x + 3 * pad;
-    const std::string title = title_of(candidate.mistakes);
+    const std::string title = title_of(candidate);
     const std::string brightness = own_brightness(mine.answer->diagnosis, candidate);
     const std::string words =
         fmt::format("explains {} % of the error, leaves {:.2f} levels{}{}", explained_percent(candidate),
@@ -156,7 +173,8 @@ void candidate_row(UiState& state, const Candidate& candidate, std::size_t index
     if (clicked) mine.chosen = index;
     const auto [low, end] = last_item();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool on = are_on(state.editor.scene(), candidate.mistakes), hovered = ImGui::IsItemHovered();
+    const bool on = !candidate.mistakes.empty() && are_on(state.editor.scene(), candidate.mistakes),
+               hovered = ImGui::IsItemHovered();
     list.AddRectFilled(low, end, to_u32(hovered ? theme().field_hovered : theme().field), px(4));
     list.AddRect(low, end, to_u32(on ? theme().accent : theme().line), px(4), 0, px(on ? 2 : 1));
     const ImVec2 corner = low + pad * ImVec2(1, 1);
@@ -166,6 +184,10 @@ void candidate_row(UiState& state, const Candidate& candidate, std::size_t index
                  wrap);
     list.AddText(fonts().small, small_text_height(), {text.x, text.y + title_size.y + px(2)},
                  to_u32(theme().dim_text), words.c_str(), nullptr, wrap);
+    if (candidate.mistakes.empty()) {
+        if (is_pointed_at()) show_instead(state, scene_under(state.editor.scene(), candidate), title);
+        return;
+    }
     offer(state, candidate.mistakes, clicked);
     for (const MistakeSet& like : candidate.also) {
         const std::string label = "or: " + title_of(like);
@@ -177,7 +199,7 @@ void candidate_row(UiState& state, const Candidate& candidate, std::size_t index
 void candidates(UiState& state) {
     const Diagnosis& d = state.get<MyPictureState>().answer->diagnosis;
     if (d.candidates.empty()) return;
-    if (d.verdict != Verdict::Mistake) section_heading("Nearest");
+    if (!is_explained(d.verdict)) section_heading("Nearest");
     for (std::size_t i = 0; i < d.candidates.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         candidate_row(state, d.candidates[i], i);
@@ -192,7 +214,7 @@ void candidates(UiState& state) {
     tooltip("Why?", "Picks this pixel and shows which term differs in the equation");
     colour_line("mine", c.mine);
     colour_line("right", c.reference);
-    colour_line(title_of(c.mistakes).c_str(), c.as_mistaken);
+    colour_line(title_of(c).c_str(), c.as_mistaken);
 }
 
 /// The change of the scene that distinguishes the candidates, and what each shows then.
@@ -236,9 +258,13 @@ void nothing_brought(UiState& state) {
 
 }  // namespace
 
+std::string title_of(const Candidate& candidate) {
+    return candidate.mistakes.empty() ? candidate.name : title_of(candidate.mistakes);
+}
+
 std::string finding_of(const Diagnosis& diagnosis) {
-    return diagnosis.verdict == Verdict::Mistake ? title_of(diagnosis.candidates.front().mistakes)
-                                                 : std::string(verdict_text(diagnosis.verdict));
+    return is_explained(diagnosis.verdict) ? title_of(diagnosis.candidates.front())
+                                           : std::string(verdict_text(diagnosis.verdict));
 }
 
 std::string title_of(const MistakeSet& mistakes) {
@@ -281,6 +307,7 @@ void my_picture_tab(UiState& state, const PictureView&) {
         candidates(state);
         experiment(state);
     }
+    known_conventions(mine);
     previous_verdicts(mine);
 }
 

@@ -141,8 +141,7 @@ void my_pixel(UiState& state) {
         colour_line(fmt::format("mine, pixel {}, {}", pixel->place.x, pixel->place.y).c_str(), pixel->mine);
     colour_line("right", bytes_of(pixel->right));
     if (!pixel->mistaken) return;
-    colour_line(title_of(chosen_candidate(state.get<MyPictureState>())->mistakes).c_str(),
-                bytes_of(*pixel->mistaken));
+    colour_line(title_of(*chosen_candidate(state.get<MyPictureState>())).c_str(), bytes_of(*pixel->mistaken));
     if (pixel->right.hit && pixel->mistaken->hit) term_table(state, pixel->right, *pixel->mistaken);
 }
 

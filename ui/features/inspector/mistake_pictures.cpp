@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/search/mistake_set.h"
+#include "diagnose/search/supposition.h"
 #include "ui/feature.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/inspector/tabs.h"

@@ -1,13 +1,23 @@
 #pragma once
-// A picture at another size.
+// Pictures as they arrive: copies of a window, with a border or with each pixel as a square.
 
 #include <algorithm>
+#include <string>
 
 #include "renderer/picture.h"
 
 namespace glint {
 
-/// The bytes of a picture at another size, each pixel the one that lies there: nothing is blended.
+struct ArrivedPicture {
+    Picture picture;
+    std::string words;  // what was undone; empty if nothing was
+};
+
+/// Returns the bytes of the picture without a border or letterbox of one colour, and with each square of k x
+/// k equal pixels, k up to 4, as one pixel.
+[[nodiscard]] ArrivedPicture as_arrived(Picture picture);
+
+/// The bytes of a picture at another size, each pixel the nearest one: nothing is blended.
 [[nodiscard]] inline Picture resampled(const Picture& picture, PictureSize size) {
     if (picture.size == size) return picture;
     Picture other{size, std::vector<std::uint8_t>(4 * size.pixels()), {}};

@@ -1,0 +1,607 @@
+#include "diagnose/search/supposition.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+#include "models/fields/choices.h"
+#include "models/scene/mistakes.h"
+
+namespace glint {
+namespace {
+
+// The cost of believing each kind of explanation: one more must halve the residual.
+constexpr double of_left_out = 0.7, of_setting = 0.85, of_mistake = 0.95, of_number = 1.6, of_pair = 2.2;
+constexpr double of_restriction = 0.4, of_other_form = 0.05;
+
+Supposition edit_of(ExplanationKind kind, double belief, std::string name, std::string words,
+                    std::vector<std::string> set, SceneEdit edit) {
+    Supposition e;
+    e.kind = kind;
+    e.belief = belief;
+    e.name = std::move(name);
+    e.words = std::move(words);
+    e.set = std::move(set);
+    e.edits.push_back(std::move(edit));
+    return e;
+}
+
+std::string light_name(const Scene& scene, std::size_t i) { return scene.lights[i].name; }
+
+}  // namespace
+
+Scene under_mistakes(Scene scene, const MistakeSet& mistakes) {
+    scene.shading.mistakes = {};
+    for (const std::size_t i : mistakes) scene.shading.mistakes.*mistake_names()[i].flag = true;
+    return scene;
+}
+
+std::string name_of(const MistakeSet& mistakes) {
+    if (mistakes.empty()) return "right";
+    std::string name;
+    for (const std::size_t i : mistakes) {
+        if (!name.empty()) name += " + ";
+        name += mistake_names()[i].name;
+    }
+    return name;
+}
+
+Scene Supposition::program(const Scene& right) const {
+    Scene scene = right;
+    for (const SceneEdit& edit : convention_edits) edit(scene);
+    return scene;
+}
+
+Scene Supposition::applied(const Scene& right) const {
+    Scene scene = program(right);
+    for (const SceneEdit& edit : edits) edit(scene);
+    return scene;
+}
+
+bool Supposition::is_axes_form() const {
+    return kind == ExplanationKind::Mistake &&
+           mistake_names()[mistakes.front()].flag == &Mistakes::normals_axes_exchanged;
+}
+
+// Curves of displays.
+
+std::string_view tone_name(ToneCurve tone) {
+    constexpr std::array names{"",
+                               "Reinhard's curve x / (1 + x)",
+                               "Reinhard's curve of the luminance",
+                               "the curve 1 - exp(-x)",
+                               "ACES's curve, after K. Narkowicz",
+                               "Hable's curve"};
+    return names[static_cast<std::size_t>(tone)];
+}
+
+glm::vec3 toned(ToneCurve tone, glm::vec3 c) {
+    switch (tone) {
+    case ToneCurve::None:
+        break;
+    case ToneCurve::Reinhard:
+        return c / (1.0f + c);
+    case ToneCurve::ReinhardLuminance:
+        return c / (1.0f + glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)));
+    case ToneCurve::Exponential:
+        return 1.0f - glm::exp(-c);
+    case ToneCurve::Aces:
+        return glm::clamp((c * (2.51f * c + 0.03f)) / (c * (2.43f * c + 0.59f) + 0.14f), 0.0f, 1.0f);
+    case ToneCurve::Hable: {
+        const auto curve = [](glm::vec3 x) {
+            return (x * (0.15f * x + 0.05f) + 0.004f) / (x * (0.15f * x + 0.5f) + 0.06f) - 0.02f / 0.3f;
+        };
+        return curve(2.0f * c) / curve(glm::vec3(11.2f));
+    }
+    }
+    return c;
+}
+
+// Conventions.
+
+std::span<const ConventionName> convention_names() {
+    static constexpr std::array names{
+        ConventionName{"specular_behind_surface", "Ungated highlight",
+                       "It does not test n·l before the highlight"},
+        ConventionName{"interpolated_lengths", "Unit at the pixel only",
+                       "Its normals are not unit at the corners and made unit at the pixel"},
+        ConventionName{"local_viewer", "Other viewer",
+                       "Its viewer is infinitely far away where the scene's is at the eye, or the reverse"},
+        ConventionName{"rules", "Other rules", "It follows OpenGL's fixed function, or the scene does"},
+        ConventionName{"weighting", "Other weights", "It averages normals with other weights"},
+        ConventionName{"highlight_normalized", "Normalized highlight",
+                       "It multiplies the highlight by a factor, as three.js does"}};
+    return names;
+}
+
+std::vector<Convention> conventions_of(const Scene& scene) {
+    std::vector<Convention> all;
+    const auto add_mistake = [&all](std::string_view name, const std::string& words, bool is_usual,
+                                    int form) {
+        for (std::size_t i = 0; i < mistake_names().size(); ++i)
+            if (mistake_names()[i].name == name) {
+                const Supposition e = mistake_edit(i, form);
+                all.push_back({e.name, words, e.set, e.edits.front(), is_usual});
+            }
+    };
+    add_mistake("specular_behind_surface", "it does not test n·l before the highlight; that is common", true,
+                0);
+    add_mistake("interpolated_lengths",
+                "its normals are not unit at the corners and made unit at the pixel; that is common", true,
+                0);
+    const bool local = !scene.shading.local_viewer;
+    all.push_back({"local_viewer",
+                   local ? "its viewer is at the eye" : "its viewer is infinitely far away",
+                   {fmt::format("/shading/local_viewer={}", local)},
+                   [local](Scene& s) { s.shading.local_viewer = local; }});
+    const Rules rules = scene.shading.rules == Rules::Lecture ? Rules::OpenGL2 : Rules::Lecture;
+    all.push_back({"rules",
+                   rules == Rules::OpenGL2 ? "it follows the rules of OpenGL's fixed function"
+                                           : "it follows the lecture's rules, and not those of OpenGL 2",
+                   {fmt::format("/shading/rules={}", name_of(rules))},
+                   [rules](Scene& s) { s.shading.rules = rules; }});
+    for (const NormalWeighting weighting :
+         {NormalWeighting::Uniform, NormalWeighting::Area, NormalWeighting::Angle}) {
+        std::vector<std::string> set;
+        const std::string word(name_of(weighting));
+        for (std::size_t i = 0; i < scene.objects.size(); ++i)
+            if (scene.objects[i].normals.weighting != weighting)
+                set.push_back(fmt::format("/objects/{}/normals/weighting={}", i, word));
+        if (set.empty()) continue;
+        all.push_back({"weighting=" + word, "it averages normals with the weights \"" + word + "\"", set,
+                       [weighting](Scene& s) {
+                           for (Object& o : s.objects) o.normals.weighting = weighting;
+                       }});
+    }
+    const auto normalized = std::find_if(mistake_names().begin(), mistake_names().end(), [](const auto& m) {
+        return m.flag == &Mistakes::highlight_normalized;
+    });
+    for (int form = 0; form < form_count(*normalized); ++form)
+        add_mistake(normalized->name, "it multiplies the highlight by " + form_words(*normalized, form),
+                    false, form);
+    return all;
+}
+
+Supposition with_convention(Supposition e, const Convention& convention) {
+    e.conventions.push_back(convention.name + ": " + convention.words);
+    e.convention_edits.push_back(convention.edit);
+    e.convention_set.insert(e.convention_set.end(), convention.set.begin(), convention.set.end());
+    e.belief += convention.cost;
+    return e;
+}
+
+// Left out.
+
+namespace {
+
+void add_terms_left_out(std::vector<Supposition>& all) {
+    struct Row {
+        const char* name;
+        bool Terms::*flag;
+    };
+    constexpr std::array rows{Row{"specular", &Terms::specular}, Row{"ambient", &Terms::ambient},
+                              Row{"diffuse", &Terms::diffuse}, Row{"emission", &Terms::emission}};
+    for (unsigned bits = 1; bits < 16; ++bits) {
+        std::string names;
+        std::vector<std::string> set;
+        int count = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if ((bits >> i & 1u) == 0) continue;
+            names += (names.empty() ? "" : " and ") + std::string(rows[i].name);
+            set.push_back(fmt::format("/shading/terms/{}=false", rows[i].name));
+            ++count;
+        }
+        if (count > 2) continue;
+        all.push_back(edit_of(
+            ExplanationKind::LeftOut, of_left_out + 0.15 * (count - 1), names + " term",
+            fmt::format("The {} {} left out everywhere.", names, count == 1 ? "term is" : "terms are"),
+            std::move(set), [bits, rows](Scene& s) {
+                for (std::size_t i = 0; i < rows.size(); ++i)
+                    if ((bits >> i & 1u) != 0) s.shading.terms.*rows[i].flag = false;
+            }));
+    }
+}
+
+/// Returns every subset of a few lights; of more lights, each alone and all but each.
+std::vector<std::vector<std::size_t>> sets_of_lights(const std::vector<std::size_t>& on) {
+    constexpr std::size_t few = 6;
+    std::vector<std::vector<std::size_t>> sets;
+    if (on.size() <= few) {
+        for (unsigned bits = 1; bits < 1u << on.size(); ++bits) {
+            std::vector<std::size_t> off;
+            for (std::size_t i = 0; i < on.size(); ++i)
+                if ((bits >> i & 1u) != 0) off.push_back(on[i]);
+            sets.push_back(off);
+        }
+        return sets;
+    }
+    constexpr std::size_t most = 64;
+    for (std::size_t i = 0; i < std::min(on.size(), most); ++i) {
+        sets.push_back({on[i]});
+        std::vector<std::size_t> others = on;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        sets.push_back(others);
+    }
+    sets.push_back(on);
+    return sets;
+}
+
+void add_lights_left_out(std::vector<Supposition>& all, const Scene& scene) {
+    std::vector<std::size_t> on;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (scene.lights[i].enabled) on.push_back(i);
+    for (const std::vector<std::size_t>& off : sets_of_lights(on)) {
+        std::vector<std::string> set;
+        std::string names;
+        for (const std::size_t i : off) {
+            set.push_back(fmt::format("/lights/{}/enabled=false", i));
+            names += (names.empty() ? "" : ", ") + light_name(scene, i);
+        }
+        const bool whole = off.size() == on.size();
+        const double more =
+            whole ? 0 : 0.1 * static_cast<double>(std::min(off.size(), on.size() - off.size()) - 1);
+        all.push_back(edit_of(ExplanationKind::LeftOut, of_left_out + more, whole ? "all lights" : names,
+                              whole ? "No light is on: only what needs none is there."
+                                    : names + (off.size() == 1 ? " is" : " are") + " left out.",
+                              set, [off](Scene& s) {
+                                  for (const std::size_t i : off) s.lights[i].enabled = false;
+                              }));
+    }
+    if (on.size() < 2) return;
+    const auto add_terms_of = [&](const std::string& whose, const std::vector<std::size_t>& lights,
+                                  double more) {
+        using Row = std::pair<const char*, glm::vec3 Light::*>;
+        for (const Row& row : {Row{"specular", &Light::specular}, Row{"diffuse", &Light::diffuse},
+                               Row{"ambient", &Light::ambient}}) {
+            const char* const term = row.first;
+            glm::vec3 Light::*const color = row.second;
+            std::vector<std::string> set;
+            set.reserve(lights.size());
+            for (const std::size_t i : lights) set.push_back(fmt::format("/lights/{}/{}=[0,0,0]", i, term));
+            const std::string name = fmt::format("{} term of {}", term, whose);
+            all.push_back(edit_of(ExplanationKind::LeftOut, of_left_out + more, name,
+                                  fmt::format("The {} is left out.", name), set, [lights, color](Scene& s) {
+                                      for (const std::size_t i : lights) s.lights[i].*color = glm::vec3(0);
+                                  }));
+        }
+    };
+    for (const std::size_t i : on) add_terms_of(light_name(scene, i), {i}, 0.2);
+    for (const LightKind kind :
+         {LightKind::Directional, LightKind::Point, LightKind::Spot, LightKind::Area}) {
+        std::vector<std::size_t> of_kind;
+        for (const std::size_t i : on)
+            if (scene.lights[i].kind == kind) of_kind.push_back(i);
+        if (of_kind.size() > 1 && of_kind.size() < on.size())
+            add_terms_of(fmt::format("{} lights", name_of(kind)), of_kind, 0.25);
+    }
+}
+
+}  // namespace
+
+std::vector<Supposition> left_out_edits(const Scene& scene) {
+    std::vector<Supposition> all;
+    add_terms_left_out(all);
+    if (scene.global_ambient != glm::vec3(0))
+        all.push_back(edit_of(ExplanationKind::LeftOut, of_left_out + 0.05, "global ambient light",
+                              "The global ambient light is left out.", {"/global_ambient=[0,0,0]"},
+                              [](Scene& s) { s.global_ambient = glm::vec3(0); }));
+    add_lights_left_out(all, scene);
+    all.push_back(edit_of(ExplanationKind::LeftOut, of_left_out + 0.3, "lighting",
+                          "Nothing is lit: the mesh's own colours are shown.", {"/shading/reflection=none"},
+                          [](Scene& s) { s.shading.reflection = Reflection::None; }));
+    return all;
+}
+
+// Other settings.
+
+std::vector<Supposition> setting_edits(const Scene& scene) {
+    std::vector<Supposition> all;
+    const auto add = [&](std::string set, const std::string& words, SceneEdit edit, double more = 0) {
+        const std::string name = set.substr(set.rfind('/') + 1);
+        all.push_back(edit_of(ExplanationKind::Setting, of_setting + more, name,
+                              "Your picture is this scene " + words + ".", {std::move(set)},
+                              std::move(edit)));
+    };
+    const auto each = [&](auto Shading::*member, const char* key, const auto& values) {
+        for (const auto value : values)
+            if (scene.shading.*member != value)
+                add(fmt::format("/shading/{}={}", key, name_of(value)),
+                    fmt::format("with {} {}", key, name_of(value)),
+                    [member, value](Scene& s) { s.shading.*member = value; });
+    };
+    each(&Shading::mode, "mode",
+         std::array{ShadingMode::Gouraud, ShadingMode::Flat, ShadingMode::Facet, ShadingMode::Phong});
+    each(&Shading::reflection, "reflection",
+         std::array{Reflection::Phong, Reflection::BlinnPhong, Reflection::Lambert, Reflection::OrenNayar,
+                    Reflection::CookTorrance, Reflection::Retro});
+    each(&Shading::interpolation, "interpolation",
+         std::array{Interpolation::Perspective, Interpolation::Screen, Interpolation::Scanline});
+    each(&Shading::flat_point, "flat_point", std::array{FlatPoint::Centroid, FlatPoint::Provoking});
+    each(&Shading::cull, "cull", std::array{Cull::None, Cull::Back, Cull::Front});
+    const auto toggle = [&](bool Shading::*member, const char* key) {
+        const bool value = !(scene.shading.*member);
+        add(fmt::format("/shading/{}={}", key, value), fmt::format("with {} {}", key, value ? "on" : "off"),
+            [member, value](Scene& s) { s.shading.*member = value; });
+    };
+    toggle(&Shading::two_sided, "two_sided");
+    toggle(&Shading::local_viewer, "local_viewer");
+    const auto objects = [&](const std::string& assignment, const std::string& words, const auto& edit) {
+        constexpr std::size_t few = 24;
+        Supposition e = edit_of(ExplanationKind::Setting, of_setting, assignment,
+                                "Your picture is this scene with " + words + ".", {}, [edit](Scene& s) {
+                                    for (Object& o : s.objects) edit(o);
+                                });
+        for (std::size_t i = 0; i < std::min(few, scene.objects.size()); ++i)
+            e.set.push_back(fmt::format("/objects/{}/normals/{}", i, assignment));
+        all.push_back(e);
+        if (scene.objects.size() < 2) return;
+        for (std::size_t i = 0; i < std::min(few, scene.objects.size()); ++i)
+            add(
+                fmt::format("/objects/{}/normals/{}", i, assignment),
+                "with " + words + " for " + scene.objects[i].name,
+                [edit, i](Scene& s) { edit(s.objects[i]); }, 0.2);
+    };
+    for (const NormalSource source :
+         {NormalSource::Vertex, NormalSource::Facet, NormalSource::File, NormalSource::Analytic})
+        objects(fmt::format("source={}", name_of(source)), fmt::format("{} normals", name_of(source)),
+                [source](Object& o) { o.normals.source = source; });
+    for (const float crease : {180.0f, 30.0f, 45.0f, 60.0f})
+        objects(fmt::format("crease_deg={}", crease), fmt::format("a crease angle of {} degrees", crease),
+                [crease](Object& o) { o.normals.crease_deg = crease; });
+    constexpr std::size_t few_lights = 16;
+    for (std::size_t i = 0; i < std::min(few_lights, scene.lights.size()); ++i) {
+        const Light& light = scene.lights[i];
+        if (light.kind != LightKind::Point && light.kind != LightKind::Spot) continue;
+        if (light.kind == LightKind::Spot)
+            add(fmt::format("/lights/{}/type=point", i), "with " + light.name + " as a point light",
+                [i](Scene& s) { s.lights[i].kind = LightKind::Point; });
+        add(fmt::format("/lights/{}/type=directional", i), "with " + light.name + " as a directional light",
+            [i](Scene& s) {
+                s.lights[i].kind = LightKind::Directional;
+                s.lights[i].position.w = 0;
+            });
+    }
+    return all;
+}
+
+// Mistakes.
+
+Supposition mistake_edit(std::size_t mistake, int form) {
+    const MistakeName& row = mistake_names()[mistake];
+    int Mistakes::*const of_form =
+        row.flag == &Mistakes::highlight_normalized ? &Mistakes::highlight_form : &Mistakes::form;
+    Supposition e =
+        edit_of(ExplanationKind::Mistake, of_mistake + (form > 0 ? of_other_form : 0), std::string(row.name),
+                std::string(row.what), {fmt::format("/shading/mistakes/{}=true", row.name)},
+                [flag = row.flag, of_form, form](Scene& s) {
+                    s.shading.mistakes.*flag = true;
+                    if (form > 0) s.shading.mistakes.*of_form = form;
+                });
+    e.mistakes = {mistake};
+    if (form == 0) return e;
+    e.set.push_back(
+        fmt::format("/shading/mistakes/{}={}", of_form == &Mistakes::form ? "form" : "highlight_form", form));
+    if (const std::string words = form_words(row, form); !words.empty()) e.words += " Here: " + words + ".";
+    return e;
+}
+
+std::vector<Supposition> mistake_edits() {
+    std::vector<Supposition> all;
+    for (std::size_t i = 0; i < mistake_names().size(); ++i)
+        for (int form = 0; form < form_count(mistake_names()[i]); ++form)
+            all.push_back(mistake_edit(i, form));
+    return all;
+}
+
+std::vector<Supposition> all_lights_reversed(const Scene& scene) {
+    constexpr int of_bulbs_with_cones = 2;  // form
+    const auto all = mistake_names();
+    const auto reversed = std::find_if(all.begin(), all.end(), [](const MistakeName& m) {
+        return m.flag == &Mistakes::light_direction_reversed;
+    });
+    Supposition e = mistake_edit(static_cast<std::size_t>(reversed - all.begin()), of_bulbs_with_cones);
+    const std::size_t without = e.set.size();
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        if (light.kind != LightKind::Directional) continue;
+        const glm::vec4 p(-glm::vec3(light.position), light.position.w);
+        e.set.push_back(fmt::format("/lights/{}/position=[{},{},{},{}]", i, p.x, p.y, p.z, p.w));
+        e.edits.emplace_back([i, p](Scene& s) { s.lights[i].position = p; });
+    }
+    if (e.set.size() == without || e.set.size() == without + scene.lights.size()) return {};
+    e.words += " And directional lights.";
+    return {e};
+}
+
+Supposition pair_of(const Supposition& a, const Supposition& b) {
+    Supposition e = a;
+    e.name = a.name + " + " + b.name;
+    e.words = a.words + " And: " + b.words;
+    e.set.insert(e.set.end(), b.set.begin(), b.set.end());
+    e.mistakes.insert(e.mistakes.end(), b.mistakes.begin(), b.mistakes.end());
+    std::sort(e.mistakes.begin(), e.mistakes.end());
+    e.edits.insert(e.edits.end(), b.edits.begin(), b.edits.end());
+    e.belief = of_pair + a.belief - of_mistake + b.belief - of_mistake;
+    return e;
+}
+
+std::vector<Supposition> restricted(const Supposition& mistake, const Scene& scene) {
+    std::vector<Supposition> all;
+    const auto add = [&](MistakeScope only, double more = 0) {
+        Supposition e = mistake;
+        e.only = only;
+        if (only.light >= 0) e.set.push_back(fmt::format("/shading/mistakes/only_light={}", only.light));
+        if (only.object >= 0) e.set.push_back(fmt::format("/shading/mistakes/only_object={}", only.object));
+        if (only.lights != ScopeLights::All)
+            e.set.push_back(fmt::format("/shading/mistakes/only_lights={}", name_of(only.lights)));
+        if (only.term != ScopeTerm::All)
+            e.set.push_back(fmt::format("/shading/mistakes/only_term={}", name_of(only.term)));
+        e.words += " Only " + words_of(only, scene) + ".";
+        e.belief += of_restriction + more;
+        all.push_back(std::move(e));
+    };
+    const MistakeStage stage = mistake_names()[mistake.mistakes.front()].stage;
+    if (stage == MistakeStage::Faces || stage == MistakeStage::Display) return all;
+    constexpr int few = 12;
+    const int lights = std::min(few, static_cast<int>(scene.lights.size()));
+    const int objects = std::min(few, static_cast<int>(scene.objects.size()));
+    // All lights share the normals and materials, and all objects the lights.
+    const bool is_of_object = stage == MistakeStage::Normals || stage == MistakeStage::Materials;
+    if (stage != MistakeStage::Lights && objects > 1)
+        for (int i = 0; i < objects; ++i) add({.object = i});
+    if (mistake.is_axes_form()) return all;
+    add({.term = ScopeTerm::Diffuse});
+    add({.term = ScopeTerm::Specular});
+    if (lights < 2 || is_of_object) return all;
+    std::array<int, 4> of_kind{};
+    for (const Light& l : scene.lights) ++of_kind[static_cast<std::size_t>(l.kind)];
+    for (int k = 0; k < 4; ++k) {
+        const int count = of_kind[static_cast<std::size_t>(k)];
+        if (count > 1 && count < static_cast<int>(scene.lights.size()))
+            add({.lights = static_cast<ScopeLights>(k + 1)});
+    }
+    for (int i = 0; i < lights; ++i) {
+        add({.light = i});
+        add({.light = i, .term = ScopeTerm::Diffuse}, 0.4);
+        add({.light = i, .term = ScopeTerm::Specular}, 0.4);
+    }
+    return all;
+}
+
+std::string words_of(const MistakeScope& only, const Scene& scene) {
+    std::string words;
+    const auto add = [&words](const std::string& more) { words += (words.empty() ? "" : ", ") + more; };
+    if (only.term == ScopeTerm::Diffuse) add("in the diffuse term");
+    if (only.term == ScopeTerm::Specular) add("in the highlight");
+    if (only.light >= 0) add("for " + scene.lights[static_cast<std::size_t>(only.light)].name);
+    if (only.lights != ScopeLights::All) add(fmt::format("for {} lights", name_of(only.lights)));
+    if (only.object >= 0) add("on " + scene.objects[static_cast<std::size_t>(only.object)].name);
+    return words;
+}
+
+// Other numbers.
+
+namespace {
+
+std::string json_of_floats(const float* numbers, int count) {
+    if (count == 1) return fmt::format("{}", *numbers);
+    std::string text = "[";
+    for (int i = 0; i < count; ++i) text += fmt::format("{}{}", i > 0 ? "," : "", numbers[i]);
+    return text + "]";
+}
+
+/// Collects numbers: a vector's components one by one, a colour also scaled as one.
+class Numbers {
+  public:
+    std::vector<FreeNumber> all;
+    int object = -1;
+
+    void add(const std::string& pointer, float least, float most, const std::function<float*(Scene&)>& at,
+             bool is_signed = false) {
+        all.push_back({pointer, object, is_signed, least, most, at, value_of(at, 1), false});
+    }
+    void add_vector(const std::string& pointer, float least, float most, bool is_signed, int count,
+                    const std::function<float*(Scene&)>& at) {
+        const bool is_color = !is_signed;
+        if (is_color) all.push_back({pointer, object, false, least, most, at, value_of(at, count), true});
+        for (int i = 0; i < 3; ++i)
+            all.push_back({pointer, object, is_signed, least, most, [at, i](Scene& s) { return at(s) + i; },
+                           value_of(at, count), false});
+    }
+
+  private:
+    static std::function<std::string(const Scene&)> value_of(const std::function<float*(Scene&)>& at,
+                                                             int count) {
+        return [at, count](const Scene& s) {
+            Scene copy = s;
+            return json_of_floats(at(copy), count);
+        };
+    }
+};
+
+void add_material(Numbers& n, std::size_t i, const Scene& scene) {
+    const std::string at = fmt::format("/objects/{}/material/", i);
+    const auto member = [i](auto Material::*m) {
+        return [i, m](Scene& s) { return reinterpret_cast<float*>(&(s.objects[i].material.*m)); };
+    };
+    n.object = static_cast<int>(i);
+    n.add_vector(at + "diffuse", 0, 1, false, 3, member(&Material::diffuse));
+    n.add_vector(at + "specular", 0, 1, false, 3, member(&Material::specular));
+    n.add_vector(at + "ambient", 0, 1, false, 3, member(&Material::ambient));
+    n.add_vector(at + "emission", 0, 10, false, 3, member(&Material::emission));
+    const ReflectionInfo& info = info_of(scene.shading.reflection);
+    if (info.uses_shininess()) n.add(at + "shininess", 0, 10'000, member(&Material::shininess));
+    if (info.uses_roughness) n.add(at + "roughness", 0, 1, member(&Material::roughness));
+    if (info.uses_f0) n.add_vector(at + "f0", 0, 1, false, 3, member(&Material::f0));
+    n.object = -1;
+}
+
+void add_light(Numbers& n, std::size_t i, const Light& light) {
+    if (!light.enabled) return;
+    const std::string at = fmt::format("/lights/{}/", i);
+    const auto of = [i](const auto& member) { return [i, member](Scene& s) { return member(s.lights[i]); }; };
+    n.add(at + "intensity", 0, 1e6f, of([](Light& l) { return &l.intensity; }));
+    n.add_vector(at + "diffuse", 0, 1e6f, false, 3, of([](Light& l) { return &l.diffuse.x; }));
+    n.add_vector(at + "specular", 0, 1e6f, false, 3, of([](Light& l) { return &l.specular.x; }));
+    n.add_vector(at + "ambient", 0, 1e6f, false, 3, of([](Light& l) { return &l.ambient.x; }));
+    n.add_vector(at + "position", -1e6f, 1e6f, true, 4, of([](Light& l) { return &l.position.x; }));
+    if (light.kind == LightKind::Directional || light.kind == LightKind::Area) return;
+    n.add(at + "falloff/constant", 0, 1e6f, of([](Light& l) { return &l.falloff.constant; }));
+    n.add(at + "falloff/linear", 0, 1e6f, of([](Light& l) { return &l.falloff.linear; }));
+    n.add(at + "falloff/quadratic", 0, 1e6f, of([](Light& l) { return &l.falloff.quadratic; }));
+    if (light.kind != LightKind::Spot) return;
+    n.add(at + "spot/cutoff_deg", 1, 90, of([](Light& l) { return &l.spot.cutoff_deg; }));
+    n.add(at + "spot/inner_deg", 0, 90, of([](Light& l) { return &l.spot.inner_deg; }));
+    n.add(at + "spot/exponent", 0, 128, of([](Light& l) { return &l.spot.exponent; }));
+    n.add_vector(at + "spot/direction", -1e6f, 1e6f, true, 3,
+                 of([](Light& l) { return &l.spot.direction.x; }));
+}
+
+}  // namespace
+
+std::vector<FreeNumber> free_numbers(const Scene& scene) {
+    constexpr std::size_t few = 24;
+    Numbers n;
+    for (std::size_t i = 0; i < std::min(few, scene.objects.size()); ++i) add_material(n, i, scene);
+    if (scene.objects.size() > 1 && info_of(scene.shading.reflection).uses_shininess()) {
+        n.add("shininess of all objects", 0, 10'000,
+              [](Scene& s) { return &s.objects[0].material.shininess; });
+        n.all.back().is_of_all = true;
+    }
+    for (std::size_t i = 0; i < std::min(few, scene.lights.size()); ++i) add_light(n, i, scene.lights[i]);
+    n.add_vector("/global_ambient", 0, 1e6f, false, 3, [](Scene& s) { return &s.global_ambient.x; });
+    return n.all;
+}
+
+void set_number(Scene& scene, const FreeNumber& number, float value) {
+    float* const at = number.at(scene);
+    if (!number.scales_three) {
+        *at = std::clamp(value, number.least, number.most);
+        if (number.is_of_all)
+            for (Object& o : scene.objects) o.material.shininess = *at;
+        return;
+    }
+    const float largest = std::max({at[0], at[1], at[2]});
+    for (int i = 0; i < 3; ++i)
+        at[i] = largest > 0 ? std::clamp(at[i] / largest * value, number.least, number.most) : value;
+}
+
+Supposition number_edit(const FreeNumber& number, float value, const Scene& scene) {
+    Scene edited = scene;
+    set_number(edited, number, value);
+    const std::string given = number.json(scene), fits = number.json(edited);
+    std::vector<std::string> set;
+    for (std::size_t i = 0; number.is_of_all && i < scene.objects.size(); ++i)
+        set.push_back(fmt::format("/objects/{}/material/shininess={}", i, fits));
+    if (set.empty()) set.push_back(fmt::format("{}={}", number.pointer, fits));
+    return edit_of(ExplanationKind::Number, of_number, number.pointer,
+                   fmt::format("Your picture fits {} {}; the scene has {}.", number.pointer, fits, given),
+                   std::move(set), [number, value](Scene& s) { set_number(s, number, value); });
+}
+
+}  // namespace glint

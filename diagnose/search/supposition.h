@@ -1,0 +1,100 @@
+#pragma once
+// An explanation of a picture: conventions of its program, and one edit of the scene. The lists of edits and
+// conventions here are the only ones: search, report, window and tables read them.
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/scene/scene.h"
+
+namespace glint {
+
+/// Which mistakes are made together: none, one, or two. Indices into mistake_names(), ascending.
+using MistakeSet = std::vector<std::size_t>;
+/// The scene under these mistakes and no others.
+[[nodiscard]] Scene under_mistakes(Scene scene, const MistakeSet& mistakes);
+/// "unnormalized_light", "a + b"; "right" for none.
+[[nodiscard]] std::string name_of(const MistakeSet& mistakes);
+
+/// In order of belief: the first is believed most easily.
+enum class ExplanationKind { Right, LeftOut, Setting, Mistake, Number };
+
+/// A tone curve: maps every brightness to 0..1 before encoding.
+enum class ToneCurve { None, Reinhard, ReinhardLuminance, Exponential, Aces, Hable };
+inline constexpr ToneCurve all_tones[] = {ToneCurve::Reinhard, ToneCurve::ReinhardLuminance,
+                                          ToneCurve::Exponential, ToneCurve::Aces, ToneCurve::Hable};
+[[nodiscard]] std::string_view tone_name(ToneCurve tone);
+[[nodiscard]] glm::vec3 toned(ToneCurve tone, glm::vec3 linear);
+
+using SceneEdit = std::function<void(Scene&)>;
+
+struct Supposition {
+    ExplanationKind kind = ExplanationKind::Right;
+    std::string name = "right";
+    std::string words;             // a sentence: what the program does
+    std::vector<std::string> set;  // the --set options that draw it
+    MistakeSet mistakes;           // empty unless kind is Mistake
+    MistakeScope only;
+    std::vector<std::string> conventions, convention_set;
+    ToneCurve tone = ToneCurve::None;
+    double belief = 0;  // what it costs to believe; an edit that costs 1 more must halve what is left
+    std::vector<SceneEdit> edits, convention_edits;
+
+    /// Return the scene with the conventions alone, and with conventions and edit; they ignore `only`.
+    [[nodiscard]] Scene program(const Scene& right) const;
+    [[nodiscard]] Scene applied(const Scene& right) const;
+    /// Whether it is normals_axes_exchanged, which has very many forms.
+    [[nodiscard]] bool is_axes_form() const;
+};
+
+/// A difference between programs that is not a mistake.
+struct Convention {
+    std::string name;
+    std::string words;
+    std::vector<std::string> set;
+    SceneEdit edit;
+    bool usual = false;  // tried together with every edit
+    double cost = 0.3;   // of believing it; 0 if the user declared it
+};
+/// A convention as a user declares it; it may stand for several in conventions_of().
+struct ConventionName {
+    std::string_view name, label, words;
+};
+[[nodiscard]] std::span<const ConventionName> convention_names();
+[[nodiscard]] std::vector<Convention> conventions_of(const Scene& scene);
+[[nodiscard]] Supposition with_convention(Supposition explanation, const Convention& convention);
+
+/// Every missing term or light, every other setting, and every mistake in all its forms.
+[[nodiscard]] std::vector<Supposition> left_out_edits(const Scene& scene);
+[[nodiscard]] std::vector<Supposition> setting_edits(const Scene& scene);
+[[nodiscard]] std::vector<Supposition> mistake_edits();
+[[nodiscard]] Supposition mistake_edit(std::size_t mistake, int form);
+/// Every light is reversed, of whatever kind. Nothing in a scene with one kind of lights.
+[[nodiscard]] std::vector<Supposition> all_lights_reversed(const Scene& scene);
+[[nodiscard]] Supposition pair_of(const Supposition& a, const Supposition& b);
+
+/// The same mistake for one light, one kind of lights, one object, one term, or one term of one light.
+[[nodiscard]] std::vector<Supposition> restricted(const Supposition& mistake, const Scene& scene);
+/// "for Bulb", "in the diffuse term".
+[[nodiscard]] std::string words_of(const MistakeScope& only, const Scene& scene);
+
+/// A number of the scene that may differ in a program.
+struct FreeNumber {
+    std::string pointer;                            // of the JSON value that holds it
+    int object = -1;                                // the only object that it changes; -1: any
+    bool is_signed = false;                         // a coordinate
+    float least = 0, most = 1e6f;                   // its range
+    std::function<float*(Scene&)> at;               // one component
+    std::function<std::string(const Scene&)> json;  // the value to set
+    bool scales_three = false;                      // `at` is the first of three, which keep their ratios
+    bool is_of_all = false;                         // the shininess of all objects; `at` is that of the first
+};
+[[nodiscard]] std::vector<FreeNumber> free_numbers(const Scene& scene);
+[[nodiscard]] Supposition number_edit(const FreeNumber& number, float value, const Scene& scene);
+/// Sets the number, clamped to its range.
+void set_number(Scene& scene, const FreeNumber& number, float value);
+
+}  // namespace glint
