@@ -32,7 +32,7 @@
 namespace glint {
 namespace {
 
-constexpr double stillness = 0.3;    // seconds before a diagnosis begins
+constexpr double settling_time = 0.3;    // seconds before a diagnosis begins
 constexpr double look_again = 0.05;  // seconds between checks of its progress
 
 /// The window keeps one core for itself.
@@ -279,7 +279,7 @@ void cancel_diagnosis(MyPictureState& mine) {
 
 void ask_again(MyPictureState& mine) {
     mine.settled = mine.current = false;
-    mine.asked_since = ImGui::GetTime() - stillness;
+    mine.asked_since = ImGui::GetTime() - settling_time;
 }
 
 void ask_for_pairs(MyPictureState& mine) {
@@ -314,7 +314,7 @@ void poll_my_picture(UiState& state) {
     if (mine.settled || mine.is_outdated || mine.reading || awaits_mesh(state)) return;
     redraw_within(look_again);
     if (!mine.job && has_ended(mine.ending) && !ImGui::IsAnyMouseDown() &&
-        ImGui::GetTime() - mine.asked_since >= stillness)
+        ImGui::GetTime() - mine.asked_since >= settling_time)
         begin_diagnosis(state);
     if (!mine.job || !mine.job->done()) return;
     Result<PictureAnswer> answer = mine.job->take();
