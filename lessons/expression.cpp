@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t max_listed_values = 1'000'000;
 
-using Node = ExpressionNode;
 using Kind = ExpressionKind;
 
 /// Points to a named value or a literal of the expression, or owns a computed value. Reading one number of a
@@ -33,9 +32,9 @@ struct Found {
     }
 };
 
-Found found_by(const Node& node, const NamedValues& names);
+Found found_by(const ExpressionNode& node, const NamedValues& names);
 
-bool truth_of(const Node& node, const NamedValues& names) {
+bool truth_of(const ExpressionNode& node, const NamedValues& names) {
     const Found found = found_by(node, names);
     const Json& value = found.value();
     if (!value.is_boolean())
@@ -134,14 +133,14 @@ bool differ(const Json& a, const Json& b, double tolerance) {
 }
 
 /// The tolerance after "within", or 0.
-double tolerance_of(const Node& comparison, const NamedValues& names) {
+double tolerance_of(const ExpressionNode& comparison, const NamedValues& names) {
     if (comparison.parts.size() < 3) return 0;
     const double tolerance = as_number(found_by(comparison.parts[2], names).value());
     if (!(tolerance >= 0)) throw ExpressionProblem{"has the tolerance " + in_words(tolerance), "0 or more"};
     return tolerance;
 }
 
-Json comparison_of(const Node& node, const NamedValues& names) {
+Json comparison_of(const ExpressionNode& node, const NamedValues& names) {
     const double tolerance = tolerance_of(node, names);
     const Found first = found_by(node.parts[0], names), second = found_by(node.parts[1], names);
     const Json &a = first.value(), &b = second.value();
@@ -154,7 +153,7 @@ Json comparison_of(const Node& node, const NamedValues& names) {
     return node.word == "!=" ? differ(a, b, tolerance) : all_hold(node.word, a, b, tolerance);
 }
 
-const Json& named_value(const Node& node, const NamedValues& names) {
+const Json& named_value(const ExpressionNode& node, const NamedValues& names) {
     const auto found = names.find(node.word);
     if (found != names.end()) return found->second;
     std::vector<std::string> known;
@@ -163,9 +162,9 @@ const Json& named_value(const Node& node, const NamedValues& names) {
                             known.empty() ? "a run above it" : in_quotes(nearest(node.word, known))};
 }
 
-Json made_by(const Node& node, const NamedValues& names);
+Json made_by(const ExpressionNode& node, const NamedValues& names);
 
-Found found_by(const Node& node, const NamedValues& names) {
+Found found_by(const ExpressionNode& node, const NamedValues& names) {
     if (node.kind == Kind::Literal) return {&node.literal, {}};
     if (node.kind == Kind::Name) return {&named_value(node, names), {}};
     if (node.kind != Kind::Member && node.kind != Kind::Element) return {nullptr, made_by(node, names)};
@@ -184,10 +183,10 @@ std::size_t count_values(const Json& json) {
 }
 
 /// Copies the values of the parts. They may refer to a long answer many times.
-std::vector<Json> part_values(const std::vector<Node>& parts, const NamedValues& names) {
+std::vector<Json> part_values(const std::vector<ExpressionNode>& parts, const NamedValues& names) {
     std::vector<Json> values;
     std::size_t count = 0;
-    for (const Node& part : parts) {
+    for (const ExpressionNode& part : parts) {
         Found found = found_by(part, names);
         count += count_values(found.value());
         if (count > max_listed_values)
@@ -197,7 +196,7 @@ std::vector<Json> part_values(const std::vector<Node>& parts, const NamedValues&
     return values;
 }
 
-Json made_by(const Node& node, const NamedValues& names) {
+Json made_by(const ExpressionNode& node, const NamedValues& names) {
     switch (node.kind) {
     case Kind::Literal:
     case Kind::Name:
@@ -226,16 +225,16 @@ Json made_by(const Node& node, const NamedValues& names) {
     return node.kind == Kind::List ? Json(std::move(values)) : call_function(node.word, values);
 }
 
-void collect_names(const Node& node, std::vector<std::string>& names) {
+void collect_names(const ExpressionNode& node, std::vector<std::string>& names) {
     if (node.kind == Kind::Name && std::find(names.begin(), names.end(), node.word) == names.end())
         names.push_back(node.word);
-    for (const Node& part : node.parts) collect_names(part, names);
+    for (const ExpressionNode& part : node.parts) collect_names(part, names);
 }
 
 /// Finds the innermost false part of a condition.
-const Node& first_false(const Node& node, const NamedValues& names) {
+const ExpressionNode& first_false(const ExpressionNode& node, const NamedValues& names) {
     if (node.kind == Kind::And)
-        for (const Node& part : node.parts)
+        for (const ExpressionNode& part : node.parts)
             if (!truth_of(part, names)) return first_false(part, names);
     return node;
 }
@@ -243,7 +242,7 @@ const Node& first_false(const Node& node, const NamedValues& names) {
 }  // namespace
 
 void require_tolerances(const ExpressionNode& node) {
-    for (const Node& part : node.parts) require_tolerances(part);
+    for (const ExpressionNode& part : node.parts) require_tolerances(part);
     if (node.kind != Kind::Compare || node.parts.size() < 3) return;
     std::vector<std::string> names;
     collect_names(node.parts[2], names);
@@ -290,7 +289,7 @@ Result<std::vector<double>> Expression::numbers(const NamedValues& names) const 
 std::string Expression::with_values(const NamedValues& names) const {
     if (!root_) return {};
     try {
-        const Node& part = first_false(*root_, names);
+        const ExpressionNode& part = first_false(*root_, names);
         if (part.kind != Kind::Compare) return text_;
         const auto part_shown = [&](std::size_t i) {
             return in_words(found_by(part.parts[i], names).value());

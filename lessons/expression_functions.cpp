@@ -118,7 +118,7 @@ struct Function {
     Json (*value)(const Values& v);
 };
 
-constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
 constexpr std::array functions{
     Function{"abs", 1, 1, of_each<magnitude>},
@@ -136,8 +136,8 @@ constexpr std::array functions{
     Function{"count", 1, 1, [](const Values& v) { return Json(as_list(v[0]).size()); }},
     Function{"sum", 1, 1, [](const Values& v) { return sum(v[0]); }},
     Function{"mean", 1, 1, mean},
-    Function{"min", 1, any, [](const Values& v) { return extreme(v, is_less); }},
-    Function{"max", 1, any, [](const Values& v) { return extreme(v, is_more); }},
+    Function{"min", 1, unlimited, [](const Values& v) { return extreme(v, is_less); }},
+    Function{"max", 1, unlimited, [](const Values& v) { return extreme(v, is_more); }},
     Function{"where_min", 1, 1, [](const Values& v) { return place_of(v[0], is_less); }},
     Function{"where_max", 1, 1, [](const Values& v) { return place_of(v[0], is_more); }},
     Function{"part", 3, 3, part},
@@ -196,7 +196,7 @@ Json call_function(const std::string& name, const std::vector<Json>& arguments) 
     const Function& f = *function_of(name);
     if (arguments.size() < f.least || arguments.size() > f.most)
         throw ExpressionProblem{name + "() is given " + std::to_string(arguments.size()) + " values",
-                                std::to_string(f.least) + (f.most == any ? " at least" : "")};
+                                std::to_string(f.least) + (f.most == unlimited ? " at least" : "")};
     return f.value(arguments);
 }
 

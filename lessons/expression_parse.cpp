@@ -9,7 +9,6 @@
 namespace glint {
 namespace {
 
-using Node = ExpressionNode;
 using Kind = ExpressionKind;
 
 constexpr std::size_t max_expression_bytes = 1000;
@@ -22,8 +21,8 @@ class Parser {
   public:
     explicit Parser(std::string_view text) : rest_(text) {}
 
-    Node whole() {
-        Node node = condition();
+    ExpressionNode whole() {
+        ExpressionNode node = condition();
         skip_blanks();
         if (!rest_.empty()) fail_here("an operator or the end");
         return node;
@@ -85,43 +84,43 @@ class Parser {
 
     // Takes the parts as parameters instead of a braced list: if the second element throws during
     // initialisation, GCC 12 destroys parts that were never constructed (GCC bug 66139).
-    static Node made(Kind kind, std::string word) { return {kind, std::move(word), {}, {}}; }
-    static Node made(Kind kind, std::string word, Node part) {
-        Node node = made(kind, std::move(word));
+    static ExpressionNode made(Kind kind, std::string word) { return {kind, std::move(word), {}, {}}; }
+    static ExpressionNode made(Kind kind, std::string word, ExpressionNode part) {
+        ExpressionNode node = made(kind, std::move(word));
         node.parts.push_back(std::move(part));
         return node;
     }
-    static Node made(Kind kind, std::string word, Node first, Node second) {
-        Node node = made(kind, std::move(word), std::move(first));
+    static ExpressionNode made(Kind kind, std::string word, ExpressionNode first, ExpressionNode second) {
+        ExpressionNode node = made(kind, std::move(word), std::move(first));
         node.parts.push_back(std::move(second));
         return node;
     }
 
     /// Parses a condition in brackets.
-    Node enclosed() {
+    ExpressionNode enclosed() {
         const Deeper deeper(depth_);
         return condition();
     }
-    Node condition() {
-        Node left = both();
+    ExpressionNode condition() {
+        ExpressionNode left = both();
         while (take_word("or")) left = made(Kind::Or, "or", std::move(left), both());
         return left;
     }
-    Node both() {
-        Node left = inverse();
+    ExpressionNode both() {
+        ExpressionNode left = inverse();
         while (take_word("and")) left = made(Kind::And, "and", std::move(left), inverse());
         return left;
     }
-    Node inverse() {
+    ExpressionNode inverse() {
         if (!take_word("not")) return comparison();
         const Deeper deeper(depth_);
         return made(Kind::Not, "not", inverse());
     }
-    Node comparison() {
-        Node left = sum();
+    ExpressionNode comparison() {
+        ExpressionNode left = sum();
         for (const char* const symbol : {"<=", ">=", "!=", "=", "<", ">"}) {
             if (!take(symbol)) continue;
-            Node node = made(Kind::Compare, symbol, std::move(left), sum());
+            ExpressionNode node = made(Kind::Compare, symbol, std::move(left), sum());
             if (take_word("within")) {
                 if (node.word != "=" && node.word != "!=")
                     throw ExpressionProblem{"has a tolerance after " + in_quotes(node.word),
@@ -132,35 +131,35 @@ class Parser {
         }
         return left;
     }
-    Node sum() {
-        Node left = product();
+    ExpressionNode sum() {
+        ExpressionNode left = product();
         while (true) {
             const char* const symbol = take("+") ? "+" : take("-") ? "-" : nullptr;
             if (symbol == nullptr) return left;
             left = made(Kind::Arithmetic, symbol, std::move(left), product());
         }
     }
-    Node product() {
-        Node left = negative();
+    ExpressionNode product() {
+        ExpressionNode left = negative();
         while (true) {
             const char* const symbol = take("*") ? "*" : take("/") ? "/" : nullptr;
             if (symbol == nullptr) return left;
             left = made(Kind::Arithmetic, symbol, std::move(left), negative());
         }
     }
-    Node negative() {
+    ExpressionNode negative() {
         if (!take("-")) return power();
         const Deeper deeper(depth_);
         return made(Kind::Negate, "-", negative());
     }
-    Node power() {
-        Node base = postfix();
+    ExpressionNode power() {
+        ExpressionNode base = postfix();
         if (!take("^")) return base;
         const Deeper deeper(depth_);
         return made(Kind::Arithmetic, "^", std::move(base), negative());
     }
-    Node postfix() {
-        Node node = primary();
+    ExpressionNode postfix() {
+        ExpressionNode node = primary();
         while (true) {
             if (!rest_.empty() && rest_[0] == '.') {
                 rest_.remove_prefix(1);
@@ -174,14 +173,14 @@ class Parser {
             }
         }
     }
-    Node primary() {
+    ExpressionNode primary() {
         if (take("(")) {
-            Node node = enclosed();
+            ExpressionNode node = enclosed();
             require(")");
             return node;
         }
         if (take("[")) {
-            std::vector<Node> parts = listed("]");
+            std::vector<ExpressionNode> parts = listed("]");
             return {Kind::List, "", {}, std::move(parts)};
         }
         skip_blanks();
@@ -194,30 +193,30 @@ class Parser {
         if (rest_.starts_with("(")) return call(std::move(word));
         return made(Kind::Name, std::move(word));
     }
-    Node call(std::string word) {
+    ExpressionNode call(std::string word) {
         if (!known_function(word))
             throw ExpressionProblem{in_quotes(word) + " is not a function",
                                     in_quotes(nearest(word, function_names()))};
         rest_.remove_prefix(1);
-        std::vector<Node> arguments = listed(")");
+        std::vector<ExpressionNode> arguments = listed(")");
         return {Kind::Call, std::move(word), {}, std::move(arguments)};
     }
-    std::vector<Node> listed(std::string_view end) {
-        std::vector<Node> parts;
+    std::vector<ExpressionNode> listed(std::string_view end) {
+        std::vector<ExpressionNode> parts;
         if (take(end)) return parts;
         do parts.push_back(enclosed());
         while (take(","));
         require(end);
         return parts;
     }
-    Node quoted() {
+    ExpressionNode quoted() {
         const std::size_t end = rest_.find('"', 1);
         if (end == rest_.npos) throw ExpressionProblem{"has a quote that does not end", "\""};
-        Node node{Kind::Literal, "", Json(rest_.substr(1, end - 1)), {}};
+        ExpressionNode node{Kind::Literal, "", Json(rest_.substr(1, end - 1)), {}};
         rest_.remove_prefix(end + 1);
         return node;
     }
-    Node number() {
+    ExpressionNode number() {
         double value = 0;
         const char* const begin = rest_.data();
         const auto [end, error] = std::from_chars(begin, begin + rest_.size(), value);
@@ -239,7 +238,7 @@ Result<Expression> Expression::parse(std::string_view text) {
     Expression expression;
     expression.text_ = text;
     try {
-        expression.root_ = std::make_shared<const Node>(Parser(text).whole());
+        expression.root_ = std::make_shared<const ExpressionNode>(Parser(text).whole());
         require_tolerances(*expression.root_);
     } catch (const ExpressionProblem& problem) {
         return Problem{"", "", in_quotes(text) + " " + problem.what, problem.expected};

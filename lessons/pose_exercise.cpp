@@ -105,7 +105,8 @@ std::vector<std::string> working_of(const std::string& formula, const NamedValue
 }
 
 /// All combinations of values, at most the given number.
-std::vector<std::vector<double>> choices(const std::vector<Exercise::Variable>& variables, std::size_t most) {
+std::vector<std::vector<double>> drawn_values(const std::vector<Exercise::Variable>& variables,
+                                              std::size_t most) {
     std::vector<std::vector<double>> all{{}};
     for (const Exercise::Variable& variable : variables) {
         std::vector<std::vector<double>> longer;
@@ -143,12 +144,12 @@ bool agrees(const PosedQuestion& posed) {
 }
 
 std::vector<std::vector<double>> values_to_try(const Exercise& exercise, std::size_t most) {
-    std::vector<std::vector<double>> tries = choices(exercise.variables, most + 1);
+    std::vector<std::vector<double>> tries = drawn_values(exercise.variables, most + 1);
     if (tries.size() <= most) return tries;
     std::vector<Exercise::Variable> ends = exercise.variables;
     for (Exercise::Variable& variable : ends)
         if (variable.values.size() > 2) variable.values = {variable.values.front(), variable.values.back()};
-    tries = choices(ends, most / 2);
+    tries = drawn_values(ends, most / 2);
     for (std::uint64_t seed = 1; tries.size() < most; ++seed) tries.push_back(drawn_values(exercise, seed));
     return tries;
 }
