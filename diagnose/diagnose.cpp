@@ -37,7 +37,7 @@ std::vector<MistakeSet> to_tell_apart(const std::vector<Candidate>& candidates) 
 }
 
 /// Whether an explanation leaves no more error than rounding does. A soft one is never exact: the range
-/// between a pixel's neighbours has room for noise, too.
+/// between a pixel's neighbours also hides noise.
 bool is_exact(const Judged& best) {
     constexpr double rounding = 0.3;  // levels
     return best.is_believed && !best.change.soft && best.score.residual() < rounding;

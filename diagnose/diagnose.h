@@ -18,7 +18,7 @@
 
 namespace glint {
 
-/// NotReadable: of a file among several that holds no picture; diagnose() does not return it.
+/// NotReadable: one of several files is not a picture; diagnose() does not return it.
 enum class Verdict {
     NoMistake,
     LeftOut,
@@ -34,7 +34,7 @@ enum class Verdict {
     return verdict >= Verdict::LeftOut && verdict <= Verdict::AnotherNumber;
 }
 
-/// What was discounted before mistakes were searched for.
+/// Differences that are not lighting mistakes and were discounted: changes at the display, camera, softness.
 struct DisplayFinding {
     DisplayChange change;
     ToneCurve tone = ToneCurve::None;
@@ -42,7 +42,7 @@ struct DisplayFinding {
     bool smooth_edges = false;      // silhouettes are anti-aliased
     bool lossy = false;             // single pixels differ, but not their means
     std::optional<CameraDifference> camera;
-    std::string camera_words, arrived;  // what was undone, in words
+    std::string camera_words, arrived;  // the undone changes, as text
     glm::vec2 shift{0};                 // pixels to the right and down; 0 if it is not displaced
     bool smoothed = false;              // within surfaces as well, and no shift is the reason
     // Only for a smoothed or shifted picture: how many surface pixels differ from the drawing itself, but not
@@ -71,7 +71,7 @@ struct Candidate : Supposition {
 /// Returns the scene with the candidate's conventions and edits.
 [[nodiscard]] Scene scene_under(const Scene& scene, const Candidate& candidate);
 
-/// Where an unexplained difference lives.
+/// An object on which an unexplained difference is visible.
 struct DifferenceRegion {
     int object = 0;                // in Scene::objects
     std::uint64_t pixels = 0;      // comparable ones that are wrong
@@ -85,10 +85,10 @@ inline constexpr int all_lights = -2;
 struct DifferenceTerm {
     std::string term;      // emission, global_ambient, ambient, diffuse, specular; all: of a light
     int light = -1;        // in Scene::lights; -1 for the terms without one, or all_lights
-    double factor = 1;     // what the term seems to be multiplied by
+    double factor = 1;     // the apparent factor of the term
     double explained = 0;  // share of the difference's energy that this explains, 0 to 1
     std::array<double, 3> channels{};  // factors of each channel, in place of `factor`; 0: none
-    int object = -1;                   // the only object of which this is so
+    int object = -1;                   // the only object with this factor; -1: all
     [[nodiscard]] bool is_by_channel() const { return channels != std::array<double, 3>{}; }
 };
 
@@ -133,8 +133,8 @@ struct DiagnosisOptions {
 [[nodiscard]] Picture as_shown(Picture picture, const Display& display);
 
 /// Returns the small change of the camera, of a light or of a material under which the pictures of the given
-/// mistakes differ most from each other; nothing for fewer than two, or where no change that is tried parts
-/// them by more than a few levels. Throws LoadCancelled when this thread's load shall end
+/// mistakes differ most from each other; nothing for fewer than two, or if no tried change separates
+/// them by more than a few levels. Throws LoadCancelled when this thread's load is cancelled
 /// (models/progress.h).
 [[nodiscard]] std::optional<Experiment> find_experiment(const SceneDocument& document, PictureSize size,
                                                         const std::vector<MistakeSet>& mistakes, int threads);

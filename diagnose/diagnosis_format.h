@@ -13,20 +13,20 @@ namespace glint {
 /// "no mistake", "left out", "another setting", "mistake", "another number", "not in the catalogue", "not
 /// comparable", "not readable".
 [[nodiscard]] std::string_view verdict_text(Verdict verdict);
-/// The display finding in words, joined by "; "; empty when nothing was found.
+/// The display finding as text, joined by "; "; empty if nothing was found.
 [[nodiscard]] std::string display_text(const DisplayFinding& display);
 
 /// "12 %"; "less than 1 %" of a share that is not 0 and would round to it.
 [[nodiscard]] std::string percent_text(double share);
-/// The share of the wrong pixels that a candidate explains, in whole per cent, rounded down: too few
-/// does not read as enough.
+/// The share of the wrong pixels that a candidate explains, in per cent. Rounded down, so that a share just
+/// below a threshold is not printed as the threshold.
 [[nodiscard]] int explained_percent(const Candidate& candidate);
 
 /// The diagnosis as text of at most five lines that ends with a newline. `scene` is the one that was
 /// diagnosed. As JSON: diagnoses_json().
 [[nodiscard]] std::string diagnosis_text(const Diagnosis& diagnosis, const Scene& scene);
-/// The experiment as one line that ends with a newline, and as JSON; without an experiment, a line that says
-/// so, and null.
+/// The experiment as one line that ends with a newline, and as JSON; without one, a line that says so, and
+/// null.
 [[nodiscard]] std::string experiment_text(const std::optional<Experiment>& experiment);
 [[nodiscard]] std::string experiment_json(const std::optional<Experiment>& experiment);
 

@@ -29,12 +29,12 @@ std::string verdict_line(const Diagnosis& d) {
     case Verdict::NotReadable:
         return "Not readable: " + d.why + ".";
     case Verdict::NotInCatalogue:
-        return fmt::format(
-            "Not in the catalogue: {} of the pixels are wrong, and no {}.",
-            percent_text(count_of(d.pixels, PixelKind::Surface).share()),
-            is_nearest_near(d) ? "single mistake explains all of them"
-            : d.of_pairs ? "mistake explains them, nor do any two at once as far as a small picture tells"
-                         : "single mistake explains them");
+        return fmt::format("Not in the catalogue: {} of the pixels are wrong, and no {}.",
+                           percent_text(count_of(d.pixels, PixelKind::Surface).share()),
+                           is_nearest_near(d) ? "single mistake explains all of them"
+                           : d.of_pairs
+                               ? "mistake explains them, alone or paired; pairs were tried on a small picture"
+                               : "single mistake explains them");
     case Verdict::LeftOut:
     case Verdict::AnotherSetting:
     case Verdict::Mistake:
@@ -168,7 +168,7 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
         text += is_nearest_near(d)
                     ? fmt::format(
                           "Begin with {}, which explains {} % of them but leaves {:.1f} "
-                          "levels; something else differs, too.\n",
+                          "levels; something else also differs.\n",
                           name, explained_percent(nearest), nearest.residual)
                     : fmt::format("Nearest is {}, which explains {} % of the wrong pixels: too few.\n", name,
                                   explained_percent(nearest));
@@ -240,8 +240,8 @@ std::string display_text(const DisplayFinding& display) {
 }
 
 std::string experiment_text(const std::optional<Experiment>& experiment) {
-    return experiment ? "To tell them apart, " + experiment_line(*experiment)
-                      : "No change that is tried tells them apart by more than a level.\n";
+    return experiment ? "To separate them, " + experiment_line(*experiment)
+                      : "No tried change separates them by more than a level.\n";
 }
 
 std::string percent_text(double share) {
@@ -268,8 +268,8 @@ std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {
     if (d.verdict == Verdict::NoMistake) text += still_unlike_line(d.pixels, d.display.change.noise);
     if (d.verdict == Verdict::NoMistake && d.display.softened > 0)
         text +=
-            "A small highlight that is lit differently can look like a softened one: a larger picture would "
-            "tell them apart.\n";
+            "A small highlight that is lit differently can look like a softened one. Use a larger picture "
+            "to be sure.\n";
     if (d.verdict == Verdict::NotInCatalogue) text += difference_lines(d, scene);
     return text;
 }

@@ -129,10 +129,10 @@ std::optional<std::string> other_outline(const Exhibit& e) {
     const char* const reason =
         "it has another aspect or camera, is another scene's, or went through a filter or lossy compression";
     if (best.outside > most_outside)
-        return fmt::format("{:.0f} % of what is background in the scene shows something in the picture: {}",
+        return fmt::format("{:.0f} % of the scene's background shows something in the picture: {}",
                            100 * best.outside, reason);
     if (best.inside > most_inside)
-        return fmt::format("{:.0f} % of what is surface in the scene is background in the picture: {}",
+        return fmt::format("{:.0f} % of the scene's surfaces are background in the picture: {}",
                            100 * best.inside, reason);
     return std::nullopt;
 }

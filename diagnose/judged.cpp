@@ -188,8 +188,8 @@ std::array<bool, 4> likely_turns(const Exhibit& exhibit) {
     };
     for (std::size_t i = 1; i < turns.size(); ++i) {
         const OutlineMisfit turned = *outline_misfit(exhibit, ways[i]);
-        // Surfaces that a mistake takes away are missing either way. A surface may have the background's
-        // colour, so nothing is told where no surface lies on the background.
+        // Surfaces that a mistake removes are missing under every flip. A surface may have the background's
+        // colour, so a silhouette supports a flip only if the flipped picture covers less of the background.
         const bool misses_as_much = turned.outside < at_least && turned.inside < as_it_is->inside + at_least;
         turns[i] = (is_better(turned.most(), as_it_is->most()) && turned.outside < as_it_is->outside) ||
                    (misses_as_much && is_better(turned.outside, as_it_is->outside)) ||
@@ -395,8 +395,8 @@ void believe(std::vector<Judged>& all, const Exhibit& exhibit, const Drawing& ri
     constexpr double most_wrong = 0.9;
     const bool tells_little = has_few_colours(exhibit);
     const Judged& none = all.front();
-    // Then only what leaves hardly anything is nearer: a mistake may fit what compression lost by chance. Nor
-    // is noise a reason for much of what is wrong.
+    // In a lossy picture, a mistake may fit the compression error by chance: require a tiny residual. In a
+    // noisy picture, require that it explains nearly all wrong pixels.
     const bool is_lossy = !none.score.fits() && means_fit(exhibit, none, 0);
     for (Judged& j : all) {
         const bool is_of_right = j.explanation.kind == ExplanationKind::Right;
@@ -418,7 +418,7 @@ void believe(std::vector<Judged>& all, const Exhibit& exhibit, const Drawing& ri
     }
 }
 
-/// Returns the given flips, and those that the silhouettes do not tell from the picture as it is.
+/// Returns the given flips, and those whose silhouettes match as well as those of the picture as it is.
 std::array<bool, 4> with_hidden_turns(std::array<bool, 4> turns, const Exhibit& exhibit) {
     constexpr double nearly = 0.002;
     const std::optional<OutlineMisfit> as_it_is = outline_misfit(exhibit, {});

@@ -50,14 +50,14 @@ struct Judged {
 [[nodiscard]] bool has_other_background(const Exhibit& exhibit, const Drawing& drawn,
                                         const DisplayChange& change);
 
-/// Whether the picture, turned so, shows something in much of the scene's background.
+/// Whether the picture, flipped like `turned`, shows something in much of the scene's background.
 [[nodiscard]] bool covers_background(const Exhibit& exhibit, const DisplayChange& turned);
 
 /// How a picture's outline differs from the scene's, in shares of 0 to 1.
 struct OutlineMisfit {
-    double outside = 1;  // of what is background in the scene, what shows something
-    double inside = 1;   // of the surfaces that are told from the background in the right picture, what shows
-                         // the background
+    double outside = 1;  // of the scene's background: where the picture shows something
+    double inside = 1;   // of the surfaces that differ from the background in the right picture: where the
+                         // picture shows the background
     [[nodiscard]] double most() const { return std::max(outside, inside); }
 };
 /// Returns that of the turned picture; nothing if it is unknown.

@@ -241,7 +241,7 @@ std::string check_text(const BufferCheck& check) {
     std::string text;
     if (!check.agree.empty()) text += fmt::format("These agree: {}.\n", fmt::join(check.agree, ", "));
     for (const std::string& convention : check.conventions)
-        text += "A convention, after which the check goes on: " + convention + ".\n";
+        text += "A convention, not a mistake: " + convention + ".\n";
     if (!check.differs)
         return text + (check.conventions.empty() ? "Nothing" : "Nothing else") + " differs.\n";
     const BufferDifference& d = *check.differs;

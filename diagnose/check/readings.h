@@ -1,6 +1,6 @@
 #pragma once
-// Finds what the numbers of a wrong buffer are: the right ones in another frame, reversed, or of another
-// length.
+// Recognises the numbers in a wrong buffer: the right ones in a different frame, reversed, or with a
+// different length.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -9,11 +9,12 @@
 
 namespace glint {
 
-/// A point that was lit, or the pixel's own. Camera coordinates.
+/// One lit point from which a pixel's value is blended: a vertex, or the pixel's own point. Camera
+/// coordinates.
 struct ReadAt {
     double weight = 1;  // in the pixel's blend
     glm::dvec3 position{0}, normal{0}, view{0};
-    glm::dvec3 to_light{0};               // unit; 0 where the buffer is of no light
+    glm::dvec3 to_light{0};               // unit; 0 if the buffer does not belong to a light
     double distance = 0;                  // to the light; 0: it is directional
     glm::dvec3 falloff{1, 0, 0};          // of the light: constant, linear, quadratic
     glm::dvec3 axis{0};                   // of its cone
@@ -23,7 +24,7 @@ struct ReadAt {
 
 /// One pixel of a wrong buffer.
 struct ReadPoint {
-    glm::vec3 mine{0}, ours{0};  // what the buffer has, and what it should have
+    glm::vec3 mine{0}, ours{0};  // the buffer's value, and the right one
     std::vector<ReadAt> at;      // the blended points
 };
 
@@ -31,7 +32,7 @@ struct CheckFrames {
     glm::dmat4 view_from_world{1}, clip_from_view{1};
 };
 
-/// What kind of numbers a buffer holds.
+/// The kind of numbers in a buffer.
 enum class BufferKind {
     Point,
     Depth,
@@ -53,8 +54,8 @@ enum class BufferKind {
 /// belong to one light.
 [[nodiscard]] int buffer_light(const std::string& name);
 
-/// In words, what the buffer has in place of the right numbers: "ours times V transposed: they were left in
-/// world coordinates". Empty where no reading gives nearly all of them.
+/// Describes the numbers that the buffer has in place of the right ones: "ours times V transposed: they were
+/// left in world coordinates". Empty if no description fits nearly all of them.
 [[nodiscard]] std::string reading_of(BufferKind kind, const std::vector<ReadPoint>& points,
                                      const CheckFrames& frames);
 

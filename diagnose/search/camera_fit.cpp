@@ -375,8 +375,8 @@ void fit_place(Seen& seen, const CameraFit& fit, const Distances& scene, double 
 
 double distance_of(const Camera& camera) { return double(glm::distance(camera.eye, camera.target)); }
 
-/// Fits the eye, too: from another one, surfaces move differently. A picture that hardly shows the scene's
-/// outline is dark.
+/// Also fits the eye, because a different eye changes the parallax. Does nothing if hardly any of the scene's
+/// outline is visible, as in a dark picture, or if most of it already agrees.
 void fit_eye(Seen& seen, CameraFit& fit, const Camera& camera) {
     if (seen.share <= least_share / 3 || seen.share >= least_share * 2) return;
     const Freedom all{true, false, true};

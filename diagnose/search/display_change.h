@@ -57,8 +57,7 @@ struct DisplayChange {
 [[nodiscard]] inline std::size_t changed_channel(const DisplayChange& change, std::size_t channel) {
     return change.red_blue ? 2 - channel : channel;
 }
-/// The three channels of a colour, or what there is for each, brought from one picture's order to the
-/// other's.
+/// Converts three channels, or one value for each, from one picture's channel order to the other's.
 template <class T>
 [[nodiscard]] std::array<T, 3> exchanged(const DisplayChange& change, const std::array<T, 3>& colour) {
     return {colour[changed_channel(change, 0)], colour[1], colour[changed_channel(change, 2)]};

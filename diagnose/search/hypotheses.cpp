@@ -85,7 +85,7 @@ bool is_believed(float gain, const DisplayChange& change, const Supposition& e) 
     return alone && gain > least_gain / 5 && gain < 5 * most_gain;
 }
 
-/// Probes, and what is known at them.
+/// Probes, with the wrong and the right picture's levels at them.
 struct Sample {
     std::vector<Probe> probes;
     BlockChoice blocks;
@@ -130,7 +130,7 @@ void try_changes(const std::vector<DisplayChange>& changes, const Supposition& e
 }
 
 /// The largest of the `count` smallest costs that were added so far; infinity while fewer were added.
-/// Several threads may add and ask at once.
+/// Several threads may add and read concurrently.
 class CostBound {
   public:
     explicit CostBound(std::size_t count) : count_(count) {}
@@ -156,7 +156,7 @@ struct Drawn {
     Supposition explanation;
     DrawnProbes at;
     double cost = 0;  // of the likeliest change; one above the bound need not be exact
-    double misfit = std::numeric_limits<double>::infinity();  // its cost without what is supposed
+    double misfit = std::numeric_limits<double>::infinity();  // the cost of its excess
     std::vector<Supposition> same = {};
 };
 
@@ -243,7 +243,8 @@ class Search {
     bool are_declared_ = false;
 };
 
-/// Every so many of a list, `count` at least where there are so many.
+/// Appends every n-th element of `from`, with n such that at least `count` are appended if `from` has as
+/// many.
 template <class T> void add_every(std::vector<T>& to, const std::vector<T>& from, std::size_t count) {
     const std::size_t step = std::max<std::size_t>(1, from.size() / count);
     for (std::size_t i = step / 2; i < from.size(); i += step) to.push_back(from[i]);
@@ -633,7 +634,7 @@ std::vector<Hypothesis> Search::hypotheses() {
 }  // namespace
 
 double explanation_cost(double excess, double free, double belief, const DisplayChange& change) {
-    // Softness, which leaves room for much, comes last.
+    // Softness can explain almost anything, so it ranks last.
     constexpr double nearly = 0.01;
     return std::log2(excess + free) + belief + change.count() + (change.soft ? nearly : 0);
 }

@@ -12,19 +12,20 @@
 
 namespace glint {
 
-/// An explanation of a picture, and what may have happened to it at the display: the likeliest changes first.
+/// An explanation of a picture, and possible changes at the display, the likeliest first.
 struct Hypothesis {
     Supposition explanation;
     std::vector<DisplayChange> changes;
     std::vector<Supposition> same;  // others with the same colours at the probes
-    double cost = 0;                // of the first
+    double cost = 0;                // of the first change
 };
 
-/// How much a wrong picture speaks against an explanation: `excess` is the sum of excess_of(). One thing more
-/// that is supposed to have happened must take away more than half of the excess, and more than `free`.
+/// The cost of an explanation, lower is likelier: log2(excess + free), plus the cost of believing it, plus 1
+/// for each part of the change. So a further change must more than halve `excess` + `free`. `excess` is the
+/// sum of excess_of().
 [[nodiscard]] double explanation_cost(double excess, double free, double belief, const DisplayChange& change);
 
-/// The search calls it with the number of steps done and of all steps, on the calling thread. An
+/// Called with the number of finished steps and of all steps, on the thread that started the search. An
 /// exception that it throws ends the search.
 using DiagnosisProgress = std::function<void(std::size_t done, std::size_t all)>;
 

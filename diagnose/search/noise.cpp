@@ -11,11 +11,11 @@
 namespace glint {
 namespace {
 
-/// What the mask (1 -2 1, -2 4 -2, 1 -2 1) gives at most: 16 times a channel's range.
+/// The number of absolute responses of the mask (1 -2 1, -2 4 -2, 1 -2 1): up to 16 times a channel's range.
 constexpr std::size_t responses = 16 * 255 + 1;
 
-/// The mask's amount in one channel at a pixel around which it is not of one colour; nothing where it is. The
-/// mask answers 0 to levels that are linear or constant along rows or columns.
+/// The mask's absolute response in one channel at a pixel; nothing where the pixel and its neighbours are
+/// equal. The response is 0 where levels are linear or constant along rows or columns.
 std::optional<std::size_t> response_at(const Picture& picture, int x, int y, std::size_t channel) {
     constexpr std::array<int, 3> weight{1, -2, 1};
     const int middle = picture.rgba[4 * picture.pixel(x, y) + channel];
@@ -31,7 +31,7 @@ std::optional<std::size_t> response_at(const Picture& picture, int x, int y, std
     return static_cast<std::size_t>(std::abs(sum));
 }
 
-/// What the mask answers in one channel, pixel by pixel; no_answer at the border and in areas of one colour.
+/// The mask's response in one channel at every pixel; no_answer at the border and in areas of one colour.
 constexpr std::uint16_t no_answer = 0xFFFF;
 std::vector<std::uint16_t> answers_of(const Picture& picture, std::size_t channel) {
     std::vector<std::uint16_t> answers(picture.size.pixels(), no_answer);
@@ -42,12 +42,12 @@ std::vector<std::uint16_t> answers_of(const Picture& picture, std::size_t channe
     return answers;
 }
 
-/// Returns the median of the mask's absolute responses over all channels. Only responses inside areas count,
-/// not along lines: noise fills areas, but the mask also responds around edges between areas of one colour.
-/// Returns 0 if fewer than one response in four is in an area.
+/// Returns the median of the mask's absolute responses over all channels. The mask also responds to edges
+/// between areas of one colour. Only noise gives responses on all sides of a pixel, so only such pixels are
+/// counted. Returns 0 if they are fewer than one in four.
 std::size_t median_response(const Picture& picture) {
     constexpr int apart = 3;          // beyond the mask's own width
-    constexpr std::size_t share = 4;  // of the answers; at least one in this many is in an area
+    constexpr std::size_t share = 4;  // at least one response in this many is counted
     std::array<std::uint64_t, responses> counts{};
     std::uint64_t all = 0, answered = 0;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -75,7 +75,7 @@ std::size_t median_response(const Picture& picture) {
 
 float noise_of(const Picture& wrong, const Picture& right) {
     constexpr std::size_t least = 4, more_than_right = 2;  // rounding alone gives 1 or 2
-    // The mask's answer has 6 times the deviation of the noise, and the median of its amount is 0.6745 of
+    // The response has 6 times the noise's standard deviation, and its median absolute value is 0.6745 of
     // that.
     constexpr float median_of_unit = 6 * 0.6745f;
     const std::size_t median = median_response(wrong);

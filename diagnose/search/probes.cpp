@@ -250,7 +250,8 @@ std::vector<Pair> gain_pairs(const DrawnProbes& drawn, const WrongProbes& wrong,
     return pairs;
 }
 
-/// Ratios lie in bins of a 16th of an octave, from 2^-8 to 2^8; what is beyond lies in the first or last.
+/// Bins for ratios from 2^-8 to 2^8, each a 16th of an octave wide; other ratios go into the first or last
+/// bin.
 constexpr int bins_an_octave = 16, bins = 16 * bins_an_octave;
 std::size_t bin_of(float ratio) {
     constexpr int mantissa = 23, smallest = 127 - 8;  // bits of a float; the exponent of 2^-8

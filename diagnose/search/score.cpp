@@ -168,7 +168,7 @@ Exhibit::Exhibit(const Picture& wrong_picture, const Picture& right_picture,
 
 namespace {
 
-/// How many marked pixels lie amid four that are marked, too; the picture's border left out.
+/// Counts the marked pixels whose four neighbours are marked, without the picture's border.
 std::uint64_t count_solid(const std::vector<std::uint8_t>& marked, PictureSize size) {
     std::uint64_t count = 0;
     for (int y = 1; y + 1 < size.height; ++y)

@@ -39,15 +39,15 @@ struct Score {
     std::uint64_t compared = 0;     // pixels
     std::uint64_t unlike = 0;       // that differ by more than visible_levels in some channel
     std::uint64_t far = 0;          // of those that are unlike, those by more than clear_levels
-    std::uint64_t solid = 0;        // of those that are unlike, those whose four neighbours are so too
-    std::uint64_t wrong = 0;        // that differ so from the right picture
+    std::uint64_t solid = 0;        // of the unlike ones, those whose four neighbours are unlike
+    std::uint64_t wrong = 0;        // that differ as much from the right picture
     std::uint64_t explained = 0;    // of these, those that the explanation shows
     double excess = 0;              // sum of excess_of()
     double squares = 0;             // sum of the squares of the differences in levels, channel by channel
     double off = 0, off_right = 0;  // sums over the wrong pixels of how far a drawing itself is off, in
                                     // levels: the explanation's, the right one's
-    float told_best = -std::numeric_limits<float>::infinity();  // levels by which `pixel` speaks for it
-    glm::ivec2 pixel{0};  // of the scene's picture: where the explanation is told best from the right one
+    float told_best = -std::numeric_limits<float>::infinity();  // evidence for it at `pixel`, in levels
+    glm::ivec2 pixel{0};  // of the scene's picture: where it differs most clearly from the right one
 
     [[nodiscard]] double residual() const;  // RMS in levels
     [[nodiscard]] double share_explained() const;
@@ -60,12 +60,12 @@ struct Score {
     [[nodiscard]] bool may_fit() const;
 };
 
-/// Another program may differ by so many levels.
+/// Another correct program may differ by up to this many levels.
 inline constexpr float visible_levels = 2;
-/// A difference by more is seen at a glance.
+/// A larger difference is obvious at a glance.
 inline constexpr float clear_levels = 6;
 
-/// `step`: only every so many rows are looked at. `solid` is filled in when all are and few pixels are
+/// `step`: only every `step`-th row is compared. `solid` is filled in only if `step` is 1 and few pixels are
 /// unlike.
 [[nodiscard]] Score score(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change,
                           int step = 1);
@@ -73,7 +73,7 @@ inline constexpr float clear_levels = 6;
 /// How many pixels there are of a kind, and how many of them differ by more than visible_levels.
 struct PixelCount {
     std::uint64_t pixels = 0, unlike = 0;
-    float most = 0;  // levels by which one differs at most
+    float most = 0;  // the largest difference, in levels
 
     [[nodiscard]] double share() const {
         return pixels == 0 ? 0 : static_cast<double>(unlike) / static_cast<double>(pixels);

@@ -17,12 +17,13 @@ constexpr std::array<glm::ivec2, 9> offsets{
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 constexpr std::size_t unknowns = offsets.size() + 1;
 
-/// Every so many rows tell enough.
+/// Sampling every n-th row is enough; this is n.
 int row_step(PictureSize size) { return std::max(1, size.height / 200); }
 
-/// Fits by least squares how far the wrong picture's levels are off the drawing's. The unknowns are the share
-/// of each of nine pixels in the mixture, times how far its level is from the drawing's here, and a gain,
-/// times the drawing's level here.
+/// A least-squares fit of the differences between the wrong picture's levels and the drawing's. Each level of
+/// the picture is modelled as a weighted mean of nine pixels of the drawing, plus a gain. The unknowns are
+/// the nine weights and the gain; their coefficients are the differences of the nine levels from the level at
+/// the pixel, and that level.
 class MixtureFit {
   public:
     void add(const std::array<double, unknowns>& of, double off) {
@@ -34,7 +35,8 @@ class MixtureFit {
         ++count_;
     }
 
-    /// The share of the squares that no mixture explains, without what noise of this deviation adds.
+    /// The share of the squared differences that no mixture explains, not counting noise of this standard
+    /// deviation.
     [[nodiscard]] double share_left(double noise) const {
         const double of_noise = static_cast<double>(count_) * noise * noise;
         const double all = squares_ - of_noise;
@@ -176,7 +178,7 @@ double share_unmixed(const Exhibit& e, const Drawing& drawn, const DisplayChange
     return fit.share_left(double(change.noise));
 }
 
-/// The share of the squares of what differs that a shift leaves.
+/// The share of the squared differences that remains after a shift.
 double share_unshifted(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
                        glm::dvec2 shift) {
     const ByteRanges ranges = byte_ranges(change);
@@ -191,14 +193,14 @@ double share_unshifted(const Exhibit& e, const Drawing& drawn, const DisplayChan
     return all > 0 ? left / all : 0;
 }
 
-/// From one side of a silhouette to the other.
+/// Steps in brightness from one side of a silhouette to the other.
 struct Steps {
-    int all = 0, hard = 0;  // hard: nothing lies in between, and both sides are even beside it
+    int all = 0, hard = 0;  // hard: no value in between, and an even colour on each side
     [[nodiscard]] double share_hard() const { return all > 0 ? double(hard) / all : 0; }
 };
 
-/// Four pixels in a row or in a column, a step in whose middle is looked for. `flat`: the levels by which the
-/// outer two may differ from their neighbours.
+/// Looks for a step in the middle of four pixels of a row or column. `flat`: the maximum difference, in
+/// levels, between each outer pixel and its neighbour.
 void add_step(Steps& steps, const std::array<Rgb, 4>& row, int flat) {
     constexpr int high = 48;  // levels
     for (std::size_t c = 0; c < 3; ++c) {
@@ -262,7 +264,7 @@ bool has_smooth_edges(const Exhibit& e, const Drawing& drawn, const DisplayChang
 glm::vec2 fitted_shift(const Exhibit& e, const Picture& drawn, const DisplayChange& change, int rows) {
     const ByteRanges ranges = byte_ranges(change);
     const Levels levels(drawn, ranges);
-    constexpr int steps = 4;        // each from where the one before has led: a picture is not a plane
+    constexpr int steps = 4;        // Newton steps: brightness is not linear in the shift
     constexpr double farthest = 4;  // pixels
     glm::dvec2 shift(0);
     for (int i = 0; i < steps; ++i) {
@@ -272,12 +274,12 @@ glm::vec2 fitted_shift(const Exhibit& e, const Picture& drawn, const DisplayChan
     return shift;
 }
 
-/// The shift that fits, told from as many rows as tell enough.
+/// The shift that fits best, estimated from a sample of the rows.
 static glm::vec2 coarse_shift(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
     return fitted_shift(e, drawn.picture, change, row_step(e.right.size));
 }
 
-/// `shift` returns the one that fits; it is asked only where the edges are hard.
+/// `shift` computes the shift that fits best; it is called only if the edges are hard.
 template <class Shift>
 static bool is_hard(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, const Shift& shift) {
     constexpr double most_left_by_shift = 0.6;
@@ -301,8 +303,8 @@ bool may_be_softened(const Exhibit& e, const Drawing& drawn, const DisplayChange
         return whole != glm::ivec2(0) && share_unmixed(e, drawn, told, whole, with_gain) <= enough;
     };
     if (!is_mixed(change, may_be_left(e, drawn, change), false)) return false;
-    // A gain near 1 may be what makes a highlight of another width look even: it is fitted beside the
-    // mixture.
+    // A gain near 1 may only compensate for a highlight of a different width: fit the gain and the mixture
+    // together.
     if (change.gain == 1 || change.gain >= hardly || change.gain * hardly <= 1) return true;
     DisplayChange without = change;
     without.gain = 1;

@@ -1,13 +1,13 @@
 #pragma once
-// Tells a softened picture from one with wrong lighting. A wrong colour alone does not tell: it may lie
-// between the colours of its neighbours by chance.
+// Distinguishes a softened picture from one with wrong lighting. A single wrong colour is not enough: it may
+// be between the colours of its neighbours by chance.
 
 #include "diagnose/search/score.h"
 
 namespace glint {
 
-/// By how much the wrong picture's surfaces are shifted to the right and down from the drawing's, in pixels;
-/// zero where that cannot be told, or is more than four. Every `rows`-th row is looked at.
+/// Returns how far the wrong picture's surfaces are shifted to the right and down from the drawing's, in
+/// pixels; zero if the shift is unknown or more than four pixels. Reads every `rows`-th row.
 [[nodiscard]] glm::vec2 fitted_shift(const Exhibit& exhibit, const Picture& drawn,
                                      const DisplayChange& change, int rows = 1);
 
@@ -15,9 +15,9 @@ namespace glint {
 [[nodiscard]] bool has_smooth_edges(const Exhibit& exhibit, const Drawing& drawn,
                                     const DisplayChange& change);
 
-/// Whether the wrong picture was neither blurred nor resampled: it steps from one side of a silhouette to the
-/// other as hard as the drawing does, and no shift explains most of what differs on surfaces. False where the
-/// drawing has too few such steps to tell.
+/// Whether the wrong picture was neither blurred nor resampled: its silhouettes are as sharp as the
+/// drawing's, and no shift explains most of the difference on surfaces. False if the drawing has too few
+/// sharp edges to decide.
 [[nodiscard]] bool is_hard(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
 
 /// Whether the surfaces of the wrong picture may be those of the drawing, blurred and perhaps shifted. One

@@ -246,7 +246,7 @@ void add_lights_left_out(std::vector<Supposition>& all, const Scene& scene) {
         const double more =
             whole ? 0 : 0.1 * static_cast<double>(std::min(off.size(), on.size() - off.size()) - 1);
         all.push_back(edit_of(ExplanationKind::LeftOut, of_left_out + more, whole ? "all lights" : names,
-                              whole ? "No light is on: only what needs none is there."
+                              whole ? "All lights are off: only global ambient light and emission remain."
                                     : names + (off.size() == 1 ? " is" : " are") + " left out.",
                               set, [off](Scene& s) {
                                   for (const std::size_t i : off) s.lights[i].enabled = false;

@@ -40,7 +40,7 @@ struct Supposition {
     MistakeScope only;
     std::vector<std::string> conventions, convention_set;
     ToneCurve tone = ToneCurve::None;
-    double belief = 0;  // what it costs to believe; an edit that costs 1 more must halve what is left
+    double belief = 0;  // the cost of believing it; an edit that costs 1 more must halve the remaining error
     std::vector<SceneEdit> edits, convention_edits;
 
     /// Return the scene with the conventions alone, and with conventions and edit; they ignore `only`.
@@ -59,7 +59,7 @@ struct Convention {
     bool usual = false;  // tried together with every edit
     double cost = 0.3;   // of believing it; 0 if the user declared it
 };
-/// A convention as a user declares it; it may stand for several in conventions_of().
+/// A convention as a user declares it; it may select several of conventions_of().
 struct ConventionName {
     std::string_view name, label, words;
 };
@@ -72,7 +72,7 @@ struct ConventionName {
 [[nodiscard]] std::vector<Supposition> setting_edits(const Scene& scene);
 [[nodiscard]] std::vector<Supposition> mistake_edits();
 [[nodiscard]] Supposition mistake_edit(std::size_t mistake, int form);
-/// Every light is reversed, of whatever kind. Nothing in a scene with one kind of lights.
+/// Reverses the lights of all kinds together. Empty for a scene with one kind of lights.
 [[nodiscard]] std::vector<Supposition> all_lights_reversed(const Scene& scene);
 [[nodiscard]] Supposition pair_of(const Supposition& a, const Supposition& b);
 

@@ -269,7 +269,7 @@ TEST_CASE("glint diagnose --apart finds a pixel that distinguishes mistakes", "[
         CHECK(json::parse(drawn.out)["byte"] == found["shows"][i]["color"]);
     }
     CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,missing_pi", "--set", "/objects=[]"})
-              .out == "No change that is tried tells them apart by more than a level.\n");
+              .out == "No tried change separates them by more than a level.\n");
     CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,missing_pi,view_reversed"}).err ==
           "glint: error: --apart: names view_reversed twice; expected each once\n");
     CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed"}).err ==

@@ -1,4 +1,4 @@
-// Where a mistake takes surfaces away, and what is compared there.
+// Masks of the surfaces that a mistake removes, and how those pixels are compared.
 #include <algorithm>
 
 #include "diagnose/diagnose.h"
@@ -42,13 +42,13 @@ BareMask by_pixels(const Renderer& renderer, PictureSize size) {
 
 }  // namespace
 
-TEST_CASE("a picture's mask is its own, whatever was drawn before it", "[diagnose]") {
+TEST_CASE("a picture's mask does not depend on pictures drawn before", "[diagnose]") {
     const Scene scene = lit_from_the_side().scene;
     Renderer renderer(2);
     BareMasks masks;
     (void)renderer.render(scene, diagnosed_size);
     CHECK(masks.of(renderer, diagnosed_size).empty());
-    // Two in turn that leave the same faces out: the second draws no face anew.
+    // Two in turn omit the same faces: the second one draws no face again.
     for (const auto& mistakes : {under(scene, {&Mistakes::culled_by_light}),
                                  under(scene, {&Mistakes::culled_by_light, &Mistakes::missing_pi})}) {
         (void)renderer.render(mistakes, diagnosed_size);
@@ -60,8 +60,7 @@ TEST_CASE("a picture's mask is its own, whatever was drawn before it", "[diagnos
     CHECK(masks.of(renderer, diagnosed_size).empty());
 }
 
-TEST_CASE("faces that the light culls are named on another background, alone and with a second mistake",
-          "[diagnose]") {
+TEST_CASE("culled_by_light is named on a different background, alone and in a pair", "[diagnose]") {
     const SceneDocument document = lit_from_the_side();
     for (const bool two : {false, true}) {
         Scene wrong = under(document.scene, {&Mistakes::culled_by_light});
@@ -76,7 +75,7 @@ TEST_CASE("faces that the light culls are named on another background, alone and
         for (std::size_t m = 0; m < mistake_names().size(); ++m)
             if (wrong.shading.mistakes.*mistake_names()[m].flag) expected.push_back(m);
         CHECK(d.candidates.front().mistakes == expected);
-        // All of it is explained: where surfaces are gone the picture's own background shows.
+        // Everything is explained: removed surfaces show the picture's own background.
         CHECK(count_of(d.pixels, PixelKind::Surface).unlike == 0);
         CHECK(d.candidates.front().as_mistaken == d.candidates.front().mine);
         CHECK(d.display.softened == 0);

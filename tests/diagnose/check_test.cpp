@@ -17,7 +17,7 @@ using namespace glint::test;
 
 namespace {
 
-/// A turned and squashed torus before a camera that stands aside.
+/// A rotated and flattened torus, seen from an oblique camera.
 SceneDocument torus_scene() {
     SceneDocument document;
     Scene& scene = document.scene;
@@ -29,10 +29,10 @@ SceneDocument torus_scene() {
     return document;
 }
 
-/// What a wrong program has at a pixel in place of the right number.
+/// Returns a wrong program's value at a pixel.
 using Change = std::function<glm::dvec3(glm::dvec3 right, const Explanation& e)>;
 
-/// The buffers of a right program, and where they come from.
+/// The buffers of a right program, and its scene.
 class RightBuffers {
   public:
     explicit RightBuffers(SceneDocument document) : document_(std::move(document)) {
@@ -45,7 +45,7 @@ class RightBuffers {
                     surface_.emplace_back(diagnosed_size.index(x, y), renderer.explain(x, y));
     }
 
-    /// What is said of one buffer whose numbers were changed so wherever a surface shows.
+    /// The finding for one buffer after `change` was applied to its numbers at every surface pixel.
     [[nodiscard]] std::string found_in(const std::string& name, const Change& change) const {
         std::vector<PixelBuffer> buffers = buffers_;
         for (PixelBuffer& b : buffers) {
@@ -69,7 +69,7 @@ class RightBuffers {
     std::vector<std::pair<std::size_t, Explanation>> surface_;  // pixels
 };
 
-/// What is said in the torus's scene, when the change does not depend on the pixel.
+/// The finding in the torus's scene for a change that does not depend on the pixel.
 std::string found_in(const std::string& name, const std::function<glm::dvec3(glm::dvec3)>& change) {
     static const RightBuffers torus(torus_scene());
     return torus.found_in(name, [&](glm::dvec3 right, const Explanation&) { return change(right); });
@@ -124,22 +124,20 @@ TEST_CASE("vectors in another frame are named by the transform that is missing",
     CHECK(says(found_in("depth", [](glm::dvec3 d) { return -d; }), "turned round"));
 }
 
-TEST_CASE("a view that is the same everywhere and was turned round is so, not in clip coordinates",
-          "[diagnose][check]") {
+TEST_CASE("a reversed constant view vector is not reported as clip coordinates", "[diagnose][check]") {
     SceneDocument document = torus_scene();
     document.scene.shading.local_viewer = false;
     CHECK(RightBuffers(document).found_in("view", [](glm::dvec3 v, const Explanation&) { return -v; }) ==
           "ours, and turned round");
 }
 
-TEST_CASE("a term that is a multiple is named by its factor, and what nothing explains by nothing",
+TEST_CASE("a multiplied term is named by its factor, an unknown difference is not named",
           "[diagnose][check]") {
     CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 4.0; }) == "ours times 0.25");
     CHECK(found_in("normal", [](glm::dvec3 n) { return glm::dvec3(n.y * n.y, n.x, 0.3); }).empty());
 }
 
-TEST_CASE("small numbers of another term are not taken for a multiple of the right ones",
-          "[diagnose][check]") {
+TEST_CASE("small numbers of a different term are not reported as a multiple", "[diagnose][check]") {
     static const RightBuffers torus(torus_scene());
     const auto of_normal = [](glm::dvec3, const Explanation& e) {
         return 0.006 * glm::abs(glm::dvec3(e.at.normal.camera));
@@ -148,7 +146,7 @@ TEST_CASE("small numbers of another term are not taken for a multiple of the rig
     CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 500.0; }) == "ours times 0.002");
 }
 
-TEST_CASE("what differs in a small part of the picture is named by what that part has", "[diagnose][check]") {
+TEST_CASE("a difference in a small part of the picture is named from that part", "[diagnose][check]") {
     // Of the torus's pixels a few in a hundred face away from the light: all others have the same either way.
     SceneDocument document = torus_scene();
     Light& light = document.scene.lights[0];
@@ -323,7 +321,7 @@ TEST_CASE("a cosine of a normal and a light in different frames is named", "[dia
         }
 }
 
-TEST_CASE("what corners hand on is read at the corners", "[diagnose][check][release]") {
+TEST_CASE("interpolated values are read at the corners", "[diagnose][check][release]") {
     SceneDocument document = torus_scene();
     document.scene.shading.mode = ShadingMode::Gouraud;
     const glm::dmat3 world_from_camera(world_from_view(document.scene.camera));

@@ -1,5 +1,5 @@
-// Wrong pictures that the engine itself makes are named, whatever happened to them at the display; right ones
-// and those of other scenes are not.
+// Diagnoses pictures that the engine draws with mistakes, under different changes at the display. Right
+// pictures and pictures of other scenes must not be given a mistake.
 #include "diagnose/diagnose.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ void diagnose_one(Named& named, const SceneDocument& document, const MistakeSet&
     if (!first) named.missed += name_of(mistakes) + " (" + wrong.what + ", " + std::to_string(seed) + "); ";
 }
 
-/// GLINT_DIAGNOSED_SCENES asks for more scenes than the tests take time for.
+/// GLINT_DIAGNOSED_SCENES sets a larger number of scenes, which takes longer.
 unsigned scenes(unsigned usual) {
     const char* const asked = std::getenv("GLINT_DIAGNOSED_SCENES");
     return asked != nullptr ? static_cast<unsigned>(std::atoi(asked)) : usual;
@@ -85,7 +85,7 @@ TEST_CASE("two mistakes at once are named together", "[diagnose][long][release]"
     CHECK(100 * named.first >= 80 * named.all);
 }
 
-TEST_CASE("a right picture has no mistake, whatever happened to it at the display", "[diagnose][release]") {
+TEST_CASE("a right picture has no mistake under any change at the display", "[diagnose][release]") {
     int all = 0, right = 0;
     for (unsigned seed = 1; seed <= scenes(12); ++seed)
         for (unsigned change = 0; change < 2; ++change) {
@@ -101,7 +101,7 @@ TEST_CASE("a right picture has no mistake, whatever happened to it at the displa
     CHECK(100 * right >= 99 * all);
 }
 
-TEST_CASE("a picture of another scene is in no catalogue, or not comparable", "[diagnose][release]") {
+TEST_CASE("a picture of a different scene is not in the catalogue or not comparable", "[diagnose][release]") {
     int all = 0, refused = 0;
     for (unsigned seed = 1; seed <= scenes(20); ++seed) {
         const SceneDocument document = diagnosed_scene(300 + seed);
@@ -138,8 +138,7 @@ TEST_CASE("a mistake that a change at the display undoes is not a candidate", "[
     for (const Candidate& c : d.candidates) CHECK(name_of(c.mistakes) != "encoded_twice");
 }
 
-TEST_CASE("a right picture that a power of 2.2 encoded has no mistake, and the power is told",
-          "[diagnose][release]") {
+TEST_CASE("a power of 2.2 in a right picture is reported, and is not a mistake", "[diagnose][release]") {
     for (unsigned seed = 1; seed <= scenes(6); ++seed)
         for (const Transfer transfer : {Transfer::Srgb, Transfer::None}) {
             SceneDocument document = diagnosed_scene(400 + seed);
@@ -163,7 +162,7 @@ TEST_CASE("a right picture that a power of 2.2 encoded has no mistake, and the p
 
 TEST_CASE("a mistake that leaves more than half of the difference is not the verdict",
           "[diagnose][release]") {
-    // An egg's normals are wrong, and thin lines across the wall are so, too, and further off.
+    // An egg's normals are wrong. Thin lines across the wall are wrong by more.
     const PictureSize size{320, 240};
     SceneDocument document;
     Scene& scene = document.scene;
@@ -203,7 +202,7 @@ TEST_CASE("the answer is the same on one thread and on many", "[diagnose]") {
     }
 }
 
-TEST_CASE("what its progress throws ends a diagnosis", "[diagnose]") {
+TEST_CASE("an exception from its progress callback ends a diagnosis", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(3);
     Renderer renderer(1);
     const Picture right = renderer.render(document.scene, diagnosed_size);
@@ -217,7 +216,7 @@ TEST_CASE("what its progress throws ends a diagnosis", "[diagnose]") {
     CHECK(calls == 5);
 }
 
-TEST_CASE("the pixel of an experiment tells its mistakes apart by every pixel around it, too", "[diagnose]") {
+TEST_CASE("mistakes also differ at every neighbour of an experiment's pixel", "[diagnose]") {
     const std::vector<MistakeSet> sets{{place_of("normals_left_in_world")}, {place_of("view_reversed")}};
     for (unsigned seed = 1; seed <= 6; ++seed) {
         const SceneDocument document = diagnosed_scene(seed);
@@ -260,7 +259,7 @@ TEST_CASE("the deciding pixel has the colours that the pictures have there", "[d
     CHECK(c.reference != c.mine);
 }
 
-TEST_CASE("an experiment shows what it says, and parts the mistakes", "[diagnose]") {
+TEST_CASE("an experiment shows the reported colours and separates the mistakes", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(5);
     int experiments = 0;
     for (const std::size_t mistake : {0, 2, 4, 7, 10, 12, 18, 24, 27, 30, 33, 36, 41, 45}) {
@@ -280,8 +279,7 @@ TEST_CASE("an experiment shows what it says, and parts the mistakes", "[diagnose
     CHECK(experiments > 1);
 }
 
-TEST_CASE("a picture that shows its object elsewhere is not taken for one that does not draw it",
-          "[diagnose]") {
+TEST_CASE("an object at a different position is not reported as missing", "[diagnose]") {
     SceneDocument document;
     Scene& scene = document.scene;
     Light sun;
@@ -289,7 +287,7 @@ TEST_CASE("a picture that shows its object elsewhere is not taken for one that d
     sun.position = {-1, 1, 1, 0};
     scene.lights = {sun};
     Object ball = object_of(primitive(Primitive::Sphere, 48));
-    ball.transform.translate = {-1.6f, 0, 0};  // mirrored it lies where the scene shows background
+    ball.transform.translate = {-1.6f, 0, 0};  // mirrored, it is where the scene shows background
     scene.objects = {ball};
     for (std::size_t m = 0; m < mistake_names().size(); ++m) {
         if (mistake_names()[m].name != "light_in_wrong_space" && mistake_names()[m].name != "normals_flipped")
@@ -303,7 +301,7 @@ TEST_CASE("a picture that shows its object elsewhere is not taken for one that d
     }
 }
 
-TEST_CASE("each mistake that is named is held against the pixel of the picture that it names", "[diagnose]") {
+TEST_CASE("each named mistake has the picture's colour at its pixel", "[diagnose]") {
     SceneDocument document;
     Scene& scene = document.scene;
     scene.camera.eye = {0, 0, 5};
@@ -314,8 +312,8 @@ TEST_CASE("each mistake that is named is held against the pixel of the picture t
     right.position = {1, 1, 3, 1};
     right.falloff = {1, 0.3f, 0};
     scene.lights = {left, right};
-    // Mirrored it lies where the picture shows its background, of one colour, as a mistake makes the plane of
-    // one.
+    // Mirrored, it is where the picture shows its background of one colour. The mistake also makes the plane
+    // one colour.
     Object plane = object_of(primitive(Primitive::Plane, 1));
     plane.transform.translate = {-0.9f, 0.5f, 0};
     plane.transform.rotate_deg = {90, 0, 38};
@@ -337,8 +335,7 @@ TEST_CASE("each mistake that is named is held against the pixel of the picture t
     for (const Candidate& c : d.candidates) CHECK(c.mine == rgb_at(wrong, wrong.pixel(c.pixel.x, c.pixel.y)));
 }
 
-TEST_CASE("what is nearest to a picture that nothing explains is held against the pixel that it names",
-          "[diagnose]") {
+TEST_CASE("candidates for an unexplained picture have the picture's colour at their pixel", "[diagnose]") {
     // Turned over and darkened, a mistake would be nearest.
     const SceneDocument document = std::get<SceneDocument>(open_document(
         project_file("assets/scenes/inverse-square.json"),
@@ -357,7 +354,7 @@ TEST_CASE("what is nearest to a picture that nothing explains is held against th
     for (const Candidate& c : d.candidates) CHECK(c.mine == rgb_at(wrong, wrong.pixel(c.pixel.x, c.pixel.y)));
 }
 
-TEST_CASE("a picture's name begins no formula in a table", "[diagnose]") {
+TEST_CASE("a picture's name never starts a formula in a table", "[diagnose]") {
     for (const std::string name : {"=1+2.png", "+a.png", "-a.png", "@a.png"})
         CHECK(diagnoses_csv({{name, {}, {}, {}}}).find("\n./" + name + ",") != std::string::npos);
     CHECK(diagnoses_csv({{"a=1.png", {}, {}, {}}}).find("\na=1.png,") != std::string::npos);

@@ -23,8 +23,7 @@ std::uint64_t wrong_in_regions(const Diagnosis& d) {
 
 }  // namespace
 
-TEST_CASE("a picture that is clipped where the scene is brighter has the mistake that it makes",
-          "[diagnose][release]") {
+TEST_CASE("a mistake is named in a picture that is less clipped than the scene's", "[diagnose][release]") {
     SceneDocument document = shipped("default.json");
     for (const char* const name : {"view_reversed", "absolute_cosine", "unnormalized_half"}) {
         const std::size_t mistake = place_of(name);
@@ -39,8 +38,7 @@ TEST_CASE("a picture that is clipped where the scene is brighter has the mistake
     }
 }
 
-TEST_CASE("the wrong pixels of a difference are those of its regions, whatever was taken away first",
-          "[diagnose]") {
+TEST_CASE("a difference's wrong pixels are those of its regions, after any display change", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     const PictureSize size{160, 90};
     Renderer renderer(1);
@@ -75,8 +73,7 @@ TEST_CASE("the wrong pixels of a difference are those of its regions, whatever w
     }
 }
 
-TEST_CASE("the deciding pixel is told as the picture has it, however it was turned over",
-          "[diagnose][release]") {
+TEST_CASE("the deciding pixel is reported in the coordinates of a flipped picture", "[diagnose][release]") {
     const SceneDocument document = diagnosed_scene(4);
     const Picture wrong = picture_under(document.scene, {place_of("missing_pi")});
     for (int ways = 0; ways < 8; ++ways) {
@@ -97,7 +94,7 @@ TEST_CASE("the deciding pixel is told as the picture has it, however it was turn
     }
 }
 
-TEST_CASE("of what explains too little, that comes first which explains most", "[diagnose]") {
+TEST_CASE("of candidates that explain too little, the best comes first", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     SceneDocument wrong = document;
     wrong.scene.shading.mistakes.normals_left_in_world = wrong.scene.shading.mistakes.missing_pi = true;
@@ -109,15 +106,14 @@ TEST_CASE("of what explains too little, that comes first which explains most", "
         CHECK(d.candidates[i - 1].explained >= d.candidates[i].explained);
 }
 
-TEST_CASE("a share that is not none does not read as 0 %", "[diagnose]") {
+TEST_CASE("a share above zero is not printed as 0 %", "[diagnose]") {
     CHECK(percent_text(0) == "0 %");
     CHECK(percent_text(1e-6) == "less than 1 %");
     CHECK(percent_text(0.006) == "1 %");
     CHECK(percent_text(1) == "100 %");
 }
 
-TEST_CASE("most of a difference is on the object with most wrong pixels, whatever their signs",
-          "[diagnose]") {
+TEST_CASE("a difference is mostly on the object with most wrong pixels, of either sign", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     Renderer renderer(1);
     Picture picture = renderer.render(document.scene, {160, 90});

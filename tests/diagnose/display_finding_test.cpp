@@ -1,4 +1,4 @@
-// What is not a mistake of lighting is found and named: turned over, exchanged, brightened, encoded, shifted.
+// Changes at the display are found and named: flips, exchanged channels, gains, encodings, shifts.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -90,7 +90,7 @@ TEST_CASE("a gain and an encoding are found together", "[diagnose]") {
     const Picture right = picture_under(document.scene, {});
     CHECK(finding_of(document, through(right, [](double x) { return 0.7 * x; })).change.gain ==
           Approx(0.7).epsilon(0.01));
-    // An encoding too many has a name in the catalogue; what is left is the gain.
+    // A second encoding is a mistake in the catalogue; the gain remains.
     const Diagnosis both =
         diagnosed(document, through(right, [](double x) { return srgb_of_linear(0.6 * x); }));
     REQUIRE(both.verdict == Verdict::Mistake);
@@ -118,9 +118,7 @@ Picture exposed(const SceneDocument& document, float exposure, PictureSize size,
 
 }  // namespace
 
-TEST_CASE(
-    "a gain that explains the background, too, is believed before a mistake that needs another background",
-    "[diagnose]") {
+TEST_CASE("a gain that also explains the background is preferred to a mistake", "[diagnose]") {
     const SceneDocument document = shipped("red-light-on-green.json");  // two lights: half is their average
     const Diagnosis d = diagnosed(document, exposed(document, 0.5f, {160, 120}));
     CHECK(d.verdict == Verdict::NoMistake);
@@ -128,8 +126,7 @@ TEST_CASE(
     CHECK_FALSE(d.display.background);
 }
 
-TEST_CASE("of a gain of light and one of levels, which both are within rounding, the nearer one is told",
-          "[diagnose]") {
+TEST_CASE("the nearer of a gain of light and a gain of levels is reported", "[diagnose]") {
     SceneDocument document = shipped("default.json");
     document.scene.display.transfer = Transfer::Srgb;
     const Diagnosis d = diagnosed(document, exposed(document, 1.3f, {200, 150}));
@@ -137,7 +134,7 @@ TEST_CASE("of a gain of light and one of levels, which both are within rounding,
     CHECK(d.display.change.gain == Approx(1.3).epsilon(0.01));  // as a gain of levels it would be 1.13
 }
 
-TEST_CASE("a background that the mistake itself changes is not another background", "[diagnose]") {
+TEST_CASE("a background that the mistake itself changes is not reported", "[diagnose]") {
     const SceneDocument document = shipped("bulb.json");
     Scene scene = document.scene;
     scene.shading.mistakes.encoded_twice = true;
@@ -150,16 +147,14 @@ TEST_CASE("a background that the mistake itself changes is not another backgroun
 TEST_CASE("hard edges stay hard in a darker picture, and smooth ones need no mistake", "[diagnose]") {
     const SceneDocument ball = shipped("default.json");
     CHECK_FALSE(finding_of(ball, exposed(ball, 0.6f, {100, 75})).smooth_edges);
-    // Where much is clamped, what is darker was any brightness before.
+    // Many pixels are clamped; their brightness before the gain is unknown.
     const SceneDocument spot = shipped("light-behind-ball.json");
     const Diagnosis d = diagnosed(spot, exposed(spot, 0.8f, {200, 150}, 4));
     CHECK(d.verdict == Verdict::NoMistake);
     CHECK(d.display.smooth_edges);
 }
 
-TEST_CASE(
-    "the pixel that decides has what the mistake shows there, also where the picture was clamped before",
-    "[diagnose]") {
+TEST_CASE("the deciding pixel shows the mistake's colour, also in a clamped picture", "[diagnose]") {
     for (const auto& [name, mistake] : {std::pair("mirror-vector.json", &Mistakes::shininess_inverted),
                                         std::pair("spot-cone.json", &Mistakes::aim_stays_at_origin)}) {
         CAPTURE(name);
@@ -180,7 +175,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("looking for two mistakes finds what explains the picture without them", "[diagnose]") {
+TEST_CASE("a search for two mistakes still finds an explanation without any", "[diagnose]") {
     const SceneDocument document = shipped("mach-bands.json");
     DiagnosisOptions options;
     options.pairs = true;
@@ -195,7 +190,7 @@ TEST_CASE("looking for two mistakes finds what explains the picture without them
     CHECK(name_of(one.candidates[0].mistakes) == "some_faces_flipped");
 }
 
-TEST_CASE("another background, smooth edges and half a pixel's shift are found", "[diagnose]") {
+TEST_CASE("a different background, smooth edges and half a pixel's shift are found", "[diagnose]") {
     const SceneDocument document = bright_scene();
     const Picture right = picture_under(document.scene, {});
     CHECK_FALSE(finding_of(document, right).background);
@@ -211,8 +206,7 @@ TEST_CASE("another background, smooth edges and half a pixel's shift are found",
     CHECK_FALSE(moved.smoothed);
 }
 
-TEST_CASE("a picture that is moved by a whole pixel is shifted, and one that is blurred is smoothed",
-          "[diagnose]") {
+TEST_CASE("moving by a pixel is reported as shifted, blurring as smoothed", "[diagnose]") {
     const SceneDocument document = bright_scene();
     const Picture right = picture_under(document.scene, {});
     const Diagnosis moved = diagnosed(document, one_to_the_right(right));
@@ -224,7 +218,7 @@ TEST_CASE("a picture that is moved by a whole pixel is shifted, and one that is 
     CHECK(soft.shift == glm::vec2(0));
 }
 
-TEST_CASE("a shift is measured to its end, and not to where a plane would have led", "[diagnose][release]") {
+TEST_CASE("a shift is measured by iteration, not by one linear step", "[diagnose][release]") {
     const SceneDocument document = shipped("still-life.json");
     Renderer renderer(1);
     const Picture right = renderer.render(document.scene, {160, 90});
@@ -238,8 +232,7 @@ TEST_CASE("a shift is measured to its end, and not to where a plane would have l
     }
 }
 
-TEST_CASE("strokes that reach over the background are neither another background nor another outline",
-          "[diagnose]") {
+TEST_CASE("strokes over the background do not change the background or outline", "[diagnose]") {
     SceneDocument document = bright_scene();
     document.scene.npr.silhouettes = true;
     document.scene.npr.stroke_width_px = 12;
@@ -272,8 +265,7 @@ TEST_CASE("strokes that reach over the background are neither another background
     CHECK(other.verdict != Verdict::NotComparable);
 }
 
-TEST_CASE("how much of a picture only softness explains is counted, and said where it might hide a highlight",
-          "[diagnose]") {
+TEST_CASE("pixels that only softness explains are counted, with a hint at highlights", "[diagnose]") {
     const SceneDocument document = shipped("every-term.json");
     Renderer renderer(1);
     const PictureSize size{160, 90};
@@ -312,7 +304,7 @@ TEST_CASE("a weaker highlight of a few pixels is another number, not a smoothed 
     CHECK(scene_under(document.scene, d.candidates[0]).lights[0].specular.x == Approx(0.3).margin(0.02));
 }
 
-TEST_CASE("a picture at another aspect is not comparable, and the stretch is reported", "[diagnose]") {
+TEST_CASE("a picture with a different aspect is not comparable; the stretch is reported", "[diagnose]") {
     SceneDocument document = bright_scene();
     Renderer renderer(1);
     const Picture wide = renderer.render(document.scene, {320, 180});
@@ -328,7 +320,7 @@ TEST_CASE("a picture at another aspect is not comparable, and the stretch is rep
     CHECK(d.candidates.empty());
 }
 
-TEST_CASE("what happened at the display is undone", "[diagnose]") {
+TEST_CASE("changes at the display are undone", "[diagnose]") {
     // By hand: a row of two pixels, mirrored, red and blue exchanged, twice as bright.
     const Picture wrong{{2, 1}, {20, 40, 60, 255, 100, 120, 140, 255}, {}};
     DisplayChange change;
@@ -338,7 +330,7 @@ TEST_CASE("what happened at the display is undone", "[diagnose]") {
     CHECK(undone(wrong, {}).rgba == wrong.rgba);
 }
 
-TEST_CASE("a byte may have become what the display's steps make of it", "[diagnose]") {
+TEST_CASE("a byte's range after a change follows the display's steps", "[diagnose]") {
     DisplayChange encoded;
     encoded.before = Code::Encoded;
     // Linear 0.5 is 0.7354 encoded, level 187.5; its neighbours half a level away give 187.4 and 187.6.
@@ -352,7 +344,7 @@ TEST_CASE("a byte may have become what the display's steps make of it", "[diagno
     CHECK(byte_ranges(dimmed)[255].distance(200) == 0);  // what was clamped may have been brighter
 }
 
-TEST_CASE("a term that is wrong and in no catalogue is found where it lives", "[diagnose]") {
+TEST_CASE("a wrong term outside the catalogue is found", "[diagnose]") {
     SceneDocument document = bright_scene();
     document.scene.lights = {assorted_lights()[0], assorted_lights()[1]};
     document.scene.global_ambient = glm::vec3(0.25f);

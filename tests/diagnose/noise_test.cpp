@@ -1,4 +1,4 @@
-// Noise, as a renderer that samples or dithering leaves it, is neither a mistake nor hides one.
+// Noise of sampling or dithering is not a mistake, and does not hide one.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +29,7 @@ Picture noisy(Picture picture, double deviation, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("noise is measured, and what a clean picture shows is none", "[diagnose]") {
+TEST_CASE("noise is measured, and a clean picture has none", "[diagnose]") {
     const Picture right = picture_under(diagnosed_scene(4).scene, {});
     CHECK(noise_of(right, right) == 0);
     CHECK(noise_of(noisy(right, 0.4, 1), right) == 0);
@@ -53,7 +53,7 @@ TEST_CASE("a right picture with noise has no mistake", "[diagnose][release]") {
     }
 }
 
-TEST_CASE("a picture with more noise than can be judged is not comparable, and that is said", "[diagnose]") {
+TEST_CASE("a picture with too much noise is reported as not comparable", "[diagnose]") {
     const SceneDocument document = shipped("default.json");
     const Diagnosis d = diagnosed(document, noisy(picture_under(document.scene, {}), 20, 5));
     CHECK(d.verdict == Verdict::NotComparable);

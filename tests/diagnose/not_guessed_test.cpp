@@ -38,7 +38,7 @@ Picture disc(PictureSize size, std::uint8_t level) {
 
 }  // namespace
 
-TEST_CASE("a picture of one colour is not comparable, unless the scene has one, too", "[diagnose]") {
+TEST_CASE("a picture of one colour is comparable only with a scene of one colour", "[diagnose]") {
     for (const char* const name : {"sun", "bulb", "cosine-law", "mach-bands"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
         Picture picture = right_of(document, {160, 120});
@@ -75,7 +75,7 @@ TEST_CASE("a picture of two flat colours has no noise, and is not a mistake of a
     }
 }
 
-TEST_CASE("a small picture that is cut off or darkened in part is not a mistake in fine detail, softened",
+TEST_CASE("a small picture that is cropped or darkened in part is not a soft mistake",
           "[diagnose][release]") {
     for (const char* const name : {"classic-materials", "shininess-grid", "phong-and-blinn-exponents"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
@@ -152,8 +152,7 @@ TEST_CASE("a term that was multiplied is another number, not a mistake with a ga
     check(ball, weaker, "/lights/0/intensity");
 }
 
-TEST_CASE("a mistake that brightens all and a gain that darkens it are not believed where most is as it was",
-          "[diagnose]") {
+TEST_CASE("a brightening mistake with a darkening gain is rejected if most is unchanged", "[diagnose]") {
     // Each light has an ambient share, which one mistake adds twice.
     const Result<Scene> parsed = parse_scene(R"({"glint": 1,
         "camera": {"eye": [2, 2.5, 5], "target": [0, 0.3, 0]}, "global_ambient": [0.15, 0.15, 0.15],
@@ -187,7 +186,7 @@ TEST_CASE("a mistake that brightens all and a gain that darkens it are not belie
     CHECK(d.display.change.gain == Approx(1).margin(0.01));
 }
 
-TEST_CASE("highlights of another width are not a right picture that was smoothed", "[diagnose][release]") {
+TEST_CASE("highlights of a different width are not a smoothed right picture", "[diagnose][release]") {
     for (const std::string name : {"still-life", "phong-and-blinn-exponents", "shininess-grid",
                                    "wide-angle-balls", "classic-materials"}) {
         const SceneDocument document = shipped(name + ".json");
@@ -201,7 +200,7 @@ TEST_CASE("highlights of another width are not a right picture that was smoothed
     }
 }
 
-TEST_CASE("a right picture that was smoothed or moved is one, and as much as that changes",
+TEST_CASE("a smoothed or shifted right picture has no mistake, and the change is reported",
           "[diagnose][release]") {
     constexpr PictureSize size{320, 240};
     for (const char* const name : {"still-life", "shininess-grid", "wide-angle-balls"}) {
@@ -223,7 +222,7 @@ TEST_CASE("a right picture that was smoothed or moved is one, and as much as tha
     }
 }
 
-TEST_CASE("a missing highlight is left out, and not a mistake that takes all highlights away",
+TEST_CASE("a missing highlight is left out, not a mistake that removes all highlights",
           "[diagnose][release]") {
     {
         const SceneDocument document = shipped("every-term.json");
@@ -262,7 +261,7 @@ TEST_CASE("flat and Gouraud shading are other settings, not a smoothed Phong pic
     check("light-behind-ball", ShadingMode::Flat, {480, 300});
 }
 
-TEST_CASE("a highlight of another width is not a soft one where the edges are hard", "[diagnose][release]") {
+TEST_CASE("a highlight of a different width is not a soft one if the edges are hard", "[diagnose][release]") {
     const SceneDocument document = shipped("spot-cone.json");
     SceneDocument other = document;
     other.scene.objects[0].material.shininess = 64;
@@ -274,7 +273,7 @@ TEST_CASE("a highlight of another width is not a soft one where the edges are ha
     }
 }
 
-TEST_CASE("what is drawn at other points of the pixels is shifted, though its edges are hard",
+TEST_CASE("sampling at different points of the pixels is a shift, even with hard edges",
           "[diagnose][release]") {
     constexpr PictureSize size{320, 240};
     for (const char* const name : {"still-life", "default", "every-term"}) {
@@ -314,8 +313,7 @@ TEST_CASE("a term that was multiplied is another number, not a gain, softness an
           [](Scene& scene) { scene.lights[0].intensity *= 0.5f; });
 }
 
-TEST_CASE("a picture is not turned over where its surfaces would then lie on the scene's background",
-          "[diagnose][release]") {
+TEST_CASE("a flip that puts surfaces on the scene's background is rejected", "[diagnose][release]") {
     const SceneDocument document = shipped("inverse-square.json");
     SceneDocument other = document;
     other.scene.shading.reflection = Reflection::OrenNayar;
@@ -325,7 +323,7 @@ TEST_CASE("a picture is not turned over where its surfaces would then lie on the
     CHECK_FALSE(d.display.change.upside_down);
 }
 
-TEST_CASE("where a flip leaves the silhouette as it is, the light is named before the flip", "[diagnose]") {
+TEST_CASE("if a flip keeps the silhouette, the light is named before the flip", "[diagnose]") {
     SceneDocument document;
     document.scene.objects = {object_of(primitive(Primitive::Sphere, 48))};
     document.scene.camera.eye = {0, 0, 4};
@@ -355,7 +353,7 @@ TEST_CASE("a declared convention is supposed with every explanation", "[diagnose
     CHECK(d.conventions[0].starts_with("local_viewer"));
 }
 
-TEST_CASE("three colours are not told to be mirrored, darkened and mistaken", "[diagnose]") {
+TEST_CASE("a picture of three colours is not mirrored, darkened and mistaken", "[diagnose]") {
     const SceneDocument document = shipped("three-angles.json");
     SceneDocument duller = document;
     duller.scene.objects[0].material.shininess = 2;
@@ -365,7 +363,7 @@ TEST_CASE("three colours are not told to be mirrored, darkened and mistaken", "[
     CHECK(settings_of(d) == "/objects/0/material/shininess=2");
 }
 
-TEST_CASE("what a candidate supposes of the brightness stands beside it", "[diagnose]") {
+TEST_CASE("a candidate's own gain is printed next to its name", "[diagnose]") {
     Diagnosis d;
     d.verdict = Verdict::NotInCatalogue;
     Candidate& nearest = d.candidates.emplace_back();

@@ -1,4 +1,4 @@
-// Two mistakes at once, and what is said of those that were tried.
+// Two mistakes at once, and the report if no pair explains the picture.
 #include "diagnose/diagnose.h"
 #include "diagnose/diagnosis_format.h"
 #include "tests/diagnose/wrong_pictures.h"
@@ -22,7 +22,7 @@ Picture drawn(const Scene& scene, PictureSize size) {
 
 }  // namespace
 
-TEST_CASE("a mistake that changes nothing alone is found beside one that brings it out", "[diagnose]") {
+TEST_CASE("a mistake with no effect alone is found with one that makes it visible", "[diagnose]") {
     SceneDocument document = diagnosed_scene(2);
     for (Object& object : document.scene.objects) object.material.specular = glm::vec3(0);
     Scene wrong = document.scene;
@@ -35,8 +35,7 @@ TEST_CASE("a mistake that changes nothing alone is found beside one that brings 
     CHECK(d.candidates[0].residual == 0);
 }
 
-TEST_CASE("two mistakes that make a pattern of faces are found at a size that has no small divisor",
-          "[diagnose]") {
+TEST_CASE("two mistakes that make a pattern of faces are found at unusual picture sizes", "[diagnose]") {
     const SceneDocument document = shipped("lost-highlight.json");
     Scene wrong = document.scene;
     wrong.shading.mistakes.some_faces_flipped = wrong.shading.mistakes.normals_as_points = true;
@@ -49,8 +48,7 @@ TEST_CASE("two mistakes that make a pattern of faces are found at a size that ha
     }
 }
 
-TEST_CASE("of a picture that nothing explains it is said whether two mistakes at once were tried",
-          "[diagnose]") {
+TEST_CASE("an unexplained picture is reported with whether pairs were tried", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     Picture picture = drawn(document.scene, diagnosed_size);
     for (std::size_t i = 0; i < picture.rgba.size() / 2; ++i)
@@ -61,11 +59,11 @@ TEST_CASE("of a picture that nothing explains it is said whether two mistakes at
     };
     CHECK(says({}).ends_with("of the pixels are wrong, and no single mistake explains them."));
     CHECK(says(of_pairs())
-              .ends_with("of the pixels are wrong, and no mistake explains them, nor do any two at "
-                         "once as far as a small picture tells."));
+              .ends_with("of the pixels are wrong, and no mistake explains them, alone or paired; pairs "
+                         "were tried on a small picture."));
 }
 
-TEST_CASE("a mistake that explains nothing of what is wrong is not a candidate", "[diagnose]") {
+TEST_CASE("a mistake that explains no wrong pixel is not a candidate", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     Scene wrong = document.scene;
     wrong.shading.mistakes.missing_pi = true;

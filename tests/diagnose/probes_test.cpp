@@ -85,7 +85,7 @@ std::pair<int, int> least_and_largest(const Picture& picture, int x, int y, std:
     return {low, high};
 }
 
-TEST_CASE("the bounds around the pixels of a row are the least and the largest of nine pixels") {
+TEST_CASE("the bounds around a pixel are the minimum and maximum of nine pixels") {
     std::mt19937 random(3);
     std::uniform_int_distribution<int> level(0, 255);
     for (const PictureSize of : {size, PictureSize{1, 1}, {1, 5}, {6, 1}, {2, 3}, {3, 2}}) {
@@ -106,7 +106,7 @@ TEST_CASE("the bounds around the pixels of a row are the least and the largest o
     }
 }
 
-TEST_CASE("the excess at probes is the sum over their channels, however the picture was turned over") {
+TEST_CASE("the excess at probes is the sum over their channels under every flip") {
     for (const unsigned seed : {1U, 2U}) {
         const Sample s(seed);
         for (const bool with_bare : {false, true}) {
@@ -130,7 +130,7 @@ TEST_CASE("the excess at probes is the sum over their channels, however the pict
     }
 }
 
-TEST_CASE("an excess that is large enough is not summed up to its end, and is then no less than that") {
+TEST_CASE("the sum of the excess stops early only above the limit") {
     const Sample s(3);
     const DrawnProbes drawn = s.at_probes(false);
     const WrongProbes wrong(s.probes, s.wrong, s.kinds, 0);
@@ -141,7 +141,7 @@ TEST_CASE("an excess that is large enough is not summed up to its end, and is th
     CHECK(excess < all / 2);
 }
 
-TEST_CASE("the gain is that of most of the light, whatever the rest shows") {
+TEST_CASE("the gain is that of most of the light, regardless of the rest") {
     for (const double gain : {0.1, 0.3, 0.7, 1.0, 1.3}) {
         Sample s(4);
         std::mt19937 random(5);

@@ -220,14 +220,14 @@ bool differ_visibly(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST_CASE("a right picture of a program as tutorials write it has no mistake", "[diagnose]") {
+TEST_CASE("a right picture of a tutorial's program has no mistake", "[diagnose]") {
     const SceneDocument document = balls_on_floor();
     const Diagnosis d = diagnosed(document, Program(document.scene, "").picture());
     INFO(diagnosis_text(d, document.scene));
     CHECK(d.verdict == Verdict::NoMistake);
 }
 
-TEST_CASE("mistakes in a program as tutorials write it are named", "[diagnose][release]") {
+TEST_CASE("mistakes in a tutorial's program are named", "[diagnose][release]") {
     const SceneDocument document = balls_on_floor();
     const Picture right = Program(document.scene, "").picture();
     for (const char* name : {"normals_by_model_matrix",
@@ -281,7 +281,7 @@ TEST_CASE("mistakes in a program as tutorials write it are named", "[diagnose][r
     }
 }
 
-TEST_CASE("mistakes that are in no catalogue are not given the name of another", "[diagnose][release]") {
+TEST_CASE("mistakes outside the catalogue are not given the name of another one", "[diagnose][release]") {
     const SceneDocument document = balls_on_floor();
     for (const char* name :
          {"hue is turned", "cosine squared", "distance to the eye", "highlight times cosine twice"}) {

@@ -78,7 +78,7 @@ inline Diagnosis diagnosed(const SceneDocument& document, const Picture& picture
 }
 
 /// Whether the first candidate explains the picture and is these mistakes, or shows the same as they do. A
-/// mistake that removes a term or light is the second name: what is missing is the simpler explanation. A
+/// mistake that removes a term or light is the second name: a missing term is the simpler explanation. A
 /// mistake that is a convention of many programs is named as one.
 inline bool is_named(const Diagnosis& d, const MistakeSet& mistakes) {
     if (d.verdict == Verdict::NoMistake && d.conventions.size() == 1)
