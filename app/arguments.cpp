@@ -229,7 +229,7 @@ std::string asset_path(const std::string& relative) {
 }
 
 std::string asset_places(const std::string& relative) {
-    return "assets/" + relative + " beside the program, or in ../share/glint from there";
+    return "assets/" + relative + " next to the program, or in ../share/glint from there";
 }
 
 namespace {

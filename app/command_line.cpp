@@ -13,7 +13,7 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// The index of the first word that is neither an option nor the value of one, so that it may name a command.
+/// The index of the first word that is not an option or an option's value; it may name a command.
 std::size_t first_word(const Arguments& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& a = arguments[i];

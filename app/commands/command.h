@@ -54,7 +54,7 @@ struct Command {
 [[nodiscard]] Command exercise_command();
 [[nodiscard]] Command quiz_command();
 
-/// A process of `glint grade` for one file; the name by which main() calls it.
+/// The argv[0] with which main() runs as a process of `glint grade` for one file.
 inline constexpr const char* grade_worker_name = "glint-grade";
 [[nodiscard]] int run_grade_worker(const std::vector<std::string>& words);
 

@@ -75,7 +75,7 @@ Run declare_formfactor(Options& options) {
                       [&rays = arguments->rays](const std::string& text) {
                           rays = read_count("--rays", text, 1, max_form_factor_rays);
                       });
-    options.add_value("--seed", "S", "another seed gives other rays; default 1",
+    options.add_value("--seed", "S", "a different seed gives different rays; default 1",
                       [&seed = arguments->seed](const std::string& text) {
                           seed = read_count("--seed", text, 0, 1'000'000);
                       });

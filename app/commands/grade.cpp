@@ -57,7 +57,7 @@ void add_diagnosis(GradeRow& row, const DiagnosedPicture& diagnosed, const Scene
     for (const char* key : {"also", "pixel", "mine", "reference"}) row[key] = first[key];
 }
 
-/// Judges a picture. All that depends on the diagnosis is here.
+/// Judges a picture. Only this function depends on the diagnosis.
 void judge_picture(GradeRow& row, const SceneDocument& document, Picture picture, int threads) {
     const auto [shown, undone] = as_arrived(as_shown(std::move(picture), document.scene.display));
     Diagnosis diagnosis = glint::diagnose(document, shown, {.threads = threads});

@@ -80,7 +80,7 @@ Command schema_command() {
 }
 
 Command info_command() {
-    return {"info", "FILE", "describe a mesh or a scene, and what is wrong with its meshes",
+    return {"info", "FILE", "describe a mesh or a scene, and problems with its meshes",
             "glint info bunny.obj", declare_info};
 }
 

@@ -40,7 +40,7 @@ Run declare_microfacets(Options& options) {
                       [&o](const std::string& text) { o.rays = read_count("--rays", text, 1, 100000); });
     options.add_value("--facets", "N", "number of facets, 4 to 100000; default 400",
                       [&o](const std::string& text) { o.facets = read_count("--facets", text, 4, 100000); });
-    options.add_value("--seed", "S", "another seed gives another surface; default 1",
+    options.add_value("--seed", "S", "a different seed gives a different surface; default 1",
                       [&o](const std::string& text) {
                           o.seed = static_cast<std::uint32_t>(read_count("--seed", text, 0, 2147483647));
                       });

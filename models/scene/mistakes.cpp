@@ -11,8 +11,8 @@ constexpr std::array names{
                 SeenAs::WrongBrightness, "The vector to the light keeps its length in n·l, r and h.",
                 "Surfaces far from the light get brighter, and highlights grow into blots.",
                 "no_clamp_of_cosine falloff_inverted", "openFrameworks#6221",
-                "in n·l, r and h|in the cone of a spot, too|not of directional lights|"
-                "in the cone of a spot, too, and not of directional lights"},
+                "in n·l, r and h|also in the cone of a spot|not of directional lights|"
+                "also in the cone of a spot, and not of directional lights"},
     MistakeName{"unnormalized_half", &Mistakes::unnormalized_half, MistakeStage::Equation,
                 SeenAs::WrongHighlight, "h = (l + v)/2, as the lecture first writes it, is not normalized.",
                 "Highlights shrink and darken where l and v diverge.", "", "openFrameworks#6221",
@@ -264,7 +264,7 @@ constexpr std::array names{
                 "Surfaces near a lamp are too dark.", "unnormalized_light", "three.js#33679"},
     MistakeName{"divided_by_square", &Mistakes::divided_by_square, MistakeStage::Lights, SeenAs::WrongReach,
                 "l is divided by l·l in place of its length.",
-                "What is farther than one unit from a lamp is too dark, what is nearer too bright.",
+                "Surfaces farther than one unit from a lamp are too dark, nearer ones too bright.",
                 "unnormalized_light", "ray4#11", "l|l and v"},
     MistakeName{"distance_across_spaces", &Mistakes::distance_across_spaces, MistakeStage::Lights,
                 SeenAs::MovesWithCamera,
@@ -312,7 +312,7 @@ constexpr std::array names{
     MistakeName{"facet_normals_of_screen_points", &Mistakes::facet_normals_of_screen_points,
                 MistakeStage::Normals, SeenAs::WrongFaces,
                 "A facet's cross product is taken of projected corners: all normals point to the viewer.",
-                "All facets are lit alike.", "no_normals_given", "tinyrenderer#47"},
+                "All facets are lit equally.", "no_normals_given", "tinyrenderer#47"},
     MistakeName{"cross_component_wrong", &Mistakes::cross_component_wrong, MistakeStage::Normals,
                 SeenAs::WrongFaces, "One component of a facet's cross product has the wrong sign.",
                 "Facets are lit as if mirrored.", "cross_reversed", "tinyrenderer#120", "y|x|z"},
