@@ -66,9 +66,9 @@ class Renderer {
     /// default), it does so only if that gives the same bytes. If false, every light is added every time.
     void keep_sums(bool keep);
 
-    /// Calls `progress(done, all)` on the thread of render() while it follows paths: so many of each point's
-    /// are done. A picture refines in steps if the scene's number of paths grows from call to call: render()
-    /// then follows only the further ones, and the bytes are those of all at once.
+    /// Calls `progress(done, all)` on the thread of render() while it follows paths: `done` of `all` paths of
+    /// each point are finished. A picture refines in steps if the scene's number of paths grows from call to
+    /// call: render() then follows only the further ones, and the bytes are those of all at once.
     void on_paths(std::function<void(int done, int all)> progress);
 
     /// Draws only these blocks from the next frame on, so that many variants of a scene can be compared

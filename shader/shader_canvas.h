@@ -61,7 +61,7 @@ class ShaderCanvas {
 /// An OpenGL 3.3 context without a window, current on this thread while it exists.
 class OffscreenContext {
   public:
-    /// Throws std::runtime_error if there is no OpenGL. If there is no EGL at all, libepoxy ends the program.
+    /// Throws std::runtime_error if OpenGL is missing. If EGL is missing, libepoxy ends the program.
     OffscreenContext();
     ~OffscreenContext();
     OffscreenContext(const OffscreenContext&) = delete;

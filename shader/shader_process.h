@@ -11,7 +11,7 @@
 namespace glint {
 
 struct ShaderAnswer {
-    // NeverEnds: a loop was ended after max_loop_runs. Failed: there is no OpenGL, or the process crashed.
+    // NeverEnds: a loop was ended after max_loop_runs. Failed: OpenGL is missing, or the process crashed.
     enum class End { Drawn, NotCompiled, NeverEnds, TimedOut, Failed, Cancelled };
     End end = End::Failed;
     std::vector<ShaderMessage> messages;  // of the compiler
@@ -19,7 +19,7 @@ struct ShaderAnswer {
     ShaderPicture picture;                // of Drawn
 };
 
-/// The name by which main() calls run_shader_worker().
+/// The argv[0] with which main() calls run_shader_worker().
 inline constexpr const char* shader_worker_name = "glint-shader";
 
 /// The memory for the driver in addition to the scene: Mesa's compiler reserves much of it, and uses little.

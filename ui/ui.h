@@ -107,7 +107,7 @@ struct UiState {
 struct UiRequests {
     bool quit = false;
     std::string title;                                         // title of the window; empty: unchanged
-    double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, if there is no event
+    double sleep_s = std::numeric_limits<double>::infinity();  // until the next frame, unless an event occurs
 };
 
 /// Between ImGui::NewFrame() and ImGui::Render(). The caller fills the window with theme().panel, draws

@@ -176,7 +176,7 @@ template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
     visit(Row{"name", "Name", "Name of the object"}.undone_as("Rename {}"), Text{max_name_characters},
           o.name);
     visit(Row{"visible", "Shown", "Whether it is drawn"}.omitted_by_default(), Switch{}, o.visible);
-    visit(Row{"double_sided", "Both sides", "Its back faces are drawn, whatever `cull` says"}
+    visit(Row{"double_sided", "Both sides", "Its back faces are drawn even if `cull` is set"}
               .omitted_by_default(),
           Switch{}, o.double_sided);
     visit(Row{"mesh", "Mesh", "The shape: a primitive, or a file"}.undone_as("Mesh of {}"), OneMesh{},

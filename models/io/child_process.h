@@ -26,8 +26,8 @@ struct ChildEnd {
     [[nodiscard]] bool succeeded() const { return how == How::Exited && status == 0; }
 };
 
-/// Runs the program under the name `worker` (its argv[0], by which main() chooses what to do) with `input` on
-/// standard input, and waits. The child ends with this process. Several threads may call it.
+/// Runs this program with `worker` as argv[0], from which main() chooses its task, and with `input` on
+/// standard input. Waits until it ends. The child ends with this process. Several threads may call it.
 [[nodiscard]] ChildEnd run_child(const std::string& worker, const std::vector<std::string>& arguments,
                                  std::string_view input, const ChildLimits& limits);
 

@@ -57,7 +57,7 @@ class ChunkReader {
             result.texts.emplace_back(texts[i].key, std::string(texts[i].text, texts[i].itxt_length));
         return result;
     }
-    /// Whether a text was skipped because it was damaged, too long or beyond the limit.
+    /// Whether a text was skipped because it was damaged or exceeded a limit.
     [[nodiscard]] bool has_bad_text() const { return has_bad_text_; }
 
   private:

@@ -25,7 +25,7 @@ struct SceneCost {
 /// The problem with a cost above memory_limit().
 [[nodiscard]] std::optional<Problem> too_much_memory(const SceneCost& cost);
 
-/// The problem with a scene that exceeds a limit: too many triangles, too many samples, or more memory than
+/// The problem with a scene that has too many triangles or samples, or that needs more memory than
 /// memory_limit(). Without `size`, checks only the scene.
 [[nodiscard]] std::optional<Problem> too_large(const Scene& scene, PictureSize size = {0, 0},
                                                int samples = 1);

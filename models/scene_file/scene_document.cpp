@@ -163,7 +163,7 @@ Result<SceneDocument> open_by_extension(const std::string& path, const std::vect
     if (is_gltf_path(path)) return open_gltf_scene(path, assignments);
     if (is_mesh_path(path)) return open_mesh(path, assignments);
     if (!path.empty())
-        // A missing file is reported as missing, whatever its extension.
+        // A missing file is reported as missing, even if its extension is unknown.
         if (auto problem = why_not_there(path, opened_files)) return *problem;
     std::error_code error;
     if (fs::is_directory(path, error)) return Problem{path, "", "is a directory", opened_files};

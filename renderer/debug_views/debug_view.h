@@ -75,7 +75,7 @@ class DebugViewPainter {
     explicit DebugViewPainter(int threads);
 
     /// Paints the chosen view of `scene`, which `drawn_by` has drawn last at this size. A light index beyond
-    /// the last selects the last light; without lights there is no n.l to show. Background is dark grey.
+    /// the last selects the last light; without lights n.l is not shown. Background is dark grey.
     const Picture& paint(DebugViewChoice choice, const Scene& scene, const Renderer& drawn_by,
                          PictureSize size);
 

@@ -62,7 +62,7 @@ void join_samples(ExplainedLight& joined, const std::string& name, const Explain
     joined.specular += sample.specular;
 }
 
-/// The share of an area light's samples in front of the surface that reach it; 1 if none is in front.
+/// The share of an area light's samples in front of the surface that reach it; 1 if no sample is in front.
 float reached_share(const std::vector<ExplainedLight>& samples) {
     float in_front = 0, reached = 0;
     for (const ExplainedLight& s : samples) {
@@ -72,7 +72,7 @@ float reached_share(const std::vector<ExplainedLight>& samples) {
     return in_front > 0 ? reached / in_front : 1;
 }
 
-/// Only whether light source `i` reaches the point, and else what is in the way.
+/// Explains only whether light source `i` reaches the point, and which surface blocks it.
 ExplainedLight explain_way(const PointArrivals& arrivals, std::size_t i) {
     ExplainedLight e;
     if (arrivals.transport == nullptr) return e;
@@ -116,7 +116,7 @@ ExplainedPoint explain_point(const Lighting& lighting, const LightJob& job, cons
         e.global_ambient = to_glm(broadcast<float>(job.material.global_ambient));
     if (job.tone.on) e.cool_to_warm = explain_tone(job, at);
     e.base = to_glm(begin_sum(job, at, bounced));
-    ExplainedLight way;  // what is between the point and the light that `visit` receives next
+    ExplainedLight way;  // surfaces between the point and the light that `visit` receives next
     const auto reached = [&](std::size_t i) {
         way = explain_way(arrivals, i);
         return way.reached;

@@ -121,8 +121,8 @@ inline constexpr std::array quantity_rows{
     QuantityRow{Quantity::Rough, "(A+B…)", "", "(A + B \\ldots)",
                 "What roughness makes of the cosine (Oren and Nayar): A + B max(cos Δφ, 0) sin α tan β"},
     QuantityRow{Quantity::WarmShare, "k", "w", "k_w", "Share of the warm tone: (1 + n·l) / 2"},
-    QuantityRow{Quantity::Cool, "cool", "", "\\text{cool}", "Tone of what is turned away from the light"},
-    QuantityRow{Quantity::Warm, "warm", "", "\\text{warm}", "Tone of what is turned to the light"},
+    QuantityRow{Quantity::Cool, "cool", "", "\\text{cool}", "Tone of surfaces that face away from the light"},
+    QuantityRow{Quantity::Warm, "warm", "", "\\text{warm}", "Tone of surfaces that face the light"},
     QuantityRow{Quantity::Mistake, "mistake", "", "\\text{mistake}",
                 "What the scene's mistakes make of the product of the others"},
 };

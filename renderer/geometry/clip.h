@@ -34,7 +34,7 @@ inline constexpr glm::dvec4 near_plane{0, 0, 1, 1};
 }
 
 /// The part of a convex polygon (clip coordinates) inside near, far and guard band, with the same winding;
-/// empty when nothing is left. Both faces of a cut edge get the same new corner, so that there is no crack.
+/// empty when nothing is left. Both faces of a cut edge get the same new corner, which avoids cracks.
 /// `spare` is scratch memory. Source: I. Sutherland, G. Hodgman 1974.
 void clip_polygon(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& spare);
 
@@ -61,7 +61,7 @@ struct ClipMemory {
                                                            ClipMemory& memory);
 
 // The kernels' viewport transform for a single vertex. Unclipped triangles and clipped pieces use the same
-// formulas, so that there is no crack between them.
+// formulas, which avoids cracks between them.
 
 [[nodiscard]] inline Matrix4 matrix_of(const glm::dmat4& m) {
     Matrix4 out;

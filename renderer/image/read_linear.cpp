@@ -202,7 +202,7 @@ Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path
         return unreadable(path, "has neither the channels R, G, B nor Y", "an OpenEXR");
     for (const char* const chroma : {"RY", "BY", "X", "Z"})
         if (grey && channels.findChannel(chroma) != nullptr)
-            return Problem{path, "", fmt::format("has the channel {} beside Y and no R, G, B", chroma),
+            return Problem{path, "", fmt::format("has the channel {} next to Y and no R, G, B", chroma),
                            "the channels R, G, B, or Y alone for grey"};
     for (const char* const name : {"R", "G", "B", "Y"})
         if (const Imf::Channel* channel = channels.findChannel(name);

@@ -211,7 +211,7 @@ void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection 
     apply_highlight_mistakes(wrong, model, used.specular, d, m, at);
 }
 
-/// A normal that is NaN makes every term NaN, whatever the comparisons of this program do with it.
+/// Makes every term NaN if the normal is NaN, because comparisons and max() would discard the NaN.
 template <Number F>
 void apply_undefined_normal(const PointAt<F>& at, Vec3<F>& ambient, Vec3<F>& diffuse, Vec3<F>& specular) {
     const auto defined = dot(at.n, at.n) >= F(0);
@@ -243,7 +243,7 @@ void apply_undefined_powers(const Mistakes& wrong, Reflection model, const Direc
 template <Number F> F held(F a, F most) { return min(max(a, -most), most); }
 
 /// The projected point, which replaces the point in camera coordinates; the origin for a point at the eye,
-/// which has no projection. Matrix and point must be within +-1e18; the result is, too.
+/// which has no projection. Matrix and point must be within +-1e18; so is the result.
 template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) {
     const F far = F(1e18f);
     const F w = F(m.w_per_z) * p.z + F(m.w);

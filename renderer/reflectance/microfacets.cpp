@@ -29,7 +29,7 @@ double random_tilt(std::mt19937& random, double sigma_deg) {
 }
 
 /// Creates the facets one after another. The distribution of tilts is symmetric, so their signs are
-/// arbitrary. If the height deviates too far from 0, the sign brings it back.
+/// arbitrary. If the height deviates too far from 0, the sign is chosen to move it back.
 void make_profile(MicrofacetPicture& p, const MicrofacetOptions& options, std::mt19937& random) {
     glm::dvec2 at(0);
     p.profile.push_back(at);

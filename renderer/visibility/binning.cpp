@@ -173,7 +173,7 @@ void bin_pieces(TileLists& lists, const Geometry& g, const BinJob& like) {
     part.job.screen = count > 0 ? lists.clipped.front().corner : nullptr;
     part.job.first_triangle = g.triangle_count;
     lists.pieces.parts.assign(1, part);
-    bin_chunk(lists.grid, lists.pieces, {});  // none is hidden, because hidden triangles are not clipped
+    bin_chunk(lists.grid, lists.pieces, {});  // without hidden triangles, which are not clipped
 }
 
 void refuse_too_many_tiles(std::uint64_t met) {

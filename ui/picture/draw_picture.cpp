@@ -48,7 +48,7 @@ PictureSize paced_size(UiState& state, PictureSize full, bool changed, bool smal
 }
 
 /// During a preview the explanation remains that of the previous picture. A preview of a different size may
-/// not contain the explained pixel; then there is no explanation until the preview ends.
+/// not contain the explained pixel; then the explanation is hidden until the preview ends.
 void follow_size(UiState& state, const PictureView& view) {
     OnScreen& shown = state.on_screen;
     const bool same = shown.explained_size == view.map.size && shown.explained_drawn == state.rendered->size;

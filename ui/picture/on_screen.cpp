@@ -29,7 +29,7 @@ std::size_t place_of(const Feature& feature) {
                                     features().begin());
 }
 
-/// The pixel to explain; nothing if none is under the cursor or picked.
+/// The pixel to explain: picked or under the cursor; nothing without one.
 std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& view) {
     const PictureSize size = view.map.size;
     if (!asks_at_cursor(state)) return probe_pixel(state.viewport, size);

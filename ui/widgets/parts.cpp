@@ -129,7 +129,7 @@ void overflow(const char* id, float width, const std::function<void()>& draw) {
     ImGui::PushID(id);
     const bool is_small = ImGui::GetFont() == fonts().small;
     if (is_small ? small_button("»") : ImGui::Button("»")) ImGui::OpenPopup("##more");
-    tooltip("More", "Controls for which there is no room");
+    tooltip("More", "Controls that do not fit");
     if (ImGui::BeginPopup("##more")) {
         draw();
         ImGui::EndPopup();

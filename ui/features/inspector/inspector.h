@@ -53,7 +53,7 @@ struct InspectorState {
     int pointed_light = -1;
     // From the shown point, in the scene on the screen:
     std::vector<TracedLight> rays;               // to each of its lights; to the middle of an area light
-    std::vector<PathStep> path;                  // empty: none is shown
+    std::vector<PathStep> path;                  // empty: no path is shown
     bool shows_ray = false, shows_path = false;  // drawn in the picture
     int path_number = 1;                         // from 1
     // The scene that the next picture shows in place of the edited one, while a line with a preview is

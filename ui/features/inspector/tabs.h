@@ -48,7 +48,7 @@ struct InspectorTabInfo {
 /// that the numbers match the screen.
 void inspector(UiState& state, const PictureView& view);
 
-/// Draws a tab that needs a pixel while none is picked; `promise` describes what the tab would show.
+/// Draws a tab that needs a pixel, before one is picked; `promise` describes what the tab would show.
 void inspector_empty_state(const char* promise);
 
 // The models tab shows the picked pixel under flat, facet, Gouraud and Phong shading, side by side, and how

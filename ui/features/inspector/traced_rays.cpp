@@ -76,7 +76,7 @@ void path_rows(const Scene& scene, const std::vector<PathStep>& path) {
             small_dim(
                 fmt::format("{} {}", step.reached ? "lit by" : "not reached by", scene.lights[light].name));
     }
-    small_dim(fmt::format("This path brings {}", shown_vector(sum)));
+    small_dim(fmt::format("Light from this path: {}", shown_vector(sum)));
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ const Json::array_t& list_in(const Json& json, const char* name) {
     return elements_of((found == nullptr ? nothing : *found));
 }
 
-/// The records in the file; empty if there is no file.
+/// The records in the file; empty if the file is missing.
 Result<Json> read_records(const UiState& state) {
     const std::string file = file_of(state);
     std::error_code failed;

@@ -30,7 +30,7 @@ std::optional<Quantity> quantity_of(std::string_view run, bool beside_dot) {
     return {};
 }
 
-/// Lays out words in lines.
+/// Line layout for words.
 class Flow {
   public:
     Flow(ImDrawList* list, ImVec2 at, float width) : list_(list), at_(at), x_(at.x), right_(at.x + width) {}

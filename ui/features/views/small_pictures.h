@@ -15,7 +15,7 @@ namespace glint {
 
 /// The result of drawing one thumbnail.
 struct SmallPicture {
-    Picture picture;    // has the sheet's cell size; without bytes there is no picture
+    Picture picture;    // has the sheet's cell size; without bytes, only the text is shown
     std::string words;  // text about it, or shown in its place
 };
 /// Draws the picture with that index; called in order, from 0, on a background thread. It may only touch its

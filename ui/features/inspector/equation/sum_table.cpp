@@ -106,7 +106,7 @@ void sum_table(UiState& state, const Explanation& explanation) {
         term_row(state, Symbol::Ambient, "a  ambient", sums.ambient, on.ambient);
         term_row(state, Symbol::Diffuse, "d  diffuse", sums.diffuse, on.diffuse);
     }
-    // In a comparison the scene's own model may be another than that of the picked part.
+    // In a comparison the scene's own model may differ from that of the picked part.
     if (explained_scene(state).transport.model == TransportModel::Bounces || sums.bounced != glm::vec3(0))
         term_row(state, Symbol::Ambient, "b  bounced", sums.bounced, on.ambient);
     term_row(state, Symbol::Specular, "s  specular", sums.specular, on.specular);
