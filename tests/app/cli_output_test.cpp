@@ -72,7 +72,7 @@ TEST_CASE("an output path that cannot be written is reported before the work sta
     CHECK(directory.names().empty());
 }
 
-TEST_CASE("a missing file is reported as missing, whatever its extension", "[cli][bad-input]") {
+TEST_CASE("a missing file is reported as missing, with any extension", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     for (const char* name : {"nope", "nope.xyz", "a.b/nope"}) {
         const std::string path = directory.path(name);

@@ -151,7 +151,7 @@ int compare(const Arguments& arguments) {
             agrees &= c.differs < 0.002;
         }
     }
-    if (!agrees) fmt::print(stderr, "the pictures differ: what is compared is not the same work\n");
+    if (!agrees) fmt::print(stderr, "the pictures differ: the two programs did not do the same work\n");
     return agrees ? 0 : 1;
 }
 

@@ -10,6 +10,6 @@ fail() { echo "failed: $1"; cat "$work/err"; exit 1; }
 [ "$status" -eq 1 ] || fail "exit status $status, not 1"
 [ "$(wc -l <"$work/err")" -eq 1 ] || fail "more or less than one line on standard error"
 grep -q '^glint: error: no window can be opened: .*DISPLAY.*"glint render FILE -o OUT.png"' "$work/err" || fail "other words"
-grep -q '; expected ' "$work/err" || fail "the message does not say what is expected"
+grep -q '; expected ' "$work/err" || fail "the message has no expected value"
 [ ! -s "$work/out" ] || fail "something on standard output"
 echo "passed"

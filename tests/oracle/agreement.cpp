@@ -73,7 +73,7 @@ struct Pair {
         for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(ours[c] - theirs[c]));
         return most;
     }
-    /// Returns the fraction of the bound by which they differ; above 1 they disagree.
+    /// Returns the difference divided by the bound; above 1 they disagree.
     [[nodiscard]] double share() const {
         if (covered != theirs_covered) return HUGE_VAL;
         double most = 0;

@@ -13,7 +13,7 @@ namespace {
 
 using Change = std::function<bool(Scene&)>;
 
-/// Changes every light; the program is correct if none is changed.
+/// Changes every light; the program is correct if no light changes.
 Change lights(const std::function<bool(Light&, const Scene&)>& change) {
     return [change](Scene& scene) {
         bool any = false;

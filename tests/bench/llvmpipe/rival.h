@@ -1,6 +1,6 @@
 #pragma once
 // The rival is the likely alternative for a course: OpenGL 3.3 on Mesa's llvmpipe (software, vectorised,
-// compiled for the current CPU), drawing into memory. It is optimized as far as possible: buffers are filled
+// compiled for the current CPU), drawing into memory. It is fully optimized: buffers are filled
 // once, one indexed draw per object with vertices numbered by first use, back faces culled, lights sorted by
 // kind so that no fragment branches on it, colours premultiplied, uniforms set once per frame. It only shares
 // our scene, its meshes and its matrices.

@@ -40,7 +40,7 @@ void check_near(const glm::vec3& a, const glm::vec3& b) {
 }  // namespace
 
 TEST_CASE("a glTF box is the same mesh with every layout of its numbers", "[gltf]") {
-    for (const char* how : {"glb", "bytes", "glb ints", "beside", "glb interleaved", "small"}) {
+    for (const char* how : {"glb", "bytes", "glb ints", "external", "glb interleaved", "small"}) {
         CAPTURE(how);
         const TemporaryDirectory folder;
         const SceneDocument document = opened(written(folder, how));
@@ -287,7 +287,7 @@ TEST_CASE("nodes that repeat a mesh of very many lines are refused in one line",
 
 TEST_CASE("lights in candela are scaled to the brightness of a display by one factor", "[gltf]") {
     const TemporaryDirectory folder;
-    std::string text = bytes_of(written(folder, "beside"));
+    std::string text = bytes_of(written(folder, "external"));
     const auto times = [&](const std::string& what, const std::string& with) {
         const std::size_t at = text.find(what);
         REQUIRE(at != text.npos);

@@ -114,7 +114,7 @@ if "glb" in how:
     whole = struct.pack("<I4sI", len(text), b"JSON", 0)[:8] + text + struct.pack("<I4s", len(data), b"BIN\0") + data
     open(folder + "/box.glb", "wb").write(struct.pack("<4sII", b"glTF", 2, 12 + len(whole)) + whole)
 else:
-    if "beside" in how:
+    if "external" in how:
         open(folder + "/box data.bin", "wb").write(data)
         model["buffers"][0]["uri"] = "box%20data.bin"
     else:

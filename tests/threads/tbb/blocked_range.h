@@ -1,5 +1,5 @@
 #pragma once
-// Stands for oneTBB under ThreadSanitizer: see parallel_for.h.
+// Replaces oneTBB under ThreadSanitizer: see parallel_for.h.
 
 #include <cstddef>
 

@@ -101,7 +101,7 @@ TEST_CASE("a turntable starts at the scene itself and keeps distance and height"
     CHECK(quarter.z == Approx(-start.eye.x));
 }
 
-TEST_CASE("a light circles about the target in world coordinates, whatever its own frame", "[ui][animate]") {
+TEST_CASE("a light in any frame circles about the target in world coordinates", "[ui][animate]") {
     SceneDocument document = busy_document();
     Scene& scene = document.scene;
     scene.camera.eye = {1, 2, 9}, scene.camera.target = {1, 2, 3};

@@ -75,10 +75,10 @@ TEST_CASE("copying a composed picture reports that the scene's own picture is co
 TEST_CASE("Copy as command gives the size and samples of the last export", "[ui][window][export]") {
     Bench bench;
     TemporaryDirectory folder;
-    begin_export(bench.state, {{80, 60}, 4}, folder.path("beside.png"));
+    begin_export(bench.state, {{80, 60}, 4}, folder.path("export.png"));
     while (bench.state.get<ExportState>().job) (void)bench.frame();
     bench.copy();
-    CHECK(bench.copied("--size 80x60 --samples 4 -o beside.png"));
+    CHECK(bench.copied("--size 80x60 --samples 4 -o export.png"));
     CHECK(bench.state.notifications.list.back().text.find("80 × 60") != std::string::npos);
 
     open_scene(bench, "sun.json");  // nothing was exported from this document
