@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "diagnose/search/probes.h"
@@ -76,6 +77,7 @@ bool has_squares(const Picture& picture, int edge) {
 
 ArrivedPicture as_arrived(Picture picture) {
     std::vector<std::string> words;
+    const bool keeps_width = std::exchange(picture.size.keeps_width, false);
     const Rectangle inner = inside_border(picture);
     if (inner.size() != picture.size) {
         words.push_back(
@@ -89,6 +91,7 @@ ArrivedPicture as_arrived(Picture picture) {
         picture = resampled(picture, {picture.size.width / edge, picture.size.height / edge});
         break;
     }
+    picture.size.keeps_width = keeps_width;
     return {std::move(picture), fmt::format("{}", fmt::join(words, "; "))};
 }
 

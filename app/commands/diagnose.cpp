@@ -91,11 +91,15 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, c
         Picture picture = take(std::move(read));
         require_not_read(arguments.out);
         const auto [wrong, undone] = as_arrived(as_shown(std::move(picture), document.scene.display));
-        Diagnosis found = glint::diagnose(document, wrong, options);
+        SceneDocument framed = document;
+        Projection& projection = framed.scene.camera.projection;
+        if (const auto size = fitted_size_in(path); size && !document.fitted_to)
+            projection = fitted(projection, *size);
+        Diagnosis found = glint::diagnose(framed, wrong, options);
         found.display.arrived = undone;
         outcome.path = arguments.out;
-        if (font) outcome.bytes = sheet_png(arguments, *font, found, document.scene, wrong);
-        all.push_back(diagnosed_picture(path, std::move(found), document.scene, wrong, threads));
+        if (font) outcome.bytes = sheet_png(arguments, *font, found, framed.scene, wrong);
+        all.push_back(diagnosed_picture(path, std::move(found), framed.scene, wrong, threads));
     }
     return all;
 }

@@ -252,6 +252,12 @@ Result<SceneDocument> open_document(const std::string& path, const std::vector<A
     return opened;
 }
 
+std::optional<PictureSize> fitted_size_in(const std::string& path) {
+    const Result<PngInfo> read = read_png_info(path, png_field_keyword, max_json_bytes);
+    if (problem_of(read) != nullptr) return {};
+    return fitted_size_of(*std::get<PngInfo>(read).text(png_field_keyword));
+}
+
 bool carries_scene(const std::string& path) {
     return problem_of(read_png_info(path, png_scene_keyword, max_json_bytes)) == nullptr;
 }

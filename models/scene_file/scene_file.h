@@ -94,6 +94,9 @@ inline constexpr const char* opened_files =
 [[nodiscard]] std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
                                              const std::string& picture_path);
 
+/// The size to which the scene of a PNG by Glint is fitted() (png_field_keyword); nothing for other files.
+[[nodiscard]] std::optional<PictureSize> fitted_size_in(const std::string& path);
+
 /// Whether the file is a PNG with an embedded scene.
 [[nodiscard]] bool carries_scene(const std::string& path);
 

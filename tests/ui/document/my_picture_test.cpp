@@ -121,6 +121,26 @@ TEST_CASE("under the mistake of a picture the scene has no difference from it", 
     CHECK(bench.state.get<CompareState>().numbers.mean[0] < 0.5);  // the two pictures differ in size
 }
 
+TEST_CASE("a picture by Glint keeps the framing in which it was drawn", "[ui][window][mine]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const TemporaryDirectory folder;
+    Renderer renderer(1);
+    const Picture& square = renderer.render(bench.scene(), {300, 300, true});
+    const auto read_and_diagnose = [&](const std::string& scene_text) {
+        bring_picture(bench.state, folder.file("mine.png", png_bytes(square, scene_text)));
+        wait_for_answer(bench);
+        bench.state.get<CompareState>().choice.difference = true;
+        bench.frames(2);
+        CHECK(found(bench).verdict == Verdict::NoMistake);
+        CHECK(bench.state.get<CompareState>().numbers.mean[0] < 2);  // the two pictures differ in size
+    };
+    read_and_diagnose(scene_text(bench.scene()));
+    bench.key(Key::Escape);
+    bench.state.editor.document.fitted_to = PictureSize{600, 600, true};
+    read_and_diagnose("");  // by another program, from the scene of a square picture
+}
+
 TEST_CASE("display mistakes are removed from the compared picture", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);

@@ -42,8 +42,12 @@ int threads_beside() {
 }
 
 /// Reports to the job's own progress, and stops the diagnosis when that is cancelled.
-PictureAnswer answer_of(const SceneDocument& document, const Picture& wrong, const std::string& arrived,
+PictureAnswer answer_of(SceneDocument document, Picture wrong, const std::string& arrived,
                         DiagnosisOptions options, LoadProgress& progress) {
+    // Fits the scene, not the sizes: a diagnosis draws at several sizes.
+    Projection& projection = document.scene.camera.projection;
+    projection = fitted(projection, wrong.size);
+    const bool keeps_width = std::exchange(wrong.size.keeps_width, false);
     options.progress = [&progress](std::size_t done, std::size_t all) {
         progress.total = all;
         progress.done = done;
@@ -52,7 +56,9 @@ PictureAnswer answer_of(const SceneDocument& document, const Picture& wrong, con
     PictureAnswer answer;
     answer.diagnosis = diagnose(document, wrong, options);
     answer.diagnosis.display.arrived = arrived;
-    answer.mine = std::make_shared<const Picture>(undone(wrong, answer.diagnosis.display.change));
+    Picture mine = undone(wrong, answer.diagnosis.display.change);
+    mine.size.keeps_width = keeps_width;
+    answer.mine = std::make_shared<const Picture>(std::move(mine));
     Renderer renderer(options.threads);
     for (const Candidate& candidate : answer.diagnosis.candidates)
         answer.thumbnails.push_back(
@@ -62,6 +68,7 @@ PictureAnswer answer_of(const SceneDocument& document, const Picture& wrong, con
 
 void show_answer(UiState& state, PictureAnswer answer) {
     MyPictureState& mine = state.get<MyPictureState>();
+    if (is_shader(mine.path)) answer.mine = mine.shown;  // its bytes are made here
     mine.chosen = 0;
     mine.sheet.reset(thumbnail_size(mine.shown->size), 1,
                      std::max(1, static_cast<int>(answer.thumbnails.size())));
@@ -74,6 +81,12 @@ void show_answer(UiState& state, PictureAnswer answer) {
     mine.verdicts.resize(std::min<std::size_t>(mine.verdicts.size(), 3));
     mine.answer = std::move(answer);
     mine.current = true;
+}
+
+/// Whether the picture at `path` has the wider field of a picture by Glint (PictureSize::keeps_width), or the
+/// shape of the picture whose scene is open, which has it.
+bool keeps_width(const std::string& path, PictureSize size, const std::optional<PictureSize>& opened) {
+    return fitted_size_in(path) || (opened && size.width * opened->height == size.height * opened->width);
 }
 
 BroughtPicture brought(const std::string& path, const std::shared_ptr<const Picture>& file,
@@ -190,15 +203,17 @@ void begin_reading(UiState& state, const std::string& path, bool follows) {
     mine.drawn_of = under_mistakes(state.editor.scene(), {});
     mine.reading = state.jobs.start<BroughtPicture>(
         std::filesystem::path(path).filename().string(),
-        [path, scene = mine.drawn_of, size = state.full_size,
+        [path, scene = mine.drawn_of, size = state.full_size, opened = state.editor.document.fitted_to,
          limits = mine.shader_limits](LoadProgress& progress) mutable -> Result<BroughtPicture> {
             limits.is_cancelled = [&progress] { return progress.cancelled.load(); };
             if (is_shader(path)) return drawn_by_shader(path, scene, size, limits);
             const WatchedFile watched(path);
             Result<Picture> read = read_picture(path);
             if (const Problem* problem = problem_of(read)) return *problem;
-            BroughtPicture picture = brought(
-                path, std::make_shared<const Picture>(std::get<Picture>(std::move(read))), scene.display);
+            auto& file = std::get<Picture>(read);
+            file.size.keeps_width = keeps_width(path, file.size, opened);
+            BroughtPicture picture =
+                brought(path, std::make_shared<const Picture>(std::move(file)), scene.display);
             picture.watched = watched;
             return picture;
         });
