@@ -30,15 +30,18 @@ EquationFactor plain(Quantity quantity, double value) {
     return {.quantity = quantity, .value = glm::dvec3(value)};
 }
 
-/// The first factors of every term of a light: f and the two colours. `key`: the key of both colours in the
-/// scene file.
+/// The first factors of every term of a light: f, the two colours, and reach if it is not 1. `key`: the key
+/// of both colours in the scene file.
 std::vector<EquationFactor> common_factors(const LightOfEquation& in, Quantity of_light, Quantity of_material,
                                            glm::vec3 Light::*light, glm::vec3 Material::*material,
                                            const char* key) {
-    return {plain(Quantity::Share, share_line(in).result.x),
-            colour(of_light, light_of(in).*light, fmt::format("/lights/{}/{}", in.light.index, key)),
-            colour(of_material, in.explanation.material.*material,
-                   material_pointer(in.scene, in.explanation, key))};
+    std::vector<EquationFactor> factors{
+        plain(Quantity::Share, share_line(in).result.x),
+        colour(of_light, light_of(in).*light, fmt::format("/lights/{}/{}", in.light.index, key)),
+        colour(of_material, in.explanation.material.*material,
+               material_pointer(in.scene, in.explanation, key))};
+    if (in.light.reached == 0 && in.light.samples.empty()) factors.push_back(plain(Quantity::Reach, 0));
+    return factors;
 }
 
 void add_maker(EquationLine& line, const LightOfEquation& in, const char* key) {
@@ -266,11 +269,7 @@ std::vector<EquationLine> light_lines(const LightOfEquation& in) {
     // Factors that the model lacks have no line.
     if (info_of(in.explanation.reflection).has_highlight || in.light.specular != glm::vec3(0))
         lines.push_back(specular_line(in));
-    for (EquationLine& line : lines) {
-        if (in.light.reached == 0 && in.light.samples.empty() && line.left_out.empty())
-            line.left_out = "in the shadow of " + on_one_line(in.light.blocked_by);
-        add_mistake(in.scene, line);
-    }
+    for (EquationLine& line : lines) add_mistake(in.scene, line);
     return lines;
 }
 
@@ -287,7 +286,7 @@ std::vector<EquationLine> unlit_lines(const Scene& scene, const Explanation& exp
          colour(Quantity::MaterialAmbient, m.ambient, material_pointer(scene, explanation, "ambient"))},
         point.global_ambient};
     if (point.bounces.used)
-        ambient = {Quantity::AmbientTerm,
+        ambient = {Quantity::BouncedTerm,
                    {colour(Quantity::Bounced, point.bounces.arrives, ""),
                     colour(Quantity::MaterialDiffuse, explanation.material.diffuse,
                            material_pointer(scene, explanation, "diffuse"))},

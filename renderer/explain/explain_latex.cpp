@@ -84,8 +84,9 @@ std::string row(const EquationLine& line, const std::string& index) {
 std::string light_rows(const Explanation& e, const ExplainedLight& light, const Scene& scene, std::size_t i) {
     const Light& source = scene.lights[static_cast<std::size_t>(light.index)];
     const std::string index = std::to_string(i + 1);
-    std::string text =
-        fmt::format("&\\text{{{}, {}}} \\\\\n", latex_escaped(light.name), name_of(source.kind));
+    const std::string dark = light.reached < 1 ? ", " + dark_reason(light, source) : "";
+    std::string text = fmt::format("&\\text{{{}, {}{}}} \\\\\n", latex_escaped(light.name),
+                                   name_of(source.kind), latex_escaped(dark));
     const LightOfEquation in{scene, e, light};
     const EquationLine share = share_line(in);
     text += fmt::format("f_{{{}}} = ", index) + row(share, index);

@@ -58,6 +58,7 @@ std::string term(const EquationLine& line) {
     std::string_view name = "f";
     if (line.term == Quantity::EmissionTerm) name = "emission";
     if (line.term == Quantity::AmbientTerm) name = "ambient";
+    if (line.term == Quantity::BouncedTerm) name = "bounced";
     if (line.term == Quantity::DiffuseTerm) name = "diffuse";
     if (line.term == Quantity::SpecularTerm) name = "specular";
     return term(name, written_product(line, std::nullopt, result_text), glm::vec3(line.result));

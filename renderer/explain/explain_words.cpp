@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <vector>
 
 #include "models/problem.h"
 
@@ -56,25 +55,6 @@ std::string dark_reason(const ExplainedLight& explained, const Light& light) {
     if (arrives * explained.spot < 0.01f && explained.spot < 0.01f)
         return fmt::format("its cone lets through {:.2g}", explained.spot);
     return {};
-}
-
-std::string shadow_sentence(const ExplainedPoint& point, const Scene& scene) {
-    constexpr std::size_t max_lights = 4;
-    const bool blocked = std::any_of(point.lights.begin(), point.lights.end(),
-                                     [](const ExplainedLight& light) { return light.reached < 1; });
-    if (!blocked) return {};
-    std::vector<std::string> reasons;
-    for (const ExplainedLight& light : point.lights)
-        if (const std::string reason =
-                dark_reason(light, scene.lights[static_cast<std::size_t>(light.index)]);
-            !reason.empty())
-            reasons.push_back(on_one_line(light.name) + ": " + reason);
-    if (reasons.size() > max_lights) {
-        const std::size_t others = reasons.size() - max_lights;
-        reasons.resize(max_lights);
-        reasons.push_back(fmt::format("{} other light{}", others, others == 1 ? "" : "s"));
-    }
-    return fmt::format("{}.", fmt::join(reasons, "; "));
 }
 
 }  // namespace glint

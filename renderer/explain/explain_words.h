@@ -21,8 +21,4 @@ namespace glint {
 /// reaches the point.
 [[nodiscard]] std::string dark_reason(const ExplainedLight& explained, const Light& light);
 
-/// One sentence that explains why the point is dark: "Sun: in the shadow of Box; Fill: behind the surface:
-/// n·l < 0." Empty if no light is blocked there.
-[[nodiscard]] std::string shadow_sentence(const ExplainedPoint& point, const Scene& scene);
-
 }  // namespace glint

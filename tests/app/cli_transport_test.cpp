@@ -74,6 +74,8 @@ TEST_CASE("glint explain names the object that casts the shadow", "[cli][transpo
     const Ended text = run_glint(at);
     REQUIRE(text.status == 0);
     CHECK(contains(text.out, "in the shadow of Box"));
+    CHECK(contains(text.out, " · reach 0"));
+    CHECK(text.out.find("in the shadow of") == text.out.rfind("in the shadow of"));
     std::vector<std::string> as_json = at;
     as_json.insert(as_json.end(), {"--format", "json"});
     const auto light = nlohmann::json::parse(run_glint(as_json).out).at("lights").at(0);

@@ -1,10 +1,13 @@
 // Bounced light in the window: few paths at first, all of them after a while, and numbers that agree.
+#include <algorithm>
 #include <chrono>
 #include <glm/geometric.hpp>
 #include <thread>
 #include <vector>
 
+#include "renderer/explain/equation_line.h"
 #include "tests/support/headless_inspector.h"
+#include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
 
@@ -57,7 +60,35 @@ struct BouncingWindow : HeadlessWindow {
     }
 };
 
+std::vector<EquationLine> asked_lines(const HeadlessWindow& bench) {
+    const Explanation& asked = *bench.state.on_screen.explanation;
+    return unlit_lines(bench.state.rendered_scene, asked, asked.at);
+}
+
 }  // namespace
+
+TEST_CASE("the formula of a traced scene has its letters", "[ui][transport]") {
+    BouncingWindow bench;
+    bench.ask_ball();
+    const auto in_formula = [&](Quantity quantity) {
+        const float table = bench.area_of("d  diffuse", test::right_column(bench)).low.y;
+        const QuantityMark mark(quantity, false);
+        (void)bench.frame();
+        return std::any_of(bench.controls().begin(), bench.controls().end(), [&](const NamedControl& c) {
+            return c.name == "Marked number" && c.at.low.y < table;
+        });
+    };
+    CHECK(in_formula(Quantity::Bounced));
+    CHECK(in_formula(Quantity::Reach));
+    CHECK_FALSE(in_formula(Quantity::GlobalAmbient));
+    CHECK_FALSE(asked_lines(bench)[1].term == Quantity::AmbientTerm);
+    bench.scene().transport.model = TransportModel::Local;
+    bench.frames(3);
+    CHECK_FALSE(in_formula(Quantity::Bounced));
+    CHECK_FALSE(in_formula(Quantity::Reach));
+    CHECK(in_formula(Quantity::GlobalAmbient));
+    CHECK(asked_lines(bench)[1].term == Quantity::AmbientTerm);
+}
 
 TEST_CASE("bounced light is refined in the background until it has all its paths", "[ui][transport]") {
     BouncingWindow bench;

@@ -224,16 +224,16 @@ void equation_tab(UiState& state, const PictureView&) {
     if (!explanation.hit)
         return wrapped_dim("No object is visible here: the pixel has the background's colour.");
     if (static_cast<std::size_t>(explanation.object_index) >= explained_scene(state).objects.size()) return;
-    formula(explanation.reflection);
+    const bool is_local = explained_scene(state).transport.model == TransportModel::Local;
+    // In a comparison the scene's own model may be another than that of the picked part.
+    formula(explanation.reflection, asked_point(state.get<InspectorState>(), explanation).bounces.used
+                                        ? TransportModel::Bounces
+                                    : is_local ? TransportModel::Local
+                                               : TransportModel::Shadows);
     if (!is_plain_front(explanation)) warning_text("The surface is seen from its " + side_words(explanation));
     sum_table(state, explanation);
     display_lines(state, explanation);
     my_pixel(state);
-    const Scene& scene = explained_scene(state);
-    if (const std::string dark =
-            shadow_sentence(asked_point(state.get<InspectorState>(), explanation), scene);
-        !dark.empty())
-        warning_text(dark);
     if (explanation.reflection != Reflection::None) {
         section_heading(section_title(state.get<InspectorState>(), explanation).c_str());
         mistakes_note(explained_scene(state));

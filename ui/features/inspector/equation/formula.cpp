@@ -30,14 +30,21 @@ void highlight(TextLine& f, Reflection reflection) {
 
 }  // namespace
 
-void formula(Reflection reflection) {
+void formula(Reflection reflection, TransportModel transport) {
     const ReflectionInfo info = info_of(reflection);
     if (!info.is_lit) return dim_text("No lighting: the mesh's own colours.");
     TextLine f(20);
     f.symbol(Quantity::Result).plain(" = ").symbol(Quantity::MaterialEmission);
-    f.together([&] { f.plain("+").symbol(Quantity::MaterialAmbient).symbol(Quantity::GlobalAmbient); });
     f.together([&] {
-        f.plain("+Σ").symbol(Quantity::Share).plain("(");
+        if (transport == TransportModel::Bounces)
+            f.plain("+").symbol(Quantity::MaterialDiffuse).symbol(Quantity::Bounced);
+        else
+            f.plain("+").symbol(Quantity::MaterialAmbient).symbol(Quantity::GlobalAmbient);
+    });
+    f.together([&] {
+        f.plain("+Σ").symbol(Quantity::Share);
+        if (transport != TransportModel::Local) f.gap(2).symbol(Quantity::Reach).gap(2);
+        f.plain("(");
         f.symbol(Quantity::MaterialAmbient).symbol(Quantity::LightAmbient);
     });
     f.together([&] {

@@ -8,6 +8,7 @@ Symbol colour_of(Quantity quantity) {
     case Quantity::MaterialEmission:
         return Symbol::Emission;
     case Quantity::AmbientTerm:
+    case Quantity::BouncedTerm:
     case Quantity::MaterialAmbient:
     case Quantity::GlobalAmbient:
     case Quantity::LightAmbient:

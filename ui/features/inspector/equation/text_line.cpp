@@ -141,9 +141,8 @@ TextLine& TextLine::symbol(Quantity quantity) {
     const Rect last = last_item();  // for a cosine, its second letter
     const bool went_on = last.low.y > begin.y + px(2);
     mark_ = Rect{{went_on ? left_ + indent_ : begin.x, last.low.y}, last.high};
-    marks_result_ = quantity == Quantity::AmbientTerm || quantity == Quantity::DiffuseTerm ||
-                    quantity == Quantity::SpecularTerm || quantity == Quantity::Result ||
-                    quantity == Quantity::WarmShare;
+    marks_result_ = (quantity >= Quantity::AmbientTerm && quantity <= Quantity::SpecularTerm) ||
+                    quantity == Quantity::Result || quantity == Quantity::WarmShare;
     list_control("Marked number", row_of(quantity).letter, *mark_);
     if (marked_scrolls) ImGui::SetScrollHereY(0.4f);
     return *this;
