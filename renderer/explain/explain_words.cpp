@@ -12,6 +12,12 @@
 namespace glint {
 namespace {
 
+/// " (4 of 64 samples so far)"; empty for all samples.
+std::string so_far(const ExplainedLight& explained, const Light& area) {
+    const std::string count = sample_count(explained, area);
+    return count.ends_with("so far") ? fmt::format(" ({})", count) : "";
+}
+
 bool points_away(const ExplainedPoint& at) { return glm::dot(at.normal.camera, at.view.camera) < 0; }
 
 }  // namespace
@@ -26,20 +32,31 @@ std::string side_words(const Explanation& explanation) {
     return away ? "back side" : "back side, n turned to the eye";
 }
 
+std::string sample_count(const ExplainedLight& explained, const Light& area) {
+    const auto side = static_cast<std::size_t>(std::lround(std::sqrt(area.area.samples)));
+    const std::size_t count = explained.samples.size(), all = side * side;
+    return count < all ? fmt::format("{} of {} samples so far", count, all)
+                       : fmt::format("{} samples", count);
+}
+
 std::string dark_reason(const ExplainedLight& explained, const Light& light) {
     if (light.kind == LightKind::Area) {
         const auto in_front = std::count_if(explained.samples.begin(), explained.samples.end(),
                                             [](const ExplainedLight& sample) { return sample.n_dot_l > 0; });
         const auto all = static_cast<std::ptrdiff_t>(explained.samples.size());
-        if (in_front == 0) return "behind the surface: n·l < 0 for all samples";
+        if (in_front == 0)
+            return std::string("behind the surface: n·l < 0 for all samples") + so_far(explained, light);
         if (explained.reached < 1) {
             const auto reach = std::lround(explained.reached * static_cast<float>(in_front));
-            return reach == 0 ? "in the shadow of " + on_one_line(explained.blocked_by)
-                              : fmt::format("{} of {} samples reach the point, the others are blocked by {}",
-                                            reach, in_front, on_one_line(explained.blocked_by));
+            const std::string blocker = on_one_line(explained.blocked_by);
+            return (reach == 0 ? "in the shadow of " + blocker
+                               : fmt::format("{} of {} samples reach the point, the others are blocked by {}",
+                                             reach, in_front, blocker)) +
+                   so_far(explained, light);
         }
-        return in_front < all ? fmt::format("{} of {} samples are behind the surface", all - in_front, all)
-                              : "";
+        if (in_front == all) return {};
+        return fmt::format("{} of {} samples are behind the surface", all - in_front, all) +
+               so_far(explained, light);
     }
     const bool cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
     const bool is_outside = cone && explained.spot_angle_deg > light.spot.cutoff_deg;

@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -122,7 +123,11 @@ void draw_refinement(ImDrawList& list, const PictureView& view, float progress) 
     const float reached = low.x + std::max(progress, 0.01f) * (end.x - low.x);
     list.AddRectFilled(low, end, rim_colour(0.5f));
     list.AddRectFilled(low, {reached, end.y}, to_u32(theme().accent));
-    list_control("Light paths", "", {low, end});
+    const std::string label = fmt::format("Light paths: {:.0f} %", std::floor(100 * progress));
+    const ImVec2 size = ImGui::CalcTextSize(label.c_str()), at{low.x + px(8), low.y - size.y - px(6)};
+    list.AddRectFilled(at - ImVec2(px(5), px(2)), at + size + ImVec2(px(5), px(2)), rim_colour(0.5f), px(3));
+    list.AddText(at, to_u32(dark_theme().text), label.c_str());
+    list_control("Light paths", label.c_str(), {low, end});
 }
 
 }  // namespace glint

@@ -90,6 +90,7 @@ TEST_CASE("a dark pixel is explained in text", "[ui]") {
     CHECK(dark_reason(e, spot).empty());
     Light area;
     area.kind = LightKind::Area;
+    area.area.samples = 4;
     ExplainedLight samples;
     samples.samples.resize(4);
     CHECK(dark_reason(samples, area) == "behind the surface: n·l < 0 for all samples");
@@ -97,6 +98,13 @@ TEST_CASE("a dark pixel is explained in text", "[ui]") {
     CHECK(dark_reason(samples, area) == "3 of 4 samples are behind the surface");
     for (ExplainedLight& sample : samples.samples) sample.n_dot_l = 0.5f;
     CHECK(dark_reason(samples, area).empty());
+    samples.reached = 0.5f;
+    samples.blocked_by = "Box";
+    CHECK(dark_reason(samples, area) == "2 of 4 samples reach the point, the others are blocked by Box");
+    area.area.samples = 64;
+    CHECK(dark_reason(samples, area) ==
+          "2 of 4 samples reach the point, the others are blocked by Box (4 of 64 samples so far)");
+    CHECK(sample_words(samples, area) == "4 of 64 samples so far, n·l  0.500 to  0.500");
     CHECK(clipping_reason({1.31f, 0.5f, 1}, 1) == "clips: R 1.31 → 1");
     CHECK(clipping_reason({0.7f, 0.4f, 0.1f}, 2) == "clips: R 1.40 → 1");
     CHECK(clipping_reason({0.7f, 0.4f, 0.1f}, 1).empty());

@@ -242,7 +242,7 @@ TEST_CASE("an area light's samples unfold below its terms", "[ui][window][why]")
                              [](const NamedControl& control) { return control.name == "form"; });
     };
     const auto before = rows();
-    bench.click(test::in_column(bench, sample_words(area)));
+    bench.click(test::in_column(bench, sample_words(area, bench.scene().lights[1])));
     bench.frames(1);
     CHECK(rows() == before + 9);
 }

@@ -93,7 +93,7 @@ TEST_CASE("the formula of a traced scene has its letters", "[ui][transport]") {
 TEST_CASE("bounced light is refined in the background until it has all its paths", "[ui][transport]") {
     BouncingWindow bench;
     CHECK(bench.state.refinement.progress() == Approx(1.0 / 16));
-    (void)bench.area_of("Light paths");
+    (void)bench.area_of("Light paths: 6 %");
     CHECK_FALSE(bench.is_complete_picture());
     const std::uint64_t serial = bench.state.picture_serial;
     bench.refine();

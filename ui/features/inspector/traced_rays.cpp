@@ -113,9 +113,12 @@ void draw_traced(ImDrawList& list, const UiState& state, const PictureView& view
 void traced_controls(UiState& state, const ExplainedPoint& point) {
     InspectorState& inspector = state.get<InspectorState>();
     const ExplainedBounces& bounces = point.bounces;
-    if (bounces.used)
-        small_dim(fmt::format("Bounced light: {} paths, standard error {}", bounces.paths,
-                              shown_vector(bounces.standard_error)));
+    const int all = explained_scene(state).transport.paths;
+    std::string text = fmt::format("Bounced light: {}", bounces.paths);
+    text += bounces.paths < all ? fmt::format(" of {} paths so far", all) : " paths";
+    // One path has no variance.
+    if (bounces.paths > 1) text += ", standard error " + shown_vector(bounces.standard_error);
+    if (bounces.used) small_dim(text);
     inspector.shows_ray ^= small_chosen_button("Show the ray", inspector.shows_ray);
     tooltip("Show the ray", "From the point to the selected light, and what it meets first");
     if (!bounces.used) return;

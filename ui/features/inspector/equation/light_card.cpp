@@ -218,8 +218,8 @@ bool share_lines(const HandledScene& scene, const LightOfEquation& in) {
 }
 
 /// The samples of an area light, below a foldable row.
-void sample_rows(const ExplainedLight& area, int channel) {
-    if (!fold(sample_words(area).c_str(), false)) return;
+void sample_rows(const ExplainedLight& area, const Light& light, int channel) {
+    if (!fold(sample_words(area, light).c_str(), false)) return;
     const std::vector<double> weights = sample_weights(area);
     for (std::size_t i = 0; i < area.samples.size(); ++i) {
         const ExplainedLight& s = area.samples[i];
@@ -319,7 +319,7 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     if (!is_area) angles(state, explanation, point, explained);  // each sample has its own angles
     edited |= share_lines({scene, edited_scene}, in);
     for (const EquationLine& term : light_lines(in)) edited |= light_term(state, term, explained.index);
-    if (is_area) sample_rows(explained, state.get<InspectorState>().channel);
+    if (is_area) sample_rows(explained, before, state.get<InspectorState>().channel);
     if (const std::string reason = dark_reason(explained, before); !reason.empty()) warning_text(reason);
     if (const std::string words = blocked_words(state, explanation, which); !words.empty())
         wrapped_dim(words);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "models/fields/scene_numbers.h"
+#include "renderer/explain/explain_words.h"
 #include "renderer/explain/printed_number.h"
 #include "ui/features/inspector/equation/number_handle.h"
 
@@ -30,11 +31,11 @@ TermSums sums_at(const ExplainedPoint& at) {
 
 }  // namespace
 
-std::string sample_words(const ExplainedLight& area) {
+std::string sample_words(const ExplainedLight& area, const Light& light) {
     const auto less = [](const ExplainedLight& a, const ExplainedLight& b) { return a.n_dot_l < b.n_dot_l; };
     const auto [low, high] = std::minmax_element(area.samples.begin(), area.samples.end(), less);
     if (low == area.samples.end()) return {};
-    return fmt::format("{} samples, n·l {} to {}", area.samples.size(), shown_number(low->n_dot_l),
+    return fmt::format("{}, n·l {} to {}", sample_count(area, light), shown_number(low->n_dot_l),
                        shown_number(high->n_dot_l));
 }
 

@@ -9,7 +9,7 @@
 namespace glint {
 
 /// Describes an area light's samples: "36 samples, n·l −0.12 to 0.71".
-[[nodiscard]] std::string sample_words(const ExplainedLight& area);
+[[nodiscard]] std::string sample_words(const ExplainedLight& area, const Light& light);
 
 /// Names the channels that exceed 1 after exposure: "clips: R 1.31 → 1"; empty if none does.
 [[nodiscard]] std::string clipping_reason(glm::vec3 sum, float exposure);
