@@ -48,7 +48,25 @@ TEST_CASE("the heading of a light gives its total in the channel and its share",
         float printed = 0, percent = 0;
         REQUIRE(std::sscanf(shown[i].c_str(), "%f %f %%", &printed, &percent) == 2);
         CHECK(printed == Approx(total).margin(0.002));
-        CHECK(percent == Approx(100 * total / point.sum.r).margin(0.6));
+        const glm::vec3 all = light.ambient + light.diffuse + light.specular, white(1);
+        CHECK(percent == Approx(100 * glm::dot(all, white) / glm::dot(point.sum, white)).margin(0.6));
+    }
+}
+
+TEST_CASE("under Gouraud shading a light's total is the pixel's, not a corner's", "[ui][window][why]") {
+    HeadlessWindow bench;
+    bench.scene().shading.mode = ShadingMode::Gouraud;
+    ask(bench, InspectorTab::Equation, {0.52, 0.45});
+    const Explanation pixel = *bench.state.on_screen.explanation;
+    Scene alone = bench.scene();
+    alone.lights[1].enabled = false;
+    alone.global_ambient = glm::vec3(0);
+    Renderer renderer(1);
+    const float adds = renderer.render(alone, bench.state.rendered->size, true).linear_at(pixel.x, pixel.y).r;
+    for (int corner = 0; corner < 3; ++corner) {
+        bench.state.get<InspectorState>().corner = corner;
+        bench.frames(2);
+        CHECK(std::stof(totals(bench).at(0)) == Approx(adds).margin(0.001));
     }
 }
 

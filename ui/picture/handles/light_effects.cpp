@@ -65,19 +65,29 @@ glm::vec3 added_by(const ExplainedLight& light) {
     return sum;
 }
 
-std::optional<MainLight> main_light(const Explanation& explanation) {
-    std::map<int, double> adds;  // by the light's index
-    const auto add = [&adds](const ExplainedPoint& at, double weight) {
-        for (const ExplainedLight& light : at.lights) adds[light.index] += weight * sum_of(added_by(light));
+std::map<int, glm::vec3> added_to_pixel(const Explanation& explanation) {
+    std::map<int, glm::vec3> adds;
+    const auto add = [&adds](const ExplainedPoint& at, float weight) {
+        for (const ExplainedLight& light : at.lights) adds[light.index] += weight * added_by(light);
     };
     if (!explanation.lit_per_corner) add(explanation.at, 1);
     for (const ExplainedCorner& corner : explanation.corners)
-        if (explanation.lit_per_corner) add(corner.at, double(corner.weight));
-    const auto most = std::max_element(adds.begin(), adds.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+        if (explanation.lit_per_corner) add(corner.at, corner.weight);
+    return adds;
+}
+
+double share_of_pixel(const Explanation& explanation, glm::vec3 added) {
     const double sum = sum_of(explanation.sum);
-    if (most == adds.end() || !(most->second > 0) || !(sum > 0)) return {};
-    return MainLight{most->first, std::min(most->second / sum, 1.0)};
+    return sum > 0 ? std::clamp(sum_of(added) / sum, 0.0, 1.0) : 0;
+}
+
+std::optional<MainLight> main_light(const Explanation& explanation) {
+    const std::map<int, glm::vec3> adds = added_to_pixel(explanation);
+    const auto most = std::max_element(adds.begin(), adds.end(), [](const auto& a, const auto& b) {
+        return sum_of(a.second) < sum_of(b.second);
+    });
+    const double share = most == adds.end() ? 0 : share_of_pixel(explanation, most->second);
+    return share > 0 ? std::optional(MainLight{most->first, share}) : std::nullopt;
 }
 
 float dimmed(float intensity, double up_px, int height) {

@@ -2,6 +2,7 @@
 // Positions a light by its effect at a surface point: brightest there, or lit from behind, so that the
 // outline is lit. Also finds the light that contributes most there. Pure functions.
 
+#include <map>
 #include <optional>
 
 #include "models/scene/light.h"
@@ -34,6 +35,12 @@ inline constexpr double rim_light_deg = 75;
 
 /// What a light adds to the sum at one point, per channel: all terms together, all samples of an area light.
 [[nodiscard]] glm::vec3 added_by(const ExplainedLight& light);
+
+/// What each light adds to a pixel, per channel, by its index; under Gouraud and flat shading from all
+/// corners.
+[[nodiscard]] std::map<int, glm::vec3> added_to_pixel(const Explanation& explanation);
+/// The share of `added` in the pixel's sum over all channels, 0 to 1.
+[[nodiscard]] double share_of_pixel(const Explanation& explanation, glm::vec3 added);
 
 /// The light that contributes most to a pixel's sum.
 struct MainLight {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/vector_relational.hpp>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -31,11 +32,13 @@
 namespace glint {
 namespace {
 
+char corner_letter(int corner) { return static_cast<char>('A' + corner % 26); }
+
 /// Buttons for the corners, with their weights, which sum to 1.
 void corner_buttons(InspectorState& state, const Explanation& explanation) {
     for (int i = 0; i < static_cast<int>(explanation.corners.size()); ++i) {
         const ExplainedCorner& corner = explanation.corners[static_cast<std::size_t>(i)];
-        const std::string label = fmt::format("{} {:.2f}", static_cast<char>('A' + i % 26), corner.weight);
+        const std::string label = fmt::format("{} {:.2f}", corner_letter(i), corner.weight);
         if (i % 4 != 0) ImGui::SameLine(0, px(4));
         ImGui::PushFont(fonts().figures);
         if (chosen_button(label.c_str(), i == state.corner)) state.corner = i;
@@ -52,8 +55,10 @@ void lit_at(InspectorState& state, const Explanation& explanation, const Shading
                                ? "Lit once for the whole triangle, at its provoking corner:"
                                : "Lit once for the whole polygon, at its centroid:");
     state.corner = std::clamp(state.corner, 0, static_cast<int>(explanation.corners.size()) - 1);
-    wrapped_dim(fmt::format("Lit at the corners, the colours mixed by {} weights:",
-                            explanation.corners.empty() ? "" : choice_of(explanation.interpolation).word));
+    wrapped_dim(
+        fmt::format("The colours of the corners are mixed by {} weights. A light's total and share are "
+                    "the pixel's, its lines are corner {}'s:",
+                    choice_of(explanation.interpolation).word, corner_letter(state.corner)));
     corner_buttons(state, explanation);
 }
 
@@ -140,7 +145,8 @@ void light_cards(UiState& state, const Explanation& explanation, const Explained
     }
     std::vector<std::size_t> order(lights.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto adds = [&](std::size_t i) { return added_by(lights[i])[inspector.channel]; };
+    std::map<int, glm::vec3> added = added_to_pixel(explanation);
+    const auto adds = [&](std::size_t i) { return share_of_pixel(explanation, added[lights[i].index]); };
     if (inspector.sorts_lights)
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return adds(a) > adds(b); });
@@ -149,7 +155,10 @@ void light_cards(UiState& state, const Explanation& explanation, const Explained
     });
     inspector.cards.draw(
         static_cast<int>(lights.size()),
-        [&](int i) { light_card(state, explanation, point, order[static_cast<std::size_t>(i)]); },
+        [&](int i) {
+            const std::size_t which = order[static_cast<std::size_t>(i)];
+            light_card(state, explanation, point, which, added[lights[which].index]);
+        },
         static_cast<int>(wanted - order.begin()));
 }
 

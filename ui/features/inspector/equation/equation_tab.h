@@ -27,9 +27,9 @@ void display_lines(const UiState& state, const Explanation& explanation);
 /// Draws one light's part of the equation at the picked point: name, angles, the common factor of all terms,
 /// and the three terms as products of the chosen channel. `which`: index into point.lights. Numbers of the
 /// scene can be dragged. Hovering over the name shows the light alone; over a term, that term of this light
-/// alone; over a letter, its arrow.
+/// alone; over a letter, its arrow. `added`: what the light adds to the pixel.
 void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
-                std::size_t which);
+                std::size_t which, glm::vec3 added);
 
 /// "“Teapot” is between this light and the point, but …" under the local model; empty if nothing is in
 /// between, or if the light is behind the surface anyway. `which`: index into the point's lights.

@@ -233,11 +233,9 @@ void sample_rows(const ExplainedLight& area, const Light& light, int channel) {
     small_dim("The mean counts each sample by its share of form, in per cent.");
 }
 
-/// Draws the light's total in the chosen channel and its share of the sum, at the right end of its row, with
-/// a bar. Returns the left end of both.
-float total_text(const Rect& row, const ExplainedPoint& point, const ExplainedLight& explained, int channel) {
-    const float total = added_by(explained)[channel], sum = point.sum[channel];
-    const float share = sum > 0 ? std::clamp(total / sum, 0.0f, 1.0f) : 0;
+/// Draws the light's total in a channel and its share of the pixel, at the right end of its row, with a bar.
+/// Returns the left end of both.
+float total_text(const Rect& row, float total, float share) {
     const std::string text = fmt::format("{} {:3.0f} %", shown_number(total), 100 * share);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::PushFont(fonts().figures);
@@ -253,19 +251,20 @@ float total_text(const Rect& row, const ExplainedPoint& point, const ExplainedLi
 }
 
 /// Draws the light's icon, name, total and share; true while hovered.
-bool name_row(UiState& state, const ExplainedPoint& point, const ExplainedLight& explained,
-              const Light& light) {
+bool name_row(UiState& state, const Explanation& explanation, int index, glm::vec3 added) {
+    const Light& light = explained_scene(state).lights[static_cast<std::size_t>(index)];
     ImGui::Dummy({0, px(3)});
     light_icon(light);
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    if (ImGui::Selectable("##light")) state.editor.selection = {Selection::Kind::Light, explained.index};
+    if (ImGui::Selectable("##light")) state.editor.selection = {Selection::Kind::Light, index};
     const bool pointed = is_pointed_at();
     const float indent = ImGui::CalcTextSize("      ").x, right = low.x + ImGui::GetContentRegionAvail().x;
     const Rect row{low, {right, low.y + ImGui::GetTextLineHeight()}};
-    const float end = total_text(row, point, explained, state.get<InspectorState>().channel);
+    const float end = total_text(row, added[state.get<InspectorState>().channel],
+                                 static_cast<float>(share_of_pixel(explanation, added)));
     cut_text(*ImGui::GetWindowDrawList(), {low.x + indent, low.y}, end - px(8), whole_label(light.name));
     tooltip("Light", is_read_only() ? "Of the shown scene" : "Hover: this light alone. Click: its panel",
-            "Right: what it adds in this channel, and its share of the sum");
+            "Right: what it adds to the pixel in this channel, and its share of R + G + B");
     ImGui::Dummy({0, px(1)});
     return pointed;
 }
@@ -298,7 +297,7 @@ bool light_term(UiState& state, const EquationLine& term, int light) {
 }  // namespace
 
 void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
-                std::size_t which) {
+                std::size_t which, glm::vec3 added) {
     const ExplainedLight& explained = point.lights[which];
     const Scene& scene = explained_scene(state);
     Scene* const edited_scene = editable_scene(state);
@@ -312,7 +311,7 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     bool edited = false;
     ImGui::PushID(explained.index);
     ImGui::BeginGroup();
-    if (name_row(state, point, explained, before))
+    if (name_row(state, explanation, explained.index, added))
         show_instead(state, with_light_alone(scene, explained.index), before.name + " alone");
     const LightOfEquation in{scene, explanation, explained};
     const bool is_area = before.kind == LightKind::Area;
