@@ -8,6 +8,7 @@
 
 #include "models/problem.h"
 #include "models/scene/reflection.h"
+#include "renderer/explain/explain_words.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/shade/surface_material.h"
 
@@ -163,8 +164,8 @@ std::string drop_reason(const LightOfEquation& in) {
     const bool is_area = !in.light.samples.empty();
     if (is_area || !info_of(in.explanation.reflection).has_highlight) return {};
     if (in.light.specular_factor != glm::vec3(0)) return {};  // the mistake that keeps it
-    if (in.light.n_dot_l < 0) return "dropped: n·l < 0";
-    if (in.light.n_dot_l == 0) return "dropped: n·l = 0";
+    if (in.light.n_dot_l < -grazing_cosine) return "dropped: n·l < 0";
+    if (in.light.n_dot_l <= 0) return "dropped: n·l = 0";
     if (in.explanation.reflection == Reflection::CookTorrance && in.light.facets.n_dot_v <= 0)
         return "dropped: n·v < 0";
     return {};

@@ -62,10 +62,11 @@ std::string dark_reason(const ExplainedLight& explained, const Light& light) {
     const bool is_outside = cone && explained.spot_angle_deg > light.spot.cutoff_deg;
     if (is_outside && explained.spot == 0)  // a mistake may widen the cone
         return fmt::format("outside the cone by {:.1f}°", explained.spot_angle_deg - light.spot.cutoff_deg);
-    const bool adds = explained.diffuse + explained.specular != glm::vec3(0);  // a mistake may light the back
+    const glm::vec3 added = explained.diffuse + explained.specular;
+    const bool adds = std::max({added.r, added.g, added.b}) > grazing_cosine;  // a mistake may light the back
+    if (std::abs(explained.n_dot_l) <= grazing_cosine && !adds) return "grazes the surface: n·l = 0";
     if (explained.n_dot_l < 0 && !adds) return "behind the surface: n·l < 0";
     if (explained.reached == 0) return "in the shadow of " + on_one_line(explained.blocked_by);
-    if (explained.n_dot_l == 0 && !adds) return "grazes the surface: n·l = 0";
     const float arrives = light.intensity * explained.falloff;  // a strong light has a long range
     if (arrives < 0.01f && explained.falloff < 0.01f)
         return fmt::format("hardly reaches: falloff {:.2g}", explained.falloff);

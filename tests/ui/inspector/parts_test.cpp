@@ -80,6 +80,10 @@ TEST_CASE("a dark pixel is explained in text", "[ui]") {
     CHECK(dark_reason(e, spot).empty());
     e.n_dot_l = -0.12f;
     CHECK(dark_reason(e, spot) == "behind the surface: n·l < 0");
+    for (const float rounded : {-3e-6f, 0.0f, 2e-6f}) {
+        e.n_dot_l = rounded;
+        CHECK(dark_reason(e, spot) == "grazes the surface: n·l = 0");
+    }
     e.n_dot_l = 0.3f;
     e.falloff = 0.003f;
     CHECK(dark_reason(e, spot) == "hardly reaches: falloff 0.003");
