@@ -67,7 +67,7 @@ void badge_line(UiState& state, const PictureNote& note, float width) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight();
     cut_text(*ImGui::GetWindowDrawList(), low + ImVec2(0, ImGui::GetStyle().FramePadding.y), low.x + width,
-             note.name);
+             note.name + note.remark);
     ImGui::Dummy({width, height});
     list_control("On the picture", note.name, last_item());
     if (note.end == nullptr) return;
@@ -120,7 +120,8 @@ void picture_badge(UiState& state, const Rect& picture) {
     if (ImGuiWindow* dialog = ImGui::GetTopMostPopupModal())
         ImGui::BringWindowToDisplayBehind(ImGui::GetCurrentWindow(), dialog);
     float width = 0;
-    for (const PictureNote& note : notes) width = std::max(width, ImGui::CalcTextSize(note.name.c_str()).x);
+    for (const PictureNote& note : notes)
+        width = std::max(width, ImGui::CalcTextSize((note.name + note.remark).c_str()).x);
     width = std::clamp(width, px(20), std::max(picture.size().x - px(70), px(20)));
     for (std::size_t i = 0; i < notes.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));

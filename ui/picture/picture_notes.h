@@ -24,6 +24,7 @@ struct PictureNote {
     std::string name;
     void (*end)(UiState&) = nullptr;  // null: it ends with another note, or when the mouse moves on
     CommandId key = CommandId::None;  // the command that also ends it
+    const char* remark = "";          // follows the name, on the picture only
 };
 
 /// Returns the notes of the shown picture, in the order of the badge; features add theirs (Feature::note).

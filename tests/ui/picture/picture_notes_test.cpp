@@ -1,8 +1,10 @@
 // The badge on the picture names everything that makes it differ from the scene, and can end it.
 #include "ui/picture/picture_notes.h"
 
+#include <chrono>
 #include <functional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/support/catch.h"
@@ -86,6 +88,25 @@ void open(HeadlessWindow& bench, const std::string& path) {
 }
 
 }  // namespace
+
+TEST_CASE("the badge says that a mistake changes no pixel", "[ui][window]") {
+    HeadlessWindow bench;
+    bench.scene().shading.mistakes.reflect_sign = true;
+    const auto badge_at_rest = [&] {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+        do {
+            (void)bench.frame();
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        } while (!bench.state.get<MistakeEffect>().is_known && std::chrono::steady_clock::now() < end);
+        const PictureNote note = picture_notes(bench.state).at(0);
+        return note.name + note.remark;
+    };
+    bench.scene().shading.reflection = Reflection::BlinnPhong;  // has no r
+    CHECK(badge_at_rest() == "Mistake: Reflect sign (no effect here)");
+    bench.scene().shading.reflection = Reflection::Phong;
+    bench.frames(1);
+    CHECK(badge_at_rest() == "Mistake: Reflect sign");
+}
 
 TEST_CASE("the badge names each change of the picture, and its cross ends it", "[ui][window][badge]") {
     for (const Change& change : changes()) {

@@ -122,9 +122,43 @@ void rest_mistake_pictures(MistakePictures& of_mistakes) {
     of_mistakes.begun = false;
 }
 
+namespace {
+
+/// Draws the scene with and without its mistakes, and compares. Once a frame.
+void look_for_effect(UiState& state) {
+    MistakeEffect& e = state.get<MistakeEffect>();
+    const Scene& scene = state.editor.scene();
+    if (mistakes_on(scene.shading.mistakes) == 0 || !at_rest(state)) return leave(e.job, e.ending);
+    if (!(e.of == scene) || e.size != state.full_size) {
+        leave(e.job, e.ending);
+        e = {scene, state.full_size, ImGui::GetTime(), false, false, {}, e.ending};
+    }
+    if (e.is_known) return;
+    redraw_within(stillness / 4);
+    if (e.job && e.job->done()) {
+        const Result<bool> found = std::exchange(e.job, nullptr)->take();
+        e.is_known = true;
+        e.is_none = problem_of(found) == nullptr && std::get<bool>(found);
+    } else if (!e.job && has_ended(e.ending) && ImGui::GetTime() - e.since > stillness) {
+        Scene wrong = scene;
+        wrong.transport.paths = 1;  // all paths would take long
+        e.job = state.jobs.start<bool>("Mistakes", [wrong, size = e.size](LoadProgress&) -> Result<bool> {
+            Renderer renderer(1);
+            const Bytes bytes = renderer.render(wrong, size).rgba;
+            return renderer.render(under_mistakes(wrong, {}), size).rgba == bytes;
+        });
+    }
+}
+
+}  // namespace
+
 extern const Feature mistake_pictures_feature;
 const Feature mistake_pictures_feature{
-    .end = [](UiState& s) { rest_mistake_pictures(s.get<MistakePictures>()); },
+    .end =
+        [](UiState& s) {
+            rest_mistake_pictures(s.get<MistakePictures>());
+            look_for_effect(s);
+        },
     .sheet = [](UiState& s) { return &s.get<MistakePictures>().pictures.sheet; }};
 
 }  // namespace glint

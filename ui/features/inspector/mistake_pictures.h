@@ -42,4 +42,13 @@ void look_at_mistake_pictures(UiState& state, PictureSize size);
 /// tab.
 void rest_mistake_pictures(MistakePictures& of_mistakes);
 
+/// Whether the mistakes of the open scene change a pixel: found in the background while nothing moves.
+struct MistakeEffect {
+    Scene of;  // the compared scene
+    PictureSize size{0, 0};
+    double since = 0;  // ImGui time since when the scene and the size have been these
+    bool is_known = false, is_none = false;
+    JobPtr<bool> job, ending;
+};
+
 }  // namespace glint

@@ -15,6 +15,7 @@
 #include "ui/features/diagnosis/my_picture.h"
 #include "ui/features/inspector/equation/equation_tab.h"
 #include "ui/features/inspector/inspector.h"
+#include "ui/features/inspector/mistake_pictures.h"
 #include "ui/features/inspector/outside_view.h"
 #include "ui/features/inspector/vectors/vectors_tab.h"
 #include "ui/features/plots/plots_tab.h"
@@ -326,11 +327,14 @@ float mistakes_mark(UiState& state, ImVec2 right) {
     return width + gap;
 }
 
-std::optional<PictureNote> note_of_mistakes(const UiState&, const Scene& scene) {
+std::optional<PictureNote> note_of_mistakes(const UiState& state, const Scene& scene) {
     const std::string text = mistakes_text(scene.shading.mistakes);
     if (text.empty()) return {};
-    return PictureNote{PictureNote::Kind::InScene, text,
-                       [](UiState& s) { s.editor.scene().shading.mistakes = {}; }};
+    const MistakeEffect& effect = state.get<MistakeEffect>();
+    return PictureNote{.kind = PictureNote::Kind::InScene,
+                       .name = text,
+                       .end = [](UiState& s) { s.editor.scene().shading.mistakes = {}; },
+                       .remark = effect.is_none && effect.of == scene ? " (no effect here)" : ""};
 }
 
 }  // namespace
