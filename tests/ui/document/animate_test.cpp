@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "models/fields/scene_numbers.h"
+#include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
@@ -178,6 +179,23 @@ TEST_CASE("ffmpeg makes the video from every frame, or its absence is reported",
     CHECK(bench.notes_with("ffmpeg could not write the video") == 1);
     CHECK(folder.names() == std::vector<std::string>{"ffmpeg", "turn.mp4"});
     setenv("PATH", path_before.c_str(), 1);
+}
+
+TEST_CASE("an exported animation has the size of the view", "[ui][window][animate]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    AnimateState& animate = bench.state.get<AnimateState>();
+    begin_animation(bench.state, Motion::Turntable);
+    animate.animation.frames = 1;
+    bench.state.get<ExportState>().options.samples = 1;
+    frames_purpose.use(bench.state, folder.path("turn.png"));
+    REQUIRE(animate.job);
+    animate.job->wait();
+    const Result<Picture> written = read_png(folder.path("turn-0001.png"));
+    REQUIRE(problem_of(written) == nullptr);
+    const PictureSize size = std::get<Picture>(written).size, view = bench.state.full_size;
+    CHECK(size == PictureSize{view.width, view.height});
 }
 
 TEST_CASE("a number goes linearly to the other end and back", "[ui][animate]") {

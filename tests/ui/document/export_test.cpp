@@ -1,4 +1,5 @@
 // Exports of pictures and commands.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <random>
@@ -266,6 +267,17 @@ TEST_CASE("disabled terms and mistakes are reported when their scene is saved", 
     CHECK(note.text == bench.told("a.png") + ": Off: specular, Mistake: Reflect sign");
     (void)save_as(bench.state, bench.folder.path("a.json"));
     CHECK(bench.notes_with("Saved a.json (Off: specular, Mistake: Reflect sign)") == 1);
+}
+
+TEST_CASE("the export dialog names the folder and offers the view's size", "[ui][window][export]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    (void)bench.key(Key::E, true);
+    bench.frames(2);
+    CHECK(bench.state.get<ExportState>().options.size == bench.state.full_size);
+    CHECK(std::any_of(bench.controls().begin(), bench.controls().end(), [](const NamedControl& control) {
+        return control.name.starts_with("Save in /") && !control.name.ends_with("/###save here");
+    }));
 }
 
 TEST_CASE("keys answer the export dialog, but not while a size is typed", "[ui][window][export]") {

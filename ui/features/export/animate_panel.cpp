@@ -10,6 +10,7 @@
 #include "ui/commands/match.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/export/clipboard.h"
+#include "ui/features/export/export_picture.h"
 #include "ui/fields/field_panel.h"
 #include "ui/shell/layout.h"
 #include "ui/ui.h"
@@ -160,7 +161,10 @@ void write_buttons(UiState& state) {
     const std::string label = missing.empty() ? "Export animation…" : missing;
     if (ImGui::Button((label + "###export").c_str(), {-1, 0})) ask_for_frames(state);
     ImGui::EndDisabled();
-    tooltip("Export animation", choice_of(animate.file).meaning, "At the size and samples of Export picture");
+    const ExportOptions options = export_options(state);
+    tooltip("Export animation", choice_of(animate.file).meaning,
+            fmt::format("{} × {}, {} samples per pixel: Export picture changes them", options.size.width,
+                        options.size.height, options.samples));
     ImGui::EndDisabled();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -102,12 +103,14 @@ void export_buttons(UiState& state, const UiInput& input) {
     const bool saves = state.rendered != nullptr && !exporting.job;
     ImGui::BeginDisabled(!saves);
     std::error_code failed;  // a deleted working directory has no name
-    const std::string folder = std::filesystem::absolute(pictures_folder(), failed).string();
+    const std::filesystem::path pictures = pictures_folder();
+    const std::string folder = (pictures.empty() ? std::filesystem::current_path(failed) : pictures).string();
     const std::string label = whole_label("Save in " + folder) + "###save here";
     if (ImGui::Button(label.c_str(), {-1, 0}) || (saves && answers(input, Key::S))) {
         exporting.open = false;
         save_with_command(state, exporting.options);
     }
+    list_control(label.c_str(), "", last_item());
     ImGui::EndDisabled();
     tooltip("Save here and copy its command",
             "Saves to a new file and copies the command line that writes it", folder);
@@ -139,7 +142,11 @@ void export_dialog(UiState& state, const UiInput& input) {
     ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(px(470), window.x), 0});
     if (!begin_modal(id, &exporting.open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
+    exporting.options = export_options(state);
     size_rows(state, exporting.options);
+    const PictureSize size = exporting.options.size, view = state.full_size;
+    if (std::int64_t{size.width} * view.height != std::int64_t{size.height} * view.width)
+        small_dim("Its shape is not that of the view, so it frames the scene differently.");
     sample_row(exporting.options, input);
     ImGui::Dummy({0, px(4)});
     dim_text(".png embeds its scene; .pfm and .exr store linear float numbers");

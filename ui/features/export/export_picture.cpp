@@ -76,6 +76,12 @@ Scene as_shown(Scene scene, PictureSize size) {
     return scene;
 }
 
+ExportOptions export_options(const UiState& state) {
+    ExportOptions options = state.get<ExportState>().options;
+    if (options.size == PictureSize{0, 0}) options.size = state.full_size;
+    return options;
+}
+
 Result<std::string> picture_file(const SceneDocument& document, const ExportOptions& options,
                                  const std::string& path, int threads) {
     const Result<PictureFormat> known = picture_format(path);
@@ -103,7 +109,7 @@ const FilePurpose export_purpose{
     .hint = "Picture: .png (with its scene), .pfm, .exr (linear float)",
     .extensions = {".png", ".pfm", ".exr"},
     .saves = true,
-    .use = [](UiState& s, const std::string& path) { begin_export(s, s.get<ExportState>().options, path); }};
+    .use = [](UiState& s, const std::string& path) { begin_export(s, export_options(s), path); }};
 
 void ask_for_picture(UiState& state, const FilePurpose& purpose) {
     state.files.ask(purpose, offered_name(state, ".png"));

@@ -32,7 +32,7 @@ struct LastExport {
 
 struct ExportState {
     bool open = false;
-    ExportOptions options;
+    ExportOptions options{.size = {0, 0}};  // the size is 0 x 0 until one is chosen: see export_options()
     std::optional<LastExport> last;
     JobPtr<Notification> job;  // result: the notification when it is done
 };
@@ -51,6 +51,9 @@ using CommandText = std::function<std::string(const SceneDocument& document, con
 /// Returns `text` for the open document with the scene in the picture. A new scene may have started as the
 /// default scene, which has a file: the text based on that file is used if it is shorter.
 [[nodiscard]] std::string shortest_command(const UiState& state, const CommandText& text);
+
+/// The options of the next export: without a chosen size, that of the view, which it then frames alike.
+[[nodiscard]] ExportOptions export_options(const UiState& state);
 
 extern const FilePurpose save_picture_purpose, export_purpose;
 /// Opens the dialog for a picture file, with a list of what the file will show or lack.

@@ -169,7 +169,7 @@ const FilePurpose frames_purpose{.title = "Export animation",
                                  .writes_many = writes_many,
                                  .may_replace_many = has_frames,
                                  .use = [](UiState& s, const std::string& path) {
-                                     const ExportOptions& options = s.get<ExportState>().options;
+                                     const ExportOptions options = export_options(s);
                                      begin_frames(s, path, options.size, options.samples);
                                  }};
 
