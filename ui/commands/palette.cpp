@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "models/problem.h"
@@ -121,13 +122,14 @@ void type_ahead(PaletteState& state, const UiInput& input) {
 }  // namespace
 
 std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries, const std::string& text) {
-    std::vector<std::pair<int, int>> ranked;  // rank, index
+    std::vector<std::tuple<int, bool, int>> ranked;  // rank, whether it cannot run, index
     for (std::size_t i = 0; i < entries.size(); ++i)
-        if (const auto rank = rank_of(entries[i], text)) ranked.emplace_back(*rank, static_cast<int>(i));
+        if (const auto rank = rank_of(entries[i], text))
+            ranked.emplace_back(*rank, !text.empty() && !entries[i].refused.empty(), static_cast<int>(i));
     std::sort(ranked.begin(), ranked.end());
     std::vector<int> indices;
     indices.reserve(ranked.size());
-    for (const auto& [rank, index] : ranked) indices.push_back(index);
+    for (const auto& [rank, refused, index] : ranked) indices.push_back(index);
     return indices;
 }
 

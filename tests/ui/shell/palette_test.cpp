@@ -79,6 +79,23 @@ TEST_CASE("a command is found by its topic", "[ui][palette]") {
     }
 }
 
+TEST_CASE("of equal matches those that can run come first", "[ui][palette]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    for (const std::string text : {"Re", "Co", "S"}) {
+        auto entries = found(bench.state, text);
+        std::erase_if(entries, [&](const PaletteEntry& entry) { return !entry.name.starts_with(text); });
+        const auto can_run = [](const PaletteEntry& entry) { return entry.refused.empty(); };
+        CAPTURE(text);
+        CHECK(std::is_partitioned(entries.begin(), entries.end(), can_run));
+        CHECK_FALSE(std::all_of(entries.begin(), entries.end(), can_run));
+    }
+    const auto lights = found(bench.state, "light");
+    REQUIRE(lights.size() > 8);
+    CHECK(std::any_of(lights.begin(), lights.begin() + 8,
+                      [](const PaletteEntry& entry) { return entry.name == "Light theme"; }));
+}
+
 TEST_CASE("names are found as spelled in files and commands", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
