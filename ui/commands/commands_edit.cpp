@@ -82,10 +82,9 @@ std::vector<WindowCommand> edit_commands() {
          .run =
              [](UiState& s) {
                  forget_told(s.notifications);
-                 if (awaits_mesh(s))
-                     undo_awaiting(s);
-                 else
-                     undo(s.editor);
+                 if (awaits_mesh(s)) return undo_awaiting(s);
+                 s.notifications.tell("Undone: " + s.editor.history.undo_name());
+                 undo(s.editor);
              },
          .why_disabled =
              [](const UiState& s) {
@@ -99,6 +98,7 @@ std::vector<WindowCommand> edit_commands() {
          .run =
              [](UiState& s) {
                  forget_told(s.notifications);
+                 s.notifications.tell("Redone: " + s.editor.history.redo_name());
                  redo(s.editor);
              },
          .why_disabled =

@@ -6,7 +6,9 @@
 #include <cassert>
 #include <set>
 #include <string_view>
+#include <type_traits>
 
+#include "models/fields/choices.h"
 #include "models/fields/scene_fields.h"
 #include "models/memory_limit.h"
 #include "models/scene/scene_cost.h"
@@ -40,6 +42,20 @@ std::string common_name(const std::vector<Row>& changed, const std::string& name
     const bool one_name = !changed.empty() && *changed.front().undo != 0 &&
                           std::all_of(changed.begin(), changed.end(), is_same);
     return fmt::format(fmt::runtime(one_name ? std::string_view(changed.front().undo) : otherwise), name);
+}
+
+/// "Shading mode: Flat → Phong" if the only change is that of a choice; else as common_name().
+std::string shading_step(const Shading& a, const Shading& b, std::string_view otherwise) {
+    const std::vector<Row> changed = changed_rows(a, b);
+    std::vector<std::string> labels;  // of the changed choice, before and after
+    for (const Shading* each : {&a, &b})
+        fields(*each, [&]<class Kind, class Member>(const Row& row, const Kind&, const Member& member) {
+            if constexpr (std::is_enum_v<Member>)
+                if (changed.size() == 1 && row.key == changed.front().key)
+                    labels.emplace_back(choice_of(member).label);
+        });
+    const std::string name = common_name(changed, "", otherwise);
+    return labels.empty() ? name : fmt::format("{}: {} → {}", name, labels[0], labels[1]);
 }
 
 /// Whether the light only moved, with its shape turned accordingly.
@@ -198,7 +214,7 @@ std::string step_name(const Scene& scene_before, const Scene& scene_after) {
     const Row& row = changed.front();
     if (row.key == "lights") return list_step(before.lights, after.lights, light_step, row.undo);
     if (row.key == "objects") return list_step(before.objects, after.objects, object_step, row.undo);
-    if (row.key == "shading") return common_name(changed_rows(before.shading, after.shading), "", row.undo);
+    if (row.key == "shading") return shading_step(before.shading, after.shading, row.undo);
     return row.undo;
 }
 

@@ -264,6 +264,22 @@ TEST_CASE("a reloaded mesh is not an edit and has no step name", "[ui]") {
     CHECK(step_name(scene, again) == "Move Bulb");
 }
 
+TEST_CASE("undo after a change of view says what it undid", "[ui][window]") {
+    test::HeadlessWindow bench;
+    bench.frames(2);
+    bench.scene().lights[1].position.x += 1;
+    bench.frames(2);
+    bench.scene().camera.eye.x += 1;
+    bench.frames(2);
+    bench.key(Key::Z, true);
+    bench.frames(1);
+    CHECK(bench.notes_with("Undone: Move Bulb") == 1);
+    bench.key(Key::Z, true, true);
+    bench.frames(1);
+    CHECK(bench.notes_with("Redone: Move Bulb") == 1);
+    CHECK(bench.notes_with("Undone") == 0);
+}
+
 TEST_CASE("the history keeps 500 steps and drops older ones", "[ui]") {
     History history;
     Scene scene = two_lights();
@@ -290,7 +306,9 @@ TEST_CASE("steps are named by the changes", "[ui]") {
     CHECK(name_of([](Scene& s) { s.objects[0].material.shininess = 5; }) == "Material of Teapot");
     CHECK(name_of([](Scene& s) { s.objects[0].transform.translate.x = 5; }) == "Move Teapot");
     CHECK(name_of([](Scene& s) { s.camera.eye.x = 5; }) == "Camera");
-    CHECK(name_of([](Scene& s) { s.shading.mode = ShadingMode::Flat; }) == "Shading mode");
+    CHECK(name_of([](Scene& s) { s.shading.mode = ShadingMode::Flat; }) == "Shading mode: Phong → Flat");
+    CHECK(name_of([](Scene& s) { s.shading.reflection = Reflection::BlinnPhong; }) ==
+          "Reflection: Phong → Blinn–Phong");
     CHECK(name_of([](Scene& s) { s.shading.terms.ambient = false; }) == "Terms");
     CHECK(name_of([](Scene& s) { s.display.exposure = 2, s.camera.eye.x = 5; }) == "Edit scene");
 }
