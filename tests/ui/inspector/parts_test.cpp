@@ -136,6 +136,7 @@ TEST_CASE("figures have three decimals, more after zeros, and no negative zero",
     CHECK(shown_number(-0.0025f) == "−0.0025");
     CHECK(shown_number(0.000012f) == " 1.2e-05");
     CHECK(shown_number(-4e-8f) == " 0.000");  // rounding
+    CHECK(shown_number(2.6e-6f) == " 0.000");
     CHECK(shown_number(-0.0f) == " 0.000");
     CHECK(shown_number(12.345f) == " 12.35");
     CHECK(shown_number(1234.5f) == " 1234");

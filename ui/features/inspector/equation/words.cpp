@@ -70,7 +70,7 @@ double angle_deg(float cosine) {
 }
 
 std::string shown_number(float value) {
-    constexpr float rounding = 1e-6f;  // remainder after floats of about 1 cancel
+    constexpr float rounding = 1e-5f;  // remainder after floats of about 1 cancel
     const float size = std::abs(value) < rounding ? 0 : std::abs(value);
     const char* sign = value < 0 && size > 0 ? "−" : " ";
     if (size >= 1e5f) return fmt::format("{}{:.1e}", sign, size);
