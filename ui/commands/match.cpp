@@ -9,10 +9,11 @@ namespace {
 constexpr std::size_t longest_search = 100;
 constexpr int same = 0, at_start = 1, at_word = 2, inside = 3, in_order = 4;
 
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
 std::string folded(std::string_view text) {
     std::string plain = with_spaces(text);
-    for (char& c : plain)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    std::transform(plain.begin(), plain.end(), plain.begin(), lower);
     // British and American spellings match each other, also while the word is being typed.
     constexpr std::pair<std::string_view, std::string_view> spellings[] = {
         {"colou", "colo"}, {"grey", "gray"}, {"alis", "aliz"}, {"centre", "center"}};
@@ -53,6 +54,13 @@ std::string with_spaces(std::string_view name) {
     std::string words(name);
     std::replace_if(
         words.begin(), words.end(), [](char c) { return c == '-' || c == '_'; }, ' ');
+    for (const std::string_view word : {"sRGB", "NaN", "Phong"}) {
+        std::string small(word);
+        std::transform(small.begin(), small.end(), small.begin(), lower);
+        const auto is_end = [&](std::size_t at) { return at >= words.size() || !is_letter(words[at]); };
+        for (std::size_t at = words.find(small); at != words.npos; at = words.find(small, at + 1))
+            if (is_end(at - 1) && is_end(at + word.size())) words.replace(at, word.size(), word);
+    }
     return words;
 }
 

@@ -14,7 +14,8 @@ namespace glint {
 /// spaces. Only the first 100 bytes of the text count.
 [[nodiscard]] std::optional<int> match_rank(std::string_view text, std::string_view name);
 
-/// Replaces the separators in a name from files or commands, "spot-cone" or "lit_in_srgb", by spaces.
+/// Replaces the separators in a name from files or commands, "spot-cone" or "lit_in_srgb", by spaces:
+/// "lit in sRGB".
 [[nodiscard]] std::string with_spaces(std::string_view name);
 
 }  // namespace glint

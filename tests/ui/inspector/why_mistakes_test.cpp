@@ -5,6 +5,7 @@
 #include "models/scene/mistakes.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "ui/features/inspector/mistake_row.h"
 #include "ui/features/inspector/tabs.h"
 
 using namespace glint;
@@ -21,6 +22,18 @@ const MistakeName& first_mistake() {
 std::string first_switch() { return "/shading/mistakes/" + std::string(first_mistake().name); }
 
 }  // namespace
+
+TEST_CASE("titles of mistakes spell sRGB and Phong as usual", "[ui][why]") {
+    const auto title = [](std::string_view name) {
+        for (const MistakeName& mistake : mistake_names())
+            if (mistake.name == name) return title_of(mistake);
+        return std::string();
+    };
+    CHECK(title("lit_in_srgb") == "Lit in sRGB");
+    CHECK(title("half_angle_with_phong_shininess") == "Half angle with Phong shininess");
+    CHECK(title("power_zero_is_nan") == "Power zero is NaN");
+    CHECK(title("normals_as_points") == "Normals as points");
+}
 
 TEST_CASE("hovering over a mistake previews it; a click switches it as one undo step", "[ui][window][why]") {
     HeadlessWindow bench;
@@ -96,7 +109,7 @@ TEST_CASE("mistakes are named, at most the first two", "[ui][why]") {
     mistakes.reflect_sign = true;
     CHECK(mistakes_text(mistakes) == "Mistake: Reflect sign");
     mistakes.power_zero_is_nan = true;
-    CHECK(mistakes_text(mistakes) == "2 mistakes: Reflect sign, Power zero is nan");
+    CHECK(mistakes_text(mistakes) == "2 mistakes: Reflect sign, Power zero is NaN");
     mistakes.view_reversed = mistakes.missing_pi = true;
     CHECK(mistakes_text(mistakes).starts_with("4 mistakes: "));
     CHECK(mistakes_text(mistakes).ends_with(", …"));

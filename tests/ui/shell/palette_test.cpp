@@ -104,7 +104,7 @@ TEST_CASE("names are found as spelled in files and commands", "[ui][palette]") {
     list_own_lessons(bench.state);
     CHECK(found(bench.state, "05-lambert").at(0).name == "Lesson: 05 Lambert's law: the beam gets wider");
     CHECK(found(bench.state, "spot-cone").at(0).name == "Scene: spot cone");
-    CHECK(found(bench.state, "lit_in_srgb").at(0).name == "Mistake: lit in srgb");
+    CHECK(found(bench.state, "lit_in_srgb").at(0).name == "Mistake: lit in sRGB");
     CHECK(found(bench.state, "scan-line").at(0).name == "Scan-line scope");
 }
 

@@ -71,13 +71,15 @@ void words_of(const MistakeName& mistake, bool on, bool dim, const Rect& area) {
     const float line = ImGui::GetTextLineHeight();
     box({area.low.x, area.low.y + px(1)}, line - px(2), on);
     const std::string title = title_of(mistake);
-    const Rect first{area.low + ImVec2(line + px(4), 0), {area.high.x, area.low.y + line}};
+    Rect first{area.low + ImVec2(line + px(4), 0), {area.high.x, area.low.y + line}};
+    const ImVec4& ink = dim ? theme().dim_text : theme().text;
     const bool fits = ImGui::CalcTextSize(title.c_str()).x <= first.size().x;
-    if (!fits) ImGui::PushFont(fonts().small);
-    cut_line(list, first, dim ? theme().dim_text : theme().text, title);
-    if (!fits) ImGui::PopFont();
+    if (fits) cut_line(list, first, ink, title);
     ImGui::PushFont(fonts().small);
-    const float last = mistake.sources.empty() ? 0 : ImGui::GetTextLineHeight();
+    const float small_line = ImGui::GetTextLineHeight(), last = mistake.sources.empty() ? 0 : small_line;
+    if (!fits)
+        first.high.y =
+            broken_lines(list, {first.low, {first.high.x, first.low.y + 2 * small_line}}, ink, title);
     const float y = broken_lines(list, {{area.low.x, first.high.y + px(2)}, area.high - ImVec2(0, last)},
                                  theme().dim_text, mistake.looks);
     // One line, because a tracker's name and number cannot be wrapped. The tooltip lists all of them.
