@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <type_traits>
 #include <vector>
 
 #include "ui/commands/command.h"
@@ -45,6 +46,8 @@ void choice_switch(const char* name, E& value, const Help& help, float room,
     for (const E each : enumerators<E>)
         if (each == value || std::find(advanced.begin(), advanced.end(), each) == advanced.end()) {
             shown.push_back(choice_of(each));
+            if constexpr (std::is_same_v<E, Reflection>)  // "Phong" is a shading, too
+                if (each == Reflection::Phong) shown.back().label = "Phong model";
             values.push_back(each);
         }
     caption(name);
@@ -132,7 +135,8 @@ void switches(UiState& state, const Rect& area) {
     choice_switch("Shading", shading.mode, {"Where the lighting equation is evaluated", "/shading/mode"},
                   mode_room, {});
     ImGui::SameLine(0, gap);
-    choice_switch("Reflection", shading.reflection, {"How a surface reflects light", "/shading/reflection"},
+    choice_switch("Reflection", shading.reflection,
+                  {"How all surfaces of the scene reflect light", "/shading/reflection"},
                   choices_room - std::min(mode_room, std::max(of_mode, combo)), {Reflection::Retro});
     ImGui::SameLine(0, gap);
     if (fits) {

@@ -1,6 +1,7 @@
 // Windows and displays of every size: ImGui never gets an empty area, and the scale stays in its range.
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -47,6 +48,16 @@ void open_everything(UiState& state) {
 }
 
 }  // namespace
+
+TEST_CASE("Phong shading and Phong's model have different labels in a wide window", "[ui][window]") {
+    HeadlessWindow bench({1920, 1080});
+    bench.frames(2);
+    for (const char* label : {"Phong", "Phong model"}) {
+        CAPTURE(label);
+        CHECK(std::count_if(bench.controls().begin(), bench.controls().end(),
+                            [&](const NamedControl& control) { return control.name == label; }) == 1);
+    }
+}
 
 TEST_CASE("ImGui accepts the theme at every display scale", "[ui][small]") {
     for (const float scale : {0.25f, 0.5f, 0.75f, 0.78125f, 0.9375f, 0.99f, 1.0f, 1.1f, 3.125f, 5.6f}) {
