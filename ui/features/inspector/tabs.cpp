@@ -84,12 +84,7 @@ void nothing_picked(const Square& square) {
     ImGui::GetWindowDrawList()->AddRect(square.low, square.high(), to_u32(theme().line), px(4));
     ImGui::Dummy({square.edge, square.edge});
     ImGui::SameLine(0, px(10));
-    ImGui::BeginGroup();
-    dim_text("no pixel picked");
-    ImGui::PushFont(fonts().title);
-    ImGui::TextUnformatted("Click the picture to ask why");
-    ImGui::PopFont();
-    ImGui::EndGroup();
+    dim_text("No pixel is picked");
 }
 
 /// Writes the parts that fit next to the cross; the position is always written.

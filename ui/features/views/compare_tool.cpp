@@ -212,15 +212,10 @@ void presets_popup(CompareChoice& choice) {
     ImGui::EndPopup();
 }
 
-/// Buttons for the direction of the lines between the parts, and so whether the parts are side by side. Not
-/// used by a difference.
-void direction_buttons(CompareChoice& choice) {
-    if (small_chosen_button("| |##side by side", !choice.stacked)) choice.stacked = false;
-    tooltip("Side by side", "The parts are side by side");
-    ImGui::SameLine(0, px(1));
-    if (small_chosen_button("=##stacked", choice.stacked)) choice.stacked = true;
-    tooltip("Stacked", "The parts are one above the other");
-    ImGui::SameLine(0, px(4));
+/// Not used by a difference.
+void direction_button(CompareChoice& choice) {
+    if (small_chosen_button("Stacked", choice.stacked)) choice.stacked ^= true;
+    tooltip("Stacked", "The parts one above the other, not side by side");
 }
 
 void difference_controls(CompareState& state) {
@@ -266,8 +261,8 @@ void compare_controls(CompareState& state) {
             (part_label(state, 0) + " against " + part_label(state, choice.parts.size() - 1)).c_str(),
             "Red, green and blue separately, of the displayed picture");
     ImGui::SameLine(0, px(4));
-    const auto rest = [&] { choice.difference ? difference_controls(state) : direction_buttons(choice); };
-    overflow("##compare", px(choice.difference ? 190 : 50), rest);
+    const auto rest = [&] { choice.difference ? difference_controls(state) : direction_button(choice); };
+    overflow("##compare", px(choice.difference ? 190 : 60), rest);
 }
 
 }  // namespace glint
