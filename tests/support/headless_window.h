@@ -2,6 +2,7 @@
 // A headless window: ImGui without a backend, driven by mouse and keys, frame by frame.
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,9 @@ class HeadlessWindow {
     UiRequests frame(const UiInput& input = {}) {
         controls_.clear();
         ImGui::NewFrame();
+        if (records_text) ImGui::LogToBuffer(0);
         UiRequests wants = ui_frame(state, input);
+        if (records_text) text_ = GImGui->LogBuffer.c_str();
         ImGui::Render();
         return wants;
     }
@@ -150,6 +153,9 @@ class HeadlessWindow {
         (void)frame();
     }
 
+    /// The text of the last frame's widgets, without text that is drawn directly, such as labels in the
+    /// picture. Empty unless `records_text`.
+    [[nodiscard]] const std::string& text() const { return text_; }
     /// Returns the controls of the last frame.
     [[nodiscard]] const std::vector<NamedControl>& controls() const { return controls_; }
     /// Returns the rectangle of a visible control within `area`, by its name or its key in the scene file,
@@ -188,9 +194,11 @@ class HeadlessWindow {
     }
 
     UiState state;
+    bool records_text = false;
 
   private:
     std::vector<NamedControl> controls_;
+    std::string text_;
     ImGuiContext* context_ = nullptr;
 };
 

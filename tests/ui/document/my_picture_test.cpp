@@ -20,7 +20,6 @@ using test::HeadlessWindow;
 
 namespace {
 
-const char* const flipped_switch = "/shading/mistakes/normals_flipped";
 constexpr PictureSize brought_size{160, 90};
 
 /// The open scene's picture as a program with flipped normals would draw it.
@@ -60,42 +59,6 @@ const Diagnosis& found(const HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("a dropped picture is compared, and a click switches its mistake", "[ui][window][mine]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const Scene start = bench.scene();
-    const TemporaryDirectory folder;
-    bring(bench, folder, flipped_picture(bench));
-    CHECK(bench.scene() == start);
-    CHECK(bench.state.get<InspectorState>().tab == InspectorTab::MyPicture);
-    CHECK(found(bench).verdict == Verdict::Mistake);
-    REQUIRE_FALSE(found(bench).candidates.empty());
-    CHECK(name_of(found(bench).candidates.front().mistakes) == "normals_flipped");
-
-    // The right half of the window shows the picture, in which a lit ball is dark.
-    const CompareChoice& choice = bench.state.get<CompareState>().choice;
-    REQUIRE(choice.on);
-    CHECK(label_of(choice.parts.back()) == "My picture");
-    const Picture& shown = *bench.state.displayed;
-    const PictureSize size = shown.size;
-    const std::size_t lit = shown.pixel(size.width * 54 / 100, size.height * 42 / 100);
-    CHECK(int{bench.state.rendered->rgba[4 * lit]} > shown.rgba[4 * lit] + 40);
-
-    const ImVec2 row = test::rest_on(bench, flipped_switch);
-    CHECK(bench.state.rendered_scene.shading.mistakes.normals_flipped);
-    CHECK(bench.scene() == start);
-    bench.click(row);
-    CHECK(bench.scene().shading.mistakes.normals_flipped);
-    CHECK(mistakes_on(bench.scene().shading.mistakes) == 1);
-    test::rest(bench);
-    CHECK(bench.state.get<MyPictureState>().current);  // a searched mistake: no new search starts
-    bench.key(Key::Z, true);
-    CHECK(bench.scene() == start);
-    bench.click(test::in_column(bench, flipped_switch));
-    bench.click(test::in_column(bench, flipped_switch));
-    CHECK(bench.scene() == start);
-}
-
 TEST_CASE("opening a picture unfreezes: it is compared with the present scene", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -106,19 +69,6 @@ TEST_CASE("opening a picture unfreezes: it is compared with the present scene", 
     bring(bench, folder, flipped_picture(bench));
     CHECK_FALSE(bench.state.get<LectureState>().frozen);
     CHECK(bench.state.rendered_scene == bench.scene());
-}
-
-TEST_CASE("under the mistake of a picture the scene has no difference from it", "[ui][window][mine]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const TemporaryDirectory folder;
-    bring(bench, folder, flipped_picture(bench, {960, 540}));
-    bench.state.get<CompareState>().choice.difference = true;
-    bench.frames(2);
-    CHECK(bench.state.get<CompareState>().numbers.max_error > 50);
-    bench.scene().shading.mistakes.normals_flipped = true;
-    bench.frames(2);
-    CHECK(bench.state.get<CompareState>().numbers.mean[0] < 0.5);  // the two pictures differ in size
 }
 
 TEST_CASE("a picture by Glint keeps the framing in which it was drawn", "[ui][window][mine]") {
@@ -155,40 +105,6 @@ TEST_CASE("display mistakes are removed from the compared picture", "[ui][window
     CHECK(found(bench).display.change.upside_down);
     REQUIRE(bench.state.get<CompareState>().choice.mine);
     CHECK(bench.state.get<CompareState>().choice.mine->rgba == upright.rgba);
-}
-
-TEST_CASE("the experiment is one step, picks its pixel, and shows its prediction there",
-          "[ui][window][mine]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const Scene start = bench.scene();
-    const TemporaryDirectory folder;
-    bring(bench, folder, flipped_picture(bench));
-    REQUIRE(found(bench).experiment);
-    const Experiment experiment = *found(bench).experiment;
-    bench.click(test::in_column(bench, "Change the scene this way"));
-    bench.frames(2);
-    const auto expected = scene_variant({start, "", "", {}}, experiment.set);
-    CHECK(bench.scene() == std::get<Scene>(expected));
-    CHECK(bench.state.viewport.probe);
-    Renderer renderer(1);
-    const Picture& drawn =
-        renderer.render(under_mistakes(bench.scene(), experiment.mistakes[0]), brought_size);
-    CHECK(rgb_at(drawn, drawn.pixel(experiment.pixel.x, experiment.pixel.y)) == experiment.shows[0]);
-    wait_for_answer(bench);
-    bench.frames(30);
-    CHECK(bench.state.get<MyPictureState>().current);  // the picture still belongs to the previous scene
-    bench.key(Key::Z, true);
-    CHECK(bench.scene() == start);
-    CHECK(bench.state.get<MyPictureState>().current);
-    CHECK_FALSE(bench.state.editor.history.can_undo());
-
-    // A change of the camera is an edit here, not a change of view.
-    try_experiment(bench.state, {{{"/camera/eye", "[0,0.8,5]"}}, {80, 45}, {}, {}});
-    bench.frames(2);
-    CHECK(bench.scene().camera.eye.z == 5);
-    bench.key(Key::Z, true);
-    CHECK(bench.scene() == start);
 }
 
 TEST_CASE("an experiment is offered only for the scene that it was found for", "[ui][window][mine]") {
@@ -236,27 +152,6 @@ TEST_CASE("the search ends when cancelled and restarts when the scene changes", 
     REQUIRE(bench.state.get<MyPictureState>().answer);
     bench.click(test::in_column(bench, "Close my picture"));
     CHECK_FALSE(bench.state.get<MyPictureState>().shown);
-}
-
-TEST_CASE("a picture that loads slowly shows its progress and can be cancelled", "[ui][window][mine]") {
-    std::atomic<bool> goes_on = false;
-    HeadlessWindow bench;
-    bench.frames(2);
-    const auto wait = [&goes_on](LoadProgress& progress) -> Result<BroughtPicture> {
-        while (!goes_on && !progress.cancelled) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        return Problem{"slow.png", "", "was left", ""};
-    };
-    bench.state.get<MyPictureState>().reading = bench.state.jobs.start<BroughtPicture>("slow.png", wait);
-    bench.state.get<MyPictureState>().reading_since = ImGui::GetTime();
-    bench.frames(2);
-    CHECK(test::window_named("##loading") == nullptr);  // a quick load shows no panel
-    bench.frames(30);
-    REQUIRE(test::window_named("##loading") != nullptr);
-    bench.click(bench.control("Cancel"));
-    CHECK(bench.state.get<MyPictureState>().reading == nullptr);
-    bench.frames(2);
-    CHECK(bench.state.notifications.list.empty());
-    goes_on = true;
 }
 
 TEST_CASE("an incompatible picture is reported, and an unreadable one in one line", "[ui][window][mine]") {
@@ -401,50 +296,6 @@ TEST_CASE("a picture is closed when another scene opens and compared again by a 
     take_scene(bench.state, other);  // the same file, read again
     bench.frames(2);
     CHECK(bench.state.get<MyPictureState>().shown);
-}
-
-TEST_CASE("a search for which no thread can start is reported once per scene", "[ui][window][mine]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const TemporaryDirectory folder;
-    bring(bench, folder, flipped_picture(bench));
-    const auto told = [&bench] { return bench.notes_with("mine.png: the system allows no further thread"); };
-    {
-        const test::NoThreads none;
-        bench.scene().global_ambient = {1, 1, 1};
-        bench.frames(60);
-        CHECK(bench.state.get<MyPictureState>().settled);
-        CHECK_FALSE(bench.state.get<MyPictureState>().current);
-        CHECK(told() == 1);
-        CHECK(bench.state.editor.history.can_undo());  // the frame was completed
-    }
-    bench.scene().global_ambient = {0.5f, 0.5f, 0.5f};
-    bench.frames(2);
-    wait_for_answer(bench);
-    CHECK(bench.state.get<MyPictureState>().current);
-}
-
-TEST_CASE("Escape that ends typing a name keeps the picture and the pen", "[ui][window][mine]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const TemporaryDirectory folder;
-    bring(bench, folder, flipped_picture(bench));
-    bench.state.get<PenState>().on = true;
-    bench.state.editor.selection = {Selection::Kind::Light, 0};
-    bench.frames(2);
-    bench.click(bench.control("Name"));
-    bench.frames(2);
-    REQUIRE(ImGui::GetIO().WantTextInput);
-    bench.key(Key::Escape);
-    CHECK(bench.state.get<PenState>().on);
-    CHECK(bench.state.get<MyPictureState>().shown);
-    let_go_of_fields();  // as the field does on a key of ImGui
-    bench.frames(2);
-    bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.get<PenState>().on);
-    CHECK(bench.state.get<MyPictureState>().shown);
-    bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.get<MyPictureState>().shown);
 }
 
 TEST_CASE("the bytes of a linear picture follow the scene's display settings", "[ui][window][mine]") {
