@@ -34,37 +34,6 @@ void check_same_bytes(Scene scene, const std::vector<std::function<void(Scene&)>
 
 }  // namespace
 
-TEST_CASE("dragging a light with kept sums gives the bytes of lighting every light again", "[renderer]") {
-    for (const Reflection model : {Reflection::Lambert, Reflection::Phong, Reflection::BlinnPhong,
-                                   Reflection::Retro, Reflection::OrenNayar}) {
-        Scene scene = eight_lights();
-        scene.shading.reflection = model;
-        const auto move = [](std::size_t i) {
-            return [i](Scene& s) { s.lights[i].position += glm::vec4(0.3f, -0.2f, 0.1f, 0); };
-        };
-        check_same_bytes(scene, {[](Scene&) {},
-                                 move(0),
-                                 move(0),
-                                 move(0),
-                                 move(7),
-                                 move(7),
-                                 move(5),
-                                 [](Scene& s) { s.lights[5].intensity = 30; },
-                                 [](Scene& s) { s.lights[5].enabled = false; },
-                                 [](Scene& s) { s.lights[5].enabled = true; },
-                                 [](Scene& s) { s.display.exposure = 2; },
-                                 move(5),
-                                 [](Scene& s) { s.objects[0].material.diffuse.x = 0.1f; },
-                                 move(5),
-                                 [](Scene& s) { s.camera.eye.x += 0.1f; },
-                                 move(5),
-                                 move(5),
-                                 [&](Scene& s) { move(2)(s), move(5)(s); },  // two at once
-                                 [&](Scene& s) { move(5)(s), move(6)(s); },
-                                 move(6)});
-    }
-}
-
 TEST_CASE("a light moved around the object lights and leaves every part of it", "[renderer]") {
     std::vector<std::function<void(Scene&)>> steps{[](Scene&) {}};
     for (std::size_t light = 0; light < 8; ++light)

@@ -40,17 +40,6 @@ TEST_CASE("a hidden object leaves the picture as if it were not in the scene", "
     });
 }
 
-TEST_CASE("hiding and showing an object redraws it as from scratch", "[renderer]") {
-    for_each_mode(busy_scene(), [](const Scene& shown) {
-        Scene hidden = shown;
-        hidden.objects[1].visible = false;
-        Renderer renderer(1);
-        const std::vector<std::uint8_t> before = renderer.render(shown, small).rgba;
-        CHECK(renderer.render(hidden, small).rgba == drawn_bytes(hidden));
-        CHECK(renderer.render(shown, small).rgba == before);
-    });
-}
-
 TEST_CASE("flipping all objects equals the mistake that flips all normals, and undoes it", "[renderer]") {
     for_each_mode(busy_scene(), [](const Scene& right) {
         Scene flipped = right, mistaken = right;

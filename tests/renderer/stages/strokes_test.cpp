@@ -268,23 +268,6 @@ TEST_CASE("with strokes every explanation still sums to its pixel", "[strokes][e
         }
 }
 
-TEST_CASE("strokes have equal bytes for any number of threads, and stay blended", "[strokes]") {
-    for (const int samples : {1, 4}) {
-        const Scene scene = stroked_busy_scene();
-        Renderer one(1), two(2), seven(7);
-        const Picture& a = one.render(scene, {211, 133}, true, samples);
-        CHECK(a.rgba == two.render(scene, {211, 133}, true, samples).rgba);
-        CHECK(a.linear == seven.render(scene, {211, 133}, true, samples).linear);
-        Scene black = scene;
-        black.npr.stroke = {0, 0, 0};
-        Renderer other(2);
-        const Picture& b = other.render(black, {211, 133}, true, samples);
-        int stroked = 0;
-        for (std::size_t i = 0; i < a.linear.size(); ++i) stroked += a.linear[i] != b.linear[i];
-        CHECK(stroked > 3000);
-    }
-}
-
 TEST_CASE("strokes are redrawn only if their inputs change", "[strokes][stages]") {
     Scene scene = stroked_busy_scene();
     Renderer renderer(2);
@@ -314,47 +297,6 @@ TEST_CASE("strokes are redrawn only if their inputs change", "[strokes][stages]"
     CHECK(redone());
     scene.camera.eye.x += 0.1f;
     CHECK_FALSE(redone());
-}
-
-TEST_CASE("a stroked picture drawn after changes is the one drawn from scratch", "[strokes][stages]") {
-    std::mt19937 random(31);
-    Scene scene = stroked_busy_scene();
-    Renderer kept(2);
-    for (int step = 0; step < 60; ++step) {
-        switch (random() % 10) {
-        case 0:
-            scene.npr.silhouettes = random() % 2;
-            break;
-        case 1:
-            scene.npr.creases = random() % 2;
-            break;
-        case 2:
-            scene.npr.crease_deg = uniform(random, 0, 100);
-            break;
-        case 3:
-            scene.npr.stroke = uniform_vec3(random, 0, 1);
-            break;
-        case 4:
-            scene.npr.stroke_width_px = uniform(random, 0, 5);
-            break;
-        case 5:
-            scene.objects[1].transform.rotate_deg.y = uniform(random, 0, 360);
-            break;
-        case 6:
-            scene.objects[0].mesh = primitive(Primitive::Torus, 3 + static_cast<int>(random() % 20));
-            break;
-        case 7:
-            scene.lights[1].position.x = uniform(random, -2, 2);
-            break;
-        case 8:
-            scene.display.background = uniform_vec3(random, 0, 1);
-            break;
-        case 9:
-            scene.shading.cull = random() % 2 ? Cull::Back : Cull::None;
-            break;
-        }
-        draw_as_fresh(kept, scene, stroke_size, true, random() % 3 ? 1 : 4);
-    }
 }
 
 TEST_CASE("edges through the eye, giant strokes and strokes without width are harmless",

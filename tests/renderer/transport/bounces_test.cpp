@@ -147,45 +147,6 @@ TEST_CASE("an explanation equals its pixel under shadows and bounces", "[transpo
         }
 }
 
-TEST_CASE("kept shadows and paths give the bytes of a fresh picture", "[transport]") {
-    Renderer kept(2);
-    Scene scene = transport_scene(TransportModel::Shadows, ShadingMode::Phong);
-    const auto draw = [&] { draw_as_fresh(kept, scene, size, true); };
-    const auto stage = [&] { return kept.stats().redone[static_cast<std::size_t>(Stage::Transport)]; };
-    draw();
-    scene.lights[0].intensity = 0.7f;
-    draw();
-    CHECK_FALSE(stage());  // the rays are the same
-    scene.lights[3].position.x += 0.3f;
-    draw();
-    CHECK(stage());
-    scene.objects[1].material.diffuse = {0.1f, 0.9f, 0.2f};
-    draw();
-    CHECK_FALSE(stage());
-    scene.objects[0].transform.translate.y += 0.2f;
-    draw();
-    scene.objects[1].visible = false;
-    draw();
-    scene.transport.model = TransportModel::Bounces;
-    draw();
-    scene.objects[2].material.diffuse = {0.9f, 0.1f, 0.2f};
-    draw();
-    CHECK(stage());
-    scene.transport.seed = 2;
-    draw();
-    scene.transport.model = TransportModel::Shadows;
-    draw();
-    scene.transport.model = TransportModel::Local;
-    draw();
-    scene.transport.model = TransportModel::Shadows;
-    scene.camera.eye.x += 0.2f;
-    draw();
-    draw_as_fresh(kept, scene, size, true, 4);
-    scene.shading.mode = ShadingMode::Gouraud;
-    scene.transport.model = TransportModel::Bounces;
-    draw();
-}
-
 TEST_CASE("a picture that is refined path by path has the bytes of all paths at once", "[transport]") {
     Scene scene = transport_scene(TransportModel::Bounces, ShadingMode::Phong);
     Renderer refined(1), at_once(2);
@@ -196,18 +157,6 @@ TEST_CASE("a picture that is refined path by path has the bytes of all paths at 
     CHECK(refined.render(scene, size, true).linear == at_once.render(scene, size, true).linear);
     scene.transport.paths = 3;  // fewer than before
     draw_as_fresh(refined, scene, size, true);
-}
-
-TEST_CASE("bounced light has the same bytes for any number of threads", "[transport]") {
-    for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud}) {
-        const Scene scene = transport_scene(TransportModel::Bounces, mode);
-        Renderer one(1);
-        const std::vector<float> expected = one.render(scene, size, true).linear;
-        for (const int threads : {2, 3, 8}) {
-            Renderer several(threads);
-            CHECK(several.render(scene, size, true).linear == expected);
-        }
-    }
 }
 
 TEST_CASE("a cancelled picture is discarded, and the next one is complete", "[transport]") {

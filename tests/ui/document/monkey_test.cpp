@@ -1,4 +1,6 @@
-// Random mouse and keyboard input: the scene stays valid for a file, and undo leads back.
+// Random mouse and keyboard input: the scene stays valid for a file, what the window keeps from frame to
+// frame equals what it would compute anew, and undo leads back. GLINT_MONKEY_SEED and GLINT_MONKEY_EVENTS in
+// the environment choose other and more events.
 #include <malloc.h>
 
 #include <cstdlib>
@@ -23,7 +25,8 @@ using test::HeadlessWindow;
 namespace {
 
 // Under the sanitizers with different seeds from Release.
-const int events_a_run = test::sanitized ? 2'500 : 7'500;
+const char* const more_events = std::getenv("GLINT_MONKEY_EVENTS");
+const int events_a_run = more_events != nullptr ? std::atoi(more_events) : test::sanitized ? 2'500 : 7'500;
 const unsigned first_seed = test::sanitized ? 5 : 1;
 const int scenes_exchanged = test::sanitized ? 40 : 400;
 constexpr int events_before_exchange = 40;
@@ -183,6 +186,21 @@ void check_scene(const Scene& scene, int event) {
     }
 }
 
+/// The drawn picture is the shown scene's, and so are the explanation and the selection.
+void check_kept(HeadlessWindow& bench, int event) {
+    const UiState& state = bench.state;
+    INFO("after event " << event);
+    const Selection& selection = state.editor.selection;
+    CHECK(valid_selection(selection, state.editor.scene()) == selection);
+    if (state.rendered == nullptr || state.rendered_scene.transport.model != TransportModel::Local) return;
+    Renderer fresh(1);
+    const Picture& picture = fresh.render(state.rendered_scene, state.rendered->size);
+    CHECK((picture.rgba == state.rendered->rgba));
+    if (!state.parts.empty() || !state.on_screen.explanation || !is_explained(state)) return;
+    const Explanation& e = *state.on_screen.explanation;
+    CHECK(e.byte == fresh.explain(e.x, e.y).byte);
+}
+
 }  // namespace
 
 TEST_CASE("a closed dialog does not block the next one", "[ui]") {
@@ -221,6 +239,7 @@ TEMPLATE_TEST_CASE_SIG("after random events nothing has crashed, scenes can be s
         monkey.act();
         bench.state.get<RecentlyChanged>().list.clear();  // one of them would begin another history
         if (event % 10 == 9) check_scene(bench.scene(), event);
+        if (event % 50 == 25) check_kept(bench, event);
         if (event % events_a_scene != events_a_scene - 1) continue;
         monkey.calm_down();
         check_scene(bench.scene(), event);
