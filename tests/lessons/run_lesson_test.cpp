@@ -325,6 +325,7 @@ closed: max(k, 0.4)
          {exercise_keys_html(bench.lesson, sheets), exercise_keys_tex(bench.lesson, sheets)}) {
         CHECK(key.find("0.400 m by the formula, but 0.250 by the engine") != std::string::npos);
         CHECK(key.find("0.500 m by the formula") == std::string::npos);
+        CHECK(key.find("(accept 0.390 to 0.410)") != std::string::npos);
     }
 }
 

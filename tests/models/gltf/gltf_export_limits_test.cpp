@@ -65,25 +65,6 @@ TEST_CASE("a camera far from the origin and its light read back from a .glb", "[
     }
 }
 
-TEST_CASE("the largest and the smallest numbers of a scene read back from a .glb", "[cli][gltf]") {
-    const Exported thin = exported({"/objects/0/transform/scale=[1, 1e-38, 1]"});
-    REQUIRE(thin.ended.status == 0);
-    CHECK(thin.scene.objects.at(0).transform.scale == glm::vec3(1, 1e-38f, 1));
-    const Exported vast =
-        exported({"/objects/0/transform={\"scale\": [1e7, 1e7, 1e7], \"rotate_deg\": "
-                  "[10, 20, 45], \"translate\": [1e7, 0, 0]}"});
-    REQUIRE(vast.ended.status == 0);
-    CHECK(vast.scene.objects.at(0).transform.scale.x == Approx(1e7f));
-    const Exported close = exported({"/camera/projection/near=1e-5", "/camera/projection/far=2e-5"});
-    REQUIRE(close.ended.status == 0);
-    CHECK(near_of(close.scene.camera.projection) == 1e-5f);
-    CHECK(far_of(close.scene.camera.projection) == 2e-5f);
-    const Exported wide = exported({"/camera/projection/fov_y_deg=179.99"});
-    REQUIRE(wide.ended.status == 0);
-    CHECK(wide.ended.err.empty());
-    CHECK(std::get<Perspective>(wide.scene.camera.projection).fov_y_deg == Approx(179.99).epsilon(1e-6));
-}
-
 TEST_CASE("a .glb warns once each of a frustum's mirroring and of its height limit", "[cli][gltf]") {
     const std::string straight =
         "glint: warning: the frustum is written as a view whose middle is straight ahead\n";
@@ -242,13 +223,4 @@ TEST_CASE("objects of one mesh and material are written and read back as one mes
     CHECK(objects[1].name == "Second");
     CHECK(objects[2].name == "Object 3");  // and not the name of the shared mesh
     CHECK(objects[3].material.diffuse == glm::vec3(1, 0, 0));
-}
-
-TEST_CASE("the size limit of a .glb counts shared data once", "[gltf]") {
-    Scene scene;
-    const MeshPtr ball = test::primitive(Primitive::Sphere, 100);
-    scene.objects.assign(4294967295 / (100 * ball->triangles.size()) + 1, test::object_of(ball));
-    const Result<GltfWritten> written = glb_of(scene, "m");
-    if (const Problem* problem = problem_of(written)) FAIL(problem->text());
-    CHECK(std::get<GltfWritten>(written).bytes.size() < 3'000'000);
 }

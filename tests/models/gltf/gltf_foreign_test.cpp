@@ -50,6 +50,17 @@ TEST_CASE("a glTF emission with a texture is left out with a warning", "[gltf]")
               .material.emission == glm::vec3(1, 0.5f, 0));
 }
 
+TEST_CASE("glTF siblings become objects in the order of the file", "[gltf]") {
+    const Scene scene = opened_text(changed(R"("nodes": [{"mesh": 0}])",
+                                            R"("nodes": [{"children": [1, 2, 3]}, {"name": "A", "mesh": 0},
+                                               {"name": "B", "mesh": 0, "children": [4]}, {"name": "D", "mesh": 0},
+                                               {"name": "C", "mesh": 0}])"))
+                            .scene;
+    std::string names;
+    for (const Object& object : scene.objects) names += object.name;
+    CHECK(names == "ABCD");
+}
+
 TEST_CASE("each glTF object is culled by its own material", "[gltf]") {
     const auto scene_with = [](const char* a, const char* b) {
         std::string text =

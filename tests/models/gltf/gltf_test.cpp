@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
+#include "models/gltf/gltf_items.h"
 #include "models/memory_limit.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/places.h"
@@ -57,6 +58,19 @@ TEST_CASE("a glTF box is the same mesh with every layout of its numbers", "[gltf
             for (std::uint32_t c = mesh.first_corner[f]; c < mesh.first_corner[f + 1]; ++c)
                 check_near(mesh.normals[mesh.given_normal_of(c)], facet_normal(mesh, f));
     }
+}
+
+TEST_CASE("the transform of a glTF matrix has that matrix, also where two axes align", "[gltf]") {
+    const float y = GENERATE(-90.0f, -89.0f, 0.0f, 35.0f, 90.0f);
+    const float x = GENERATE(-170.0f, 0.0f, 20.0f, 95.0f), z = GENERATE(-60.0f, 0.0f, 140.0f);
+    const glm::dmat4 m = world_from_object({{1, 2, 3}, {x, y, z}, {2, 0.5f, -3}});
+    bool sheared = false;
+    const std::optional<Transform> found = transform_of(m, sheared);
+    REQUIRE(found);
+    CHECK_FALSE(sheared);
+    const glm::dmat4 again = world_from_object(*found);
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) CHECK(again[c][r] == Approx(m[c][r]).margin(1e-5));
 }
 
 TEST_CASE("glTF without a camera is framed like a mesh file", "[gltf][frame_camera]") {
@@ -223,66 +237,6 @@ TEST_CASE("primitives that share vertices are the same meshes as with their own 
         CHECK(std::get<Mesh>(a).corner_position ==
               (part == 1 ? std::vector<std::uint32_t>{2, 1, 0} : std::vector<std::uint32_t>{0, 1, 2}));
     }
-}
-
-namespace {
-
-/// `count` primitives of the same vertices, each with its own accessor: vertices from `step` times its number
-/// on, out of `vertices` in total.
-std::string with_accessors(std::size_t count, std::size_t vertices, std::size_t step) {
-    std::string accessors, primitives;
-    for (std::size_t i = 0; i < count; ++i) {
-        accessors += fmt::format(
-            R"({}{{"bufferView": 0, "byteOffset": {}, "componentType": 5126, "count": {}, "type": "VEC3"}})",
-            i > 0 ? "," : "", 12 * step * i, vertices - step * i);
-        primitives += fmt::format(R"({}{{"attributes": {{"POSITION": {}}}}})", i > 0 ? "," : "", i);
-    }
-    return fmt::format(R"({{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}],
-      "meshes": [{{"primitives": [{}]}}], "accessors": [{}],
-      "bufferViews": [{{"buffer": 0, "byteLength": {}}}],
-      "buffers": [{{"byteLength": {}, "uri": "data:application/octet-stream;base64,{}"}}]}})",
-                       primitives, accessors, 12 * vertices, 12 * vertices, std::string(16 * vertices, 'A'));
-}
-
-}  // namespace
-
-TEST_CASE("glTF accessors that name the same bytes over and over are refused", "[gltf]") {
-    CHECK(problem_of(GltfFile::parse(with_accessors(50, 4000, 1), "t.gltf")) == nullptr);
-    CHECK(problem_of(GltfFile::parse(with_accessors(3000, 4000, 0), "t.gltf")) == nullptr);
-    const auto file = GltfFile::parse(with_accessors(1000, 4000, 1), "t.gltf");
-    REQUIRE(problem_of(file) != nullptr);
-    const std::string line = problem_of(file)->text();
-    CAPTURE(line);
-    CHECK(line.starts_with("t.gltf: its primitives name "));
-    CHECK(line.ends_with("; expected at most 64 times as many"));
-}
-
-TEST_CASE("names of glTF nodes, meshes and lights are limited to the length of scene names", "[gltf]") {
-    const std::string name(1001, 'n');
-    CHECK(gltf_triangle::error_of(
-              gltf_triangle::changed(R"({"mesh": 0})", R"({"mesh": 0, "name": ")" + name + "\"}")) ==
-          "t.gltf: /nodes/0/name: has 1001 characters; expected at most 1000");
-    CHECK(gltf_triangle::error_of(
-              gltf_triangle::changed(R"({"primitives")", R"({"name": ")" + name + R"(", "primitives")")) ==
-          "t.gltf: /meshes/0/name: has 1001 characters; expected at most 1000");
-}
-
-TEST_CASE("nodes that repeat a mesh of very many lines are refused in one line", "[gltf]") {
-    std::string lines = R"({"attributes": {"POSITION": 0}, "mode": 1})", nodes = R"({"mesh": 0})",
-                numbers = "0";
-    for (int i = 1; i < 2001; ++i) {
-        lines += R"(,{"attributes": {"POSITION": 0}, "mode": 1})";
-        nodes += R"(,{"mesh": 0})";
-        numbers += fmt::format(",{}", i);
-    }
-    // 2001 primitives are used 1000 times: more than two million.
-    std::string text = gltf_triangle::changed(R"({"attributes": {"POSITION": 0}})", lines);
-    for (const auto& [from, to] :
-         {std::pair<std::string, std::string>{R"("nodes": [{"mesh": 0}])", "\"nodes\": [" + nodes + "]"},
-          {R"("nodes": [0])", "\"nodes\": [" + numbers + "]"}})
-        text.replace(text.find(from), from.size(), to);
-    CHECK(gltf_triangle::error_of(text) ==
-          "t.gltf: /nodes/999: the nodes show too many primitives; expected at most 2000000");
 }
 
 TEST_CASE("lights in candela are scaled to the brightness of a display by one factor", "[gltf]") {

@@ -107,6 +107,18 @@ TEST_CASE("the calls of the first scene are those of the lecture", "[programs][c
     }
 }
 
+TEST_CASE("lights are numbered from 0, without those that have no calls", "[programs][calls]") {
+    Scene scene = shipped(first);
+    Light area, off;
+    area.kind = LightKind::Area;
+    off.enabled = false;
+    scene.lights.insert(scene.lights.begin(), {area, off});
+    std::string enabled;
+    for (const std::string& text : all_texts(scene))
+        if (text.starts_with("glEnable(GL_LIGHT") && text.find("LIGHTING") == text.npos) enabled += text;
+    CHECK(enabled == "glEnable(GL_LIGHT0);glEnable(GL_LIGHT1);glEnable(GL_LIGHT2);glEnable(GL_LIGHT3);");
+}
+
 TEST_CASE("no variable of the program is left in a call", "[programs][calls]") {
     for (const std::string& path : test::asset_scenes())
         for (const Projection& projection :

@@ -1,8 +1,10 @@
-// The maximum length of a program, and the message about a longer one.
+// The contents of a program that do not depend on its language, its maximum length, and the message about a
+// longer one.
 #include <ctime>
 #include <regex>
 
 #include "programs/program.h"
+#include "programs/scene_flags.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 
@@ -25,6 +27,19 @@ std::string refused(const Scene& scene, Language language) {
 }
 
 }  // namespace
+
+TEST_CASE("a program keeps the kind of every light, except of a spot without a cone", "[programs]") {
+    const float cutoff_deg = GENERATE(0.0f, 1.0f, 45.0f, 89.5f, 90.0f, 180.0f);
+    Scene scene = scene_of(4, 1);
+    for (std::size_t i = 0; i < 4; ++i) scene.lights[i].kind = static_cast<LightKind>(i);
+    for (Light& light : scene.lights) light.spot.cutoff_deg = cutoff_deg;
+    const std::vector<Light> lights = shining(scene);
+    REQUIRE(lights.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const bool lacks_cone = scene.lights[i].kind == LightKind::Spot && cutoff_deg == 180;
+        CHECK(lights[i].kind == (lacks_cone ? LightKind::Point : scene.lights[i].kind));
+    }
+}
 
 TEST_CASE("the message about a program that is too long names a shorter language", "[programs]") {
     CHECK(refused(scene_of(1, 1), Language::Python).empty());

@@ -211,4 +211,10 @@ TEST_CASE("profile: perceived brightness follows an even ramp and has bands at b
     // sqrt(2 pi).
     CHECK(ramp[100].intensity - seen[100] ==
           Approx(0.006 * (12 - 1) / std::sqrt(2 * std::numbers::pi)).epsilon(0.02));
+    // Along a diagonal the samples are farther apart: the same bend by distance has the same band.
+    auto diagonal =
+        made_up(300, [](int i) { return 0.2 + 0.006 * std::numbers::sqrt2 * std::max(i - 150, 0); });
+    for (ProfileSample& sample : diagonal) sample.position *= std::numbers::sqrt2;
+    CHECK(diagonal[150].intensity - perceived(diagonal, 12)[150] ==
+          Approx(0.006 * (12 - 1) / std::sqrt(2 * std::numbers::pi)).epsilon(0.02));
 }

@@ -53,38 +53,6 @@ TEST_CASE("an animated count takes the nearest allowed number", "[animate]") {
               (frame <= 4 ? 4 + frame : 12 - frame));
 }
 
-TEST_CASE("the initial interval of a chosen number is within its range", "[ui][window][animate]") {
-    HeadlessWindow bench;
-    bench.scene().lights = {test::assorted_lights()[3]};
-    bench.scene().lights[0].area.samples = 64;
-    bench.scene().camera.projection = Perspective{120};
-    begin_animation(bench.state, Motion::PingPong);
-    const auto choose = [&](const char* search, const char* name) {
-        bench.state.get<AnimateState>().search = search;
-        bench.frames(4);
-        bench.click(bench.control(name));
-        return bench.state.get<AnimateState>().animation.to;
-    };
-    CHECK(choose("samples", "Window: area samples") == 36);  // the square nearest to 32
-    CHECK(choose("view angle", "Camera: view angle") == 60);
-}
-
-TEST_CASE("typing after a click on Back and forth searches for a number", "[ui][window][animate]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    begin_animation(bench.state, Motion::Turntable);
-    bench.frames(3);
-    const Scene before = bench.scene();
-    bench.click(bench.control(choice_of(Motion::PingPong).label));
-    bench.frames(3);
-    for (const char letter : std::string("rough")) {
-        bench.type(std::string(1, letter).c_str());
-        bench.frames(1);
-    }
-    CHECK(bench.state.get<AnimateState>().search == "rough");
-    CHECK(bench.scene() == before);
-}
-
 TEST_CASE("a turntable starts at the scene itself and keeps distance and height", "[ui][animate]") {
     const SceneDocument document = busy_document();
     const Animation animation{Motion::Turntable, "", 0, 1, 36};
@@ -130,6 +98,15 @@ TEST_CASE("a light in any frame circles about the target in world coordinates", 
     }
     const Scene turned = at(document, {Motion::Circle, "", 0, 1, 2, 2}, 1);
     CHECK(glm::distance(turned.lights[2].position, glm::vec4(-2, 5, 0, 0)) < 1e-5f);
+}
+
+TEST_CASE("the selected light is the one that circles", "[ui][window][animate]") {
+    HeadlessWindow bench;
+    for (const int light : {1, 0}) {
+        bench.state.editor.selection = {Selection::Kind::Light, light};
+        begin_animation(bench.state, Motion::Circle);
+        CHECK(bench.state.get<AnimateState>().animation.light == light);
+    }
 }
 
 TEST_CASE("an animation without a light does not play", "[ui][window][animate]") {
@@ -265,22 +242,6 @@ TEST_CASE("frames are written as numbered pictures with their scenes embedded", 
           "Wrote turn.gif with 4 frames: Off: specular. Not in the file: View: Normals");
 }
 
-TEST_CASE("the progress counts frames even if each frame's meshes are rebuilt", "[ui][animate]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
-    bench.state.get<AnimateState>().animation = {Motion::PingPong, "/objects/0/mesh/detail", 8, 700, 6};
-    begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
-    while (bench.state.get<AnimateState>().job) {
-        const LoadProgress& progress = bench.state.get<AnimateState>().job->progress();
-        const auto total = progress.total.load();
-        CHECK((total == 0 || total == 6));
-        (void)bench.frame();
-    }
-    CHECK(folder.names().size() == 6);
-    CHECK(bench.state.get<AnimateState>().open);  // however it was requested
-}
-
 TEST_CASE("a number without effect is not offered for animation", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.scene().lights.assign(1, Light{});
@@ -324,19 +285,6 @@ TEST_CASE("the animation can be chosen and played without a mouse", "[ui][window
     CHECK_FALSE(bench.state.get<AnimateState>().has_keyboard);
 }
 
-TEST_CASE("an end of the interval stays within the number's range", "[ui][window][animate]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    begin_animation(bench.state, Motion::PingPong);
-    bench.state.get<AnimateState>().animation.pointer = "/objects/0/material/shininess";  // 0 to 10000
-    bench.frames(4);
-    bench.click(bench.control("From"));
-    bench.frames(2);
-    bench.type("1e9");
-    bench.frames(2);
-    CHECK(bench.state.get<AnimateState>().animation.from == 10000);
-}
-
 TEST_CASE("numbered frames are replaced only after a question", "[ui][window][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
@@ -357,33 +305,6 @@ TEST_CASE("numbered frames are replaced only after a question", "[ui][window][an
     CHECK(bench.state.files.open);
     CHECK_FALSE(bench.state.get<AnimateState>().job);
     CHECK(bytes_of(folder.path("turn-0007.png")) == "precious");
-}
-
-TEST_CASE("a line added to a panel gets its space in the same frame", "[ui][window][animate]") {
-    HeadlessWindow bench;
-    bench.state.get<AnimateState>().open = true;
-    bench.frames(10);
-    CHECK(bench.frame().sleep_s > 0);
-    const ImVec2 before = bench.area_of("Play").low;
-    bench.state.get<AnimateState>().refused = "A line\nand one more";
-    CHECK(bench.frame().sleep_s == 0);
-    CHECK(bench.frame().sleep_s > 0);
-    CHECK(bench.area_of("Play").low.y > before.y);
-}
-
-TEST_CASE("an animation leaves the scene and its history unchanged", "[ui][animate]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const Scene before = bench.scene();
-    bench.state.get<AnimateState>().open = bench.state.get<AnimateState>().playing = true;
-    bench.state.get<AnimateState>().began = ImGui::GetTime();
-    bench.frames(20);
-    CHECK_FALSE(bench.state.rendered_scene == before);
-    CHECK(bench.scene() == before);
-    CHECK_FALSE(bench.state.editor.history.can_undo());
-    bench.state.get<AnimateState>().playing = false;
-    bench.frames(3);
-    CHECK(bench.state.rendered_scene == before);
 }
 
 TEST_CASE("an animation with slow meshes is not played; a message suggests writing it", "[ui][animate]") {
@@ -414,19 +335,6 @@ TEST_CASE("an animation with slow meshes is not played; a message suggests writi
     CHECK(plays("/objects/0/transform/scale/0", 1, 1500));
 }
 
-TEST_CASE("while a mesh is built in the background, the animation shows the old one", "[ui][animate]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    bench.state.get<AnimateState>().open = bench.state.get<AnimateState>().playing = true;
-    bench.frames(2);
-    const MeshPtr seen = bench.scene().objects[0].mesh;
-    bench.scene().objects[0].source = PrimitiveMesh{Primitive::Sphere, 1500};
-    bench.scene().objects[0].mesh = nullptr;
-    poll_animation(bench.state);  // in the frame of the edit, after its panel
-    REQUIRE(bench.state.get<AnimateState>().frame);
-    CHECK(bench.state.get<AnimateState>().frame->objects[0].mesh == seen);
-}
-
 TEST_CASE("an animated number whose light was deleted does not animate another light", "[ui][animate]") {
     HeadlessWindow bench;
     bench.scene().lights.push_back(bench.scene().lights[1]);
@@ -442,15 +350,6 @@ TEST_CASE("an animated number whose light was deleted does not animate another l
     REQUIRE_FALSE(bench.state.notifications.list.empty());
     CHECK(bench.state.notifications.list.back().text == "Animate: there is no “Bulb: intensity” any more");
     CHECK(bench.state.rendered_scene == bench.scene());
-}
-
-TEST_CASE("Escape closes Animate", "[ui][animate]") {
-    HeadlessWindow bench;
-    bench.key(Key::T, true);
-    bench.frames(2);
-    REQUIRE(bench.state.get<AnimateState>().open);
-    bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.get<AnimateState>().open);
 }
 
 TEST_CASE("Escape first cancels writing the frames, and the panel reports it", "[ui][animate]") {
@@ -470,23 +369,6 @@ TEST_CASE("Escape first cancels writing the frames, and the panel reports it", "
     CHECK(folder.names().size() < 2000);
     bench.key(Key::Escape);
     CHECK_FALSE(bench.state.get<AnimateState>().open);
-}
-
-TEST_CASE("problems with the frames' files are reported before drawing", "[ui][animate][export]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
-    for (const char* name : {"none/turn.gif", "none/turn.png"}) {
-        begin_frames(bench.state, folder.path(name), {40, 30}, 1);
-        CHECK_FALSE(bench.state.get<AnimateState>().job);
-    }
-    std::filesystem::create_directory(frame_path(folder.path("turn.png"), 2));  // in place of the third frame
-    begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
-    CHECK_FALSE(bench.state.get<AnimateState>().job);
-    CHECK(bench.notes_with("is a directory") == 1);
-    begin_export(bench.state, {{40, 30}, 1}, folder.path("none/turn.png"));
-    CHECK_FALSE(bench.state.get<ExportState>().job);
-    CHECK(bench.notes_with("no such file or directory") >= 1);
 }
 
 TEST_CASE("writing frames needs a chosen number before the file dialog opens", "[ui][window][animate]") {

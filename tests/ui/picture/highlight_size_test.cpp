@@ -92,6 +92,31 @@ TEST_CASE("a highlight's rim under the cursor has half of the peak for every lig
             }
 }
 
+TEST_CASE("a highlight is grabbed where it is bright, whether by intensity or by colour", "[ui][hands]") {
+    Scene scene = glossy_ball(Reflection::Phong, LightKind::Point, LightSpace::World);
+    Renderer renderer(1);
+    (void)renderer.render(scene, size);
+    const ScreenMap map = screen_map(scene.camera, size);
+    const Dome dome = sun_dome(scene.camera.target, scene_bounds(scene), map);
+    const auto grabbed_pixels = [&](float intensity, float colour) {
+        scene.lights[0].intensity = intensity;
+        scene.lights[0].specular = glm::vec3(colour);
+        int count = 0;
+        for (int y = 0; y < size.height; y += 3)
+            for (int x = 0; x < size.width; x += 3) {
+                const SurfaceView view{scene, renderer, map, dome};
+                count += highlight_under(view, {x + 0.5, y + 0.5}) ? 1 : 0;
+                count += highlight_rim_under(view, {x + 0.5, y + 0.5}, 2) ? 1'000 : 0;
+            }
+        return count;
+    };
+    const int bright = grabbed_pixels(1, 1);
+    CHECK(bright > 1'000);
+    CHECK(grabbed_pixels(4, 0.25f) == bright);
+    CHECK(grabbed_pixels(0.25f, 4) == bright);
+    CHECK(grabbed_pixels(0.01f, 1) == 0);
+}
+
 TEST_CASE("enlarging a highlight by its rim is one step, and Escape reverts it", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.scene().lights.resize(1);
