@@ -40,6 +40,7 @@ part "the Release build" build ci ON all nightly
 part "long tests" tests ci -L nightly
 part "every fault, 500 kills" every_fault
 part "exported glTF files" exported_files
+part "generated faults" tests/mutate.py -n 100 --seed "$(date +%j)" --jobs "$(nproc)"
 part "clang-tidy" tests/tidy.sh
 part "the build with sanitizers" build dev ON
 export ASAN_OPTIONS=malloc_context_size=8:handle_sigill=2
