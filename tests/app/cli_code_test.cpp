@@ -41,18 +41,6 @@ TEST_CASE("glint code writes the files of a program into a new or an empty direc
     }
 }
 
-TEST_CASE("a program rotates an object by the scene's angle, even a very large one", "[cli][programs]") {
-    const TemporaryDirectory folder;
-    const char* const turned =
-        R"({"glint": 1, "objects": [{"transform": {"rotate_deg": [0.1, 1234567, -1e7]}}]})";
-    for (const char* language : {"cpp", "python"}) {
-        REQUIRE(code(turned, language, folder.path(language)).status == 0);
-        const bool cpp = std::string(language) == "cpp";
-        const std::string text = bytes_of(folder.path(language) + (cpp ? "/main.cpp" : "/main.py"));
-        CHECK(text.find("0.1, 1234567, -10000000") != std::string::npos);  // floats, exactly
-    }
-}
-
 TEST_CASE("a program's names are the scene's, made into valid identifiers", "[cli][programs]") {
     const TemporaryDirectory folder;
     REQUIRE(code(lit_ball, "cpp", folder.path("new")).status == 0);
@@ -101,17 +89,4 @@ TEST_CASE("every model has its text for programs", "[programs]") {
         CHECK((text.find("diffuse = ") != std::string::npos) == info.is_lit);
         CHECK((text.find("S = ") != std::string::npos) == (info.is_lit && info.has_highlight));
     }
-}
-
-TEST_CASE("meshes of a glTF file have the names of its objects", "[cli][programs]") {
-    const TemporaryDirectory folder;
-    const std::string two = R"({"glint": 1, "objects": [{"name": "left ball"},
-        {"name": "right", "mesh": {"primitive": "cube"}}]})";
-    REQUIRE(run_glint({"export", "-", "-o", folder.path("two.glb")}, two).status == 0);
-    const Ended ended =
-        run_glint({"code", folder.path("two.glb"), "--language", "cpp", "-o", folder.path("new")});
-    INFO(ended.err);
-    REQUIRE(ended.status == 0);
-    CHECK(fs::exists(folder.path("new/left_ball.mesh")));
-    CHECK(fs::exists(folder.path("new/right.mesh")));
 }

@@ -303,19 +303,6 @@ TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][che
     CHECK(answer["differs"]["found"] == "ours times 2");
 }
 
-TEST_CASE("glint check reports the buffer that exceeds the memory limit", "[cli][buffers][check]") {
-    const Files files;
-    const TemporaryDirectory buffers;
-    const std::string heading = "PF\n2048 2048\n-1.0\n";
-    for (const char* const name : {"position.pfm", "depth.pfm"}) {  // sparse zeros
-        const std::string file = buffers.file(name, heading);
-        std::filesystem::resize_file(file, heading.size() + 12 * 2048 * 2048);
-    }
-    const Ended ended = run_glint({"check", files.scene, buffers.path(""), "--memory", "90M"});
-    CHECK(ended.status != 0);
-    CHECK(ended.err.find("depth.pfm: this needs 96.0 MiB of memory") != std::string::npos);
-}
-
 TEST_CASE("glint check without anything to compare is an error, not a success", "[cli][buffers][check]") {
     const Files files;
     const TemporaryDirectory buffers;
@@ -324,13 +311,6 @@ TEST_CASE("glint check without anything to compare is an error, not a success", 
           "glint: error: " + buffers.path("") +
               ": no pixel to compare; expected a size at which the scene shows a surface of some "
               "size\n");
-}
-
-TEST_CASE("diagnosing with more threads than processors prints nothing on standard error",
-          "[cli][diagnose]") {
-    const Files files;
-    const std::string right = files.drawn("right.png", {});
-    CHECK(run_glint({"diagnose", files.scene, right, "-j", "16"}).err.empty());
 }
 
 TEST_CASE("glint check reads EXR buffers", "[cli][buffers][check]") {
@@ -381,22 +361,6 @@ TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]"
     }
     const std::string position = buffers.file("position.pfm", "PF\n2 2\n-1.0\n");
     check(buffers.path(""), 1, position + ": ");
-}
-
-TEST_CASE("glint check reports a directory that the system refuses to read", "[cli][check][bad-input]") {
-    const Files files;
-    const TemporaryDirectory folder;
-    // The system refuses any user: paths of files in this directory exceed the maximum length.
-    constexpr std::size_t longest_path = 4095, longest_name = 255;
-    std::string deep = folder.path("d");
-    while (deep.size() + 12 < longest_path)
-        deep += "/" + std::string(std::min(longest_name, longest_path - deep.size() - 12), 'd');
-    std::filesystem::create_directories(deep);
-    const Ended ended = run_glint({"check", files.scene, deep});
-    CHECK(ended.status == 1);
-    CHECK(ended.err.starts_with("glint: error: " + folder.path("d")));
-    CHECK(ended.err.ends_with(
-        "cannot be looked for: file name too long; expected a directory that can be read\n"));
 }
 
 TEST_CASE("glint check reports unreadable buffers and duplicate names", "[cli][buffers][check][bad-input]") {

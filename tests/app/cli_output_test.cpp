@@ -20,35 +20,6 @@ const char* const ball_text = R"({"glint": 1, "objects": [{"mesh": {"primitive":
 
 }  // namespace
 
-TEST_CASE("a full disk leaves no half-written buffer and no picture", "[cli][buffers]") {
-    const TemporaryDirectory in, out;
-    const std::string scene = in.file("scene.json", ball_text);
-    // The PNG has less than 4 KiB, each buffer more.
-    const std::string command =
-        fmt::format("ulimit -f 4; exec '{}' render '{}' -o '{}' --size 40x30 --buffers '{}' 2>'{}'",
-                    glint_program, scene, out.path("a.png"), out.path(), in.path("err"));
-    const int status = std::system(("bash -c \"" + command + "\"").c_str());
-    CHECK(WEXITSTATUS(status) == 1);
-    CHECK(bytes_of(in.path("err")).find("cannot write") != std::string::npos);
-    CHECK(out.names().empty());
-}
-
-TEST_CASE("a picture that would replace a buffer is rejected, however its path is spelled",
-          "[cli][buffers][bad-input]") {
-    const TemporaryDirectory in, out;
-    const std::string scene = in.file("scene.json", ball_text), link = in.path("link.pfm");
-    std::filesystem::create_symlink(out.path("face.pfm"), link);
-    for (const std::string& path : {out.path("sum.pfm"), out.path("./face.pfm"), link}) {
-        const Ended ended =
-            run_glint({"render", scene, "-o", path, "--size", "8x8", "--buffers", out.path()});
-        CHECK(ended.status == 2);
-        CHECK(ended.err.starts_with("glint: error: -o: " + path + " is also where the buffer "));
-        CHECK(out.names().empty());
-    }
-    CHECK(run_glint({"render", scene, "-o", out.path("a.pfm"), "--size", "8x8", "--buffers", out.path()})
-              .status == 0);
-}
-
 TEST_CASE("an output path that cannot be written is reported before the work starts", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("none/a.png"), missing = directory.path("missing.json");
@@ -86,30 +57,6 @@ TEST_CASE("a missing file is reported as missing, with any extension", "[cli][ba
           std::string::npos);
 }
 
-TEST_CASE("a system error inside a line begins with a lower-case letter", "[cli][bad-input]") {
-    const TemporaryDirectory directory;
-    const std::string there = directory.file("there.json", R"({"glint": 1})");
-    const auto reason_for = [](const std::string& path) {
-        const std::string err = run_glint({"info", path}).err;
-        return err.substr(0, err.find("; expected"))
-            .substr(std::string("glint: error: ").size() + path.size());
-    };
-    CHECK(reason_for(directory.path(std::string(300, 'x') + ".json")) == ": cannot read: file name too long");
-    CHECK(reason_for(there + "/below.json") == ": cannot read: not a directory");
-}
-
-TEST_CASE("a missing file among several for the window is reported before it opens", "[cli][bad-input]") {
-    const TemporaryDirectory directory;
-    const std::string there = directory.file("there.json", R"({"glint": 1})"),
-                      gone = directory.path("gone.json");
-    const auto run = run_glint({there, gone});
-    CHECK(run.err ==
-          "glint: error: " + gone +
-              ": cannot read: no such file or directory; expected scenes, meshes, or pictures that "
-              "Glint wrote\n");
-    CHECK(run.status == 1);
-}
-
 TEST_CASE("render --no-scene omits only the scene from a PNG", "[cli]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", ball_text), with = directory.path("with.png"),
@@ -137,61 +84,6 @@ TEST_CASE("escape sequences in file names never reach the terminal", "[cli][wind
         CHECK(ended.err.find("\nglint: error: fake") == std::string::npos);
         CHECK(ended.out.find('\x1b') == std::string::npos);
     }
-}
-
-TEST_CASE("info and render warn of normals that an OBJ references but lacks", "[cli]") {
-    const TemporaryDirectory directory;
-    const std::string none = directory.file("none.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//0 2//5 3\n");
-    const std::string some =
-        directory.file("some.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//0 2//5 3//1\n");
-    const std::string of_none =
-        "2 corners name normals, and the file has none; their vertex normals are used";
-    const std::string of_some = "2 corners have no normal; their vertex normals are used";
-    CHECK(run_glint({"info", none}).out.find(of_none) != std::string::npos);
-    CHECK(run_glint({"info", some}).out.find(of_some) != std::string::npos);
-    const std::string out = directory.path("x.png");
-    CHECK(run_glint({"render", none, "-o", out, "--size", "8x8"}).err.find(of_none) != std::string::npos);
-    CHECK(run_glint({"render", some, "-o", out, "--size", "8x8"}).err.find(of_some) != std::string::npos);
-}
-
-TEST_CASE("no file is replaced if standard output cannot be written", "[cli][bad-input]") {
-    const TemporaryDirectory in, out;
-    const std::string scene = in.file("scene.json", ball_text), picture = out.file("a.png", "old"),
-                      right = in.path("right.png");
-    REQUIRE(run_glint({"render", scene, "-o", right, "--size", "64x48"}).status == 0);
-    for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"render", scene, "-o", picture, "--size", "8x8", "--stats"},
-          {"compare", right, right, "-o", picture},
-          {"diagnose", scene, right, "-o", picture}}) {
-        const Ended ended = run_glint(arguments, {}, ">/dev/full");
-        CAPTURE(arguments[0], ended.err);
-        CHECK(ended.status == 1);
-        CHECK(ended.err.starts_with("glint: error: standard output: cannot write: no space left"));
-        CHECK(bytes_of(picture) == "old");
-        CHECK(out.names() == std::vector<std::string>{"a.png"});
-        CHECK(run_glint(arguments).status == 0);
-        CHECK(bytes_of(picture) != "old");
-        (void)out.file("a.png", "old");
-    }
-}
-
-TEST_CASE("two buffers that a link makes the same file are rejected before drawing",
-          "[cli][buffers][bad-input]") {
-    const TemporaryDirectory in, out;
-    const std::string scene = in.file("scene.json", ball_text), face = out.file("face.pfm", "old");
-    std::filesystem::create_symlink("face.pfm", out.path("normal.pfm"));
-    const Ended ended =
-        run_glint({"render", scene, "-o", in.path("a.png"), "--size", "8x8", "--buffers", out.path()});
-    CHECK(ended.status == 2);
-    CHECK(ended.err == "glint: error: --buffers: " + out.path("normal.pfm") + " is the same file as " + face +
-                           "; expected a directory in which each buffer has its own\n");
-    CHECK(bytes_of(face) == "old");
-    CHECK(out.names() == std::vector<std::string>{"face.pfm", "normal.pfm"});
-    std::filesystem::remove(out.path("normal.pfm"));
-    std::filesystem::create_symlink(in.path("elsewhere.pfm"), out.path("normal.pfm"));  // a different file
-    CHECK(run_glint({"render", scene, "-o", in.path("a.png"), "--size", "8x8", "--buffers", out.path()})
-              .status == 0);
-    CHECK(bytes_of(in.path("elsewhere.pfm")).starts_with("PF\n8 8\n"));
 }
 
 TEST_CASE("a picture and text cannot both go to standard output, under any name", "[cli][bad-input]") {

@@ -144,18 +144,6 @@ TEST_CASE("line breaks and escape sequences in a name are escaped in an explanat
     CHECK(out.find('\x1b') == std::string::npos);
 }
 
-TEST_CASE("the picture has the same bytes for any number of threads", "[cli][render]") {
-    const TemporaryDirectory directory;
-    const std::string scene = directory.file("scene.json", three_lights);
-    const std::string a = directory.path("a.png"), b = directory.path("b.png"), c = directory.path("c.pfm");
-    must({"-j", "1", "render", scene, "-o", a, "--size", "200x150"});
-    must({"render", scene, "--threads=3", "-o", b, "--size", "200x150"});
-    CHECK(bytes_of(a) == bytes_of(b));
-    CHECK(bytes_of(a).size() > 1000);
-    must({"render", "-j7", scene, "-o", c, "--size", "2x2"});
-    CHECK(bytes_of(c).substr(0, 11) == "PF\n2 2\n-1.0");
-}
-
 TEST_CASE("eight samples per pixel change only the edges of a uniform square", "[cli][render]") {
     const TemporaryDirectory directory;
     // White on black without a light; the edges of the rotated square cross pixels.
@@ -280,49 +268,6 @@ TEST_CASE("an assignment by --set changes the scene as written", "[cli]") {
     CHECK(pfm_pixel(bytes_of(pfm), 1, 1, 0, 0) == std::array<float, 3>{0.5f, 1, 8});
 }
 
-TEST_CASE("an output that cannot be written is a one-line error", "[cli][bad-input]") {
-    const TemporaryDirectory directory;
-    const std::string scene = directory.file("scene.json", three_lights);
-    const std::vector<std::string> render{"render", scene, "--size", "640x480", "-o"};
-    const auto to = [&render](const std::string& out, const std::string& redirect = {}) {
-        std::vector<std::string> arguments = render;
-        arguments.push_back(out);
-        return run_glint(arguments, {}, redirect);
-    };
-    for (const Ended& ended : {to("/dev/full"), to(directory.path("no/such/a.png")), to("-", ">/dev/full"),
-                               to("-", ">&-"), to("-", "| true")}) {
-        INFO(ended.err);
-        CHECK(ended.status == 1);
-        CHECK(ended.out.empty());
-        CHECK(ended.err.rfind("glint: error: ", 0) == 0);
-        CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
-    }
-    CHECK(directory.names() == std::vector<std::string>{"scene.json"});
-}
-
-TEST_CASE("a file that exceeds the size limit is an error and leaves no partial file", "[cli][bad-input]") {
-    const TemporaryDirectory directory;
-    const std::string scene = directory.file("scene.json", three_lights), out = directory.path("a.pfm");
-    // 64 KiB at most; the picture has 900 KiB. The limit holds for the shell's children that come after it.
-    const Ended ended =
-        run_glint({"--version"}, {},
-                  fmt::format("; (ulimit -f 64; '{}' render '{}' -o '{}' --size 320x240; exit $?) 2>&1",
-                              glint_program, scene, out));
-    CHECK(ended.status == 1);
-    CHECK(ended.out.find("glint: error: " + out + ": cannot write: file too large") != std::string::npos);
-    CHECK(directory.names() == std::vector<std::string>{"scene.json"});
-}
-
-TEST_CASE("a failure leaves the old picture unchanged", "[cli][bad-input]") {
-    const TemporaryDirectory directory;
-    const std::string out = directory.file("a.png", "old");
-    CHECK(run_glint({"render", directory.path("missing.json"), "-o", out}).status == 1);
-    CHECK(bytes_of(out) == "old");
-    must({"render", directory.file("scene.json", three_lights), "-o", out, "--size", "8x8"});
-    CHECK(bytes_of(out).substr(1, 3) == "PNG");
-    CHECK(directory.names() == std::vector<std::string>{"a.png", "scene.json"});
-}
-
 TEST_CASE("a PNG's bytes are read as stored, regardless of its gamma", "[cli][compare]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", R"({"glint": 1})"),
@@ -418,14 +363,6 @@ tolerance: 0.01
     }
     must({"render", a, "-o", a, "--size", "32x24"});  // a picture keeps its scene
     CHECK(run_glint({"info", a}).status == 0);
-}
-
-TEST_CASE("a scene with a file name that is not UTF-8 can be exported", "[cli][export]") {
-    const TemporaryDirectory directory;
-    const std::string mesh = directory.file("m\xff.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const std::string model = directory.path("model.glb");
-    must({"export", mesh, "-o", model});
-    CHECK(run_glint({"info", model}).status == 0);
 }
 
 TEST_CASE("compare prints JSON, and its status reports a difference above the limit", "[cli][compare]") {
@@ -570,34 +507,6 @@ TEST_CASE("a warning names each mesh with missing normals once, even if objects 
                            "glint: warning: cube: " + none + "\nglint: warning: cone: " + none + "\n");
 }
 
-TEST_CASE("a mesh whose name is not UTF-8 is drawn, and its picture opens again", "[cli]") {
-    const TemporaryDirectory directory;
-    const std::string obj = directory.file("caf\xe9.obj", pyramid), first = directory.path("a.png"),
-                      again = directory.path("b.png");
-    must({"render", obj, "-o", first, "--size", "40x30"});
-    must({"render", first, "-o", again, "--size", "40x30"});
-    CHECK(bytes_of(first) == bytes_of(again));
-    must({"sheet", obj, "--rows", "/shading/mode=flat,phong", "--cols", "/display/exposure=1,2", "-o",
-          directory.path("c.png"), "--cell", "20x20"});
-}
-
-TEST_CASE("anything to the power of 0 is 1, even a cosine of -1", "[cli][explain]") {
-    // Light and normal point away from the eye: n.l = 1, r.v = l.v = -1, and max(-1, 0)^0 = 1.
-    const char* const scene = R"({"glint": 1, "camera": {"projection": {"type": "orthographic"}},
-        "lights": [{"type": "directional", "position": [0, 0, -1]}],
-        "objects": [{"mesh": {"primitive": "plane"}, "transform": {"rotate_deg": [-90, 0, 0]},
-                     "material": {"shininess": 0}}]})";
-    for (const std::string reflection : {"phong", "blinn-phong", "retro"}) {
-        const json e = json::parse(must({"explain", "-", "--pixel", "640,360", "--format", "json", "--set",
-                                         "/shading/reflection=" + reflection},
-                                        scene)
-                                       .out);
-        INFO(reflection);
-        CHECK(e["lights"][0]["n_dot_l"].get<double>() == Approx(1));
-        CHECK(e["lights"][0]["specular"] == json({1.0, 1.0, 1.0}));
-    }
-}
-
 TEST_CASE("bench measures the requested number of frames", "[cli][bench]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights);
@@ -626,38 +535,6 @@ TEST_CASE("bench measures the requested number of frames", "[cli][bench]") {
           "light\n");
 }
 
-TEST_CASE("an edge whose length on the screen is NaN for a distant eye is skipped", "[cli][bench][hostile]") {
-    // The number of steps along the edge is NaN; converting it is undefined behaviour, which the sanitizers
-    // detect.
-    const TemporaryDirectory directory;
-    const std::string scene = directory.file("far.json", R"({"glint": 1, "camera": {"eye": [0, 0, 1e7]},
-        "objects": [{"mesh": {"primitive": "cube"}}], "npr": {"silhouettes": true}})");
-    (void)must({"bench", scene, "--frames", "1", "--size", "40x30", "--drag", "object", "-j", "1"});
-}
-
-TEST_CASE("bench --table prints the numbers of its JSON in columns", "[cli][bench]") {
-    const TemporaryDirectory directory;
-    const std::string scene = directory.file("scene.json", three_lights);
-    const std::string table =
-        must({"bench", scene, "--size", "64x48", "--frames", "7", "--drag", "camera", "-j", "2", "--table"})
-            .out;
-    CHECK(table.rfind("camera drag, 64 x 48, 7 frames, 2 threads, ", 0) == 0);
-    const auto line = [&table](const std::string& name) {
-        const std::size_t start = table.find("\n" + name + " ") + 1;
-        REQUIRE(start > 0);
-        return table.substr(start, table.find('\n', start) - start);
-    };
-    const auto number = [](const std::string& text) { return std::stod(text.substr(text.find(' '))); };
-    CHECK(number(line("median")) > 0);
-    CHECK(number(line("median")) <= number(line("p90")));
-    CHECK(number(line("p99")) <= number(line("max")));
-    for (const char* stage : {"geometry", "visibility", "surface", "lighting"})
-        CHECK(line(stage).find("7 of 7 frames") != std::string::npos);
-    const std::string light =
-        must({"bench", scene, "--size", "64x48", "--frames", "7", "--drag", "light", "--table"}).out;
-    CHECK(light.find("geometry        0.000   0 of 7 frames\n") != std::string::npos);
-}
-
 TEST_CASE("an explanation as text says why a light adds nothing", "[cli][explain]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", R"({"glint": 1,
@@ -675,17 +552,4 @@ TEST_CASE("an explanation as text says why a light adds nothing", "[cli][explain
     CHECK(ended.out.find("Lamp, spot light (outside the cone by 15.0°)\n") != std::string::npos);
     CHECK(ended.out.find("red clips: ") != std::string::npos);
     CHECK(must({"explain", scene, "--pixel", "0,0"}).out.rfind("Pixel 0, 0: background\n", 0) == 0);
-}
-
-TEST_CASE("a command that runs out of memory prints a one-line error", "[cli][memory]") {
-    if (test::sanitized) return;
-    CHECK(test::in_process_with_room(std::uint64_t{300} << 20, [] {
-        const Ended ended =
-            run_glint({"render", "-", "-o", "-", "--size", "8192x8192", "--threads", "1", "--memory", "64G"},
-                      R"({"glint": 1, "objects": [{}]})");
-        return ended.status == 1 && ended.out.empty() &&
-               ended.err ==
-                   "glint: error: there is not enough memory; expected more of it, or a smaller "
-                   "scene\n";
-    }));
 }

@@ -87,20 +87,3 @@ TEST_CASE("glint explain names the object that casts the shadow", "[cli][transpo
     as_latex.insert(as_latex.end(), {"--format", "latex"});
     CHECK(contains(run_glint(as_latex).out, "in the shadow of Box"));
 }
-
-TEST_CASE("Ctrl+C while paths are traced leaves no file", "[cli][transport]") {
-    const TemporaryDirectory folder;
-    const std::string corner = project_file("assets/scenes/corner-bleeding.json");
-    // `timeout` sends the signal that a terminal sends for Ctrl+C.
-    for (const std::string command : {"render", "sheet"}) {
-        std::vector<std::string> arguments{
-            command, corner, "-o", folder.path(command + ".png"), "--set", "/transport/paths=65536"};
-        if (command == "sheet")
-            arguments.insert(arguments.end(),
-                             {"--rows", "/transport/seed=1,2", "--cols", "/lights/0/intensity=1"});
-        const Ended ended =
-            run_glint(arguments, {}, {}, {"/usr/bin/timeout", "--foreground", "--signal=INT", "1"});
-        CHECK(ended.status != 0);
-        CHECK(folder.names().empty());
-    }
-}

@@ -193,32 +193,6 @@ TEST_CASE("every file and folder that a document names exists", "[docs]") {
     CHECK(named > 300);
 }
 
-TEST_CASE("the steps of each list in a document are numbered in order", "[docs]") {
-    for (const char* const document : {"README.md", "docs/changing.md", "docs/architecture.md"}) {
-        std::istringstream lines(text_of(source_dir / document));
-        int last = 0;
-        for (std::string line; std::getline(lines, line);) {
-            if (line.starts_with("#")) last = 0;
-            std::smatch step;
-            if (!std::regex_search(line, step, std::regex(R"(^(\d+)\. )"))) continue;
-            CAPTURE(document, line);
-            CHECK(std::stoi(step[1]) == ++last);
-        }
-    }
-}
-
-TEST_CASE("the files that the lecture map names implement its ideas", "[docs]") {
-    REQUIRE(rows().size() == 52);
-    for (const MapRow& row : rows()) {
-        const std::regex source("`(\\S+)`: (\\w+)");
-        for (std::sregex_iterator i(row.sources.begin(), row.sources.end(), source), end; i != end; ++i) {
-            CAPTURE(row.number, i->str());
-            const std::string text = text_of(source_dir / (*i)[1].str());
-            CHECK(std::regex_search(text, std::regex("\\b" + (*i)[2].str() + "\\b")));
-        }
-    }
-}
-
 namespace {
 
 /// The names of the lessons with this number among their rows, or among the questions that they answer.

@@ -149,18 +149,6 @@ TEST_CASE("glint lessons and glint exercise report wrong usage", "[cli][lesson][
     check_refused({"exercise", "5", "-o", "x.html", "--count", "0"}, "--count: 0 is out of range");
 }
 
-TEST_CASE("a lesson that cannot open in the window is a one-line error", "[cli][lesson][bad-input]") {
-    check_refused({"--lesson", "lambart"}, "such as 05-lambert");
-    check_refused({"--lesson", "5", "--set", "/display/exposure=2"}, "cannot be combined with a lesson");
-    check_refused({"scene.json", "--lesson", "5"}, "--lesson: cannot be combined with scene.json");
-    const TemporaryDirectory directory;
-    const std::string scene = directory.file("ball.json", ball_scene);
-    check_refused({directory.file("good.md", lesson_text("ball.json", "e.hit")), scene}, "the lesson alone");
-    const Ended wrong = run_glint({directory.file("wrong.md", lesson_text("ball.json", "f.hit"))});
-    CHECK(wrong.status == 1);
-    CHECK(wrong.err.find("wrong.md:12: \"f\" is not known") != std::string::npos);
-}
-
 TEST_CASE("glint quiz writes the inventory and counts a class's answers", "[cli][quiz]") {
     const TemporaryDirectory directory;
     const std::string page = directory.path("quiz.html");
@@ -199,28 +187,6 @@ TEST_CASE("glint quiz writes the inventory and counts a class's answers", "[cli]
     CHECK(bytes_of(xml).find("(form B)") != std::string::npos);
 }
 
-TEST_CASE("a reveal's pixel outside the lesson's picture is an error with its line",
-          "[cli][lesson][bad-input]") {
-    const TemporaryDirectory directory;
-    (void)directory.file("ball.json", ball_scene);
-    const std::string text =
-        lesson_text("ball.json", "e.hit") + "\n```reveal\npick: 31,31\nalong: 0,0 31,9\n```\n";
-    const auto with = [&](const std::string& from, const std::string& to) {
-        const std::size_t at = text.find(from);
-        REQUIRE(at != std::string::npos);
-        const std::string path = directory.file("l.md", std::string(text).replace(at, from.size(), to));
-        const std::string error = run_glint({"lessons", path}).err;
-        return error.empty() ? error : error.substr(("glint: error: " + path).size());
-    };
-    const std::string expected = " is outside the picture; expected 0 to 31, 0 to 31\n";
-    CHECK(with("", "").empty());
-    CHECK(with("31,31", "99,99") == ":16: \"99,99\"" + expected);
-    CHECK(with("31,31", "-1,0") == ":16: \"-1,0\"" + expected);
-    CHECK(with("31,9", "9,32") == ":17: \"9,32\"" + expected);
-    CHECK(with("check: e.hit", "check: 1 = 1 within -1") ==
-          ":12: \"1 = 1 within -1\" has the tolerance -1.0; expected 0 or more\n");
-}
-
 TEST_CASE("a folder without lessons is an error, not a success", "[cli][lesson][bad-input]") {
     const TemporaryDirectory empty;
     const std::string line = empty.path() + ": holds no lesson; expected a folder with one";
@@ -241,55 +207,6 @@ TEST_CASE("a program without its lessons prints the expected path", "[cli][lesso
         CHECK(ended.status == 1);
         CHECK(ended.out.find("glint: error: " + std::string(part)) != std::string::npos);
     }
-}
-
-TEST_CASE("a lesson's text cannot control the terminal", "[cli][lesson][bad-input]") {
-    const TemporaryDirectory directory;
-    (void)directory.file("ball.json", ball_scene);
-    const std::string path = directory.file(
-        "l\x1b[31m.md",
-        "# T\x1b[31mred\n\n```lesson\ntopic: x\x1b]0;own\x07\xC2\x9B\nscene: ball.json\nsize: 32x32\n```\n\n"
-        "```claim\nsays: a\x1b[2Jb\ncheck: \"\x1b\" = \"2\"\n```\n");
-    const std::string listed = run_glint({"lessons", path}).out,
-                      checked = run_glint({"lessons", "--check", path}).out;
-    CHECK(listed.find("l\\x1b[31m") == 0);
-    CHECK(listed.find("T\\x1b[31mred") != std::string::npos);
-    CHECK(listed.find("x\\x1b]0;own\\x07\\xc2\\x9b") != std::string::npos);
-    CHECK(checked.find("l\\x1b[31m.md:9: claim: a\\x1b[2Jb\n    ") != std::string::npos);
-    for (const std::string& out : {listed, checked})
-        for (const char* const control : {"\x1b", "\x07", "\xC2\x9B"})
-            CHECK(out.find(control) == std::string::npos);
-}
-
-TEST_CASE("a lesson's run accepts the same values as the command of its name", "[cli][lesson][bad-input]") {
-    const TemporaryDirectory directory;
-    const std::string scene = directory.file("ball.json", ball_scene);
-    const auto refusal = [&](std::vector<std::string> words, const std::string& option,
-                             const std::string& value) {
-        std::string run = words[0] + " " + option + " " + value;
-        const std::string lesson =
-            directory.file("l.md", lesson_text("ball.json", "e.hit") + "\n```claim\nsays: Two.\nx = " + run +
-                                       "\ncheck: true\n```\n");
-        words.insert(words.end(), {option, value});
-        CAPTURE(run);
-        const Ended direct = run_glint(words), inside = run_glint({"lessons", lesson});
-        CHECK((direct.status == 0) == (inside.status == 0));
-        const auto why = [](const std::string& err) {
-            return err.substr(std::min(err.find(" is "), err.size()));
-        };
-        std::string told = why(inside.err);  // the lesson quotes values, and the command line does not
-        CHECK(told == why(direct.err));
-        return told;
-    };
-    const std::vector<std::string> lobe{"lobe", scene}, microfacets{"microfacets"};
-    CHECK(refusal(lobe, "--angle", "89.9").empty());
-    CHECK(refusal(lobe, "--angle", "89.95") == " is out of range; expected 0 to 89.9\n");
-    CHECK(refusal(microfacets, "--angle", "89").empty());
-    CHECK(refusal(microfacets, "--angle", "89.5") == " is out of range; expected 0 to 89\n");
-    CHECK(refusal(microfacets, "--view", "89.5") == " is out of range; expected 0 to 89\n");
-    CHECK(refusal(lobe, "--object", "0.7") == " is not a whole number; expected 0 to 9999\n");
-    CHECK(refusal(microfacets, "--rays", "1.9") == " is not a whole number; expected 1 to 100000\n");
-    CHECK(refusal(microfacets, "--facets", "10.5") == " is not a whole number; expected 4 to 100000\n");
 }
 
 TEST_CASE("glint exercise prints both answers if the formula is wrong", "[cli][lesson][exercise]") {

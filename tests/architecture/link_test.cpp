@@ -84,8 +84,3 @@ TEST_CASE("no weak symbol is defined by the lighting kernels of two instruction 
     }
     for (const auto& line : shared_names(of_set)) FAIL_CHECK(line);
 }
-
-TEST_CASE("a weak symbol in two instruction sets is reported", "[architecture]") {
-    CHECK(shared_names({{"avx2", {"power<float>", "a"}}, {"sse2", {"power<float>", "b"}}}) ==
-          std::vector<std::string>{"power<float> is in avx2 and sse2"});
-}

@@ -82,15 +82,6 @@ TEST_CASE("on a full disk saving reports it, keeps the old file and the work", "
     bench.check_nothing_is_lost("no space left on the device");
 }
 
-TEST_CASE("on a disk that is full only at closing a file the old file is intact", "[faults][ui]") {
-    Edited bench;
-    fail({Kind::Close, 0, LONG_MAX, ENOSPC});
-    bench.press_save();
-    stop();
-    CHECK(bytes_of(bench.path) == bench.old_text);
-    bench.check_nothing_is_lost("no space left on the device");
-}
-
 TEST_CASE("in a read-only folder saving reports it and keeps the work", "[faults][ui]") {
     Edited bench;
     fail({Kind::Open, 0, LONG_MAX, EROFS});  // file permissions do not apply to every user who runs this
@@ -98,69 +89,4 @@ TEST_CASE("in a read-only folder saving reports it and keeps the work", "[faults
     stop();
     CHECK(bytes_of(bench.path) == bench.old_text);
     bench.check_nothing_is_lost("read-only file system");
-}
-
-TEST_CASE("in a deleted folder saving reports it, and works again after it is restored", "[faults][ui]") {
-    Edited bench;
-    fs::remove_all(bench.folder.path("work"));
-    bench.press_save();
-    REQUIRE(bench.messages_about_scene().size() == 1);
-    CHECK(bench.state.editor.unsaved());
-    fs::create_directory(bench.folder.path("work"));
-    bench.state.notifications.list.clear();
-    bench.press_save();
-    CHECK(bytes_of(bench.path) == scene_text(bench.scene()));
-    CHECK_FALSE(bench.state.editor.unsaved());
-}
-
-TEST_CASE("after the folder was deleted the work is kept", "[faults][ui]") {
-    Edited bench;
-    fs::remove_all(bench.folder.path("work"));
-    bench.press_save();
-    bench.check_nothing_is_lost("no such file or directory");
-}
-
-TEST_CASE("a deleted folder of copies is recreated, with the copy and the settings", "[faults][ui]") {
-    Edited bench;
-    fs::remove_all(bench.state_folder);
-    bench.state.persistence.autosaved_at = -1e9;
-    bench.scene().lights[0].intensity = 8;
-    bench.frames(3);
-    while (bench.state.persistence.autosave_writing) bench.frames(1);
-    CHECK(bench.state.notifications.list.empty());
-    CHECK(fs::status(bench.state_folder).permissions() == fs::perms::owner_all);
-    bench.state.persistence.autosave.reset();
-    {
-        const auto left = orphaned_autosaves(bench.state_folder);
-        REQUIRE(left.size() == 1);
-        CHECK(std::get<SceneDocument>(open_autosave(left[0].lock.path)).scene.lights[0].intensity == 8);
-    }
-    fs::remove_all(bench.state_folder);
-    bench.state.dark = !bench.state.dark;
-    bench.frames(1);
-    end_persistence(bench.state);
-    CHECK(fs::exists(bench.state_folder + "/window.json"));
-}
-
-TEST_CASE("a file in place of the folder of copies is reported once", "[faults][ui]") {
-    Edited bench;
-    fs::remove_all(bench.state_folder);
-    (void)bench.folder.file("state", "");
-    for (int i = 0; i < 3; ++i) {
-        bench.state.persistence.autosaved_at = -1e9;
-        bench.scene().lights[0].intensity = 8 + float(i);
-        bench.frames(3);
-        while (bench.state.persistence.autosave_writing) bench.frames(1);
-        bench.frames(1);
-    }
-    CHECK(bench.notes_with("No copy of the unsaved work can be kept: ") == 1);
-    fs::remove(bench.state_folder);
-    bench.state.persistence.autosaved_at = -1e9;
-    bench.scene().lights[0].intensity = 12;
-    bench.frames(3);
-    while (bench.state.persistence.autosave_writing) bench.frames(1);
-    bench.state.persistence.autosave.reset();
-    const auto left = orphaned_autosaves(bench.state_folder);
-    REQUIRE(left.size() == 1);
-    CHECK(std::get<SceneDocument>(open_autosave(left[0].lock.path)).scene.lights[0].intensity == 12);
 }

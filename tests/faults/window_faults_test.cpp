@@ -142,31 +142,6 @@ TEST_CASE("after any failure while saving a scene the file is intact and it is r
     });
 }
 
-TEST_CASE("after any failure while exporting a picture it is old or new and reported", "[faults][ui]") {
-    Bench bench;
-    const std::string path = bench.folder.path("picture.png");
-    InTurn()([&](InTurn& turn) {
-        bench.edit();
-        bench.state.notifications.list.clear();
-        const std::string before = bytes_of(path);
-        const Scene edited = bench.scene();
-        turn.during([&] {
-            as_in_a_frame(bench, [&] { begin_export(bench.state, {{32, 24}, 1}, path); });
-            while (bench.state.get<ExportState>().job) (void)bench.frame();
-        });
-        (void)bench.frame();
-        CHECK(bench.scene() == edited);
-        CHECK(bench.state.editor.unsaved());
-        CHECK(bench.says_something());
-        const std::string after = bytes_of(path);
-        const auto right = picture_file(bench.state.editor.document, {{32, 24}, 1}, path, 1);
-        CHECK((after == before || after == std::get<std::string>(right)));
-        std::vector<std::string> names{"scene.json", "state"};
-        if (!after.empty()) names.insert(names.begin(), "picture.png");
-        check_names(bench.folder, names);
-    });
-}
-
 TEST_CASE("after any failure while copying unsaved work the next copy is intact", "[faults][ui]") {
     Bench bench;
     const std::string state_folder = bench.folder.path("state");
@@ -195,75 +170,6 @@ TEST_CASE("after any failure while copying unsaved work the next copy is intact"
         CHECK(scene_of_copy(bench.state) == scene_text(bench.scene()));
         CHECK(count_of(state_folder, ".tmp") == 0);
         CHECK(count_of(state_folder, ".autosave") == 1);
-    });
-}
-
-TEST_CASE("after any failure while closing the window the settings are intact", "[faults][ui]") {
-    Bench bench;
-    const std::string state_folder = bench.folder.path("state");
-    end_persistence(bench.state);
-    InTurn()([&](InTurn& turn) {
-        Preferences& preferences = bench.state.persistence.preferences;
-        const Preferences before = preferences;
-        preferences.width = 700 + bench.edits++ % 300;
-        bench.state.persistence.opened.clear();
-        turn.during([&] { end_persistence(bench.state); });
-        const std::string text = bytes_of(state_folder + "/window.json");
-        const int width = read_preferences(text).width;
-        CHECK((width == before.width || width == preferences.width));
-        CHECK(read_preferences(text).recent == std::vector<std::string>{bench.path});
-        CHECK(count_of(state_folder, ".tmp") == 0);
-        bench.state.persistence.written = {};  // so that they are written again
-        end_persistence(bench.state);
-    });
-}
-
-TEST_CASE("after any failure while a window opens an orphaned copy remains", "[faults][ui]") {
-    const TemporaryDirectory folder;
-    const std::string state_folder = folder.path("state");
-    Scene work;
-    {
-        Bench bench;
-        bench.edit();
-        work = bench.scene();
-        std::filesystem::create_directories(state_folder);
-        REQUIRE(problem_of(write_file(state_folder + "/0.autosave",
-                                      autosave_text(bench.state.editor.document, state_folder))) == nullptr);
-    }
-    InTurn()([&](InTurn& turn) {
-        {
-            HeadlessWindow bench({640, 400});
-            turn.during([&] { begin_persistence(bench.state, state_folder); });
-        }
-        const std::vector<OrphanedAutosave> copies = orphaned_autosaves(state_folder);
-        REQUIRE(copies.size() == 1);
-        const auto copy = open_autosave(copies[0].lock.path);
-        REQUIRE(problem_of(copy) == nullptr);
-        CHECK(same_description(std::get<SceneDocument>(copy).scene, work));
-    });
-}
-
-TEST_CASE("after any failure while opening a file the old or the new scene is open", "[faults][ui]") {
-    Bench bench;
-    Scene other_scene = test::busy_scene();
-    other_scene.lights.resize(1);
-    const std::string other = bench.folder.file("other.json", scene_text(other_scene));
-    InTurn()([&](InTurn& turn) {
-        take_scene(bench.state, std::get<SceneDocument>(open_document(bench.path)));
-        bench.frames(2);
-        const Scene before = bench.scene();
-        bench.state.notifications.list.clear();
-        UiInput drop;
-        drop.dropped = {other};
-        turn.during([&] {
-            (void)bench.frame(drop);
-            while (bench.state.loading.active()) (void)bench.frame();
-        });
-        bench.frames(2);
-        if (bench.scene().lights.size() == 1) return;
-        CHECK(same_description(bench.scene(), before));
-        CHECK(bench.says_something());
-        CHECK_FALSE(bench.state.editor.unsaved());
     });
 }
 

@@ -67,18 +67,3 @@ TEST_CASE("a control group's memory limit is the smallest of it and its parents"
         CHECK(control_group_memory(root.path()) == 8192);
     }
 }
-
-TEST_CASE("the limit on the address space lowers the memory limit", "[memory]") {
-    if (test::sanitized) return;
-    const std::uint64_t here = default_memory_limit();
-    CHECK(test::in_process_with_room(256 * mib, [here] { return default_memory_limit() < here; }));
-}
-
-TEST_CASE("an exception is reported with the file that was being processed", "[memory]") {
-    CHECK(problem_from(std::bad_alloc(), "a.json").text() ==
-          "a.json: there is not enough memory; expected more of it, or a smaller scene");
-    CHECK(problem_from(std::runtime_error("a fault")).text() == "a fault");
-    const LimitExceeded exceeded({"", "/objects", "too many", "fewer"});
-    CHECK(exceeded.what() == std::string("/objects: too many; expected fewer"));
-    CHECK(problem_from(exceeded, "a.json").text() == "a.json: /objects: too many; expected fewer");
-}

@@ -215,13 +215,6 @@ TEST_CASE("a negative error from rounding is clamped to 0", "[resolution]") {
     }
 }
 
-TEST_CASE("a slanted plane loses the same number of vertices as an upright one", "[resolution]") {
-    const Mesh slanted = height_field(16, [](float x, float z) { return 0.3f * x - 0.7f * z; });
-    const Mesh made = refined(slanted, {60, 0});
-    CHECK(made.triangles.size() <= 60);
-    CHECK(area(made) == Approx(area(slanted)));
-}
-
 TEST_CASE("a decimated closed surface stays closed and close to the original", "[resolution]") {
     const Mesh knot = make_primitive(Primitive::Knot, 160);
     const Mesh coarse = refined(knot, {2000, 0});
@@ -343,42 +336,4 @@ TEST_CASE("a subdivision with too many faces is refused in one line", "[resoluti
     CHECK(refused(cylinder, {0, 1}) ==
           "/subdivide: a face of the mesh has 9000 corners; expected at most 8192 for another resolution");
     CHECK(refused(cylinder, {100, 0}).starts_with("/decimate: a face of the mesh has 9000 corners"));
-}
-
-TEST_CASE("a mesh of one resolution is made once, another resolution is another mesh", "[resolution]") {
-    const auto scene_of = [](const std::vector<std::string>& meshes) {
-        std::string objects;
-        for (const std::string& mesh : meshes)
-            objects += std::string(objects.empty() ? "" : ", ") + "{\"mesh\": {" + mesh + "}}";
-        Scene scene =
-            std::get<Scene>(parse_scene("{\"glint\": 1, \"objects\": [" + objects + "]}", "s.json"));
-        const auto loaded = load_meshes(scene, "s.json", "");
-        if (const Problem* problem = problem_of(loaded)) FAIL(problem->text());
-        return scene;
-    };
-    const std::string torus = "\"primitive\": \"torus\", \"detail\": 24";
-    const Scene scene = scene_of(
-        {torus, torus + ", \"subdivide\": 1", torus + ", \"decimate\": 100", torus + ", \"subdivide\": 1",
-         torus + ", \"decimate\": 100, \"subdivide\": 1", torus + ", \"decimate\": 100000"});
-    const auto mesh = [&scene](int i) { return scene.objects[static_cast<std::size_t>(i)].mesh; };
-    CHECK(mesh(0)->face_count() == 24 * 12);
-    CHECK(mesh(1)->face_count() == 4 * 24 * 12);
-    CHECK(mesh(2)->face_count() == 100);
-    CHECK(mesh(3) == mesh(1));
-    CHECK(mesh(4)->face_count() == 400);
-    CHECK(mesh(5) == mesh(0));  // which has fewer
-    // A written value reads back, and the original resolution is not written.
-    CHECK(scene_text(scene).find("\"detail\": 24, \"decimate\": 100, \"subdivide\": 1}") !=
-          std::string::npos);
-    CHECK(scene_text(scene).find("\"detail\": 24},") != std::string::npos);
-    CHECK(same_description(std::get<Scene>(parse_scene(scene_text(scene), "s.json")), scene));
-
-    Scene refused = std::get<Scene>(parse_scene(
-        R"({"glint": 1, "objects": [{"mesh": {"primitive": "icosphere", "detail": 8, "subdivide": 4}}]})",
-        "s.json"));
-    const auto loaded = load_meshes(refused, "s.json", "");
-    REQUIRE(problem_of(loaded) != nullptr);
-    CHECK(problem_of(loaded)->text() ==
-          "s.json: /objects/0/mesh/subdivide: subdivided 4 times the mesh has "
-          "335544320 faces; expected at most 8388608");
 }

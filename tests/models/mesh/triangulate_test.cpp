@@ -190,46 +190,6 @@ TEST_CASE("bounds include only the positions that faces use", "[mesh]") {
     CHECK(mesh.bounds == Bounds{{-1, -2, -4}, {1, 2, 3}});
 }
 
-TEST_CASE("only polygons that are not convex give a warning above 1000 corners", "[triangulate]") {
-    std::vector<glm::vec3> circle, star;
-    for (int i = 0; i < 1002; ++i) {
-        const double angle = 6.283185307179586 * i / 1002;
-        circle.emplace_back(std::cos(angle), std::sin(angle), 0);
-        star.push_back(circle.back() * (i % 2 == 0 ? 1.f : 0.9f));
-    }
-    CHECK(make_polygon(circle).warnings.empty());
-    const Mesh mesh = make_polygon(star);
-    CHECK(mesh.warnings == Warnings{"1 face is not convex and has more than 1000 corners: drawn as a fan"});
-    for (const Triangle& t : mesh.triangles) CHECK(t.corner[0] == 0);
-    star.resize(1000);
-    CHECK(make_polygon(star).warnings.empty());
-}
-
-TEST_CASE("a circle of very many rounded corners is convex", "[triangulate]") {
-    for (const double radius : {1.0, 1e-20, 1e6})
-        for (const glm::dvec3& middle : {glm::dvec3(0), glm::dvec3(3, -2, 5)}) {
-            std::vector<glm::vec3> circle, notched;
-            for (int i = 0; i < 65536; ++i) {
-                const double angle = 6.283185307179586 * i / 65536;
-                // Tilted against all axes, so that each coordinate is rounded separately.
-                const glm::dvec3 p(0.6 * std::cos(angle), 0.8 * std::cos(angle), std::sin(angle));
-                circle.emplace_back(radius * (p + middle));
-                notched.emplace_back(radius * ((i == 40000 ? 1 - 1e-4 : 1) * p + middle));
-            }
-            CAPTURE(radius, middle.x);
-            CHECK(make_polygon(circle).warnings.empty());
-            CHECK(make_polygon(notched).warnings ==
-                  Warnings{"1 face is not convex and has more than 1000 corners: drawn as a fan"});
-        }
-    std::vector<glm::vec3> twice;  // as the pentagram winds twice
-    for (int i = 0; i < 30001; ++i) {
-        const double angle = 6.283185307179586 * 2 * i / 30001;
-        twice.emplace_back(std::cos(angle), std::sin(angle), 0);
-    }
-    CHECK(make_polygon(twice).warnings ==
-          Warnings{"1 face is not convex and has more than 1000 corners: drawn as a fan"});
-}
-
 TEST_CASE("a face that repeats a corner gives a warning, one with a hole does not", "[triangulate]") {
     const std::vector<glm::vec3> places{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0},
                                         {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}};
@@ -245,9 +205,4 @@ TEST_CASE("a face that repeats a corner gives a warning, one with a hole does no
     CHECK(warnings({0, 1, 2, 3, 0, 4, 5, 4}) == told);        // a bridge that continues as a spike
     CHECK(make_mesh(places, {{0, 1, 2, 0, 3}, {0, 2, 0, 3, 1}}).warnings ==
           Warnings{"2 faces visit one of their corners twice, and may be drawn wrong"});
-}
-
-TEST_CASE("coordinates of any size keep their triangles", "[triangulate][degenerate]") {
-    for (const float size : {1e-30f, 1e-20f, 1.f, 1e7f})
-        CHECK(make_polygon({{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}}).triangles.size() == 2);
 }

@@ -90,19 +90,6 @@ TEST_CASE("a missing mesh that --set names is a problem of --set", "[scene_docum
           "--set: /objects/0/mesh/file: cannot read \"no.off\": no such file; expected a mesh file");
 }
 
-TEST_CASE("a mesh that --set makes too large is a problem of --set", "[scene_document]") {
-    const Place place;
-    const std::string scene = place / "s.json";
-    place.write("s.json", R"({"glint": 1, "objects": [{"mesh": {"primitive": "sphere", "detail": 8}}]})");
-    set_memory_limit(1 << 20);
-    const std::string set = problem_at(scene, {{"/objects/0/mesh/detail", "300"}}),
-                      whole = problem_at(
-                          scene, {{"/objects/0", R"({"mesh": {"primitive": "knot", "detail": 600}})"}});
-    set_memory_limit(0);
-    CHECK(set.starts_with("--set: /objects/0/mesh: this needs "));
-    CHECK(whole.starts_with("--set: /objects/0/mesh: this needs "));
-}
-
 TEST_CASE("a missing part of a mesh file is a problem at the part, or of --set if set there",
           "[scene_document]") {
     const Place place;
@@ -113,14 +100,6 @@ TEST_CASE("a missing part of a mesh file is a problem at the part, or of --set i
     place.write("one.gltf", R"({"asset": {"version": "2.0"}})");
     CHECK(problem_at(place / "t.json") ==
           place / "t.json: /objects/0/mesh/part: the file has no part 3; expected a file with a mesh");
-}
-
-TEST_CASE("a scene without loaded meshes stays unchanged", "[scene_document]") {
-    Scene scene;
-    scene.objects.resize(2);
-    scene.objects[1].source = MeshFile{"no.obj"};
-    CHECK(problem_of(load_meshes(scene, "s.json", "")) != nullptr);
-    CHECK(scene.objects[0].mesh == nullptr);
 }
 
 TEST_CASE("a mesh opens framed, with a light in the world and one at the camera", "[scene_document]") {
@@ -154,112 +133,6 @@ TEST_CASE("a picture with an embedded scene opens as that scene", "[scene_docume
     place.write("no.png", "nothing");
     CHECK(problem_at(place / "no.png") ==
           place / "no.png: is not a PNG picture; expected one that Glint wrote");
-}
-
-TEST_CASE("a picture with any damage is a problem and never a crash", "[scene_document]") {
-    const std::string whole = picture_with(R"({"glint": 1})");
-    const std::string scene = R"({"glint": 1})";
-    const auto text_in = [](const std::string& bytes, std::size_t max_bytes = 100) -> std::string {
-        const Result<PngInfo> png = png_info(bytes, png_scene_keyword, max_bytes, "p.png");
-        if (problem_of(png) != nullptr) return "problem";
-        return *std::get<PngInfo>(png).text(png_scene_keyword);
-    };
-    CHECK(text_in(whole) == scene);
-    for (std::size_t i = 0; i < whole.size(); ++i) {
-        (void)text_in(whole.substr(0, i));
-        std::string damaged = whole;
-        damaged[i] = static_cast<char>(damaged[i] ^ 0x5A);
-        const std::string text = text_in(damaged);  // found before the damage, or not at all
-        CHECK((text == "problem" || text == scene));
-    }
-    CHECK(text_in(whole, scene.size()) == scene);
-    CHECK(text_in(whole, scene.size() - 1) == "problem");
-}
-
-namespace {
-
-/// A chunk of a PNG: its length, type, bytes and checksum.
-std::string chunk_of(const std::string& type_and_bytes) {
-    const auto number = [](std::size_t n) {
-        return std::string{static_cast<char>(n >> 24), static_cast<char>(n >> 16), static_cast<char>(n >> 8),
-                           static_cast<char>(n)};
-    };
-    const auto sum = crc32(0, reinterpret_cast<const Bytef*>(type_and_bytes.data()),
-                           static_cast<uInt>(type_and_bytes.size()));
-    return number(type_and_bytes.size() - 4) + type_and_bytes + number(sum);
-}
-
-std::string with_chunk_before_pixels(const std::string& png, const std::string& chunk) {
-    constexpr std::size_t after_header = 33;
-    return png.substr(0, after_header) + chunk + png.substr(after_header);
-}
-
-}  // namespace
-
-TEST_CASE("a chunk of a picture with a wrong value is ignored with a warning", "[scene_document]") {
-    const Place place;
-    const std::string picture = picture_with(R"({"glint": 1, "objects": [{}]})");
-    const auto with_chunk = [&](std::string_view keyword, const std::string& words) {
-        const std::string chunk = chunk_of("iTXt" + std::string(keyword) + std::string(5, '\0') + words);
-        const std::string file = place / "field.png";
-        REQUIRE(problem_of(write_file(file, with_chunk_before_pixels(picture, chunk))) == nullptr);
-        return opened(file);
-    };
-    for (const auto& [words, samples] : {std::pair<std::string, int>{"4", 4},
-                                         {"8", 8},
-                                         {"3", 1},
-                                         {"04", 1},
-                                         {"", 1},
-                                         {"4 samples a pixel", 1}}) {
-        CAPTURE(words);
-        const SceneDocument document = with_chunk(png_samples_keyword, words);
-        CHECK(document.picture_samples == samples);
-    }
-    CHECK(with_chunk(png_samples_keyword, "3").warnings ==
-          Warnings{place / "field.png" + ": its chunk glint-samples is not 1, 2, 4 or 8, and is ignored"});
-    for (const auto& [words, is_size] : {std::pair<std::string, bool>{"640x716", true},
-                                         {"-1x5", false},
-                                         {"0x0", false},
-                                         {"640", false},
-                                         {"640x716x", false},
-                                         {"1x16385", false}}) {
-        CAPTURE(words);
-        const SceneDocument document = with_chunk(png_field_keyword, words);
-        CHECK(document.fitted_to.has_value() == is_size);
-        CHECK(document.warnings == (is_size
-                                        ? Warnings{}
-                                        : Warnings{place / "field.png" +
-                                                   ": its chunk glint-field is not a size, and is ignored"}));
-    }
-}
-
-TEST_CASE("a text in a PNG is read up to the given length, before or after the pixels", "[scene_document]") {
-    std::string deflated(64, ' ');
-    uLongf length = deflated.size();
-    const std::string text = "twelve bytes";
-    REQUIRE(compress(reinterpret_cast<Bytef*>(deflated.data()), &length,
-                     reinterpret_cast<const Bytef*>(text.data()), text.size()) == Z_OK);
-    deflated.resize(length);
-    const std::string picture = picture_with("");
-    for (const bool compressed : {false, true}) {
-        // Keyword, flag and method of compression, language, translated keyword, text.
-        const std::string chunk =
-            chunk_of("iTXt" + std::string(png_scene_keyword) + '\0' + (compressed ? '\1' : '\0') +
-                     std::string(3, '\0') + (compressed ? deflated : text));
-        const std::size_t end = picture.size() - 12;  // the last chunk is empty
-        for (const std::string& png : {with_chunk_before_pixels(picture, chunk),
-                                       picture.substr(0, end) + chunk + picture.substr(end)}) {
-            CAPTURE(compressed, png.size());
-            const Result<PngInfo> read = png_info(png, png_scene_keyword, 12, "p.png");
-            REQUIRE(problem_of(read) == nullptr);
-            CHECK(*std::get<PngInfo>(read).text(png_scene_keyword) == text);
-            CHECK(std::get<PngInfo>(read).width == 1);
-            const Result<PngInfo> shorter = png_info(png, png_scene_keyword, 11, "p.png");
-            REQUIRE(problem_of(shorter) != nullptr);
-            CHECK(problem_of(shorter)->text() ==
-                  "p.png: the scene in the picture is damaged or too long; expected at most 11 bytes");
-        }
-    }
 }
 
 TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_document]") {

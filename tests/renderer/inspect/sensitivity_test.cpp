@@ -156,26 +156,6 @@ TEST_CASE("sensitivity: the w of a position is marked as such", "[sensitivity]")
     CHECK(w == std::vector<std::string>{"/lights/0/position/3"});
 }
 
-TEST_CASE("sensitivity: no number changes a pixel that is and stays NaN", "[sensitivity]") {
-    SceneDocument document = balls();
-    document.scene.shading.reflection = Reflection::Phong;
-    document.scene.shading.mistakes.power_zero_is_nan = true;
-    for (Object& object : document.scene.objects) object.material.shininess = 0;
-    Renderer renderer(1);
-    (void)renderer.render(document.scene, sensitive_size);
-    int found = 0;
-    for (int y = 0; y < sensitive_size.height && found == 0; ++y)
-        for (int x = 0; x < sensitive_size.width && found == 0; ++x) {
-            const Explanation e = renderer.explain(x, y);
-            if (!e.hit || !std::isnan(e.sum.x)) continue;
-            ++found;
-            const Sensitivities s = of_pixel(document, x, y);
-            CHECK(lists(s.no_effect, "/display/background/0"));
-            CHECK(s.numbers.size() < 5);  // any other shininess gives a number
-        }
-    CHECK(found == 1);
-}
-
 TEST_CASE("sensitivity: numbers without effect and those that cannot change are named", "[sensitivity]") {
     const Sensitivities s = of_pixel(balls(), 30, 20);
     for (const char* zero : {"/lights/0/falloff/quadratic", "/lights/0/spot/cutoff_deg", "/objects/1",
@@ -189,27 +169,6 @@ TEST_CASE("sensitivity: numbers without effect and those that cannot change are 
     CHECK(change_of(background, "/display/background/1").y == Approx(1).epsilon(1e-3));
     CHECK(lists(background.no_effect, "/objects/0"));
     CHECK(background.numbers.size() == 4);  // three of the background, and the exposure
-}
-
-TEST_CASE("sensitivity: a step that clears the last digits does not reach the next face", "[sensitivity]") {
-    constexpr PictureSize size{160, 90};
-    auto opened = open_document(project_file("assets/scenes/spot-cone.json"));
-    REQUIRE(problem_of(opened) == nullptr);
-    SceneDocument document = std::get<SceneDocument>(opened);
-    document.scene.shading.mode = ShadingMode::Flat;
-    document.scene.shading.local_viewer = false;
-    const auto red_at = [&](float turn_deg) {
-        Scene turned = document.scene;
-        turned.objects[2].transform.rotate_deg.z = turn_deg;
-        Renderer renderer(1);
-        return double(renderer.render(turned, size, true).linear_at(88, 44).x);
-    };
-    const double slope = (red_at(0.01f) - red_at(-0.01f)) / 0.02;
-    REQUIRE(slope < -0.001);
-    const auto made = sensitivities(document, size, 88, 44, 1);
-    REQUIRE(problem_of(made) == nullptr);
-    CHECK(change_of(std::get<Sensitivities>(made), "/objects/2/transform/rotate_deg/2").x ==
-          Approx(slope).epsilon(0.1));
 }
 
 TEST_CASE("sensitivity: numbers of the second object keep their pointers", "[sensitivity]") {
@@ -247,22 +206,6 @@ TEST_CASE("sensitivity: another object's stroke over the pixel counts by its cov
     }
     CHECK(whole);
     CHECK(partly);
-}
-
-TEST_CASE("sensitivity: progress is reported after each number", "[sensitivity]") {
-    std::vector<std::size_t> told;
-    std::size_t all = 0;
-    const auto made =
-        sensitivities(balls(), sensitive_size, 24, 16, 1, [&](std::size_t done, std::size_t of) {
-            told.push_back(done);
-            all = of;
-        });
-    REQUIRE(problem_of(made) == nullptr);
-    const auto& found = std::get<Sensitivities>(made);
-    const std::size_t other_objects = 1;  // named without effect, and not measured
-    CHECK(all == found.numbers.size() + found.no_effect.size() + found.fixed.size() - other_objects);
-    REQUIRE(told.size() == all);
-    for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i] == i + 1);
 }
 
 TEST_CASE("sensitivity: a scene with too many lights is a problem", "[sensitivity][bad-input]") {

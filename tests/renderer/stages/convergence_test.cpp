@@ -52,22 +52,6 @@ TEST_CASE("an area light gives the worked sums of its samples", "[convergence][a
     CHECK(seen_under_square(64, {}) == Approx(1.747985 / pi));
 }
 
-TEST_CASE("an area light converges to Lambert's polygon formula as its samples grow", "[convergence][area]") {
-    // Lambert: E / L = (1/2) sum theta_i g_i.n; the square above its centre 2 sqrt 2 atan(1 / sqrt 2), a
-    // receiver rotated by 45 degrees 1.2309594.
-    const double pi = std::numbers::pi;
-    for (const auto& [turn, limit] : {std::pair{glm::vec3(0), 1.7408395}, {glm::vec3(45, 0, 0), 1.2309594}}) {
-        double before = HUGE_VAL;
-        for (const int samples : {1, 4, 16, 64}) {
-            const double error = std::abs(seen_under_square(samples, turn) - limit / pi);
-            INFO(samples << " samples, error " << error);
-            CHECK(error < before);
-            before = error;
-        }
-        CHECK(before < 0.005);
-    }
-}
-
 namespace {
 
 /// A white diffuse ball in a box whose six walls are area lights: mean and largest distance of its pixels

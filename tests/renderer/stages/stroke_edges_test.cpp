@@ -192,14 +192,3 @@ TEST_CASE("edges know whether their facets face the eye, face away, or one each"
     CHECK(count(cube(), {0, 0, 0}, EdgeFacing::Away) == 12);
     CHECK(count(primitive(Primitive::Plane, 1), {0, 5, 0}, EdgeFacing::Rim) == 4);
 }
-
-TEST_CASE("a million facets at one edge do not take a million million steps", "[strokes][hostile]") {
-    std::vector<glm::vec3> positions{{0, 0, 0}, {0, 0, 1}};
-    std::vector<std::vector<std::uint32_t>> faces;
-    for (std::uint32_t i = 0; i < 200000; ++i) {
-        positions.emplace_back(1, 1e-7f * static_cast<float>(i), 0);
-        faces.push_back({0, 1, i + 2});
-    }
-    CHECK(chosen(polygon_mesh(positions, faces), eye_at({1, 5, 1}), {true, true, 90, Cull::None}).size() ==
-          400000);  // all except the edge that they share
-}

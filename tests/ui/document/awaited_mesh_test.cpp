@@ -25,17 +25,6 @@ Object primitive_object(const char* name, Primitive primitive) {
     return object;
 }
 
-Scene with_meshes_of(const std::vector<MeshSource>& sources) {
-    Scene scene;
-    for (const MeshSource& source : sources) {
-        Object object;
-        object.source = source;
-        object.mesh = std::make_shared<const Mesh>(make_primitive(Primitive::Sphere, 5));
-        scene.objects.push_back(object);
-    }
-    return scene;
-}
-
 /// Replaces the load of all awaited meshes: ends on request, with a result chosen by the test.
 class HeldLoad {
   public:
@@ -64,25 +53,6 @@ class HeldLoad {
     std::promise<void> open_;
     bool is_open_ = false;
 };
-
-void begin_orbit(HeadlessWindow& bench) {
-    bench.move(bench.at_pixel({20, 200}));
-    bench.button(true);
-    bench.move(bench.at_pixel({90, 230}));
-    REQUIRE(bench.state.viewport.gesture == Gesture::Orbit);
-}
-
-void end_during_orbit(HeldLoad& load, HeadlessWindow& bench) {
-    begin_orbit(bench);
-    load.end();
-    bench.frames(2);
-}
-
-void escape_orbit(HeadlessWindow& bench) {
-    bench.key(Key::Escape);
-    bench.button(false);
-    bench.frames(3);
-}
 
 }  // namespace
 
@@ -120,67 +90,6 @@ TEST_CASE("an object waiting for a mesh keeps its own while the list changes bef
     bench.key(Key::Escape);
     CHECK(scene.objects[b] == before[1]);
     CHECK(scene.objects[b + 1] == before[2]);
-}
-
-TEST_CASE("Esc during a drag reverts the drag, but not a mesh that arrived during it", "[ui][loading]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const Scene before = bench.scene();
-    const Scene come = with_meshes_of({slow_ball});
-    begin_mesh(bench.state, slow_ball, 0);
-    HeldLoad load(bench, SceneDocument{come, {}, {}, {}});
-    end_during_orbit(load, bench);
-    REQUIRE_FALSE(bench.scene().camera == before.camera);
-    escape_orbit(bench);
-    CHECK(bench.scene().camera == before.camera);
-    CHECK(bench.scene().objects[0].source == MeshSource(slow_ball));
-    CHECK(bench.scene().objects[0].mesh == come.objects[0].mesh);
-    CHECK_FALSE(bench.state.loading.active());
-    CHECK(bench.state.editor.history.undo_name() == "Mesh of Ball");
-}
-
-TEST_CASE("Esc during a drag keeps an object whose mesh arrived during it", "[ui][loading]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    begin_mesh(bench.state, slow_ball, -1);
-    HeldLoad load(bench, SceneDocument{with_meshes_of({slow_ball}), {}, {}, {}});
-    end_during_orbit(load, bench);
-    escape_orbit(bench);
-    REQUIRE(bench.scene().objects.size() == 2);
-    CHECK(bench.scene().objects[1].source == MeshSource(slow_ball));
-}
-
-TEST_CASE("Esc during a drag does not retry a mesh that failed during it", "[ui][loading]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const Scene before = bench.scene();
-    begin_mesh(bench.state, slow_ball, 0);
-    HeldLoad load(bench, Problem{"ball", "", "is too large", ""});
-    end_during_orbit(load, bench);
-    escape_orbit(bench);
-    CHECK(bench.scene() == before);
-    CHECK(bench.state.notifications.list.size() == 1);
-}
-
-TEST_CASE("a scene restored because the next cannot be drawn waits for no mesh", "[ui][loading]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const Scene before = bench.scene();
-    begin_mesh(bench.state, slow_ball, 0);
-    const HeldLoad load(bench, SceneDocument{});
-    SceneDocument next = first_scene();
-    next.path = "next.json";
-    next.scene.objects[0].mesh = std::make_shared<const Mesh>(make_primitive(Primitive::Sphere, 400));
-    bench.state.loading.scene_then = bench.scene();
-    bench.state.loading.document =
-        bench.state.jobs.start<SceneDocument>("next.json", [next](LoadProgress&) { return next; });
-    while (!bench.state.loading.document->done()) std::this_thread::yield();
-    set_memory_limit(test::cost_of(before, bench.state.rendered->size));
-    (void)bench.frame();
-    set_memory_limit(0);
-    CHECK(bench.state.editor.document.path.empty());
-    CHECK(bench.scene() == before);
-    CHECK_FALSE(awaits_mesh(bench.state));
 }
 
 TEST_CASE("redo waits for a mesh being built and loses no later edits", "[ui][loading]") {
@@ -240,27 +149,4 @@ TEST_CASE("a mesh chosen in the dialog becomes a step when loaded, none if unrea
         CHECK(bench.scene() == before);
         CHECK_FALSE(bench.state.editor.history.can_undo());
     }
-}
-
-TEST_CASE("undo while a mesh is built keeps the view, and later edits can be redone", "[ui][loading]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const Scene before = bench.scene();
-    begin_mesh(bench.state, slow_ball, 0);
-    const HeldLoad load(bench, SceneDocument{});
-    bench.scene().camera.eye.x += 2;
-    bench.scene().lights[0].intensity = 0.25f;
-    bench.frames(2);
-    REQUIRE(awaits_mesh(bench.state));
-    Scene seen = before, edited = bench.scene();
-    seen.camera = edited.camera;
-    edited.objects = before.objects;  // except the mesh, which is not ready
-    bench.key(Key::Z, true);
-    bench.frames(2);
-    CHECK_FALSE(awaits_mesh(bench.state));
-    CHECK(bench.scene() == seen);
-    CHECK(bench.state.editor.views.can_go_back());
-    bench.key(Key::Y, true);
-    bench.frames(2);
-    CHECK(bench.scene() == edited);
 }

@@ -72,32 +72,6 @@ TEST_CASE("copying a composed picture reports that the scene's own picture is co
     CHECK(told().starts_with("The command that draws the scene's own picture is on"));
 }
 
-TEST_CASE("Copy as command gives the size and samples of the last export", "[ui][window][export]") {
-    Bench bench;
-    TemporaryDirectory folder;
-    begin_export(bench.state, {{80, 60}, 4}, folder.path("export.png"));
-    while (bench.state.get<ExportState>().job) (void)bench.frame();
-    bench.copy();
-    CHECK(bench.copied("--size 80x60 --samples 4 -o export.png"));
-    CHECK(bench.state.notifications.list.back().text.find("80 × 60") != std::string::npos);
-
-    open_scene(bench, "sun.json");  // nothing was exported from this document
-    bench.copy();
-    CHECK_FALSE(bench.copied("80x60"));
-}
-
-TEST_CASE("a command that draws one sample for a picture of several reports it", "[export]") {
-    const TemporaryDirectory folder;
-    Renderer renderer(1);
-    const Picture& drawn = renderer.render({}, {8, 6}, false, 4);
-    const std::string file = folder.file("p.png", png_bytes(drawn, scene_text({})));
-    const auto document = std::get<SceneDocument>(open_document(file));
-    CHECK(
-        render_command_text(document, document.scene, {8, 6}, 1, "o.png").ends_with(" --samples 1 -o o.png"));
-    CHECK(
-        render_command_text(document, document.scene, {8, 6}, 4, "o.png").ends_with(" --samples 4 -o o.png"));
-}
-
 TEST_CASE("the export dialog copies the command for its present options", "[ui][window][export]") {
     Bench bench;
     bench.state.get<ExportState>().options = {{333, 222}, 8};
@@ -130,17 +104,6 @@ TEST_CASE("one key saves the picture under an unused name and copies its command
             CHECK(std::get<Picture>(picture).size.width == size.width);
             CHECK(std::get<Picture>(picture).size.height == size.height);
         }
-    }
-}
-
-TEST_CASE("the offered export sizes have equal widths", "[ui][window][export]") {
-    Bench bench;
-    bench.state.get<ExportState>().open = true;
-    bench.frames(3);
-    const float width = bench.area_of("HD").size().x;
-    for (const char* name : {"As shown", "Full HD", "4K", "Square"}) {
-        INFO(name);
-        CHECK(bench.area_of(name).size().x == Approx(width).margin(1.0));
     }
 }
 
@@ -185,34 +148,6 @@ TEST_CASE("a file name that begins like an option is written as a path", "[expor
     CHECK(file_word("-") == "-");  // standard input or output
     CHECK(file_word("a-b.json") == "a-b.json");
     CHECK(file_word("- b.json") == "'./- b.json'");
-}
-
-TEST_CASE("the scope's command is described as printing the shown numbers only if it does",
-          "[ui][window][export]") {
-    Bench bench;
-    bench.frames(2);
-    run_command(bench.state, CommandId::Scope);
-    const auto said = [&] {
-        bench.frames(2);
-        bench.click(bench.control("Copy as command"));
-        bench.frames(1);
-        return bench.state.notifications.list.back().text;
-    };
-    CHECK(said() == "The command that prints these numbers is on the clipboard");
-    run_command(bench.state, CommandId::Compare);  // flat, Gouraud, Phong
-    CHECK(said().find("prints the numbers of the scene's own picture") != std::string::npos);
-    run_command(bench.state, CommandId::Compare);
-    CHECK(said() == "The command that prints these numbers is on the clipboard");
-    run_command(bench.state, CommandId::OverRange);  // stripes do not change the numbers
-    CHECK(said() == "The command that prints these numbers is on the clipboard");
-}
-
-TEST_CASE("in a narrow picture the command sets only the window's field of view", "[ui][window][export]") {
-    Bench bench;
-    open_scene(bench, "sun.json");
-    bench.copy();
-    CHECK(bench.copied("sun.json --set /camera/projection/fov_y_deg="));
-    CHECK(bench.clipboard.find("--set") == bench.clipboard.rfind("--set"));
 }
 
 TEST_CASE("the first scene, which has no file, is named by the scene it comes from", "[ui][window][export]") {

@@ -137,33 +137,6 @@ TEST_CASE("a scene's caption is below its picture and can be hidden", "[ui]") {
     CHECK_FALSE(window_layout(bench.state).has_caption);
 }
 
-TEST_CASE("no caption ends with a line of one short word", "[ui]") {
-    HeadlessWindow bench;
-    bench.frames(1);
-    ImGui::NewFrame();
-    int broken = 0;
-    for (const std::string& path : test::asset_scenes()) {
-        const std::string about = std::get<SceneDocument>(open_document(path)).scene.about;
-        for (float width = 350; width < 800; width += 50) {
-            const auto lines_at = [&](float wrap) {
-                return ImGui::CalcTextSize(about.c_str(), nullptr, false, wrap).y /
-                       ImGui::GetTextLineHeight();
-            };
-            const float even = even_width(about, width);
-            CAPTURE(path, width, even);
-            CHECK(even <= width);
-            CHECK(lines_at(even) == lines_at(width));
-            if (lines_at(width) != 2) continue;
-            ++broken;
-            const char *const begin = about.c_str(), *const end = begin + about.size();
-            const char* const second = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, even);
-            CHECK(ImGui::CalcTextSize(second, end).x > even / 2);
-        }
-    }
-    CHECK(broken > 20);
-    ImGui::EndFrame();
-}
-
 TEST_CASE("the open dialog starts in a folder with scenes", "[ui]") {
     const std::filesystem::path here = std::filesystem::current_path();
     const std::filesystem::path empty = std::filesystem::temp_directory_path() / "glint-empty-test";

@@ -280,43 +280,6 @@ TEST_CASE("the export dialog names the folder and offers the view's size", "[ui]
     }));
 }
 
-TEST_CASE("keys answer the export dialog, but not while a size is typed", "[ui][window][export]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    (void)bench.key(Key::E, true);
-    REQUIRE(bench.state.get<ExportState>().open);
-    bench.frames(2);
-    const ExportOptions& options = bench.state.get<ExportState>().options;
-    for (int i = 0; i < 5; ++i) (void)bench.key(Key::Left);
-    CHECK(options.samples == 1);
-    (void)bench.key(Key::Right);
-    CHECK(options.samples == 2);
-    for (int i = 0; i < 5; ++i) (void)bench.key(Key::Right);
-    CHECK(options.samples == 8);
-    std::string clipboard;
-    test::use_clipboard(clipboard);
-    (void)bench.key(Key::C);
-    CHECK(clipboard.find("glint render ") != std::string::npos);
-    CHECK(clipboard.find("--samples 8") != std::string::npos);
-    // While a number is typed, a letter, an arrow and Enter belong to the field.
-    bench.click(bench.control("Width"));
-    bench.frames(2);
-    REQUIRE(ImGui::GetIO().WantTextInput);
-    clipboard.clear();
-    for (const Key key : {Key::S, Key::C, Key::Left, Key::Enter}) (void)bench.key(key);
-    CHECK(bench.state.get<ExportState>().open);
-    CHECK(clipboard.empty());
-    CHECK(options.samples == 8);
-    bench.click(bench.control("Height") + ImVec2(0, 60));  // elsewhere in the dialog
-    bench.frames(2);
-    REQUIRE_FALSE(ImGui::GetIO().WantTextInput);
-    (void)bench.key(Key::Enter);
-    bench.frames(2);
-    CHECK_FALSE(bench.state.get<ExportState>().open);
-    CHECK(bench.state.files.open);
-    CHECK(bench.state.files.purpose == &export_purpose);
-}
-
 TEST_CASE("an export equals the command line's output, byte for byte", "[ui][export]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("s.json", scene_text(test::busy_scene()));

@@ -156,19 +156,6 @@ TEST_CASE("the settings folder is created for its owner only; an existing one is
     CHECK(rights("shared") == std::filesystem::perms(0755));
 }
 
-TEST_CASE("of saved views only valid ones are read", "[ui][memory]") {
-    const Json usual = taken("{}");
-    CHECK(taken("[]") == usual);
-    CHECK(taken(R"({"compare": 3, "look": "Nonsense", "dots": 1, "kept_views": {"a": 1}})") == usual);
-    CHECK(taken(R"({"compare": {"parts": ["mode gouraud"], "lines": [0.5]}})") == usual);
-    CHECK(taken(R"({"compare": {"parts": ["mode flat", "mode none"], "gain": 1e9}})")["compare"]["gain"] ==
-          Json(max_gain));
-    CHECK(taken(R"({"compare": {"lines": [0.7, 0.3]}})") == usual);
-    CHECK(taken(R"({"compare": {"lines": [0.3, 1.3]}})") == usual);
-    CHECK(taken(R"({"scope_from": [-3, 7], "scope_to": [1]})")["scope_from"] == Json{0.0, 1.0});
-    CHECK(read_preferences(R"({"view": {"kept_views": [{"eye": "here"}, 4]}})").kept_views.empty());
-}
-
 TEST_CASE("theme and columns are restored in the next window", "[ui][memory]") {
     const TemporaryDirectory folder;
     {
@@ -205,44 +192,6 @@ TEST_CASE("an opened file becomes the first recent file", "[ui][memory]") {
     end_persistence(bench.state);
     CHECK(read_preferences(bytes_of(folder.path("state/window.json"))).recent ==
           std::vector<std::string>{path});
-}
-
-TEST_CASE("without a state folder the first edit reports that no copy is kept", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    const std::string in_the_way = folder.file("state", "a file");
-    for (const auto& [path, why] :
-         {std::pair<std::string, std::string>{in_the_way, "state: cannot be made: "},
-          {"", "neither $XDG_STATE_HOME nor $HOME is set"}}) {
-        HeadlessWindow bench;
-        begin_persistence(bench.state, path);
-        bench.frames(2);
-        CHECK(bench.notes_with("No copy") == 0);
-        bench.scene().lights[0].intensity = 0.25f;
-        bench.frames(3);
-        CHECK(bench.notes_with(why) == 1);
-        bench.state.notifications.list.clear();
-        bench.scene().lights[0].intensity = 0.5f;
-        bench.frames(3);
-        CHECK(bench.notes_with("No copy") == 0);
-    }
-}
-
-TEST_CASE("the last window to write its settings wins", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path());
-    bench.frames(2);
-    Preferences other;
-    other.dark = false;
-    other.layout.right = false;
-    (void)folder.file("window.json", preferences_text(other));
-    bench.state.layout.left = false;
-    bench.frames(2);
-    end_persistence(bench.state);
-    const Preferences read = read_preferences(bytes_of(folder.path("window.json")));
-    CHECK(read.dark);
-    CHECK(read.layout.right);
-    CHECK_FALSE(read.layout.left);
 }
 
 TEST_CASE("settings that cannot be written are reported once", "[ui][memory]") {

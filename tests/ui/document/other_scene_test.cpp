@@ -25,33 +25,7 @@ ImVec2 middle(const HeadlessWindow& bench) {
     return bench.at_pixel({size.width / 2.0, size.height / 2.0});
 }
 
-/// Moves over the picture until the cursor is over a highlight.
-bool find_highlight(HeadlessWindow& bench) {
-    const PictureSize size = bench.state.rendered->size;
-    for (int y = size.height / 4; y < 3 * size.height / 4; y += 8)
-        for (int x = size.width / 4; x < 3 * size.width / 4; x += 8) {
-            bench.move(bench.at_pixel({x, y}));
-            if (bench.state.viewport.hovered_grip.kind == GripKind::Highlight) return true;
-        }
-    return false;
-}
-
 }  // namespace
-
-TEST_CASE("a key that replaces the scene clears the hovered grip until the next picture", "[ui][other]") {
-    HeadlessWindow bench({700, 500});
-    take_scene(bench.state, three_objects());
-    bench.state.editor.selection = {Selection::Kind::Light, 0};
-    bench.frames(2);
-    REQUIRE(find_highlight(bench));
-    REQUIRE(bench.state.renderer->object_at(bench.state.rendered->size.width / 2,
-                                            bench.state.rendered->size.height / 2) == 2);
-    bench.key(Key::N, true);  // hovers with the picture of three objects over the scene of one
-    CHECK_FALSE(bench.state.viewport.hovered_grip);
-    REQUIRE(bench.scene().objects.size() == 1);
-    bench.frames(1);
-    CHECK(bench.state.viewport.hovered_grip.kind == GripKind::Highlight);
-}
 
 TEST_CASE("the last picture is used only for a scene with its surfaces", "[ui][other]") {
     HeadlessWindow bench({420, 300});
@@ -116,21 +90,4 @@ TEST_CASE("while an animation plays, the column shows its scene, not the edited 
           alone.explain(bench.state.on_screen.pixel.x, bench.state.on_screen.pixel.y).sum);
     CHECK(explained_scene(bench.state) == played);
     CHECK_FALSE(is_explained(bench.state));
-}
-
-TEST_CASE("the palette lists the lights and closes when one is deleted", "[ui][other]") {
-    HeadlessWindow bench({420, 300});
-    bench.frames(2);
-    bench.key(Key::K, true);
-    bench.frames(2);
-    REQUIRE(bench.state.palette.open);
-    const auto names = [&](const std::string& name) {
-        for (const PaletteEntry& entry : bench.state.palette.entries)
-            if (entry.name == name) return true;
-        return false;
-    };
-    CHECK(names("Select Bulb"));
-    bench.scene().lights.pop_back();
-    bench.frames(1);
-    CHECK_FALSE(bench.state.palette.open);
 }

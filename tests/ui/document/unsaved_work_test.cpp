@@ -36,14 +36,6 @@ void edit_and_wait(HeadlessWindow& bench, float intensity) {
     while (bench.state.persistence.autosave_writing) bench.frames(1);
 }
 
-/// Writes the next copy regardless of the time.
-void copy_again(HeadlessWindow& bench, float intensity) {
-    bench.state.persistence.autosaved_at = -1e9;
-    bench.scene().lights[0].intensity = intensity;
-    bench.frames(3);
-    while (bench.state.persistence.autosave_writing) bench.frames(1);
-}
-
 /// A window whose unsaved work has been copied.
 struct CopiedWindow {
     TemporaryDirectory folder;
@@ -59,82 +51,6 @@ struct CopiedWindow {
 };
 
 }  // namespace
-
-TEST_CASE("a copy that cannot be written is reported once and tried again", "[ui][memory]") {
-    CopiedWindow window;
-    HeadlessWindow& bench = window.bench;
-    const std::string& copy = window.copy;
-    CHECK(bench.notes_with("No copy") == 0);
-    std::filesystem::remove(copy);
-    std::filesystem::create_directory(copy);  // not even root can write a file over that
-    copy_again(bench, 0.5f);
-    CHECK(bench.notes_with("No copy") == 1);
-    CHECK(bench.state.persistence.autosaved_scene != bench.scene());
-    bench.state.notifications.list.clear();
-    copy_again(bench, 0.75f);
-    CHECK(bench.notes_with("No copy") == 0);
-    std::filesystem::remove(copy);
-    bench.state.persistence.autosaved_at = -1e9;
-    bench.frames(3);  // nothing was edited
-    while (bench.state.persistence.autosave_writing) bench.frames(1);
-    CHECK(bytes_of(copy).find("0.75") != std::string::npos);
-    std::filesystem::remove(copy);
-    std::filesystem::create_directory(copy);
-    copy_again(bench, 1.5f);
-    CHECK(bench.notes_with("No copy") == 1);
-}
-
-TEST_CASE("a copy that cannot be removed is removed later, and no other replaces it", "[ui][memory]") {
-    CopiedWindow window;
-    HeadlessWindow& bench = window.bench;
-    const std::string& copy = window.copy;
-    std::filesystem::remove(copy);
-    std::filesystem::create_directories(copy + "/full");  // not even root can remove that at once
-    bench.scene() = bench.state.editor.saved;
-    bench.frames(2);
-    std::filesystem::remove(copy + "/full");
-    bench.frames(2);
-    CHECK_FALSE(std::filesystem::exists(copy));
-    CHECK_FALSE(bench.state.persistence.autosave.has_value());
-    copy_again(bench, 0.5f);
-    std::filesystem::remove(copy);
-    std::filesystem::create_directories(copy + "/full");
-    bench.scene() = bench.state.editor.saved;
-    bench.frames(2);
-    std::filesystem::remove_all(copy);
-    copy_again(bench, 0.75f);
-    CHECK(bytes_of(copy).find("0.75") != std::string::npos);
-    end_persistence(bench.state);
-    CHECK_FALSE(std::filesystem::exists(copy));
-}
-
-TEST_CASE("a copy for which no thread can start is reported once and tried again", "[ui][memory]") {
-    CopiedWindow window;
-    HeadlessWindow& bench = window.bench;
-    {
-        const test::NoThreads none;
-        copy_again(bench, 0.6875f);
-        CHECK(bench.notes_with("No copy") == 1);
-        bench.state.persistence.autosaved_at = -1e9;
-        bench.frames(3);
-    }
-    CHECK(bench.notes_with("") == 1);
-    bench.state.persistence.autosaved_at = -1e9;
-    bench.frames(3);  // nothing was edited
-    while (bench.state.persistence.autosave_writing) bench.frames(1);
-    CHECK(bytes_of(window.copy).find("0.6875") != std::string::npos);
-}
-
-TEST_CASE("a missing folder for copies that cannot be created is reported", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    std::filesystem::remove_all(folder.path("state"));
-    (void)folder.file("state", "a file in its place");
-    bench.frames(2);
-    copy_again(bench, 0.25f);
-    CHECK(bench.notes_with("No copy") == 1);
-}
 
 TEST_CASE("a window that has to close leaves a copy of its latest work", "[ui][memory]") {
     const TemporaryDirectory folder;
@@ -210,22 +126,6 @@ TEST_CASE("a copy with only an edited camera is unsaved work and stays until sav
     CHECK(std::filesystem::exists(copy));
 }
 
-TEST_CASE("of several orphaned copies the newest comes first", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    const auto leave = [&folder](const char* file, const std::string& name, int hours_ago) {
-        const std::string copy =
-            folder.file(file, "{\"path\": \"/" + name + ".json\", \"scene\": {\"glint\": 1}}");
-        std::filesystem::last_write_time(
-            copy, std::filesystem::file_time_type::clock::now() - std::chrono::hours(hours_ago));
-    };
-    leave("0.autosave", "middle", 2);
-    leave("1.autosave", "newest", 1);
-    leave("2.autosave", "oldest", 3);
-    std::vector<std::string> titles;
-    for (const OrphanedAutosave& copy : orphaned_autosaves(folder.path(""))) titles.push_back(copy.title);
-    CHECK(titles == std::vector<std::string>{"newest.json", "middle.json", "oldest.json"});
-}
-
 TEST_CASE("a copy loads in the background, and a cancelled one is offered again", "[ui][memory]") {
     const TemporaryDirectory folder;
     {
@@ -280,20 +180,6 @@ TEST_CASE("a copy is offered by name and time, and not again after an answer", "
     CHECK(copies_in(folder) == 1);
 }
 
-TEST_CASE("a copy that cannot be removed is named", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    const std::string copy = folder.file("0.autosave", autosave_text(first_scene(), folder.path()));
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path());
-    bench.frames(1);
-    REQUIRE(bench.state.persistence.orphans.size() == 1);
-    std::filesystem::remove(copy);
-    std::filesystem::create_directories(copy + "/full");  // not even root can remove that at once
-    answer_copy(bench.state, CopyAnswer::Discard);
-    CHECK(bench.notes_with(copy + ": cannot be removed: ") == 1);
-    CHECK(bench.state.persistence.orphans.empty());
-}
-
 TEST_CASE("two windows keep two copies, and closing a window removes only its own", "[ui][memory]") {
     const TemporaryDirectory folder;
     auto first = std::make_unique<UiState>(1);
@@ -328,34 +214,4 @@ TEST_CASE("a copy finds its meshes for a scene in any folder", "[ui][memory]") {
     REQUIRE(problem_of(again) == nullptr);
     CHECK(std::get<SceneDocument>(again).path == path);
     CHECK(std::get<SceneDocument>(again).scene.objects[0].mesh->face_count() == 1);
-}
-
-TEST_CASE("a copy stores its file's name byte for byte", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    SceneDocument document = first_scene();
-    for (const char* const name : {"n\xff.json", "B\u00e4lle.json"}) {
-        document.path = folder.path(name);
-        const auto again = open_autosave(folder.file("0.autosave", autosave_text(document, folder.path(""))));
-        REQUIRE(problem_of(again) == nullptr);
-        CHECK(std::get<SceneDocument>(again).path == document.path);
-    }
-}
-
-TEST_CASE("a file that is not a copy is skipped", "[ui][memory]") {
-    const TemporaryDirectory folder;
-    (void)folder.file("0.autosave", "");
-    (void)folder.file("1.autosave", "{\"path\": 5, \"scene\": {}}");
-    (void)folder.file("2.autosave", std::string(100'000, '['));
-    std::filesystem::create_directories(folder.path("3.autosave"));
-    CHECK(orphaned_autosaves(folder.path("")).empty());
-    // Nested so deep that recursion per level would end the program.
-    const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
-    (void)folder.file("4.autosave", R"({"path": "", "scene": {"lights": )" + deep + "}}");
-    CHECK(orphaned_autosaves(folder.path("")).empty());
-    CHECK(problem_of(open_autosave(folder.path("4.autosave"))) != nullptr);
-    const std::string less_deep = std::string(32'000, '[') + std::string(32'000, ']');
-    CHECK(read_preferences(R"({"height": 9, "view": {"kept_views": [)" + less_deep + "]}}") == Preferences());
-    const std::string bad = folder.file("5.autosave", R"({"path": "", "scene": {"glint": 1, "lights": 3}})");
-    CHECK(orphaned_autosaves(folder.path("")).size() == 1);
-    CHECK(problem_of(open_autosave(bad)) != nullptr);
 }

@@ -111,26 +111,6 @@ TEST_CASE("thumbnails wait until no button is down and the scene has stopped cha
     CHECK(bench.frame().sleep_s > 1);  // and no further frame is requested
 }
 
-TEST_CASE("thumbnails show the scene at the end of a drag, which is copied once", "[ui][window][why]") {
-    HeadlessWindow bench;
-    test::ask(bench, InspectorTab::Mistakes);
-    REQUIRE(wait_for_pictures(bench));
-    const MistakePictures& m = bench.state.get<MistakePictures>();
-    ImGui::GetIO().MousePos = {5, 5};
-    bench.button(true);
-    bench.scene().lights[0].intensity = 0.9f;
-    bench.frames(1);
-    CHECK(m.pictures.taken == 0);
-    for (const float moved : {0.8f, 0.4f, 0.2f}) {
-        bench.scene().lights[0].intensity = moved;
-        bench.frames(1);
-        CHECK(m.seen.lights[0].intensity == 0.9f);
-    }
-    bench.button(false);
-    REQUIRE(wait_for_pictures(bench));
-    CHECK((shown(bench, 0) == drawn(bench.scene(), m.pictures.sheet.cell, 4)));
-}
-
 TEST_CASE("another scene, camera or size redraws the thumbnails; a mistake does not", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
@@ -156,29 +136,4 @@ TEST_CASE("another scene, camera or size redraws the thumbnails; a mistake does 
     bench.frames(40);
     CHECK(pictures.taken == 53);
     CHECK(pictures.sheet.serial == serial);
-}
-
-TEST_CASE("while the mistakes are hidden no thumbnail is drawn and no mesh is kept", "[ui][window][why]") {
-    HeadlessWindow bench;
-    test::ask(bench, InspectorTab::Mistakes);
-    const MistakePictures& m = bench.state.get<MistakePictures>();
-    while (!m.pictures.job) bench.frames(1);
-    bench.state.get<InspectorState>().tab = InspectorTab::Equation;
-    bench.frames(1);
-    CHECK_FALSE(m.begun);
-    CHECK(m.asked.objects.empty());
-    CHECK(m.seen.objects.empty());
-    if (m.pictures.job) CHECK(m.pictures.job->progress().cancelled);
-    for (int i = 0; i < 1000 && m.pictures.job; ++i) {
-        bench.frames(1);
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    CHECK_FALSE(m.pictures.job);
-    const auto serial = m.pictures.sheet.serial;
-    bench.scene().lights[0].intensity *= 0.5f;
-    bench.frames(60);
-    CHECK_FALSE(m.pictures.job);
-    CHECK(m.pictures.sheet.serial == serial);
-    bench.state.get<InspectorState>().tab = InspectorTab::Mistakes;
-    CHECK(wait_for_pictures(bench));
 }

@@ -142,20 +142,6 @@ TEST_CASE("figures have three decimals, more after zeros, and no negative zero",
     CHECK(shown_number(1234.5f) == " 1234");
 }
 
-TEST_CASE("names are unique", "[ui]") {
-    Scene scene;
-    CHECK(free_name("Bulb", scene) == "Bulb");
-    scene.lights.resize(2);
-    scene.lights[0].name = "Bulb";
-    scene.lights[1].name = "Bulb 2";
-    CHECK(free_name("Bulb", scene) == "Bulb 3");
-    CHECK(free_name("Bulb 2", scene) == "Bulb 3");
-    CHECK(free_name("4", scene) == "4");
-    scene.objects.resize(1);
-    scene.objects[0].name = "Bulb 3";  // listed items need different names
-    CHECK(free_name("Bulb", scene) == "Bulb 4");
-}
-
 TEST_CASE("a folder lists folders first, then matching files, by name", "[ui]") {
     namespace fs = std::filesystem;
     const fs::path folder = fs::temp_directory_path() / "glint_list_folder_test";

@@ -213,33 +213,6 @@ TEST_CASE("plots: inverse square goes through the point, a quarter at twice the 
     CHECK(inverse_square({{2, 0}}, {})[0].y == Approx(0.25));
 }
 
-TEST_CASE("plots: a value is interpolated between the points of a curve, not outside", "[ui][plots]") {
-    const std::vector<glm::dvec2> curve{{0, 1}, {2, 3}, {4, -1}};
-    CHECK(value_at(curve, 0) == 1.0);
-    CHECK(value_at(curve, 1) == 2.0);
-    CHECK(value_at(curve, 3) == 1.0);
-    CHECK(value_at(curve, 4) == -1.0);
-    CHECK_FALSE(value_at(curve, -0.1));
-    CHECK_FALSE(value_at(curve, 4.1));
-    CHECK_FALSE(value_at({}, 0));
-}
-
-TEST_CASE("plots: a fold's picture is drawn while it is open", "[ui][window][plots]") {
-    HeadlessWindow bench;
-    test::ask(bench, InspectorTab::Plots, {0.5, 0.5});
-    const auto has_beam = [&] {
-        return std::any_of(bench.controls().begin(), bench.controls().end(),
-                           [](const NamedControl& control) { return control.name == "Sketch"; });
-    };
-    CHECK_FALSE(has_beam());
-    bench.click(test::in_column(bench, "Falloff over the distance to the light"));
-    bench.click(test::in_column(bench, "Highlight: a power of a cosine"));
-    bench.frames(1);
-    bench.click(test::in_column(bench, "Draw a highlight of your own"));
-    bench.frames(2);
-    CHECK(has_beam());
-}
-
 TEST_CASE("plots: the tab draws for every shipped scene, and without lights", "[ui][window][plots]") {
     namespace fs = std::filesystem;
     HeadlessWindow bench({1024, 640});

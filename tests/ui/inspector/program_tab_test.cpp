@@ -98,27 +98,6 @@ TEST_CASE("hovering over a light's call shows that light alone", "[ui][window][p
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("undo under a preview drops the old explanation, and the preview returns",
-          "[ui][window][program]") {
-    HeadlessWindow bench({1280, 1400});
-    test::ask(bench, InspectorTab::Program);
-    const auto sum = [&bench] { return bench.state.on_screen.explanation->sum; };
-    const glm::vec3 at_first = sum();
-    bench.scene().global_ambient = glm::vec3(0.5f);
-    bench.frames(2);
-    REQUIRE(sum() != at_first);
-    const ImVec2 number = test::in_column(bench, "/lights/1/position/0");
-    bench.move({number.x - 60, number.y});
-    bench.frames(2);
-    REQUIRE(bench.state.rendered_scene == with_light_alone(bench.scene(), 1));
-    bench.key(Key::Z, true);
-    bench.frames(1);
-    CHECK(sum() == at_first);
-    bench.frames(2);
-    CHECK(sum() == at_first);
-    CHECK(bench.state.rendered_scene == with_light_alone(bench.scene(), 1));
-}
-
 TEST_CASE("a transform dragged past another keeps its numbers and moves the object",
           "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
@@ -149,22 +128,6 @@ TEST_CASE("a transform dragged past another keeps its numbers and moves the obje
           test::in_column(bench, "grip of glRotatef 0").y);
 }
 
-TEST_CASE("a transform dragged past another and back leaves the object where it was",
-          "[ui][window][program]") {
-    HeadlessWindow bench({1280, 1400});
-    ask_of_one_object(bench, {{1, 0.5f, -2}, {20, 30, 40}, {2, 2, 2}});
-    const Transform start = bench.scene().objects[0].transform;
-    const ImVec2 scale = test::in_column(bench, "grip of glScalef 0");
-    const ImVec2 translate = test::in_column(bench, "grip of glTranslatef 0");
-    bench.drag(scale, {scale.x, translate.y - 5});
-    // Moved first, it is scaled with the rest: twice as far.
-    CHECK(bench.scene().objects[0].transform.translate == 2.0f * start.translate);
-    const ImVec2 now = test::in_column(bench, "grip of glScalef 0");
-    REQUIRE(now.y < test::in_column(bench, "grip of glTranslatef 0").y);
-    bench.drag(now, {now.x, scale.y + 5});
-    CHECK(bench.scene().objects[0].transform == start);
-}
-
 TEST_CASE("a scale that would shear cannot be dragged before a rotation", "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     ask_of_one_object(bench, {{1, 0, 0}, {0, 0, 30}, {1, 2, 1}});
@@ -174,32 +137,4 @@ TEST_CASE("a scale that would shear cannot be dragged before a rotation", "[ui][
     bench.drag(scale, {scale.x, rotate.y - 3});
     CHECK(bench.scene() == start);
     CHECK(test::in_column(bench, "grip of glScalef 0").y > rotate.y);
-}
-
-TEST_CASE("a scale of a call is typed from 0 and dragged through 0, as in its panel",
-          "[ui][window][program]") {
-    HeadlessWindow bench({1280, 1400});
-    ask_of_one_object(bench, {});
-    const auto place = [&] { return test::in_column(bench, "/objects/0/transform/scale/0"); };
-    const auto scale = [&] { return bench.scene().objects[0].transform.scale.x; };
-    const auto type = [&](const std::string& text) {
-        bench.click(place());
-        bench.frames(2);
-        for (const char letter : text) bench.type(std::string(1, letter).c_str());
-        bench.click({2, 1398});
-        bench.frames(2);
-    };
-    type("0.5");
-    CHECK(scale() == 0.5f);
-    CHECK(bench.state.notifications.list.empty());
-    const ImVec2 x = place();
-    bench.drag(x, {x.x - 100, x.y});
-    CHECK(scale() == Approx(-0.5));
-    CHECK(bench.state.notifications.list.empty());
-    bench.key(Key::Z, true);
-    CHECK(scale() == 0.5f);
-    type("0");
-    CHECK(scale() == 0.5f);
-    REQUIRE(bench.state.notifications.list.size() == 1);
-    CHECK(bench.state.notifications.list[0].text.starts_with("0 is not possible: "));
 }

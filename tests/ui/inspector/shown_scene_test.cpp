@@ -96,27 +96,6 @@ TEST_CASE("while B is shown, clicks explain B, whose numbers are read-only", "[u
     CHECK(bench.scene() == bench.edited);
 }
 
-TEST_CASE("the explained scene cannot be edited by accident", "[ui][compare]") {
-    STATIC_REQUIRE(std::is_same_v<decltype(explained_scene(std::declval<UiState&>())), const Scene&>);
-    Scene scene;
-    scene.lights.resize(1);
-    CHECK(number_handle({scene}, "/lights/0/intensity").number.place == nullptr);
-    CHECK(number_handle({scene, &scene}, "/lights/0/intensity").number.place == &scene.lights[0].intensity);
-}
-
-TEST_CASE("a pixel of a part that shows B is explained for B, and is read-only", "[ui][window][compare]") {
-    StoredWindow bench;
-    bench.compare({{}, {Variant::Kind::Stored, 0}});
-    bench.click(bench.at_share(0.55, 0.5));
-    bench.frames(2);
-    bench.check_explains_b();
-    bench.check_column_edits_nothing();
-    bench.click(bench.at_share(0.45, 0.5));
-    bench.frames(2);
-    CHECK(bench.state.on_screen.explanation->at.lights.size() == 1);
-    CHECK(is_explained(bench.state));
-}
-
 TEST_CASE("no light of B can be grabbed, and the edited lights are not drawn over it",
           "[ui][window][compare]") {
     StoredWindow bench;

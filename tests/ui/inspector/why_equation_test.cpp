@@ -24,12 +24,6 @@ Explanation asked_apart(HeadlessWindow& bench) {
     return renderer.explain(bench.state.on_screen.explanation->x, bench.state.on_screen.explanation->y);
 }
 
-int lights_on(const Scene& scene) {
-    int on = 0;
-    for (const Light& light : scene.lights) on += light.enabled ? 1 : 0;
-    return on;
-}
-
 }  // namespace
 
 TEST_CASE("a right click on a read-only number copies it or its line", "[ui][window][why]") {
@@ -101,36 +95,6 @@ TEST_CASE("the sums of the terms can be copied", "[ui][window][why]") {
     CHECK(std::stof(ImGui::GetClipboardText()) == Approx(blue).margin(0.0005));
 }
 
-TEST_CASE("chosen weights are explained while the mouse still hovers over them", "[ui][window][why]") {
-    HeadlessWindow bench({1280, 1400});
-    bench.scene().shading.mode = ShadingMode::Gouraud;
-    bench.scene().shading.interpolation = Interpolation::Screen;
-    test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
-    REQUIRE(bench.state.on_screen.explanation->interpolation == Interpolation::Screen);
-    bench.click(HeadlessWindow::middle_of(bench.area_of("Perspective", test::right_column(bench))));
-    bench.frames(5);
-    CHECK(bench.scene().shading.interpolation == Interpolation::Perspective);
-    CHECK(bench.state.on_screen.explanation->interpolation == Interpolation::Perspective);
-}
-
-TEST_CASE("a value of the equation stays on one line with its name in a narrow column", "[ui][window][why]") {
-    HeadlessWindow bench({1280, 1400});
-    int seen = 0;
-    for (float width = 222; width < 420; width += 11) {
-        bench.state.layout.right_width = width;
-        test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
-        bench.frames(2);
-        for (const NamedControl& control : bench.controls()) {
-            if (control.name.find("angle ") != 0) continue;
-            ++seen;
-            CAPTURE(width, control.name);
-            CHECK(control.at.high.x > control.at.low.x);
-            CHECK(control.at.size().y < 1.6f * ImGui::GetTextLineHeight());
-        }
-    }
-    CHECK(seen > 30);
-}
-
 TEST_CASE("the distance in the equation moves its light along its direction", "[ui][window][why]") {
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
         HeadlessWindow bench({1280, 1400});
@@ -166,24 +130,6 @@ TEST_CASE("a distance that is typed digit by digit keeps the direction to its li
     const ExplainedLight& after = bench.state.on_screen.explanation->at.lights[1];
     CHECK(after.distance == Approx(0.5));
     CHECK(glm::dot(after.l.world, before.l.world) == Approx(1).margin(1e-5));
-}
-
-TEST_CASE("the distance has no default, and its menu offers none", "[ui][window][why]") {
-    HeadlessWindow bench({1280, 1400});
-    test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
-    const auto offers_reset = [&](std::string_view number) {
-        bench.move(test::in_column(bench, number));
-        bench.button(true, 1);
-        bench.button(false, 1);
-        bench.frames(2);
-        bool found = false;
-        for (const NamedControl& control : bench.controls()) found |= control.name == "Reset to default";
-        bench.key(Key::Escape);
-        bench.frames(2);
-        return found;
-    };
-    CHECK(offers_reset("/lights/1/intensity"));
-    CHECK_FALSE(offers_reset("Distance of Bulb"));
 }
 
 TEST_CASE("Gouraud's loss between corners is shown even if both colours are clipped", "[ui][window][why]") {
@@ -274,24 +220,6 @@ TEST_CASE("every number in the equation can be dragged: one change, one undo ste
     CHECK(changed.count("Global ambient") == 1);
 }
 
-TEST_CASE("hovering over a term or a light's name shows it alone and edits nothing", "[ui][window][why]") {
-    HeadlessWindow bench;
-    test::ask(bench, InspectorTab::Equation);
-    const Scene start = bench.scene();
-    const Explanation before = *bench.state.on_screen.explanation;
-    (void)test::rest_on(bench, "s  specular");
-    CHECK(bench.state.rendered_scene.shading.terms == Terms{false, false, false, true});
-    CHECK(bench.scene() == start);
-    CHECK(bench.state.on_screen.explanation->sum == before.sum);
-    (void)test::rest_on(bench, "Light");
-    CHECK(lights_on(bench.state.rendered_scene) == 1);
-    CHECK(bench.state.rendered_scene.lights.front().enabled);
-    CHECK(bench.state.rendered_scene.global_ambient == glm::vec3(0));
-    CHECK(bench.scene() == start);
-    test::rest(bench);
-    CHECK(bench.state.rendered_scene == start);
-}
-
 TEST_CASE("no previews while a button is down", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);
@@ -332,27 +260,4 @@ TEST_CASE("the copy buttons fill the clipboard", "[ui][window][why]") {
     ImGui::SetClipboardText("nothing");
     bench.click(test::in_column(bench, "text"));
     CHECK(ImGui::GetClipboardText() == explain_text(asked_apart(bench), bench.scene()));
-}
-
-TEST_CASE("the tabs of WHY stay in place when a pixel is picked or forgotten", "[ui][why]") {
-    HeadlessWindow bench;
-    bench.frames(3);
-    const auto tab_top = [] {
-        const ImGuiWindow* tab = test::window_named("/Equation");
-        REQUIRE(tab != nullptr);
-        return tab->Pos.y;
-    };
-    const float before = tab_top();
-    bench.click(bench.at_pixel({320, 240}));
-    bench.frames(2);
-    REQUIRE(bench.state.on_screen.explanation);
-    CHECK(tab_top() == before);
-    bench.click(bench.at_pixel({3, 3}));
-    bench.frames(2);
-    REQUIRE_FALSE(bench.state.on_screen.explanation->hit);
-    CHECK(tab_top() == before);
-    bench.state.viewport.probe.reset();
-    bench.frames(2);
-    REQUIRE_FALSE(bench.state.on_screen.explanation);
-    CHECK(tab_top() == before);
 }

@@ -74,19 +74,6 @@ TEST_CASE("no mistake is named over a frozen picture or after a preview has ende
     CHECK(bench.state.on_screen.explanation->sum == sum);  // it was the edited scene's
 }
 
-TEST_CASE("the end of a preview requests the frame that draws the edited scene again", "[ui][window][why]") {
-    HeadlessWindow bench;
-    test::ask(bench, InspectorTab::Mistakes);
-    const auto first = first_mistake().flag;
-    (void)test::rest_on(bench, first_switch());
-    CHECK(bench.state.rendered_scene.shading.mistakes.*first);
-    ImGui::GetIO().MousePos = {5, 5};
-    CHECK(bench.frame().sleep_s == 0);
-    (void)bench.frame();
-    CHECK(bench.state.rendered_scene == bench.scene());
-    CHECK(bench.frame().sleep_s > 0);
-}
-
 TEST_CASE("the status line opens the list of mistakes at the one that is on", "[ui][window][why]") {
     for (const MistakeName& mistake : mistake_names()) {
         const std::string row = "/shading/mistakes/" + std::string(mistake.name);

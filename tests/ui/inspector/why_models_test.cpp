@@ -61,21 +61,6 @@ TEST_CASE("hovering over a model previews it, a click applies it, undo reverts i
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("the models wait while a scene with other objects is on the screen", "[ui][window][why]") {
-    HeadlessWindow bench;
-    test::ask(bench, InspectorTab::Models);
-    Scene other = bench.scene();
-    other.objects.push_back(other.objects.front());
-    other.objects.back().transform.translate = {0, 0, 1.5f};
-    for (int i = 0; i < 3; ++i) {
-        bench.state.get<InspectorState>().instead = other;
-        bench.frames(1);
-    }
-    CHECK(bench.state.rendered_scene.objects.size() == 2);
-    bench.frames(2);
-    CHECK(bench.state.rendered_scene == bench.scene());
-}
-
 TEST_CASE("the models tab finds Blinn's shininess for this Phong highlight and applies it",
           "[ui][window][why]") {
     HeadlessWindow bench({1280, 1200});

@@ -71,27 +71,6 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
           expected.numbers.front().change);
 }
 
-TEST_CASE("if no thread can start the column reports it until the scene changes", "[ui][window][why]") {
-    HeadlessWindow bench({760, 400});
-    bench.state.layout.left = true;
-    bench.state.left_shows_inspector = true;
-    {
-        const test::NoThreads none;
-        test::ask(bench, InspectorTab::Sensitivity, {0.5, 0.45});
-        REQUIRE(wait_for_numbers(bench));
-        CHECK_FALSE(bench.state.get<SensitivityState>().shown);
-        CHECK(bench.state.get<SensitivityState>().why_none.find("the system allows no further thread") !=
-              std::string::npos);
-        CHECK(bench.state.notifications.list.empty());  // no frame was aborted
-        bench.frames(30);
-        CHECK_FALSE(bench.state.get<SensitivityState>().job);
-    }
-    bench.scene().lights.front().intensity = 0.5f;
-    bench.frames(2);
-    REQUIRE(wait_for_numbers(bench));
-    CHECK(bench.state.get<SensitivityState>().shown);
-}
-
 TEST_CASE("the column reports more lights than can be measured", "[ui][window][why]") {
     HeadlessWindow bench({760, 400});
     bench.scene().lights.resize(max_sensitivity_lights + 1, bench.scene().lights.front());
@@ -101,30 +80,6 @@ TEST_CASE("the column reports more lights than can be measured", "[ui][window][w
     REQUIRE(wait_for_numbers(bench));
     CHECK_FALSE(bench.state.get<SensitivityState>().shown);
     CHECK(bench.state.get<SensitivityState>().why_none == "More than 64 lights take too long.");
-}
-
-TEST_CASE("until the next measurement the numbers keep their old names", "[ui][window][why]") {
-    HeadlessWindow bench({1280, 1400});
-    Object aside = bench.scene().objects[0];
-    aside.transform.translate = {100, 0, 0};
-    bench.scene().objects.insert(bench.scene().objects.begin(), aside);
-    test::ask(bench, InspectorTab::Sensitivity, {0.5, 0.45});
-    REQUIRE(wait_for_numbers(bench));
-    bench.frames(2);
-    const auto is_listed = [&bench](std::string_view name) {
-        return std::any_of(bench.controls().begin(), bench.controls().end(),
-                           [&](const NamedControl& control) { return control.name == name; });
-    };
-    REQUIRE(is_listed("Ball: move y"));
-    bench.scene().objects.erase(bench.scene().objects.begin());
-    bench.frames(1);
-    REQUIRE_FALSE(bench.state.get<SensitivityState>().current);
-    CHECK(is_listed("Ball: move y"));
-    // Nothing is shown for another document.
-    take_scene(bench.state, first_scene());
-    bench.frames(2);
-    CHECK_FALSE(bench.state.get<SensitivityState>().shown);
-    CHECK_FALSE(is_listed("Ball: move y"));
 }
 
 TEST_CASE("numbers are ranked by the effect of a usual change, not by their units", "[ui][why]") {

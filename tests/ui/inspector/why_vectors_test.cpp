@@ -176,33 +176,6 @@ TEST_CASE("a Gouraud pixel's corners are drawn at their positions", "[ui][window
     }
 }
 
-TEST_CASE("a Gouraud pixel's corner off the picture is marked on the edge towards it", "[ui][window][why]") {
-    HeadlessWindow bench;
-    bench.scene() =
-        std::get<SceneDocument>(open_document(project_file("assets/scenes/receding-floor.json"))).scene;
-    test::ask(bench, InspectorTab::Equation, {0.42, 0.5});
-    const PictureSize size = bench.state.rendered->size;
-    const ScreenMap map = screen_map(bench.scene().camera, size);
-    const Rect picture{bench.at_pixel({0, 0}), bench.at_pixel({size.width, size.height})};
-    REQUIRE(bench.state.on_screen.explanation->corners.size() == 3);
-    int off = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const ProjectedPoint place =
-            project(map, glm::dvec3(bench.state.on_screen.explanation->corners[i].at.point.world));
-        const Rect mark = bench.area_of(std::string("corner ") + "ABC"[i]);
-        CHECK(mark.low.x > picture.low.x);
-        CHECK(mark.low.y > picture.low.y);
-        CHECK(mark.high.x < picture.high.x);
-        CHECK(mark.high.y < picture.high.y);
-        if (place.in_front && is_inside(size, place.pixel)) continue;
-        ++off;
-        const ImVec2 at = HeadlessWindow::middle_of(mark);
-        CHECK(std::min({at.x - picture.low.x, at.y - picture.low.y, picture.high.x - at.x,
-                        picture.high.y - at.y}) < 32);
-    }
-    CHECK(off == 1);
-}
-
 TEST_CASE("the letters of nearly collinear vectors do not overlap each other or arrows",
           "[ui][window][why]") {
     HeadlessWindow bench;
@@ -237,30 +210,6 @@ TEST_CASE("the letters of nearly collinear vectors do not overlap each other or 
         }
 }
 
-TEST_CASE("the diagram of a light behind the surface leaves the next section free", "[ui][window][why]") {
-    HeadlessWindow bench({1280, 1200});
-    test::ask(bench, InspectorTab::Vectors, {0.5, 0.5});
-    const ExplainedPoint& point = bench.state.on_screen.explanation->at;
-    const glm::vec3 behind = -point.normal.world;
-    bench.scene().lights[0].kind = LightKind::Directional;
-    bench.scene().lights[0].position = glm::vec4(behind, 0);
-    bench.state.editor.selection = {Selection::Kind::Light, 0};
-    bench.frames(3);
-    const Rect column = test::right_column(bench);
-    const float below = bench.area_of("Off", column).low.y;  // the first step of r
-    // The tip of l is straight below the foot; the caption, the heading, then the steps follow it.
-    const float middle = (column.low.x + column.high.x) / 2;
-    const ImU32 ink = to_u32(dark_theme()[Symbol::L]);
-    float lowest = 0;
-    const ImDrawData* data = ImGui::GetDrawData();
-    for (int i = 0; i < data->CmdListsCount; ++i)
-        for (const ImDrawVert& v : data->CmdLists[i]->VtxBuffer)
-            if (v.col == ink && std::abs(v.pos.x - middle) < 20 && v.pos.y < below + 30)
-                lowest = std::max(lowest, v.pos.y);
-    CHECK(lowest > below - 260);
-    CHECK(lowest < below - 40);
-}
-
 TEST_CASE("the pixel's heading follows the cursor only over the picture", "[ui][why]") {
     HeadlessWindow bench({1280, 800});
     bench.frames(2);
@@ -272,16 +221,4 @@ TEST_CASE("the pixel's heading follows the cursor only over the picture", "[ui][
     bench.frames(2);
     CHECK_FALSE(asks_at_cursor(bench.state));
     ImGui::GetIO().KeyAlt = false;
-}
-
-TEST_CASE("labels of angles do not touch", "[ui][window][why]") {
-    HeadlessWindow bench;
-    for (const double x : {0.42, 0.48, 0.55, 0.6}) {
-        test::ask(bench, InspectorTab::Vectors, {x, 0.45});
-        std::vector<Rect> labels;
-        for (const NamedControl& control : bench.controls())
-            if (control.name == "Angle of vectors") labels.push_back(control.at);
-        for (std::size_t i = 1; i < labels.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(overlap(labels[i], labels[j]));
-    }
 }

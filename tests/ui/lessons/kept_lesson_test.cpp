@@ -90,25 +90,6 @@ TEST_CASE("a lesson restores its scene without a question if nobody saved the pr
     CHECK(bench.scene() == bench.state.get<LessonState>().station().revealed);
 }
 
-TEST_CASE("lessons with names that are not UTF-8 each keep their own progress", "[ui][window][lesson]") {
-    const LessonFolder folder;
-    const std::string first = folder.file("caf\xE9.md", small_lesson(two_steps)),
-                      second = folder.file("caf\xE8.md", small_lesson(two_steps));
-    const auto station_of = [&](const std::string& path, int pages) {
-        HeadlessWindow bench;
-        begin_persistence(bench.state, folder.path("state"));
-        bench.frames(2);
-        test::drop(bench, path);
-        REQUIRE(bench.state.get<LessonState>().course);
-        for (; pages > 0; --pages) (void)bench.key(Key::PageDown);
-        bench.frames(2);
-        return bench.state.get<LessonState>().progress.station;
-    };
-    CHECK(station_of(first, 1) == 1);
-    CHECK(station_of(second, 0) == 0);
-    CHECK(station_of(first, 0) == 1);
-}
-
 TEST_CASE("an unreadable or full file of progress stays unchanged and is reported", "[ui][window][lesson]") {
     constexpr std::size_t longest = std::size_t{1} << 20;
     const std::string head = "{\"x\": \"", tail = "\"}";

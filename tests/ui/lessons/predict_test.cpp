@@ -79,21 +79,6 @@ TEST_CASE("a colour is predicted without a mouse once a pixel is picked", "[ui][
     CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);
 }
 
-TEST_CASE("a new prediction needs a pixel if the previous one was lost", "[ui][window][lesson]") {
-    PredictWindow bench;
-    bench.click(bench.control("Lock the colour in"));
-    bench.frames(4);
-    REQUIRE(bench.state.get<PredictState>().answer);
-    const bool gone = GENERATE(true, false);
-    if (gone) ask_about(bench.state.viewport, {});
-    bench.frames(2);
-    bench.click(bench.control("Predict again"));
-    bench.frames(2);
-    CHECK(bench.state.get<PredictState>().stage == (gone ? PredictStage::Pick : PredictStage::Change));
-    CHECK(bench.state.get<LectureState>().frozen.has_value() == !gone);
-    CHECK(bench.state.get<PredictState>().mine == Json());
-}
-
 TEST_CASE("a pixel's old colour is that of the edited scene, not of a shown part", "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
@@ -178,32 +163,4 @@ TEST_CASE("the revealed pixel is the picked one, even if others are viewed or pi
     bench.frames(4);
     REQUIRE(bench.state.get<PredictState>().answer);
     CHECK(*bench.state.get<PredictState>().answer == (looked_at == 1 ? std::array<int, 3>{0, 0, 0} : was));
-}
-
-TEST_CASE("a prediction's pixel stays on its surface point when the window is resized",
-          "[ui][window][lesson]") {
-    PredictWindow bench;
-    const std::array<int, 3> was = bench.state.get<PredictState>().before;
-    ImGui::GetIO().DisplaySize = {1600, 900};
-    bench.frames(3);
-    bench.click(bench.control("Lock the colour in"));
-    bench.frames(4);
-    REQUIRE(bench.state.get<PredictState>().answer);
-    for (std::size_t c = 0; c < 3; ++c)
-        CHECK(std::abs((*bench.state.get<PredictState>().answer)[c] - was[c]) <= 6);
-    CHECK(*bench.state.viewport.probe == *bench.state.get<PredictState>().probe);
-}
-
-TEST_CASE("a pixel of B picked for a prediction is one of the scene", "[ui][window][lesson]") {
-    HeadlessWindow bench({1280, 1000});
-    bench.frames(2);
-    (void)bench.key(Key::B, true);
-    (void)bench.key(Key::Q);
-    (void)bench.key(Key::B);
-    bench.frames(2);
-    const PictureSize size = bench.state.rendered->size;
-    bench.click(bench.at_pixel({size.width / 2.0, size.height / 2.0}));
-    bench.frames(4);
-    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);
-    CHECK_FALSE(bench.state.get<CompareState>().choice.shows_stored);
 }

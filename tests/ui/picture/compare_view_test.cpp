@@ -68,29 +68,6 @@ TEST_CASE("each part of a comparison equals the full picture of its mode", "[ui]
     CHECK(bench.state.displayed == bench.state.rendered);
 }
 
-TEST_CASE("after a failed frame a comparison restarts with the mouse over a part", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    comparing(bench);
-    const CompareState& compare = bench.state.get<CompareState>();
-    const PictureSize size = bench.state.rendered->size;
-    const glm::ivec2 middle{size.width / 2, size.height / 2};
-    REQUIRE(part_renderer(compare, middle, size) != bench.state.renderer.get());
-    bench.move(bench.at_pixel(middle));
-    REQUIRE(bench.state.viewport.main_light);
-    ImGui::NewFrame();
-    give_up_frame(bench.state, std::runtime_error("no luck"));
-    ImGui::Render();
-    REQUIRE_FALSE(compare.choice.on);
-    bench.state.get<CompareState>().choice.on = true;
-    CHECK(part_renderer(compare, middle, size) == nullptr);  // its renderer was deleted
-    CHECK(drawn_parts(compare, *bench.state.renderer, size).size() == 1);
-    bench.state.get<CompareState>().choice.on = false;
-    bench.key(Key::C);
-    bench.frames(1);
-    check_three(bench);
-    CHECK(bench.state.viewport.main_light);
-}
-
 TEST_CASE("a dragged wipe line moves the parts' border to the cursor and redraws no scene",
           "[ui][window][compare]") {
     HeadlessWindow bench;
@@ -369,19 +346,4 @@ TEST_CASE("pressing B toggles the stored scene, holding B shows it temporarily",
     ImGui::GetIO().DeltaTime = 1.5f;
     held_for(1);
     CHECK(shows);
-}
-
-TEST_CASE("B that is hidden while held stays hidden after release", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    bench.key(Key::B, true);
-    UiInput press, hold;
-    press.presses.push_back({Key::B, false, false, false});
-    press.b_held = hold.b_held = true;
-    (void)bench.frame(press);
-    for (int i = 0; i < 40; ++i) (void)bench.frame(hold);  // two thirds of a second
-    REQUIRE(bench.state.get<CompareState>().choice.shows_stored);
-    put_away(bench.state);
-    bench.frames(2);
-    CHECK_FALSE(bench.state.get<CompareState>().choice.shows_stored);
 }

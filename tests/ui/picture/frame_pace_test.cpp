@@ -64,12 +64,6 @@ TEST_CASE("if fewer pixels do not help, the picture stays full-size", "[ui][pace
     CHECK_FALSE(pace.in_vain);
 }
 
-TEST_CASE("a divided size is never zero", "[ui][pace]") {
-    CHECK(divided({641, 479}, 2) == PictureSize{320, 239});
-    CHECK(divided({3, 1}, 4) == PictureSize{1, 1});
-    CHECK(divided({640, 480}, 1) == PictureSize{640, 480});
-}
-
 TEST_CASE("a slow picture is small during a camera drag and full-size after a pause", "[ui][pace]") {
     test::HeadlessWindow bench;
     bench.frames(2);

@@ -134,38 +134,6 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and redraw nothin
     ImGui::GetIO().KeyCtrl = false;
 }
 
-TEST_CASE("big pixels have room for their numbers at any display scale", "[ui][window][magnify]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    bench.key(Key::M);
-    for (const float scale : {1.0f, 1.25f, 1.5f, 2.0f, 2.5f}) {
-        apply_theme(dark_theme(), scale);
-        bench.frames(2);
-        const Layout layout = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1);
-        const PictureView view = picture_view(layout.centre, bench.state);
-        INFO("scale " << scale << ": a pixel is " << view.units_per_pixel << " wide");
-        CHECK(view.units_per_pixel >= px(26));  // required by draw_number()
-        CHECK(std::fmod(view.units_per_pixel, 1.0f) == 0);
-    }
-}
-
-TEST_CASE("labels in a corner of the picture are in the corner of the visible part",
-          "[ui][window][magnify]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    bench.key(Key::F8);
-    bench.frames(2);
-    const Rect room = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).centre;
-    const Rect before = bench.area_of("On the picture");
-    bench.key(Key::M);
-    bench.frames(2);
-    const Rect now = bench.area_of("On the picture");
-    CHECK(bench.state.get<MagnifierState>().zoom > 4);
-    CHECK(length_of(now.low - room.low) <= length_of(before.low - room.low));
-    CHECK(room.holds(now.low));
-    CHECK(room.holds(now.high));
-}
-
 TEST_CASE("magnified, a position maps to the window and back; the picture fills its area", "[ui][magnify]") {
     PictureView plain;
     plain.origin = {10, 20};

@@ -17,26 +17,6 @@
 using namespace glint;
 using test::HeadlessWindow;
 
-namespace {
-
-/// The largest vertex count that commands with one vertex offset may have to index, with 16 bits.
-unsigned most_corners() {
-    unsigned most = 0;
-    const ImDrawData& data = *ImGui::GetDrawData();
-    for (int i = 0; i < data.CmdListsCount; ++i) {
-        unsigned end = static_cast<unsigned>(data.CmdLists[i]->VtxBuffer.Size), first = end;
-        for (const ImDrawCmd* c = data.CmdLists[i]->CmdBuffer.end();
-             c != data.CmdLists[i]->CmdBuffer.begin();) {
-            --c;
-            if (c->VtxOffset != first) end = std::exchange(first, c->VtxOffset);
-            if (end > first) most = std::max(most, end - first);
-        }
-    }
-    return most;
-}
-
-}  // namespace
-
 TEST_CASE("names are in natural order", "[ui][lecture]") {
     const std::vector<std::string> ordered{"1",        "2",         "10",    "Step 2", "step 10",
                                            "step 10b", "step 010c", "steps", "Z1",     "z2"};
@@ -169,25 +149,6 @@ TEST_CASE("an unreadable page is reported, and PgDn and PgUp skip it", "[ui][lec
     fails(Key::PageDown, "1.json", "2.json");  // relative to the document that was opened
 }
 
-TEST_CASE("PgDn continues after a scene without enough memory for its picture", "[ui][lecture][memory]") {
-    const TemporaryDirectory folder;
-    SceneDocument large = first_scene();
-    large.scene.objects.assign(2000, test::object_of(test::primitive(Primitive::Sphere, 200)));
-    HeadlessWindow bench;
-    for (const auto& [name, scene] :
-         {std::pair("1.json", first_scene().scene), {"2.json", large.scene}, {"3.json", first_scene().scene}})
-        bench.state.get<LectureState>().given_scenes.push_back(folder.file(name, scene_text(scene)));
-    begin_open(bench.state, folder.path("1.json"));
-    bench.wait_for_loads();
-    const test::MemoryLimit limit(std::uint64_t{100} << 20);
-    for (const char* title : {"1.json", "3.json"}) {
-        bench.key(Key::PageDown);
-        bench.wait_for_loads();
-        bench.frames(3);
-        CHECK(bench.state.editor.title() == title);
-    }
-}
-
 TEST_CASE("on the projector all text has a contrast of 7 to 1", "[ui][lecture]") {
     for (const bool dark : {true, false}) {
         const Theme& t = projector_theme(dark);
@@ -204,21 +165,6 @@ TEST_CASE("on the projector all text has a contrast of 7 to 1", "[ui][lecture]")
         CHECK(contrast(t.accent, t.panel) >= 7);
     }
     CHECK(13 * projector_scale >= 18);  // the smallest type
-}
-
-TEST_CASE("a clean picture has no bars and no columns, and Escape restores them", "[ui][lecture]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const PictureSize before = bench.state.rendered->size;
-    bench.key(Key::F10);
-    bench.frames(2);
-    CHECK(bench.state.rendered->size.width > before.width);
-    const Layout layout = lay_out({1280, 800}, bench.state.layout, 1);
-    CHECK(layout.centre.size().x == 1280);
-    CHECK(layout.centre.size().y == 800);
-    bench.key(Key::Escape);
-    bench.frames(2);
-    CHECK(bench.state.rendered->size == before);
 }
 
 TEST_CASE("a clean picture shows only messages that need attention", "[ui][lecture]") {
@@ -252,28 +198,6 @@ TEST_CASE("a frozen picture stays during all edits", "[ui][lecture]") {
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("the pen draws over the picture and leaves the scene unchanged", "[ui][lecture]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const Scene before = bench.scene();
-    bench.key(Key::W, false, true);
-    bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({300, 200}));
-    CHECK(bench.scene() == before);
-    REQUIRE(bench.state.get<PenState>().lines.size() == 1);
-    const PictureSize size = bench.state.rendered->size;
-    const glm::vec2 first = bench.state.get<PenState>().lines[0].places.front();
-    CHECK(first.x * float(size.height) == Approx(100 - size.width / 2.0).margin(0.6));
-    CHECK(first.y * float(size.height) == Approx(100 - size.height / 2.0).margin(0.6));
-    bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({160, 130}), 1);  // the camera still moves
-    CHECK_FALSE(bench.scene().camera == before.camera);
-    UiInput erase;
-    erase.presses = {{Key::W, false, false, true}};
-    (void)bench.frame(erase);
-    CHECK(bench.state.get<PenState>().lines.empty());
-    bench.key(Key::Escape);
-    CHECK_FALSE(bench.state.get<PenState>().on);
-}
-
 TEST_CASE("the step wedge reports the lost steps", "[ui][lecture]") {
     WedgeRow row{"black", 0, 1};
     CHECK(wedge_words(row) == "On black: click the first patch that the last row of the room can see");
@@ -290,29 +214,4 @@ TEST_CASE("the step wedge reports the lost steps", "[ui][lecture]") {
     CHECK(bench.state.get<WedgeState>().rows[0].seen == 0);
     bench.key(Key::Escape);
     CHECK_FALSE(bench.state.get<WedgeState>().open);
-}
-
-TEST_CASE("the pen draws lines of any length, up to its limit", "[ui][lecture]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    bench.key(Key::W, false, true);
-    PenState& pen = bench.state.get<PenState>();
-    pen.lines.push_back({});
-    for (int i = 0; i < 18'000; ++i)
-        pen.lines[0].places.emplace_back(0.001f * float(i % 300), 0.00001f * float(i));
-    bench.frames(2);
-    CHECK(most_corners() <= 1 << 16);
-    const auto last = [&] {
-        return bench.state.notifications.list.empty() ? "" : bench.state.notifications.list.back().text;
-    };
-    bench.drag(bench.at_pixel({100, 100}), bench.at_pixel({300, 200}));
-    CHECK(pen.lines.size() == 2);
-    CHECK(last().find("its limit") == std::string::npos);
-    pen.lines[0].places.resize(99'998 - pen.lines[1].places.size());
-    bench.drag(bench.at_pixel({100, 200}), bench.at_pixel({300, 300}));
-    REQUIRE(pen.lines.size() == 3);
-    CHECK(pen.lines[2].places.size() == 2);
-    CHECK(last() == "The pen has reached its limit for a picture: Alt+W erases everything");
-    bench.drag(bench.at_pixel({100, 200}), bench.at_pixel({300, 300}));
-    CHECK(pen.lines.size() == 3);
 }

@@ -276,22 +276,3 @@ TEST_CASE("a Ctrl+Shift drag changes a light's brightness, not its position", "[
     CHECK(dimmed(0, 30, 300) > 0);
     CHECK(dimmed(0, -30, 300) == 0);
 }
-
-TEST_CASE("the note at the cursor does not cover the ball whose light is dragged", "[ui][hands][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
-    bench.key(Key::H);
-    bench.move(bench.at_pixel(project(map, {0.2, 0.2, 0.9}).pixel));
-    bench.frames(1);
-    const Rect note = bench.area_of("Note at the cursor");
-    // The unit ball's outline, seen from the eye.
-    for (int i = 0; i < 360; ++i) {
-        const double a = i * std::acos(-1.0) / 180;
-        for (const double share : {1.0, 0.6, 0.2}) {
-            const ImVec2 at =
-                bench.at_pixel(project(map, {share * std::cos(a), share * std::sin(a), 0}).pixel);
-            CHECK_FALSE(note.holds(at));
-        }
-    }
-}

@@ -146,15 +146,6 @@ TEST_CASE("opening another scene ends everything on the badge", "[ui][window][ba
     }
 }
 
-TEST_CASE("a comparison stays on, with its badge, when another scene opens", "[ui][window][badge][compare]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
-    (void)bench.key(Key::C);
-    open(bench, folder.file("other.json", scene_text(first_scene().scene)));
-    CHECK(badge_of(bench) == std::vector<std::string>{"Comparison"});
-}
-
 TEST_CASE("a mistake in a frozen picture is named and ends with the picture", "[ui][window][badge]") {
     HeadlessWindow bench;
     bench.scene().shading.mistakes.reflect_sign = true;

@@ -20,7 +20,6 @@ void ask_at(HeadlessWindow& window, glm::dvec2 share) {
     REQUIRE(window.state.on_screen.explanation);
     REQUIRE(window.state.on_screen.explanation->x == pixel.x);
 }
-constexpr glm::dvec2 corner{0.99, 0.99};
 
 void make_small(HeadlessWindow& window) {
     ImGui::GetIO().DisplaySize = {900, 420};
@@ -53,15 +52,4 @@ TEST_CASE("a frozen comparison explains a pixel that exists after the window shr
     REQUIRE(is_inside(window.state.displayed->size,
                       {window.state.on_screen.explanation->x, window.state.on_screen.explanation->y}));
     CHECK(shows_explained_bytes(window.state));
-}
-
-TEST_CASE("while another scene is shown, the explanation of a larger picture is dropped", "[ui][window]") {
-    HeadlessWindow window;
-    ask_at(window, corner);
-    window.key(Key::B, true);  // stores it
-    window.key(Key::B);
-    window.frames(2);
-    CHECK(window.state.on_screen.explanation);
-    make_small(window);
-    CHECK_FALSE(window.state.on_screen.explanation);
 }

@@ -121,19 +121,6 @@ TEST_CASE("the keys shown by controls are those of the table of commands", "[ui]
     CHECK(key_at("Redo") == "Ctrl+Shift+Z or Ctrl+Y");
 }
 
-TEST_CASE("beginners' hints disappear when a command draws over the picture", "[ui][commands]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    REQUIRE_FALSE(bench.state.viewport.touched);
-    bench.key(Key::N, true);         // a new scene
-    bench.key(Key::F1);              // the sheet of keys
-    bench.key(Key::Digit1);          // flat
-    bench.key(Key::U, false, true);  // keep this view
-    CHECK_FALSE(bench.state.viewport.touched);
-    bench.key(Key::P);
-    CHECK(bench.state.viewport.touched);
-}
-
 TEST_CASE("a key reports the quantity that it shows, and undo replaces messages of keys", "[ui][commands]") {
     HeadlessWindow bench;
     bench.frames(2);

@@ -78,21 +78,6 @@ TEST_CASE("a preset of the picker sets its colour as one undo step", "[ui][windo
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("a picker closes when its light is deleted, and when lights are restored", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    (void)open_picker(bench);
-    bench.key(Key::Delete);
-    bench.frames(2);
-    REQUIRE(bench.scene().lights.size() == 1);
-    CHECK(open_popup() == nullptr);
-    (void)open_picker(bench);
-    bench.key(Key::Z, true);
-    bench.frames(2);
-    REQUIRE(bench.scene().lights.size() == 2);
-    CHECK(open_popup() == nullptr);
-}
-
 TEST_CASE("dragging a swatch onto another copies its colour", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);

@@ -118,17 +118,6 @@ TEST_CASE("nothing is redrawn while B is on the screen", "[ui][window]") {
     CHECK(bench.frame().sleep_s > 0);
 }
 
-TEST_CASE("B is one shared scene, however often the comparison is copied", "[ui][compare]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    bench.key(Key::C);
-    bench.key(Key::B, true);
-    bench.frames(3);
-    const CompareChoice& choice = bench.state.get<CompareState>().choice;
-    REQUIRE(choice.stored != nullptr);
-    CHECK(bench.state.get<ViewsState>().shown_from.compare.stored == choice.stored);
-}
-
 TEST_CASE("Escape leaves the innermost thing first, one per press", "[ui][window]") {
     HeadlessWindow bench;
     bench.click(bench.at_pixel({400, 300}));
@@ -518,18 +507,6 @@ TEST_CASE("a frame without a request lets the window sleep", "[ui][window]") {
     CHECK(bench.frame().sleep_s < 1);
     for (int i = 0; i < 60; ++i) (void)bench.frame();
     CHECK(std::isinf(bench.frame().sleep_s));
-}
-
-TEST_CASE("a rectangle whose corners have almost no radius can be drawn", "[ui][window]") {
-    HeadlessWindow bench;
-    (void)bench.frame();
-    ImGui::NewFrame();
-    // Half of its width minus one pixel is the radius of its corners: 1e-7.
-    const float width = std::nextafter(2.0f, 3.0f);
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddRectFilled({0, 0}, {width, 20}, IM_COL32_WHITE, 2);
-    CHECK(list.VtxBuffer.Size >= 4);
-    ImGui::EndFrame();
 }
 
 TEST_CASE("a selection in a scene with more items does not affect keys in this one", "[ui][window]") {

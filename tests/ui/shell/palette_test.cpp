@@ -130,62 +130,6 @@ TEST_CASE("a lesson is found by its number, its title and its topic", "[ui][pale
     CHECK(std::is_sorted(numbers.begin(), numbers.end()));
 }
 
-TEST_CASE("commands of the difference and the scope are found while those are shown", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    CHECK(found(bench.state, "difference of the parts").at(0).refused == "Nothing is compared (C)");
-    CHECK(found(bench.state, "double the difference").at(0).refused == "No difference is shown");
-    CHECK(found(bench.state, "eye perceives").at(0).refused == "The scope is not open");
-    (void)bench.key(Key::C);
-    (void)bench.key(Key::P);
-    bench.frames(2);
-    for (const char* text : {"difference of the parts", "double the difference", "one above the other",
-                             "scope red", "eye perceives"})
-        found(bench.state, text).at(0).run(bench.state);
-    const CompareChoice& choice = bench.state.get<CompareState>().choice;
-    CHECK(choice.difference);
-    CHECK(choice.gain == 2);
-    CHECK(choice.stacked);
-    CHECK(bench.state.get<ScopeState>().channels);
-    CHECK(bench.state.get<ScopeState>().eye);
-}
-
-TEST_CASE("commands of the scope's card and of the pen are found", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    CHECK(found(bench.state, "grey card").at(0).refused == "The scope is not open");
-    CHECK(found(bench.state, "next colour").at(0).refused == "The pen is not active");
-    CHECK(found(bench.state, "last stroke").at(0).refused == "Nothing is drawn");
-    (void)bench.key(Key::P);
-    (void)bench.key(Key::W, false, true);
-    bench.frames(2);
-    found(bench.state, "grey card").at(0).run(bench.state);
-    const ScopeState& scope = bench.state.get<ScopeState>();
-    CHECK(scope.card);
-    CHECK(scope.card_at.x != 0.5);  // it is next to the line's sharpest bend
-    found(bench.state, "scope copy").at(0).run(bench.state);
-    CHECK(std::string(ImGui::GetClipboardText()).find("glint profile ") != std::string::npos);
-    PenState& pen = bench.state.get<PenState>();
-    for (int i = 0; i < pen_colour_count; ++i) {
-        CHECK(pen.colour == i);
-        found(bench.state, "next colour").at(0).run(bench.state);
-    }
-    CHECK(pen.colour == 0);
-    pen.lines = {{{{0, 0}}, 1}, {{{0, 0}}, 2}};
-    found(bench.state, "last stroke").at(0).run(bench.state);
-    REQUIRE(pen.lines.size() == 1);
-    CHECK(pen.lines[0].colour == 1);
-}
-
-TEST_CASE("a row of the palette is one line, even for a name with line breaks", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.scene().lights[0].name = "two\nlines";
-    bench.frames(2);
-    CHECK(found(bench.state, "two lines").at(0).name.find('\n') == std::string::npos);
-    for (const PaletteEntry& entry : palette_entries(bench.state))
-        CHECK((entry.name + entry.group).find('\n') == std::string::npos);
-}
-
 TEST_CASE("a component of a vector is found and focused", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = project_file("assets/scenes");
@@ -252,49 +196,6 @@ TEST_CASE("the palette adds lights and objects, and replaces the selected object
     CHECK(bench.state.files.open);
 }
 
-TEST_CASE("the palette answers the offer to recover unsaved work", "[ui][palette]") {
-    const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
-    for (const auto& [text, is_kept] : {std::pair("discard", false), std::pair("not now", true)}) {
-        CAPTURE(text);
-        CHECK(found(bench.state, "copy of work.json").empty());
-        bench.state.persistence.orphans.push_back(
-            {{folder.file("a.autosave", "{}"), nullptr}, "work.json", "14:05"});
-        CHECK(found(bench.state, "recover").at(0).name == "Recover the copy of work.json");
-        found(bench.state, text).at(0).run(bench.state);
-        CHECK(bench.state.persistence.orphans.empty());
-        CHECK(std::filesystem::exists(folder.path("a.autosave")) == is_kept);
-        std::filesystem::remove(folder.path("a.autosave"));
-    }
-}
-
-TEST_CASE("the palette plays the animation and chooses its number without a mouse",
-          "[ui][palette][animate]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    found(bench.state, "animate: back").at(0).run(bench.state);
-    bench.frames(4);
-    CHECK(bench.state.get<AnimateState>().open);
-    CHECK(ImGui::GetIO().WantTextInput);
-    bench.type("eye z");
-    constexpr int return_key = 90;
-    ImGui::GetIO().KeyMap[ImGuiKey_Enter] = return_key;
-    ImGui::GetIO().KeysDown[return_key] = true;
-    (void)bench.frame();
-    ImGui::GetIO().KeysDown[return_key] = false;
-    bench.frames(2);
-    CHECK(bench.state.get<AnimateState>().animation.pointer == "/camera/eye/2");
-    found(bench.state, "play the animation").at(0).run(bench.state);
-    bench.frames(2);
-    CHECK(bench.state.get<AnimateState>().playing);
-    found(bench.state, "stop the animation").at(0).run(bench.state);
-    CHECK_FALSE(bench.state.get<AnimateState>().playing);
-    found(bench.state, "export animation").at(0).run(bench.state);
-    CHECK(bench.state.files.open);
-    CHECK(bench.state.files.purpose == &frames_purpose);
-}
-
 TEST_CASE("the palette finds a field by a synonym", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -335,97 +236,6 @@ TEST_CASE("a field found by the palette is in its panel and has focus", "[ui][pa
     CHECK(bench.area_of("/objects/0/material/shininess").high.y < 780);
     bench.type("77");
     CHECK(bench.scene().objects[0].material.shininess == 77);
-}
-
-TEST_CASE("a field below the end of its panel is scrolled to", "[ui][palette][window]") {
-    HeadlessWindow bench({1280, 480});
-    bench.frames(2);
-    const auto run = [&](const std::string& text, const std::string& name) {
-        const auto entries = found(bench.state, text);
-        const auto at = std::find_if(entries.begin(), entries.end(), [&](const PaletteEntry& e) {
-            return e.name == name && e.group.find("Field") == 0;
-        });
-        REQUIRE(at != entries.end());
-        at->run(bench.state);
-        bench.frames(6);
-    };
-    run("crease", "Crease");
-    (void)bench.control("/objects/0/normals/crease_deg");  // visible
-    CHECK(ImGui::GetIO().WantTextInput);
-    bench.scene().lights[0].kind = LightKind::Spot;
-    bench.scene().lights[0].position.w = 1;
-    bench.frames(2);
-    run("cutoff", "Cutoff");  // after the switch in its row
-    bench.type("45/2");
-    CHECK(bench.scene().lights[0].spot.cutoff_deg == 22.5f);
-    run("nam", "Name");
-    bench.type("Key light");
-    CHECK(bench.scene().lights[0].name == "Key light");
-    run("silh", "Silhouettes");  // a switch, which takes no focus
-    (void)bench.control("/npr/silhouettes");
-}
-
-TEST_CASE("a switch found by the palette toggles by Space or Enter until the next click",
-          "[ui][palette][window]") {
-    HeadlessWindow bench;
-    constexpr int space_key = 32, enter_key = 13;  // of ImGui's io.KeysDown, for this test
-    ImGui::GetIO().KeyMap[ImGuiKey_Space] = space_key;
-    ImGui::GetIO().KeyMap[ImGuiKey_Enter] = enter_key;
-    bench.frames(2);
-    (void)bench.key(Key::K, true);
-    bench.frames(1);
-    bench.type("two-sided");
-    ImGui::GetIO().KeysDown[enter_key] = true;
-    (void)bench.key(Key::Enter);
-    bench.frames(1);
-    ImGui::GetIO().KeysDown[enter_key] = false;
-    bench.frames(8);
-    const bool& two_sided = bench.scene().shading.two_sided;
-    CHECK_FALSE(two_sided);  // the palette's Enter does not reach the switch
-    const auto press = [&](int key) {
-        ImGui::GetIO().KeysDown[key] = true;
-        bench.frames(2);
-        ImGui::GetIO().KeysDown[key] = false;
-        bench.frames(1);
-    };
-    press(space_key);
-    CHECK(two_sided);
-    press(enter_key);
-    CHECK_FALSE(two_sided);
-    bench.state.editor.selection = {Selection::Kind::Shading, 0};
-    bench.click(HeadlessWindow::middle_of(bench.area_of("/shading/two_sided")));
-    CHECK(two_sided);  // by the mouse, as always
-    press(space_key);
-    CHECK(two_sided);
-}
-
-TEST_CASE("Enter does nothing in the palette if nothing matches", "[ui][palette][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const Scene before = bench.scene();
-    (void)bench.key(Key::K, true);
-    bench.frames(1);
-    bench.type("zzzz");
-    (void)bench.key(Key::Enter);
-    bench.frames(3);
-    CHECK(bench.state.palette.open);
-    CHECK(bench.scene() == before);
-}
-
-TEST_CASE("after an Enter without a match the palette accepts more letters", "[ui][palette][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyMap[ImGuiKey_Enter] = 1;
-    (void)bench.key(Key::K, true);
-    bench.frames(1);
-    bench.type("zzzz");
-    io.KeysDown[1] = true;
-    (void)bench.key(Key::Enter);
-    io.KeysDown[1] = false;
-    bench.frames(3);
-    bench.type("y");
-    CHECK(bench.state.palette.text == "zzzzy");
 }
 
 TEST_CASE("each entry of the palette is found by its full name", "[ui][palette]") {
@@ -514,26 +324,6 @@ TEST_CASE("arrow keys pick a pixel and move it, by ten with Shift", "[ui][window
     CHECK(bench.notes_with("The picture is frozen: F8 unfreezes it") == 1);
 }
 
-TEST_CASE("F reports why it does not frame a distant object", "[ui][window][commands]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    bench.state.editor.selection = {Selection::Kind::Object, 0};
-    bench.scene().objects[0].transform.translate.x = 1e7f;
-    bench.scene().camera.eye.x += 2;  // it would have to be beyond it
-    bench.frames(2);
-    const Camera before = bench.scene().camera;
-    (void)bench.key(Key::F);
-    CHECK(bench.scene().camera == before);
-    CHECK(bench.notes_with("No camera can show all of it") == 1);
-    (void)bench.key(Key::F, false, true);
-    CHECK(bench.scene().camera == before);
-    bench.scene().objects[0].transform.translate.x = 1e6f;
-    bench.state.notifications.list.clear();
-    (void)bench.key(Key::F);
-    CHECK_FALSE(bench.scene().camera == before);
-    CHECK(bench.notes_with("No camera can show all of it") == 0);
-}
-
 TEST_CASE("each one-letter command reports something", "[ui][window][commands]") {
     for (const WindowCommand& command : commands())
         for (const KeyPress& press : command.keys) {
@@ -576,52 +366,6 @@ TEST_CASE("without typing, Enter runs nothing until an arrow key chose an entry"
     CHECK(bench.state.palette.chosen == 0);
     (void)bench.key(Key::Enter);
     CHECK_FALSE(bench.state.palette.open);
-}
-
-TEST_CASE("Ctrl+K can select every light and object of a large scene", "[ui][palette][window]") {
-    HeadlessWindow bench;
-    for (std::size_t i = 0; i < 120; ++i) {
-        bench.scene().lights.push_back(bench.scene().lights[0]);
-        bench.scene().lights.back().name = "Lamp " + std::to_string(i);
-        bench.scene().objects.push_back(bench.scene().objects[0]);
-        bench.scene().objects.back().name = "Box " + std::to_string(i);
-    }
-    bench.frames(2);
-    const auto boxes = found(bench.state, "select box 119"), lamps = found(bench.state, "select lamp 119");
-    REQUIRE_FALSE(boxes.empty());
-    REQUIRE_FALSE(lamps.empty());
-    CHECK(boxes[0].name == "Select Box 119");
-    CHECK(lamps[0].name == "Select Lamp 119");
-    boxes[0].run(bench.state);
-    CHECK(bench.state.editor.selection ==
-          Selection{Selection::Kind::Object, static_cast<int>(bench.scene().objects.size()) - 1});
-}
-
-TEST_CASE("letters in the same frame as Ctrl+K are typed into the list", "[ui][palette][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const auto type = [](const char* letters) {
-        for (; *letters != 0; ++letters) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(*letters));
-    };
-    type("gou");
-    (void)bench.key(Key::K, true);
-    type("raud sha");
-    bench.frames(2);
-    CHECK(bench.state.palette.text == "gouraud sha");
-    (void)bench.key(Key::K, true);  // while it is open
-    type("d");
-    bench.frames(2);
-    CHECK(bench.state.palette.text == "gouraud shad");
-    (void)bench.key(Key::Enter);
-    CHECK(bench.scene().shading.mode == ShadingMode::Gouraud);
-    bench.frames(2);
-    UiInput input;  // the letter was another command
-    input.presses = {{Key::S, false, true}, {Key::K, true}};
-    type("s");
-    (void)bench.frame(input);
-    bench.frames(2);
-    CHECK(bench.state.palette.open);
-    CHECK(bench.state.palette.text.empty());
 }
 
 TEST_CASE("the arrow keys cycle through the palette, which scrolls with them", "[ui][palette][window]") {

@@ -184,37 +184,3 @@ TEST_CASE("emptied lists leave a usable window", "[ui][window]") {
     CHECK_FALSE(bench.state.on_screen.explanation->hit);
     check_saves(bench.scene());
 }
-
-TEST_CASE("each joined button works, including labels that are not in the file", "[ui][panels]") {
-    HeadlessWindow bench;
-    const std::array<glint::Choice, 4> options{Choice{"", "none", ""}, Choice{"", "left", ""},
-                                               Choice{"", "right", ""}, Choice{"", "both", ""}};
-    int chosen = 0;
-    std::array<float, 4> middles{};
-    for (const float room : {400.0f, 170.0f}) {  // enough, and too little
-        const auto frame = [&] {
-            ImGui::NewFrame();
-            ImGui::SetNextWindowPos({100, 100});
-            ImGui::SetNextWindowSize({room, 60});
-            ImGui::Begin("##test", nullptr, ImGuiWindowFlags_NoTitleBar);
-            chosen = segments("##row", chosen, options, {"", ""});
-            CHECK(ImGui::GetItemRectMax().x <= 100 + room);
-            const float left = ImGui::GetWindowContentRegionMin().x + 100;
-            const float all = ImGui::GetItemRectMax().x - left;
-            for (std::size_t i = 0; i < 4; ++i) middles[i] = left + all * (float(i) + 0.5f) / 4;
-            ImGui::End();
-            ImGui::Render();
-        };
-        frame();
-        frame();
-        for (const std::size_t i : {3u, 1u, 2u, 0u}) {
-            ImGui::GetIO().MousePos = {middles[i], 100 + ImGui::GetStyle().WindowPadding.y + 8};
-            frame();
-            for (const bool down : {true, false}) {
-                ImGui::GetIO().MouseDown[0] = down;
-                frame();
-            }
-            CHECK(chosen == static_cast<int>(i));
-        }
-    }
-}

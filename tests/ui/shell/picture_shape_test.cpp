@@ -122,34 +122,6 @@ TEST_CASE("the picked point stays the same surface point in every picture shape"
     CHECK(glm::length(bench.state.on_screen.explanation->spaces.world - picked) < 0.01);
 }
 
-TEST_CASE("the scope's line and pen strokes stay in place in every picture shape", "[ui]") {
-    HeadlessWindow bench({1024, 768});
-    bench.frames(2);
-    const auto size = [&] {
-        return glm::dvec2(bench.state.rendered->size.width, bench.state.rendered->size.height);
-    };
-    const auto place_of = [&](glm::dvec2 share) { return glm::vec2((share - 0.5) * size() / size().y); };
-    bench.click(bench.at_pixel(size() * glm::dvec2(0.45, 0.4)));
-    ScopeState& scope = bench.state.get<ScopeState>();
-    scope.open = true;  // the panel below it changes the picture's shape
-    scope.from = scope.card_at = *bench.state.viewport.probe;
-    const auto& drawn = bench.state.get<PenState>().lines;
-    bench.state.get<PenState>().lines = {
-        {{place_of(scope.from), place_of(scope.card_at + scope.card_size)}, 0}};
-    bench.frames(3);
-    const glm::dvec2 shape = size();
-    for (const Key key : {Key::F11, Key::F9, Key::F10}) {
-        bench.key(key);
-        bench.frames(3);
-        CHECK_FALSE(size() == shape);
-        const glm::dvec2 probe = *bench.state.viewport.probe;
-        CHECK(glm::distance(scope.from, probe) < 1e-9);
-        CHECK(glm::distance(scope.card_at, probe) < 1e-9);
-        CHECK(glm::distance(drawn[0].places[0], place_of(probe)) < 1e-5);
-        CHECK(glm::distance(drawn[0].places[1], place_of(scope.card_at + scope.card_size)) < 1e-5);
-    }
-}
-
 TEST_CASE("the edges of the columns can be dragged, and reset by a double-click", "[ui]") {
     HeadlessWindow bench;
     bench.frames(3);

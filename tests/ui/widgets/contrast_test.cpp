@@ -173,20 +173,6 @@ TEST_CASE("every control is legible in all its states, in all themes",
     CHECK(letters > 500);  // letters were found at all
 }
 
-TEST_CASE("the figures on a slider are legible for any length of its fill", "[ui][window][contrast]") {
-    const bool light = GENERATE(false, true), projector = GENERATE(false, true);
-    HeadlessWindow bench;
-    apply_theme(projector ? projector_theme(!light) : light ? light_theme() : dark_theme(), 1);
-    bench.state.editor.selection = {Selection::Kind::Light, 0};
-    const Glyphs glyphs = all_glyphs();
-    for (const float intensity : {0.0f, 1.9f, 2.1f, 4.0f}) {
-        bench.scene().lights[0].intensity = intensity;
-        bench.frames(2);
-        for (const NamedControl& control : std::vector<NamedControl>(bench.controls()))
-            if (control.key == "/lights/0/intensity") CHECK(check_letters(control, glyphs, "slider") >= 5);
-    }
-}
-
 TEST_CASE("disabled controls keep a contrast of 3 to 1", "[ui][contrast]") {
     HeadlessWindow bench;
     for (const Theme* each : {&dark_theme(), &light_theme()}) {

@@ -152,47 +152,6 @@ TEST_CASE("a field shows two significant digits at least, and no negative zero",
     CHECK(shown_text(0.001f, kind) == "all");
 }
 
-TEST_CASE("in a narrow field a number has fewer digits, and its power of ten stays", "[ui][numbers]") {
-    const HeadlessWindow bench;
-    ImGui::NewFrame();
-    Real kind;
-    kind.format = "%.2f";
-    const float room = ImGui::CalcTextSize("-1.3e+30").x;
-    for (const float value : {1.3250011e30f, -8.9794e29f, 1555487.25f, -30066.05f, 0.25f, 1e-20f}) {
-        const std::string text = fitting_text(value, kind, room);
-        CAPTURE(text);
-        CHECK(ImGui::CalcTextSize(text.c_str()).x <= room);
-        CHECK(std::strtof(text.c_str(), nullptr) == Approx(value).epsilon(0.05).margin(0.01));
-    }
-    CHECK(fitting_text(0.25f, kind, room) == "0.25");
-    ImGui::EndFrame();
-}
-
-TEST_CASE("pasted lines are not joined into one number", "[ui][window][numbers]") {
-    Bench bench;
-    ImGui::GetIO().KeyMap[ImGuiKey_V] = paste_key;
-    const auto paste_over = [&](const char* text) {
-        bench.clipboard = text;
-        bench.click(bench.field());
-        bench.frames(1);
-        ImGui::GetIO().KeyCtrl = true;
-        bench.tap(paste_key);
-        ImGui::GetIO().KeyCtrl = false;
-        bench.tap(enter_key);
-    };
-    paste_over("0.75\n");
-    CHECK(bench.intensity() == 0.75f);
-    CHECK(bench.last_note().empty());
-    paste_over("1\n2\r\n3");
-    CHECK(bench.intensity() == 0.75f);
-    CHECK(bench.last_note().find("is not a number") != std::string::npos);
-    bench.right_click(bench.field());
-    bench.click(bench.control("Paste"));
-    bench.frames(2);
-    CHECK(bench.intensity() == 0.75f);
-    CHECK(bench.last_note().find('\n') == std::string::npos);
-}
-
 TEST_CASE("a plain click on a number starts typing, which is one undo step", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
@@ -287,16 +246,6 @@ TEST_CASE("a number forbidden by another is reverted with a message", "[ui][wind
     CHECK(bench.last_note() == "Not possible: near 200 is not less than far 80; expected 0 < near < far");
 }
 
-TEST_CASE("a last letter and Enter in one frame are checked like earlier letters", "[ui][window][numbers]") {
-    CameraBench bench;
-    bench.click(bench.near_field());
-    bench.type("20");
-    ImGui::GetIO().AddInputCharacter('0');
-    bench.tap(enter_key);
-    CHECK(bench.near() == 0.5f);
-    CHECK(bench.last_note().find("200 is not possible") == 0);
-}
-
 TEST_CASE("a pasted number out of range is clamped and reported", "[ui][window][numbers]") {
     Bench bench;
     bench.clipboard = "-3";
@@ -333,15 +282,6 @@ TEST_CASE("an integer field accepts no other number, typed or pasted, and report
     CHECK(detail() == 5);
 }
 
-TEST_CASE("the menu of a number closes when another scene is opened", "[ui][window][numbers]") {
-    Bench bench;
-    bench.right_click(bench.field());
-    REQUIRE(GImGui->OpenPopupStack.Size == 1);
-    take_scene(bench.state, first_scene());
-    bench.frames(2);
-    CHECK(GImGui->OpenPopupStack.empty());
-}
-
 TEST_CASE("Tab ends the typing and continues with the next number", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
@@ -370,34 +310,6 @@ TEST_CASE("an emptied field keeps its number and reports it", "[ui][window][numb
     bench.tap(enter_key);
     CHECK(bench.intensity() == 0.5f);
     CHECK(bench.last_note() == "The field is empty. The field keeps 0.5");
-}
-
-TEST_CASE("a rejected number is a warning, a copied one is not", "[ui][window][numbers]") {
-    Bench bench;
-    const auto last_tone = [&] { return bench.state.notifications.list.back().tone; };
-    for (const char* refused : {"abc", "-3", "1/0"}) {
-        CAPTURE(refused);
-        bench.click(bench.field());
-        bench.frames(1);
-        bench.type(refused);
-        bench.tap(enter_key);
-        CHECK(last_tone() == Tone::Warning);
-    }
-    bench.right_click(bench.field());
-    bench.click(bench.control("Copy"));
-    bench.frames(2);
-    CHECK(bench.last_note().ends_with("is on the clipboard"));
-    CHECK(last_tone() == Tone::Done);
-}
-
-TEST_CASE("two messages of one frame are both shown", "[ui][window][numbers]") {
-    Bench bench;
-    say_refused("no");
-    say("yes");
-    bench.frames(1);
-    const auto& notes = bench.state.notifications.list;
-    REQUIRE(notes.size() == 1);
-    CHECK((notes[0].text == "no\nyes" && notes[0].tone == Tone::Warning));
 }
 
 TEST_CASE("a typed number out of range is clamped and reported", "[ui][window][numbers]") {

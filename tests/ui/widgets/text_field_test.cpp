@@ -83,30 +83,3 @@ TEST_CASE("a byte that is not UTF-8 is pasted as U+FFFD, which can be saved", "[
     CHECK(bench.name() == "Sun\xEF\xBF\xBD");
     CHECK(problem_of(parse_scene(scene_text(bench.scene()), "typed.json")) == nullptr);
 }
-
-TEST_CASE("a scene is saved next to a mesh whose name has an emoji or is not UTF-8",
-          "[ui][window][widgets]") {
-    for (const std::string name : {"\xF0\x9F\x98\x80m.json",
-                                   "b\xFF"
-                                   "ad.json"}) {
-        CAPTURE(name);
-        const TemporaryDirectory folder;
-        TypingWindow bench;
-        bench.state.files.ask(save_purpose, folder.path(name));
-        bench.frames(3);
-        (void)bench.key(Key::Enter);
-        bench.frames(2);
-        CHECK(folder.names() == std::vector<std::string>{name});
-    }
-}
-
-TEST_CASE("a search accepts a long paste, and its first 100 bytes count", "[ui][window][widgets]") {
-    TypingWindow bench;
-    (void)bench.key(Key::K, true);
-    bench.frames(2);
-    bench.clipboard = "gouraud" + std::string(200'000, ' ') + "e";
-    bench.tap(v_key, true);
-    const PaletteState& palette = bench.state.palette;
-    REQUIRE_FALSE(palette.matches.empty());
-    CHECK(palette.entries[std::size_t(palette.matches[0])].name == "Gouraud shading");
-}
