@@ -4,11 +4,11 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 
-#include "app/failure.h"
 #include "models/io/file.h"
 #include "models/memory_limit.h"
 
@@ -287,5 +287,16 @@ std::string lesson_file(const std::string& word) {
 }
 
 Lesson open_lesson(const std::string& word) { return take(read_lesson(lesson_file(word))); }
+
+void say(const char* kind, Problem problem) {
+    const std::string head = fmt::format("glint: {}: ", kind);
+    // The length limit applies to the entire line, so that truncation keeps its beginning.
+    problem.file.empty() ? problem.what.insert(0, head) : problem.file.insert(0, head);
+    std::fputs((problem.text() + "\n").c_str(), stderr);
+}
+
+void say_warning(const std::string& warning) {
+    say("warning", {.file = {}, .pointer = {}, .what = warning, .expected = {}});
+}
 
 }  // namespace glint

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <array>
 
-#include "models/io/markup.h"
-#include "models/json/json_node.h"
+#include "models/json/json.h"
 #include "models/scene/mistakes.h"
+#include "models/utf8.h"
 
 namespace glint {
 namespace {

@@ -13,12 +13,12 @@
 #include <utility>
 #include <vector>
 
+#include "app/arguments.h"
 #include "app/commands/command.h"
-#include "app/failure.h"
 #include "models/io/child_process.h"
 #include "models/io/file.h"
 #include "models/memory_limit.h"
-#include "renderer/simd/isa/instruction_set.h"
+#include "renderer/simd/isa/kernel_set.h"
 #include "shader/shader_process.h"
 
 namespace {

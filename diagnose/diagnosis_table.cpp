@@ -8,8 +8,8 @@
 
 #include "diagnose/arrived.h"
 #include "diagnose/diagnosis_format.h"
-#include "models/io/markup.h"
-#include "renderer/image/html_image.h"
+#include "models/utf8.h"
+#include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 
 namespace glint {

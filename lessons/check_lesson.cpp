@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/fields/scene_numbers.h"
-#include "models/json/json_pointer.h"
+#include "models/fields/scene_fields.h"
+#include "models/json/json.h"
 
 namespace glint {
 namespace {

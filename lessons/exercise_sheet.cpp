@@ -13,10 +13,8 @@
 #include <utility>
 
 #include "lessons/handout.h"
-#include "lessons/page.h"
-#include "models/io/markup.h"
 #include "models/utf8.h"
-#include "renderer/image/html_image.h"
+#include "renderer/image/image_file.h"
 
 namespace glint {
 namespace {

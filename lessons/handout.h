@@ -2,7 +2,10 @@
 // Prints a lesson: as a handout with room for answers, as its key, as slides, and as lecturer's notes.
 
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "lessons/lesson.h"
 #include "lessons/run_lesson.h"
 
 namespace glint {
@@ -23,5 +26,21 @@ enum class PageKind { Student, Key, Slides, Instructor };
 /// The alternative text of a step's picture: the lesson's description, or else the names of the objects and
 /// lights in the scene.
 [[nodiscard]] std::string alternative_text(const LessonStep& step, const Scene& scene);
+
+// Self-contained HTML pages of lessons, for screen and print.
+
+/// A complete page. `body` is HTML, `title` is text.
+[[nodiscard]] std::string page_html(std::string_view title, std::string_view body);
+
+/// A line of a lesson as HTML, with subscripts: k_d becomes k with a subscript d.
+[[nodiscard]] std::string lesson_html(std::string_view text);
+
+/// Replaces one-letter names with a one-letter index, such as k_d, by `form`, whose arguments are the two
+/// letters: `{0}<sub>{1}</sub>`. `underline` separates them in the text.
+[[nodiscard]] std::string with_indices(std::string_view text, std::string_view underline,
+                                       const std::string& form);
+
+/// Text of a lesson as HTML. Omits quotes that begin with "In the window".
+[[nodiscard]] std::string prose_html(const std::vector<ProseBlock>& blocks);
 
 }  // namespace glint

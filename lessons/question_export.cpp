@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "models/io/markup.h"
+#include "models/utf8.h"
 #include "renderer/image/image_file.h"
 
 namespace glint {

@@ -9,8 +9,7 @@
 #include "models/json/json.h"
 #include "models/memory_limit.h"
 #include "renderer/answers/answers.h"
-#include "renderer/answers/reflectance_answers.h"
-#include "renderer/explain/explain_format.h"
+#include "renderer/explain/equation_text.h"
 
 namespace glint {
 namespace {

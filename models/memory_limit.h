@@ -1,6 +1,6 @@
 #pragma once
 // Limits the memory of one scene: `--memory`, GLINT_MEMORY, and the exception for work that exceeds a limit.
-// The estimate compared with these limits is in models/scene/scene_cost.h.
+// The estimate compared with these limits is in models/scene/scene.h.
 
 #include <cstdint>
 #include <exception>

@@ -12,9 +12,8 @@
 
 #include "models/fields/choices.h"
 #include "models/gltf/gltf.h"
-#include "models/io/markup.h"
+#include "models/utf8.h"
 #include "programs/model_text.h"
-#include "programs/scene_flags.h"
 #include "programs/scene_tables.h"
 #include "programs/shader_scene.h"
 #include "programs/texts.h"

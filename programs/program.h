@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "models/numbers.h"
 #include "models/problem.h"
-#include "models/range.h"
 #include "models/scene/scene.h"
 
 namespace glint {

@@ -3,9 +3,11 @@
 // converted to identifiers of the language.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "models/scene/scene.h"
 #include "programs/program.h"
 #include "programs/template.h"
 
@@ -43,5 +45,24 @@ struct SceneTables {
 };
 [[nodiscard]] SceneTables scene_tables(const Scene& scene, Language language, const Flags& flags,
                                        const std::vector<std::string>& mesh_files, Flags words);
+
+// Finds the properties of a scene that determine the lines of its program. A language may lack some of them:
+// each such property is one row, and a language supports it if its text mentions the row's flag.
+
+/// A feature that a scene needs from a program.
+struct Need {
+    std::string flag, pointer, what;  // what: "Phong shading lights each pixel"
+};
+
+/// Only the enabled lights and the visible objects, which a program draws. A spot without a cone becomes a
+/// point light.
+[[nodiscard]] std::vector<Light> shining(const Scene& scene);
+[[nodiscard]] std::vector<Object> shown(const Scene& scene);
+
+/// All needs of the scene.
+[[nodiscard]] std::vector<Need> needs_of(const Scene& scene);
+
+/// The needs' flags, and flags of the scene that every language supports.
+[[nodiscard]] Flags flags_of(const Scene& scene);
 
 }  // namespace glint

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "models/mesh/normals.h"
-#include "programs/scene_flags.h"
+#include "programs/scene_tables.h"
 
 namespace glint {
 namespace {

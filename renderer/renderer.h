@@ -12,7 +12,7 @@
 
 #include "models/problem.h"
 #include "models/scene/scene.h"
-#include "renderer/explain/explanation.h"
+#include "renderer/explain/explain.h"
 #include "renderer/picture.h"
 #include "renderer/transport/traced.h"
 
@@ -54,7 +54,7 @@ class Renderer {
     Renderer& operator=(Renderer&&) noexcept;
 
     /// Draws the scene; meshes must be loaded. The picture stays valid and unchanged until the next call.
-    /// `linear` also fills Picture::linear. If the scene is too_large() (models/scene/scene_cost.h), throws
+    /// `linear` also fills Picture::linear. If the scene is too_large() (models/scene/scene.h), throws
     /// LimitExceeded before drawing, and the last picture remains. Any other exception discards the picture;
     /// the next call then starts from scratch. `samples`: 1, 2, 4 or 8 per pixel; each face seen in a pixel
     /// is lit once, at the mean of its covered samples, and weighted by their count, in linear light.

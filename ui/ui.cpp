@@ -9,13 +9,11 @@
 #include <utility>
 
 #include "ui/commands/command.h"
-#include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
 #include "ui/feature.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/shell/columns.h"
 #include "ui/shell/modal.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -12,12 +12,12 @@
 #include <string>
 
 #include "renderer/renderer.h"
+#include "ui/commands/command.h"
 #include "ui/commands/keys.h"
-#include "ui/commands/menus.h"
 #include "ui/document/editor.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/loading.h"
-#include "ui/feature_states.h"
+#include "ui/feature.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/on_screen.h"
 #include "ui/picture/tool.h"

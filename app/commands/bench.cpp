@@ -11,7 +11,7 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/commands/drag.h"
-#include "app/progress.h"
+#include "app/options.h"
 #include "models/json/json.h"
 #include "renderer/renderer.h"
 

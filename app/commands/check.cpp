@@ -10,7 +10,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "models/scene/scene_cost.h"
+#include "models/scene/scene.h"
 #include "renderer/image/image_file.h"
 
 namespace glint {

@@ -9,7 +9,7 @@
 #include "app/commands/command.h"
 #include "models/fields/choices.h"
 #include "models/io/file.h"
-#include "programs/mesh_text.h"
+#include "programs/model_text.h"
 #include "programs/program.h"
 
 namespace glint {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/failure.h"
+#include "app/arguments.h"
 #include "models/problem.h"
 
 namespace glint {

@@ -10,7 +10,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "app/progress.h"
+#include "app/options.h"
 #include "diagnose/arrived.h"
 #include "diagnose/diagnosis_format.h"
 #include "models/io/file.h"

@@ -4,10 +4,10 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "app/progress.h"
+#include "app/options.h"
 #include "models/json/json.h"
 #include "renderer/debug_views/sensitivity.h"
-#include "renderer/explain/explain_format.h"
+#include "renderer/explain/equation_text.h"
 #include "renderer/renderer.h"
 
 namespace glint {

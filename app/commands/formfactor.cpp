@@ -7,7 +7,7 @@
 #include "app/commands/command.h"
 #include "models/json/json.h"
 #include "models/memory_limit.h"
-#include "models/scene/scene_cost.h"
+#include "models/scene/scene.h"
 #include "renderer/transport/form_factor.h"
 
 namespace glint {

@@ -13,12 +13,11 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "app/grade_report.h"
-#include "app/progress.h"
+#include "app/options.h"
 #include "diagnose/arrived.h"
 #include "diagnose/diagnosis_format.h"
 #include "models/io/file.h"
 #include "models/memory_limit.h"
-#include "renderer/image/html_image.h"
 #include "renderer/image/image_file.h"
 #include "shader/shader_process.h"
 

@@ -7,7 +7,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "app/progress.h"
+#include "app/options.h"
 #include "lessons/check_lesson.h"
 #include "lessons/handout.h"
 #include "models/io/file.h"

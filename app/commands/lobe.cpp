@@ -4,7 +4,7 @@
 #include "app/arguments.h"
 #include "app/commands/command.h"
 #include "lessons/lesson.h"
-#include "renderer/answers/reflectance_answers.h"
+#include "renderer/answers/answers.h"
 
 namespace glint {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "app/progress.h"
+#include "app/options.h"
 #include "renderer/answers/answers.h"
 
 namespace glint {

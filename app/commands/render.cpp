@@ -7,7 +7,7 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "app/progress.h"
+#include "app/options.h"
 #include "models/io/file.h"
 #include "renderer/answers/answers.h"
 #include "renderer/debug_views/buffers.h"

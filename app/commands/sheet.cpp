@@ -8,9 +8,9 @@
 
 #include "app/arguments.h"
 #include "app/commands/command.h"
-#include "app/progress.h"
+#include "app/options.h"
 #include "models/io/file.h"
-#include "models/json/json_pointer.h"
+#include "models/json/json.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/image/image_file.h"
 #include "renderer/renderer.h"

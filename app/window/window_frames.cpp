@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/failure.h"
+#include "app/arguments.h"
 #include "ui/features/lecture/lecture.h"
 #include "ui/widgets/theme.h"
 

@@ -11,8 +11,7 @@
 #include "app/window/canvas.h"
 #include "app/window/window_input.h"
 #include "ui/ui.h"
-#include "ui/widgets/display_scale.h"
-#include "ui/widgets/fonts.h"
+#include "ui/widgets/theme.h"
 
 struct GLFWwindow;
 

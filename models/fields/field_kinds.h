@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "models/range.h"
-#include "models/scene/light.h"
+#include "models/numbers.h"
+#include "models/scene/scene.h"
 
 namespace glint {
 

@@ -5,14 +5,19 @@
 // name the undo steps. A new member needs one row here, and its effect in the renderer. Conditions between
 // members are in scene_rules.h.
 
+#include <fmt/core.h>
+
 #include <concepts>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "models/fields/choices.h"
 #include "models/fields/field_kinds.h"
+#include "models/problem.h"
 #include "models/scene/mistakes.h"
 #include "models/scene/scene.h"
 
@@ -409,5 +414,87 @@ inline constexpr Real channel_field{.range = at_least_zero, .step = 0.004f, .for
 [[nodiscard]] constexpr Real component_of(const Homogeneous& h) {
     return {.step = h.is_direction() ? 0.005f : 0.01f, .format = "%.2f"};
 }
+
+// Lists every number of a scene by its JSON pointer, to animate it, to differentiate a pixel by it, or to
+// drag it in the equation. It is a visitor of scene_fields.h; nothing else enumerates numbers.
+
+/// One number of a scene.
+struct SceneNumber {
+    std::string pointer;         // RFC 6901: "/lights/0/falloff/linear", "/camera/eye/2"
+    std::string words;           // its text in a panel, without its owner: "view angle", "diffuse red"
+    double value = 0;            // the current value
+    double initial = 0;          // its default
+    Real kind;                   // range, unit, step; for a count, only its range
+    std::optional<Count> count;  // for a count: samples, the detail of a shape
+    const char* help = "";       // the help of its field
+    bool moves_faces = true;     // false: it affects how a pixel is lit, but never which face is visible
+    bool applies = true;  // false: no effect at the moment, such as the cone of a light that is not a spot
+    bool is_w = false;    // w of a position; the position is divided by it at once, so an input field would
+                          // lose the typed value
+    float* place = nullptr;  // its address, valid until the scene's lists change; null for a count and for a
+                             // const scene
+};
+
+/// Lists all numbers in the order of the scene file.
+[[nodiscard]] std::vector<SceneNumber> numbers_of(const Scene& scene);
+
+/// The number at that pointer, if there is one.
+[[nodiscard]] std::optional<SceneNumber> number_at(Scene& scene, const std::string& pointer);
+[[nodiscard]] std::optional<SceneNumber> number_at(const Scene& scene, const std::string& pointer);
+
+/// Sets the number at `pointer`, like `--set`: a light's position is divided by a new w, and an object whose
+/// detail changes loses its mesh (load_meshes makes a new one). If the number does not exist, or the value is
+/// out of range or breaks a condition of scene_rules.h, the scene stays unchanged and the function returns a
+/// problem without a file.
+[[nodiscard]] std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value);
+
+/// Returns SceneNumber::words of that number; for a vector the same without the component ("eye"); else the
+/// pointer's keys.
+[[nodiscard]] std::string words_of_pointer(const Scene& scene, const std::string& pointer);
+
+// Conditions between several numbers of a scene, which no single field can express. The reader rejects a
+// scene that breaks them and the window never creates one, so that every saved scene opens again
+// (docs/scene_file.md).
+
+// A violation is a Problem without a file. Its pointer is relative to the value: "/spot/direction", empty for
+// the value itself.
+
+template <class Number> [[nodiscard]] Problem out_of_range(Number number, std::string expected) {
+    return {"", "", fmt::format("{} is out of range", number), std::move(expected)};
+}
+
+/// Directions count as parallel if the sine of the angle between them is below this: a float has seven
+/// digits.
+inline constexpr double parallel_sine = 1e-6;
+
+/// Requires that eye and target differ, `up` is not parallel to the view direction, 0 < near < far, and the
+/// frustum's window has a non-zero area.
+[[nodiscard]] std::optional<Problem> violation_of(const Camera& camera);
+/// Requires that direction, axis and area are not zero, and that not all falloff factors are zero.
+[[nodiscard]] std::optional<Problem> violation_of(const Light& light);
+/// Requires w = 0 for a directional light and w > 0 for a light with a position.
+[[nodiscard]] std::optional<Problem> violation_of_w(LightKind kind, double w);
+/// Requires that the position divided by its w is within the range of positions.
+[[nodiscard]] std::optional<Problem> violation_of_division(const glm::dvec4& position);
+/// Requires that no component of the scale is zero.
+[[nodiscard]] std::optional<Problem> violation_of(const Object& object);
+/// Returns the first violation of the camera, the lights and the objects, with the pointer into the scene.
+[[nodiscard]] std::optional<Problem> violation_of(const Scene& scene);
+
+/// Returns the first number outside the range of its field. For a scene it checks the scene's own numbers,
+/// not its lights and objects.
+[[nodiscard]] std::optional<Problem> violation_of_ranges(const Camera& camera);
+[[nodiscard]] std::optional<Problem> violation_of_ranges(const Light& light);
+[[nodiscard]] std::optional<Problem> violation_of_ranges(const Object& object);
+[[nodiscard]] std::optional<Problem> violation_of_ranges(const Scene& scene);
+
+/// Returns the condition or range that keeps a scene file from representing `now`, or nothing if a file can
+/// represent it. `valid` is a scene that a file can represent, so only lights and objects that differ from
+/// those of `valid` are checked.
+[[nodiscard]] std::optional<Problem> violation_since(const Scene& valid, const Scene& now);
+
+/// Returns a light's homogeneous position for the renderer: unchanged if w = 0, else divided by w, so that w
+/// = 1.
+[[nodiscard]] glm::vec4 divided_by_w(glm::dvec4 position);
 
 }  // namespace glint

@@ -5,16 +5,21 @@
 #include <fmt/core.h>
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "models/json/json_node.h"
+#include "models/json/json.h"
+#include "models/problem.h"
+#include "models/scene/scene.h"
 
 namespace glint {
 
@@ -105,5 +110,163 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
 enum class PrimitiveMode { None, Triangles, Strip, Fan };
 /// Precondition: the primitive is an object.
 [[nodiscard]] PrimitiveMode mode_of(const Node& primitive);
+
+// Converts a material, camera, light or matrix of glTF to ours. Each function throws ProblemFound with its
+// pointer. Inside models/gltf/ only.
+
+/// Whether an axis of the matrix has a length that a float cannot represent.
+[[nodiscard]] bool is_flat(const glm::dmat4& m);
+/// Splits a matrix into T R S. Returns nothing if it is flat or contains a number that a scene cannot
+/// represent. Sets `sheared` if its axes are not at right angles, which T R S cannot express.
+[[nodiscard]] std::optional<Transform> transform_of(const glm::dmat4& m, bool& sheared);
+
+struct GltfMaterial {
+    Material material;  // for cook-torrance; its shininess gives a Blinn highlight of the same width
+    bool has_textures = false, is_transparent = false, is_double_sided = false;
+    bool lacks_emission = false;  // its emissive texture is not read, so the factor is dropped too
+};
+/// Reads a metallic-roughness material; an unlit one (KHR_materials_unlit) emits its base colour. A primitive
+/// without a material uses an empty JSON object.
+[[nodiscard]] GltfMaterial material_of(const Node& node);
+
+/// The inverse: the base colour and the metalness that give the material's diffuse colour and f0; nothing if
+/// no such pair exists.
+struct GltfMetal {
+    glm::vec3 base;
+    float metal;  // 0 to 1
+};
+[[nodiscard]] std::optional<GltfMetal> metal_of(const Material& material);
+
+/// A spot's cone as glTF's two angles, in radians: brightness is constant within the inner one and 0 outside
+/// the outer one. A spot with an exponent and a hard edge gets a soft edge with the same brightness half-way
+/// between the cosines of its two angles, if such an edge exists.
+struct GltfCone {
+    double inner, outer;
+};
+[[nodiscard]] GltfCone cone_of(const SpotCone& cone);
+
+struct GltfCamera {
+    Camera camera;  // its target is close to the eye, straight ahead
+    glm::dvec3 ahead;
+    glm::dmat4 view_from_node;
+};
+/// Converts the camera of a node; an infinite far distance becomes 100,000 times near. Fails, with the node's
+/// pointer, if a scene cannot represent the camera.
+[[nodiscard]] GltfCamera camera_from(const Node& node, const Node& camera, const glm::dmat4& world_from_node);
+/// A point at that distance from the eye, or farther if floats could not represent its direction.
+[[nodiscard]] glm::vec3 target_of(const glm::vec3& eye, const glm::dvec3& ahead, double distance);
+
+/// Converts a light. `placed` transforms the node's coordinates to those of `space`. Sets `has_bad_cone` if
+/// the angles of a spot were clamped.
+[[nodiscard]] Light light_from(const Node& light, const std::string& name, const glm::dmat4& placed,
+                               LightSpace space, bool& has_bad_cone);
+
+// Features of a glTF file that a scene cannot express, and vice versa.
+
+/// Counts the items of each kind that were left out.
+struct GltfLeftOut {
+    std::size_t textures = 0, blended = 0, skins = 0, animations = 0, morphs = 0, lines = 0, sparse = 0,
+                colours = 0, emissions = 0, instances = 0, cones = 0;
+    std::size_t cameras = 0, sheared = 0, flat = 0, far = 0, lights = 0, ranges = 0;
+};
+/// Returns one warning, with its count, for each kind of missing object.
+[[nodiscard]] Warnings said_objects(const GltfLeftOut& left);
+/// Returns one warning for each kind, missing objects included.
+[[nodiscard]] Warnings said(const GltfLeftOut& left);
+
+/// Features of a scene that glTF cannot express.
+struct GltfUnsaid {
+    bool frustum = false, mirroring = false, angle = false;  // of the camera
+    std::size_t invisible = 0, empty = 0, colours = 0;       // objects
+    std::size_t materials = 0, bright = 0;
+    std::size_t off = 0, areas = 0, falloffs = 0, cones = 0, ambients = 0, speculars = 0;  // lights
+};
+/// Returns one warning, with its count, for each kind, and one for each lost feature of the scene itself.
+[[nodiscard]] Warnings said(const GltfUnsaid& unsaid, const Scene& scene);
+
+// Parts of the .glb writer: the binary chunk, cameras and lights. Inside models/gltf/ only.
+
+[[nodiscard]] Json numbers_json(const glm::vec3& v);
+
+/// Builds a .glb file from its two chunks, which are below 4 GiB in total.
+[[nodiscard]] std::string glb_container(std::string_view json, std::string_view bin);
+
+/// Identifies the stored data of an object's mesh: objects with equal keys share it.
+using GltfMeshKey = std::pair<NormalsKey, bool>;  // and NormalOptions::flip
+[[nodiscard]] GltfMeshKey mesh_key(const Object& object);
+
+/// Collects the data of meshes, with the buffer views and accessors that locate it.
+class GltfBuffer {
+  public:
+    /// Adds the object's mesh with the normals used to draw it (`flip` reverses them). Returns the accessors
+    /// as the members "attributes" and "indices" of a primitive. Precondition: the object's mesh is loaded.
+    [[nodiscard]] Json add(const Object& object);
+    [[nodiscard]] const std::string& bytes() const { return bytes_; }
+    [[nodiscard]] const Json& views() const { return views_; }
+    [[nodiscard]] const Json& accessors() const { return accessors_; }
+
+  private:
+    int add_vectors(const std::vector<glm::vec3>& vectors, bool with_bounds);
+    int add_indices(const std::vector<std::uint32_t>& indices);
+    int add_view(std::size_t begin, int target);
+
+    std::string bytes_;
+    Json views_ = Json::array(), accessors_ = Json::array();
+};
+
+// The camera and lights of a scene, converted to glTF.
+
+/// An element of "cameras".
+[[nodiscard]] Json camera_json(const Projection& projection, GltfUnsaid& unsaid);
+/// The members that place a node at the camera.
+[[nodiscard]] Json camera_matrix(const Camera& camera);
+
+/// An element of "lights". Precondition: it is not an area light. Throws ProblemFound with `pointer` (the
+/// light's pointer) if its intensity exceeds the reader's limit.
+[[nodiscard]] Json light_json(const Light& light, const Camera& camera, const std::string& pointer,
+                              GltfUnsaid& unsaid);
+/// The node of light number `index`, in the light's space.
+[[nodiscard]] Json light_node(const Light& light, std::size_t index);
+
+// The nodes of a glTF file and the items that they refer to. Inside models/gltf/ only.
+
+/// The number of elements of a list at the root ("meshes"); 0 without such a list.
+[[nodiscard]] std::size_t count_of(const Node& root, std::string_view list);
+
+/// The index at an element of a list of nodes; the node need not exist.
+[[nodiscard]] std::uint64_t node_number(const Node& at);
+
+/// Reads the name of a node, a mesh or a light, up to the length limit of a scene's names.
+void read_name(const Node& named, std::string& to);
+
+/// The matrix from a node's own coordinates to its parent's. Fails if the specification forbids it: a matrix
+/// together with T, R or S, a bottom row other than 0 0 0 1, a quaternion of length 0.
+[[nodiscard]] glm::dmat4 local_of(const Node& node);
+
+/// Calls f(Node) with the node's light, if the node names one. Fails if that light does not exist.
+template <class F> void with_light(const Node& root, const Node& node, F f) {
+    constexpr std::string_view extension = "KHR_lights_punctual";
+    static const Json undeclared = Json::object();
+    node.with("extensions", [&](const Node& extensions) {
+        require_object(extensions);
+        extensions.with(extension, [&](const Node& reference) {
+            require_object(reference);
+            bool is_declared = false;
+            root.with("extensions", [&](const Node& all) {
+                require_object(all);
+                all.with(extension, [&](const Node& punctual) {
+                    require_object(punctual);
+                    is_declared = true;
+                    follow(punctual, reference, "light", "lights", f);
+                });
+            });
+            if (!is_declared) follow(Node(undeclared), reference, "light", "lights", f);
+        });
+    });
+}
+
+/// Checks every node, even if no scene reaches it: fails if local_of() fails, or if a node names a missing
+/// child, mesh, camera or light.
+void check_nodes(const Node& root);
 
 }  // namespace glint

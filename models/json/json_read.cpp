@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "models/json/json.h"
-#include "models/json/json_pointer.h"
+#include "models/numbers.h"
 #include "models/progress.h"
-#include "models/range.h"
 #include "models/utf8.h"
 
 namespace glint {

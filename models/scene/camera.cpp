@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "models/range.h"
+#include "models/numbers.h"
 
 namespace glint {
 namespace {

@@ -4,7 +4,7 @@
 // lighting kernels of every instruction set read the rows. They are data, so that no standard library code is
 // compiled into the kernels.
 
-#include "models/range.h"
+#include "models/numbers.h"
 
 namespace glint {
 
@@ -38,7 +38,7 @@ struct ReflectionInfo {
 
 /// Upper bounds of the factors of every bounded model, rounding included: Oren-Nayar's diffuse factor stays
 /// below 1.45, the others' and every power of a cosine at or below 1. They determine the grid to which shares
-/// are rounded (renderer/lighting/rounding.h).
+/// are rounded (renderer/lighting/surface_point.h).
 inline constexpr double max_diffuse_factor = 1.5, max_specular_factor = 1.01;
 
 /// The rows, one case per model, so that the compiler reports an enumerator without a row.

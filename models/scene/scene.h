@@ -3,7 +3,15 @@
 // test is a scene and a picture. Names and defaults are those of the scene file (docs/scene_file.md).
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <variant>
 #include <vector>
@@ -12,14 +20,104 @@
 #include "models/mesh/normals.h"
 #include "models/mesh/primitives/primitives.h"
 #include "models/mesh/resolution/resolution.h"
+#include "models/problem.h"
 #include "models/scene/camera.h"
-#include "models/scene/light.h"
-#include "models/scene/material.h"
 #include "models/scene/shading.h"
-#include "models/scene/transform.h"
 #include "models/scene/transport.h"
 
 namespace glint {
+
+// A light as the scene file describes it (docs/scene_file.md, "Lights"; lecture: "Light Sources"). Plain
+// data; renderer/lighting computes its effect.
+
+enum class LightKind { Directional, Point, Spot, Area };
+/// World lights stay with the scene, camera lights with the viewer (lecture: "geometry: positions and
+/// directions").
+enum class LightSpace { World, Camera };
+
+/// 1 / (constant + linear r + quadratic r^2), r the distance in scene units. All >= 0, not all zero.
+struct Falloff {
+    float constant = 1, linear = 0, quadratic = 0;
+    bool operator==(const Falloff&) const = default;
+};
+
+/// The cone of a spot: cos(angle from the axis)^exponent inside the cutoff, 0 outside. Between the inner
+/// angle and the cutoff it also falls off smoothly, as in KHR_lights_punctual.
+struct SpotCone {
+    glm::vec3 direction{0, -1, 0};  // in the light's space, any length but 0
+    float cutoff_deg = 30;          // axis to edge, 0 to 90; 180: no cone
+    float exponent = 1;             // >= 0
+    float inner_deg = 180;          // 0 to 90, or 180; at or above the cutoff: no soft edge
+    bool operator==(const SpotCone&) const = default;
+};
+
+/// A parallelogram centred on the position, with these half-edges (in the light's space).
+struct AreaShape {
+    glm::vec3 edge_u{0.5f, 0, 0}, edge_v{0, 0, 0.5f};
+    int samples = 16;  // a square number, 1 to 64: n x n points at the centres of n x n equal cells
+    bool operator==(const AreaShape&) const = default;
+};
+
+struct Light {
+    std::string name = "Light";
+    LightKind kind = LightKind::Point;
+    LightSpace space = LightSpace::World;
+    glm::vec4 position{0, 2, 2, 1};  // w = 0: the direction towards the light; w > 0: a point, divided by w
+    glm::vec3 ambient{0}, diffuse{1}, specular{1};  // linear RGB, >= 0, 1 is full intensity
+    float intensity = 1;                            // multiplies all three, >= 0
+    bool enabled = true;
+    Falloff falloff;  // point and spot only
+    SpotCone spot;    // kept but ignored for other kinds
+    AreaShape area;   // likewise
+    bool operator==(const Light&) const = default;
+};
+
+// The reflection properties of a surface (docs/scene_file.md; lecture: "Lighting in OpenGL").
+
+struct Material {
+    glm::vec3 ambient{0.2f}, diffuse{0.8f}, specular{1};  // k_a, k_d, k_s: linear RGB, reflected fraction
+    glm::vec3 emission{0};                                // linear RGB
+    float shininess = 32;                                 // exponent n_shiny, 0 to 10,000
+    float roughness = 0.5f;                               // 0 to 1; oren-nayar and cook-torrance
+    glm::vec3 f0{0.04f};                                  // reflectance at normal incidence; cook-torrance
+    bool operator==(const Material&) const = default;
+};
+
+/// One of the classic materials of the OpenGL sample programs (assets/materials.json).
+struct MaterialPreset {
+    std::string_view name, family;  // family: gem, metal, plastic, rubber
+    Material material;
+};
+
+/// All presets, in the order of assets/materials.json, which is compiled in.
+[[nodiscard]] std::span<const MaterialPreset> material_presets();
+
+// The transform of an object: M = T Rz Ry Rx S (docs/scene_file.md, "Objects").
+
+struct Transform {
+    glm::vec3 translate{0};
+    glm::vec3 rotate_deg{0};  // about x, then y, then z
+    glm::vec3 scale{1};       // no component 0; a negative one mirrors
+    bool operator==(const Transform&) const = default;
+};
+
+/// World coordinates from object coordinates, in double (see view_from_world).
+[[nodiscard]] glm::dmat4 world_from_object(const Transform& transform);
+
+// The three steps in an order other than that of a scene file. Lecture: "Transformations" (the last one
+// written is applied first).
+
+enum class TransformStep { Translate, Rotate, Scale };
+
+/// The steps in the order in which they are written; the last one is applied first.
+using TransformOrder = std::array<TransformStep, 3>;
+inline constexpr TransformOrder file_order{TransformStep::Translate, TransformStep::Rotate,
+                                           TransformStep::Scale};
+
+/// Returns the transform in file order that has the same matrix as `written` in `order`, with the rotation
+/// and the scale of `written`. Returns nothing if a scale is written before a rotation with which it does not
+/// commute: that shears or scales along other axes, which a scene file cannot express with these numbers.
+[[nodiscard]] std::optional<Transform> in_file_order(const Transform& written, const TransformOrder& order);
 
 /// The limit of triangles in all objects of a scene; the renderer numbers them with 30 bits.
 inline constexpr std::size_t max_scene_triangles = std::size_t{1} << 30;
@@ -132,5 +230,28 @@ struct Scene {
 [[nodiscard]] inline bool same_description(const Scene& a, const Scene& b) {
     return a.camera == b.camera && same_but_camera(a, b);
 }
+
+// Estimates the memory of a scene and its picture. The estimate is compared with the limit before drawing.
+
+/// The limit of samples in a picture: its pixels times the samples per pixel.
+inline constexpr std::uint64_t max_picture_samples = std::uint64_t{1} << 30;
+
+/// The bytes used by a mesh's lists.
+[[nodiscard]] std::uint64_t mesh_bytes(const Mesh& mesh);
+
+/// Estimated bytes. Objects without a loaded mesh count as empty.
+struct SceneCost {
+    std::uint64_t meshes = 0;   // each counted once
+    std::uint64_t objects = 0;  // transformed vertices, normals, triangles in tiles and for rays
+    std::uint64_t picture = 0;
+};
+[[nodiscard]] SceneCost scene_cost(const Scene& scene, PictureSize size, int samples);
+/// The problem with a cost above memory_limit().
+[[nodiscard]] std::optional<Problem> too_much_memory(const SceneCost& cost);
+
+/// The problem with a scene that has too many triangles or samples, or that needs more memory than
+/// memory_limit(). Without `size`, checks only the scene.
+[[nodiscard]] std::optional<Problem> too_large(const Scene& scene, PictureSize size = {0, 0},
+                                               int samples = 1);
 
 }  // namespace glint

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "models/gltf/gltf_items.h"
+#include "models/gltf/gltf_document.h"
+#include "models/numbers.h"
 #include "models/problem.h"
 #include "models/progress.h"
-#include "models/range.h"
-#include "models/scene/scene_cost.h"
+#include "models/scene/scene.h"
 #include "models/scene_file/scene_file.h"
 
 namespace glint {

@@ -6,7 +6,6 @@
 
 #include "models/fields/choices.h"
 #include "models/fields/scene_fields.h"
-#include "models/fields/scene_rules.h"
 #include "models/utf8.h"
 
 namespace glint {

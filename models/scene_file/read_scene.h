@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "models/json/json_node.h"
+#include "models/json/json.h"
 #include "models/scene/scene.h"
 #include "models/scene_file/scene_file.h"
 

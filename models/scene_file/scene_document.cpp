@@ -10,7 +10,7 @@
 
 #include "models/io/file.h"
 #include "models/io/png_info.h"
-#include "models/json/json_pointer.h"
+#include "models/json/json.h"
 #include "models/mesh/formats/mesh_file.h"
 #include "models/problem.h"
 #include "models/scene_file/read_scene.h"

@@ -162,7 +162,7 @@ struct GltfOpened {
 
 /// JSON Schema, draft 2020-12, of the scene file: keys, types, ranges, words, defaults, generated from the
 /// rows of models/fields/scene_fields.h. It accepts every valid scene. It cannot express conditions between
-/// numbers (near < far, an area that is not zero; models/fields/scene_rules.h), so the reader may reject a
+/// numbers (near < far, an area that is not zero; models/fields/scene_fields.h), so the reader may reject a
 /// file that it accepts. Ends with a newline.
 [[nodiscard]] std::string scene_schema();
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "models/fields/scene_fields.h"
-#include "models/json/json_pointer.h"
+#include "models/json/json.h"
 #include "models/scene_file/read_scene.h"
 #include "models/utf8.h"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "models/memory_limit.h"
-#include "models/scene/scene_cost.h"
+#include "models/scene/scene.h"
 
 namespace glint {
 namespace {

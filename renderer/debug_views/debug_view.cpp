@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 
-#include "renderer/explain/printed_number.h"
+#include "models/scene/mistakes.h"
+#include "renderer/explain/equation_text.h"
+#include "renderer/reflectance/lobes.h"
 
 namespace glint {
 namespace {
@@ -209,6 +212,153 @@ std::uint64_t stripe_over_range(Picture& picture, float exposure) {
             if ((x + y) % 8 < 3) put(picture, picture.pixel(x, y), {0, 0, 0});
         }
     return count;
+}
+
+// The colour scales of debug views.
+
+namespace {
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+Rgb bytes(glm::dvec3 color) {
+    const glm::dvec3 c = glm::clamp(color, 0.0, 1.0) * 255.0 + 0.5;
+    return {static_cast<std::uint8_t>(c.x), static_cast<std::uint8_t>(c.y), static_cast<std::uint8_t>(c.z)};
+}
+
+/// Interpolates evenly spaced colours at a parameter from 0 to 1.
+template <std::size_t N> glm::dvec3 between(const std::array<glm::dvec3, N>& stops, double at) {
+    const double scaled = std::clamp(at, 0.0, 1.0) * (N - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(scaled), N - 2);
+    return glm::mix(stops[i], stops[i + 1], scaled - static_cast<double>(i));
+}
+
+/// Lightness increases evenly, so that the scale also works in greyscale.
+const std::array<glm::dvec3, 5> dark_to_light{glm::dvec3(0.06, 0.04, 0.26), glm::dvec3(0.16, 0.26, 0.58),
+                                              glm::dvec3(0.12, 0.53, 0.60), glm::dvec3(0.53, 0.78, 0.37),
+                                              glm::dvec3(1.00, 0.95, 0.60)};
+/// Lit: black, orange, white. Facing away: blues, so that the discontinuity at 0 shows the terminator.
+const std::array<glm::dvec3, 3> lit_ramp{glm::dvec3(0.07, 0.04, 0.02), glm::dvec3(0.88, 0.47, 0.10),
+                                         glm::dvec3(1, 1, 0.92)};
+const std::array<glm::dvec3, 2> unlit_ramp{glm::dvec3(0.10, 0.15, 0.32), glm::dvec3(0.35, 0.62, 1)};
+
+/// Blue and red, as in modelling software.
+const glm::dvec3 front_side(0.22, 0.42, 0.95), back_side(0.93, 0.22, 0.20);
+
+}  // namespace
+
+Rgb debug_view_color(DebugView view, const DebugViewScale& scale, double value) {
+    if (view == DebugView::NDotL)
+        return bytes(value < 0 ? between(unlit_ramp, -value) : between(lit_ramp, value));
+    const double share = (value - scale.low) / (scale.high - scale.low);
+    // Shows near surfaces in light colours.
+    return bytes(between(dark_to_light, view == DebugView::Depth ? 1 - share : share));
+}
+
+Rgb normal_color(glm::vec3 normal) { return bytes(glm::dvec3(normal) * 0.5 + 0.5); }
+
+Rgb face_color(std::uint64_t number) {
+    const double hue = 6 * std::fmod(static_cast<double>(number) * std::numbers::phi, 1.0);
+    const double light = number % 2 == 0 ? 0.92 : 0.66;
+    const auto channel = [&](double shift) {
+        const double away = std::abs(std::fmod(hue + shift, 6.0) - 3);
+        return light * (0.35 + 0.65 * std::clamp(away - 1, 0.0, 1.0));
+    };
+    return bytes({channel(0), channel(4), channel(2)});
+}
+
+Rgb side_color(bool front, double n_dot_v) {
+    const double light = 0.55 + 0.45 * std::clamp(std::abs(n_dot_v), 0.0, 1.0);
+    return bytes(light * (front ? front_side : back_side));
+}
+
+Rgb turned_away_color(Rgb color, int x, int y) {
+    if ((x + y) % 8 >= 3) return color;
+    return {static_cast<std::uint8_t>(color[0] / 3), static_cast<std::uint8_t>(color[1] / 3),
+            static_cast<std::uint8_t>(color[2] / 3)};
+}
+
+// Scenes whose pictures measure a quantity.
+
+namespace {
+
+/// Switches off the mistakes for which keep(mistake) is false.
+template <class Keep> void keep_mistakes(Mistakes& mistakes, const Keep& keep) {
+    for (const MistakeName& m : mistake_names()) mistakes.*m.flag &= keep(m);
+}
+
+/// Whether a mistake affects normals or the position of a light.
+bool shows_in_measures(const MistakeName& m) {
+    const bool reach = m.seen_as == SeenAs::WrongReach || m.seen_as == SeenAs::WrongBrightness;
+    return m.stage == MistakeStage::Normals || m.stage == MistakeStage::Viewer ||
+           (m.stage == MistakeStage::Lights && !reach);
+}
+
+/// A white surface under Lambert's law without clamping, with nothing else in the picture.
+Scene measuring_scene(const Scene& scene) {
+    Scene s = scene;
+    s.lights.clear();
+    s.global_ambient = glm::vec3(0);
+    s.npr = {};
+    s.display = {};
+    s.display.background = glm::vec3(0);
+    s.shading.reflection = Reflection::Lambert;
+    s.shading.rules = Rules::Lecture;
+    s.shading.terms = {false, false, true, false};
+    keep_mistakes(s.shading.mistakes, [](const MistakeName& m) { return shows_in_measures(m); });
+    s.shading.mistakes.no_clamp_of_cosine = true;
+    s.shading.mistakes.lit_after_projection = false;
+    for (Object& object : s.objects) {
+        object.material = {};
+        object.material.diffuse = glm::vec3(1);
+    }
+    return s;
+}
+
+Light sun_along(glm::vec3 axis) {
+    Light sun;
+    sun.kind = LightKind::Directional;
+    sun.space = LightSpace::Camera;
+    sun.position = {axis, 0};
+    sun.diffuse = axis;
+    return sun;
+}
+
+}  // namespace
+
+Scene normal_scene(const Scene& scene, bool facet) {
+    Scene s = measuring_scene(scene);
+    s.shading.mode = facet ? ShadingMode::Facet : ShadingMode::Phong;
+    keep_mistakes(s.shading.mistakes, [](const MistakeName& m) { return m.stage != MistakeStage::Lights; });
+    // Cook-Torrance also has Lambert's diffuse term, but its light contributions are not rounded
+    // (rounding.h).
+    s.shading.reflection = Reflection::CookTorrance;
+    s.lights = {sun_along({1, 0, 0}), sun_along({0, 1, 0}), sun_along({0, 0, 1})};
+    return s;
+}
+
+Scene n_dot_l_scene(const Scene& scene, int light) {
+    Scene s = measuring_scene(scene);
+    Light l = white(scene.lights[static_cast<std::size_t>(light)]);
+    if (l.kind != LightKind::Directional) l.kind = LightKind::Point;
+    l.falloff = {};
+    s.lights = {l};
+    return s;
+}
+
+Scene silhouette_scene(const Scene& scene) {
+    Scene s = scene;
+    s.npr.silhouettes = true;
+    s.npr.creases = false;
+    s.npr.stroke_width_px = 2;
+    s.npr.stroke = {1, 0.25f, 0.6f};  // a hue that is rare among materials
+    return s;
+}
+
+Scene term_scene(const Scene& scene, DebugView term) {
+    Scene s = scene;
+    s.shading.terms = {term == DebugView::Emission, term == DebugView::Ambient, term == DebugView::Diffuse,
+                       term == DebugView::Specular};
+    return s;
 }
 
 }  // namespace glint

@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_fields.h"
 #include "renderer/renderer.h"
-#include "renderer/shade/culled_by_light.h"
-#include "renderer/shade/surface_material.h"
+#include "renderer/shade/light_sources.h"
+#include "renderer/shade/lighting.h"
 
 namespace glint {
 namespace {

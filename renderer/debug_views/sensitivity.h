@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_fields.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/picture.h"
 

@@ -8,9 +8,9 @@
 
 #include "models/problem.h"
 #include "models/scene/reflection.h"
-#include "renderer/explain/explain_words.h"
+#include "renderer/explain/equation_text.h"
 #include "renderer/shade/light_sources.h"
-#include "renderer/shade/surface_material.h"
+#include "renderer/shade/lighting.h"
 
 namespace glint {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "models/scene/scene.h"
-#include "renderer/explain/explanation.h"
+#include "renderer/explain/explain.h"
 #include "renderer/explain/quantity.h"
 
 namespace glint {

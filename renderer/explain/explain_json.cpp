@@ -2,7 +2,7 @@
 
 #include "models/fields/choices.h"
 #include "models/json/json.h"
-#include "renderer/explain/explain_format.h"
+#include "renderer/explain/equation_text.h"
 
 namespace glint {
 namespace {

@@ -3,11 +3,8 @@
 #include <string_view>
 
 #include "models/fields/choices.h"
-#include "models/io/markup.h"
+#include "models/utf8.h"
 #include "renderer/explain/equation_text.h"
-#include "renderer/explain/explain_format.h"
-#include "renderer/explain/explain_words.h"
-#include "renderer/explain/printed_number.h"
 
 namespace glint {
 namespace {

@@ -8,9 +8,6 @@
 #include "models/problem.h"
 #include "models/utf8.h"
 #include "renderer/explain/equation_text.h"
-#include "renderer/explain/explain_format.h"
-#include "renderer/explain/explain_words.h"
-#include "renderer/explain/printed_number.h"
 #include "renderer/picture.h"
 
 namespace glint {

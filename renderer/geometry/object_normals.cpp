@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "models/scene/mistakes.h"
-#include "renderer/geometry/recent_faces.h"
 #include "renderer/geometry/vertex_transform.h"
 #include "renderer/simd/glm_vec3.h"
 

@@ -3,6 +3,7 @@
 // chunk), PFM and OpenEXR (linear float).
 
 #include <string>
+#include <string_view>
 
 #include "models/problem.h"
 #include "renderer/picture.h"
@@ -48,5 +49,8 @@ enum class PictureFormat { Png, Pfm, Exr };
 
 /// Reads a picture in the format given by the file's extension.
 [[nodiscard]] Result<Picture> read_picture(const std::string& path);
+
+/// The picture as a self-contained HTML element. `alt` is its alternative text.
+[[nodiscard]] std::string html_image(const Picture& picture, std::string_view alt);
 
 }  // namespace glint

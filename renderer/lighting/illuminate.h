@@ -9,7 +9,7 @@
 #include "renderer/lighting/equation_mistakes.h"
 #include "renderer/lighting/light_source.h"
 #include "renderer/lighting/reflection.h"
-#include "renderer/lighting/rounding.h"
+#include "renderer/lighting/surface_point.h"
 
 namespace glint::inline GLINT_ISA {
 

@@ -18,7 +18,7 @@ struct Float3 {
 };
 
 /// The maximum of falloff and of unbounded highlight factors, which grow without limit near a light. The
-/// numbers of a scene are at most 1e7 (models/range.h), so that a term is at most 1e31, and the sum of the
+/// numbers of a scene are at most 1e7 (models/numbers.h), so that a term is at most 1e31, and the sum of the
 /// terms of 64 samples of 4096 lights fits a float.
 inline constexpr float max_factor = 1e10f;
 
@@ -72,7 +72,7 @@ struct Arrivals {
     }
 };
 
-/// Cool-to-warm shading (renderer/lighting/cool_to_warm.h) in place of emission, ambient and diffuse.
+/// Cool-to-warm shading (renderer/lighting/reflection.h) in place of emission, ambient and diffuse.
 struct CoolToWarm {
     bool on = false;
     Float3 cool, warm;

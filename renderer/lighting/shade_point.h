@@ -1,9 +1,9 @@
 #pragma once
 // Converts plain numbers to the equation's types, and sums all lights at one point (or 16).
 
-#include "renderer/lighting/cool_to_warm.h"
 #include "renderer/lighting/illuminate.h"
 #include "renderer/lighting/light_job.h"
+#include "renderer/lighting/reflection.h"
 
 namespace glint::inline GLINT_ISA {
 

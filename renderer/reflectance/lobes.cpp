@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "models/scene/reflection.h"
-#include "renderer/lighting/cook_torrance.h"
+#include "renderer/lighting/reflection.h"
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
-#include "renderer/shade/surface_material.h"
+#include "renderer/shade/lighting.h"
 #include "renderer/simd/glm_vec3.h"
 
 namespace glint {

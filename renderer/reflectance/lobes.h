@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "models/scene/material.h"
 #include "models/scene/scene.h"
 #include "renderer/lighting/shade_point.h"
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "models/numbers.h"
-#include "renderer/lighting/oren_nayar.h"
+#include "renderer/lighting/reflection.h"
 #include "renderer/reflectance/lobes.h"
 
 namespace glint {

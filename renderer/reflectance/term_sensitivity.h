@@ -5,7 +5,6 @@
 #include <array>
 #include <glm/vec3.hpp>
 
-#include "models/scene/material.h"
 #include "models/scene/scene.h"
 #include "renderer/reflectance/lobes.h"
 

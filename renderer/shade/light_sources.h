@@ -2,10 +2,12 @@
 // Converts the scene's lights to the input of the kernels: camera coordinates, colours times intensity.
 // Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car headlights).
 
+#include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <vector>
 
 #include "models/scene/scene.h"
+#include "renderer/geometry/geometry.h"
 #include "renderer/lighting/light_job.h"
 
 namespace glint {
@@ -29,5 +31,15 @@ void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 /// blended over faces; under OpenGL's rules they are clamped first.
 [[nodiscard]] LightJob light_job(const Scene& scene, PictureSize size, const Material& material,
                                  const std::vector<LightSource>& lights, bool at_corners);
+
+// The mistake of culling faces by the light instead of the eye (models/scene/mistakes.h).
+
+/// Whether the lights also decide which face a pixel shows.
+[[nodiscard]] inline bool lights_cull(const Scene& scene) { return scene.shading.mistakes.culled_by_light; }
+
+/// For each triangle of the scene, 1 if its face has n.l <= 0 for the first enabled light at the face's
+/// centroid (the mean of its corners), or has no area. Empty (nothing is culled) if the mistake is off or no
+/// light is enabled. Precondition: `geometry` is up to date.
+[[nodiscard]] std::vector<std::uint8_t> culled_by_light(const Scene& scene, const Geometry& geometry);
 
 }  // namespace glint

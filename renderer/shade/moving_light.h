@@ -1,12 +1,12 @@
 #pragma once
 // Part of stage 4. While only one light is dragged, caches the sum of all others at each point, and finds the
 // pixels that the light may have changed. The picture is bit-identical to adding all lights again, because
-// each light's contribution is rounded to a grid on which sums are exact (renderer/lighting/rounding.h).
+// each light's contribution is rounded to a grid on which sums are exact (renderer/lighting/surface_point.h).
 
 #include <span>
 #include <vector>
 
-#include "models/scene/light.h"
+#include "models/scene/scene.h"
 #include "renderer/shade/shade_kernels.h"
 #include "renderer/surface/surface.h"
 

@@ -9,7 +9,6 @@
 #include "models/scene/scene.h"
 #include "renderer/lighting/light_job.h"
 #include "renderer/simd/vec3.h"
-#include "renderer/strokes/stroke_edges.h"
 #include "renderer/strokes/stroke_lines.h"
 #include "renderer/visibility/visibility.h"
 

@@ -8,7 +8,7 @@
 
 #include "renderer/lighting/shade_point.h"
 #include "renderer/shade/light_sources.h"
-#include "renderer/shade/surface_material.h"
+#include "renderer/shade/lighting.h"
 #include "renderer/simd/glm_vec3.h"
 
 namespace glint {

@@ -18,7 +18,7 @@
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
 #include "renderer/shade/light_sources.h"
-#include "renderer/simd/isa/instruction_set.h"
+#include "renderer/simd/isa/kernel_set.h"
 #include "renderer/surface/surface.h"
 #include "tests/places.h"
 

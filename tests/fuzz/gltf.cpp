@@ -4,8 +4,8 @@
 #include <string>
 #include <variant>
 
-#include "models/fields/scene_rules.h"
-#include "models/gltf/gltf_buffer.h"
+#include "models/fields/scene_fields.h"
+#include "models/gltf/gltf_document.h"
 #include "models/memory_limit.h"
 #include "models/mesh/formats/mesh_reader.h"
 #include "models/scene_file/scene_file.h"

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "models/fields/scene_fields.h"
-#include "models/fields/scene_rules.h"
 
 namespace glint::fuzz {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "models/fields/scene_rules.h"
+#include "models/fields/scene_fields.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/json_mutator.h"

@@ -9,7 +9,7 @@
 
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
-#include "renderer/shade/culled_by_light.h"
+#include "renderer/shade/light_sources.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/scene_from_bytes.h"
 

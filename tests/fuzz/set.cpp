@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_fields.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/json_mutator.h"

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "models/mesh/primitives/primitives.h"
-#include "models/scene/transform.h"
+#include "models/scene/scene.h"
 #include "renderer/picture.h"
 
 namespace glint::golden {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "models/scene_file/scene_file.h"
-#include "renderer/explain/explain_format.h"
+#include "renderer/explain/equation_text.h"
 #include "renderer/renderer.h"
 #include "tests/golden/sheet.h"
 #include "tests/oracle/random_scene.h"

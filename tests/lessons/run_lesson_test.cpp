@@ -6,8 +6,8 @@
 
 #include "lessons/check_lesson.h"
 #include "lessons/handout.h"
-#include "renderer/answers/reflectance_answers.h"
-#include "renderer/image/html_image.h"
+#include "renderer/answers/answers.h"
+#include "renderer/image/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "models/scene/scene.h"
-#include "renderer/explain/explanation.h"
+#include "renderer/explain/explain.h"
 
 namespace glint::oracle {
 

@@ -9,7 +9,7 @@
 #include <regex>
 #include <stdexcept>
 
-#include "programs/mesh_text.h"
+#include "programs/model_text.h"
 #include "tests/support/program.h"
 
 namespace glint::programs {

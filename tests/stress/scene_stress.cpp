@@ -19,7 +19,7 @@
 
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
-#include "renderer/simd/isa/instruction_set.h"
+#include "renderer/simd/isa/kernel_set.h"
 #include "tests/stress/stress_scene.h"
 
 using namespace glint;

@@ -7,7 +7,7 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
-#include "ui/features/inspector/tabs.h"
+#include "ui/features/inspector/inspector.h"
 
 namespace glint::test {
 

@@ -22,7 +22,7 @@
 #include "ui/features/games/match.h"
 #include "ui/features/games/quiz.h"
 #include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/mistake_pictures.h"
+#include "ui/features/inspector/mistake_row.h"
 #include "ui/features/inspector/outside_view.h"
 #include "ui/features/inspector/program/program_state.h"
 #include "ui/features/inspector/sensitivity.h"
@@ -34,14 +34,13 @@
 #include "ui/features/views/scope.h"
 #include "ui/features/views/term_grid.h"
 #include "ui/features/views/views.h"
-#include "ui/fields/highlight_share.h"
+#include "ui/fields/panels.h"
 #include "ui/picture/magnifier.h"
 #include "ui/shell/columns.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint::test {
 

@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "models/memory_limit.h"
-#include "models/scene/scene_cost.h"
+#include "models/scene/scene.h"
 #include "tests/support/catch.h"
 
 namespace glint::test {

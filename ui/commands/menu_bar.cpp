@@ -8,12 +8,9 @@
 #include <utility>
 
 #include "ui/commands/command.h"
-#include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
 #include "ui/document/recently_changed.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

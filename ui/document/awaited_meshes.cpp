@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "models/fields/choices.h"
-#include "models/json/json_pointer.h"
-#include "ui/document/averaged_normals.h"
+#include "models/json/json.h"
 #include "ui/document/loading.h"
+#include "ui/document/scene_edit.h"
 #include "ui/ui.h"
 
 namespace glint {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "models/fields/scene_rules.h"
+#include "models/fields/scene_fields.h"
 #include "models/io/file.h"
 
 namespace glint {

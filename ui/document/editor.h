@@ -11,7 +11,6 @@
 #include "models/problem.h"
 #include "models/scene/scene.h"
 #include "models/scene_file/scene_file.h"
-#include "ui/document/follow_items.h"
 #include "ui/document/scene_edit.h"
 
 namespace glint {

@@ -13,9 +13,7 @@
 #include "models/mesh/formats/mesh_file.h"
 #include "ui/shell/modal.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/text/text_field.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 

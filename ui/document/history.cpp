@@ -11,7 +11,7 @@
 #include "models/fields/choices.h"
 #include "models/fields/scene_fields.h"
 #include "models/memory_limit.h"
-#include "models/scene/scene_cost.h"
+#include "models/scene/scene.h"
 #include "ui/document/editor.h"
 
 namespace glint {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/commands/menus.h"
+#include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
 #include "ui/feature.h"
 

@@ -12,7 +12,6 @@
 
 #include "models/fields/choices.h"
 #include "models/fields/scene_fields.h"
-#include "models/fields/scene_rules.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/widgets.h"
 
@@ -158,9 +157,9 @@ template <class T> [[nodiscard]] bool field_rows(T& value, const std::string& po
     return FieldPanel(value, pointer).rest().edited();
 }
 
-/// Reverts an edit that breaks a condition between numbers (models/fields/scene_rules.h): the window must not
-/// produce a scene that would be rejected as a file. The fields keep each number in its own range. Returns
-/// true if the edit was kept.
+/// Reverts an edit that breaks a condition between numbers (models/fields/scene_fields.h): the window must
+/// not produce a scene that would be rejected as a file. The fields keep each number in its own range.
+/// Returns true if the edit was kept.
 template <class Item> bool keep_valid(Item& edited, const Item& before) {
     const auto found = violation_of(edited);
     if (!found) return true;

@@ -9,11 +9,10 @@
 #include <type_traits>
 
 #include "models/gltf/gltf.h"
-#include "ui/document/averaged_normals.h"
+#include "ui/document/scene_edit.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/mesh_check.h"
 #include "ui/fields/panels.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"

@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "models/fields/choices.h"
-#include "models/scene/material.h"
 #include "models/scene/scene.h"
+#include "renderer/picture.h"
 #include "ui/document/scene_edit.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/object_drag.h"
+#include "ui/widgets/kept.h"
 
 namespace glint {
 
@@ -81,5 +82,28 @@ struct LightFocus {
 /// Draws the list: edits the scene (adds, deletes, switches) and the selection; returns whether the scene
 /// changed. Sets `browse_mesh` to request a mesh file for a new object.
 [[nodiscard]] bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& browse_mesh);
+
+// Measures how much of an object's highlight survives its shading: flat and Gouraud shading lose a highlight
+// that covers no vertex. Lecture: Gouraud shading misses highlights.
+
+/// Returns the object's brightest specular light in a picture of that size, relative to Phong shading: about
+/// 1 if triangles are small. It exceeds 1 only slightly, when a vertex is closer to the peak than any pixel
+/// centre. Nothing without a highlight. `object`: index in Scene::objects.
+[[nodiscard]] std::optional<double> highlight_share(const Scene& scene, std::size_t object, PictureSize size);
+
+/// highlight_share(), cached until the scene changes and settles.
+struct HighlightShareState {
+    struct Key {
+        Scene scene;
+        std::size_t object = 0;
+        bool operator==(const Key&) const = default;
+    };
+    Kept<Key, std::optional<double>> share;
+};
+
+/// Returns the share as a note next to a mesh; empty if lighting is computed per pixel, or without a
+/// highlight.
+[[nodiscard]] std::string highlight_words(HighlightShareState& state, const Scene& scene, std::size_t object,
+                                          PictureSize size);
 
 }  // namespace glint

@@ -6,9 +6,8 @@
 
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"

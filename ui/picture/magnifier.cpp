@@ -6,10 +6,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "models/scene/transform.h"
+#include "models/scene/scene.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {

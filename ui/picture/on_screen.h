@@ -6,7 +6,7 @@
 #include <string>
 
 #include "models/scene/scene.h"
-#include "renderer/explain/explanation.h"
+#include "renderer/explain/explain.h"
 #include "renderer/picture.h"
 #include "renderer/renderer.h"
 #include "ui/document/scene_edit.h"

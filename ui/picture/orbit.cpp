@@ -8,12 +8,12 @@
 #include <numbers>
 #include <utility>
 
-#include "models/fields/scene_rules.h"
-#include "models/range.h"
-#include "models/scene/transform.h"
+#include "models/fields/scene_fields.h"
+#include "models/numbers.h"
+#include "models/scene/scene.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/picture/screen.h"
 
 namespace glint {

@@ -7,11 +7,10 @@
 #include "ui/commands/command.h"
 #include "ui/feature.h"
 #include "ui/picture/draw_picture.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/picture/orbit.h"
 #include "ui/preferences/persistence.h"
 #include "ui/ui.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 

@@ -8,7 +8,6 @@
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/ui.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/widgets.h"
 

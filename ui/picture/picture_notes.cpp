@@ -8,7 +8,6 @@
 #include "ui/picture/on_screen.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 

@@ -13,10 +13,9 @@
 #include "ui/picture/tool.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

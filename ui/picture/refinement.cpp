@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "ui/picture/draw_picture.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"

@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "ui/commands/command.h"
-#include "ui/commands/menus.h"
 #include "ui/feature.h"
 #include "ui/fields/field_panel.h"
 #include "ui/shell/columns.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"

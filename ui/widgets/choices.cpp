@@ -1,10 +1,14 @@
 // A choice from a closed set: as a drop-down, or as joined buttons.
+
 #include <fmt/core.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
+#include <glm/common.hpp>
 
-#include "ui/widgets/fonts.h"
+#include "models/fields/scene_fields.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -103,6 +107,124 @@ int segments(const char* id, int chosen, std::span<const Choice> options, const 
     if (crowded) ImGui::PopFont();
     ImGui::PopID();
     return result;
+}
+
+// A colour: three numbers, and a swatch that opens a picker and the presets.
+
+namespace {
+
+constexpr ImGuiColorEditFlags as_numbers = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                                           ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoOptions;
+constexpr std::size_t presets_a_row = 10;
+
+bool swatch(const char* id, glm::vec3 colour, float side) {
+    const bool pressed = ImGui::ColorButton(id, {colour.x, colour.y, colour.z, 1},
+                                            as_numbers | ImGuiColorEditFlags_NoTooltip, {side, side});
+    // The frame is white on a light panel, black on a dark one.
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                        to_u32(theme().dim_text, 0.6f), ImGui::GetStyle().FrameRounding);
+    return pressed;
+}
+
+/// Accepts the colour of a swatch that was dragged here from another field.
+bool take_dropped_colour(glm::vec3& value) {
+    if (!ImGui::BeginDragDropTarget()) return false;
+    const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(IMGUI_PAYLOAD_TYPE_COLOR_3F);
+    if (payload != nullptr) std::copy_n(static_cast<const float*>(payload->Data), 3, &value.x);
+    ImGui::EndDragDropTarget();
+    return payload != nullptr;
+}
+
+bool presets(glm::vec3& value, float width) {
+    const auto all = colour_presets();
+    const float gap = px(4);
+    const float side = (width - gap * float(presets_a_row - 1)) / float(presets_a_row);
+    bool chosen = false;
+    for (std::size_t i = 0, column = 0; i < all.size(); ++i, ++column) {
+        const bool lamps_begin = i > 0 && all[i].kelvin > 0 && all[i - 1].kelvin == 0;
+        if (lamps_begin) column = 0;
+        if (column % presets_a_row != 0) ImGui::SameLine(0, gap);
+        if (swatch(fmt::format("##preset{}", i).c_str(), all[i].linear, side)) {
+            value = all[i].linear;
+            chosen = true;
+        }
+        const glm::vec3 c = all[i].linear;
+        const std::string kelvin =
+            all[i].kelvin > 0 ? fmt::format("As a black body of {} K", all[i].kelvin) : "";
+        tooltip(all[i].name, kelvin.c_str(), fmt::format("{:.3g}  {:.3g}  {:.3g}", c.x, c.y, c.z));
+    }
+    return chosen;
+}
+
+/// The picker with the presets below it, next to the swatch that opened it.
+bool picker(const char* label, glm::vec3& value) {
+    if (!ImGui::BeginPopup("##colour")) return false;
+    ImGui::PushFont(fonts().title);
+    ImGui::TextUnformatted(label, ImGui::FindRenderedTextEnd(label));
+    ImGui::PopFont();
+    const float width = px(236);
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushFont(fonts().figures);
+    bool changed = ImGui::ColorPicker3("##picker", &value.x,
+                                       as_numbers | ImGuiColorEditFlags_NoSidePreview |
+                                           ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_NoInputs);
+    ImGui::PopFont();
+    section_heading("Presets");
+    changed |= presets(value, width);
+    ImGui::EndPopup();
+    return changed;
+}
+
+}  // namespace
+
+bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help) {
+    ImGui::PushID(label);
+    const float gap = px(3), side = ImGui::GetFrameHeight();
+    const float width = (label_cell(label) - side - 3 * gap) / 3;
+    bool changed = false;
+    for (int i = 0; i < 3; ++i) {
+        constexpr std::array channels{"red", "green", "blue"};
+        changed |= bare_number(fmt::format("{}: {}", label, channels[static_cast<std::size_t>(i)]).c_str(),
+                               value[i], channel_field, initial[i],
+                               {help.what, help.pointer + "/" + std::to_string(i)}, width);
+        ImGui::SameLine(0, gap);
+    }
+    glm::vec3 picked = value;
+    if (swatch("##swatch", value, side)) ImGui::OpenPopup("##colour");
+    const ImVec2 beside{ImGui::GetItemRectMax().x + px(6), ImGui::GetItemRectMin().y};
+    tooltip(label, help.what,
+            "Linear red, green, blue; 1 is full, above 1 is allowed\nClick: picker and presets · Drag: onto "
+            "another swatch",
+            help.pointer);
+    changed |= take_dropped_colour(picked);
+    ImGui::SetNextWindowPos(beside, ImGuiCond_Appearing);
+    changed |= picker(label, picked);
+    if (picked != value) value = glm::clamp(picked, glm::vec3(0), glm::vec3(float(max_number)));
+    ImGui::PopID();
+    return changed;
+}
+
+std::span<const ColourPreset> colour_presets() {
+    // Lamps: Planck's law with the colour matching functions of CIE 1931 (Wyman, Sloan, Shirley 2013),
+    // converted to linear sRGB, clamped at 0 and divided by the largest channel.
+    static constexpr std::array all{ColourPreset{"White", {1, 1, 1}},
+                                    ColourPreset{"Half grey", {0.5f, 0.5f, 0.5f}},
+                                    ColourPreset{"Middle grey, 18 %", {0.18f, 0.18f, 0.18f}},
+                                    ColourPreset{"Black", {0, 0, 0}},
+                                    ColourPreset{"Red", {1, 0, 0}},
+                                    ColourPreset{"Yellow", {1, 1, 0}},
+                                    ColourPreset{"Green", {0, 1, 0}},
+                                    ColourPreset{"Cyan", {0, 1, 1}},
+                                    ColourPreset{"Blue", {0, 0, 1}},
+                                    ColourPreset{"Magenta", {1, 0, 1}},
+                                    ColourPreset{"Candle", {1, 0.242f, 0}, 1900},
+                                    ColourPreset{"Incandescent lamp", {1, 0.423f, 0.1f}, 2700},
+                                    ColourPreset{"Halogen lamp", {1, 0.522f, 0.195f}, 3200},
+                                    ColourPreset{"Moonlight", {1, 0.674f, 0.403f}, 4100},
+                                    ColourPreset{"Sun at noon", {1, 0.852f, 0.755f}, 5500},
+                                    ColourPreset{"Overcast sky", {1, 0.944f, 0.993f}, 6500},
+                                    ColourPreset{"Blue sky", {0.61f, 0.695f, 1}, 10'000}};
+    return all;
 }
 
 }  // namespace glint

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "models/scene/light.h"
+#include "models/scene/scene.h"
 
 namespace glint {
 

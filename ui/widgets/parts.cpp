@@ -7,9 +7,8 @@
 #include <sstream>
 #include <utility>
 
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/named_controls.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

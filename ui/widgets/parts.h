@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "models/scene/light.h"
+#include "models/scene/scene.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/theme.h"
 

@@ -6,6 +6,10 @@
 
 #include <imgui.h>
 
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <string>
+
 namespace glint {
 
 /// Construction: intermediate vectors and quantities.
@@ -53,5 +57,54 @@ void apply_theme(const Theme& chosen, float scale);
 [[nodiscard]] double contrast(const ImVec4& a, const ImVec4& b);
 
 [[nodiscard]] ImU32 to_u32(const ImVec4& colour, float opacity = 1);
+
+// Type: one family in a few sizes, and figures of equal width so that numbers do not jitter during a drag.
+// Found at run time among the system's fonts; ImGui's own if there is none.
+
+struct Fonts {
+    ImFont* body = nullptr;
+    ImFont* small = nullptr;
+    ImFont* title = nullptr;
+    ImFont* figures = nullptr;  // monospaced
+    ImFont* reading = nullptr;  // for long texts
+    ImFont* heading = nullptr;  // bold, for their headings
+};
+
+/// Paths of the fonts to use; empty if none was found.
+struct FontFiles {
+    std::string text, bold, figures;
+};
+[[nodiscard]] FontFiles find_fonts();
+
+/// Fills the atlas of the current ImGui context. `scale`: dots per logical pixel; `dots_per_unit`: of ImGui
+/// (2 on a display that counts in points). Call before the first frame, or between frames to change the
+/// scale.
+void load_fonts(const FontFiles& files, float scale, float dots_per_unit);
+
+/// The fonts loaded last.
+[[nodiscard]] const Fonts& fonts();
+
+/// Height of text in the small font on the screen, including the projector's scale.
+[[nodiscard]] float small_text_height();
+
+// The scale of a display: from the window system's numbers to sizes of type and lengths.
+
+/// A window's size as reported by the window system. During a resize two queries may return different sizes.
+struct WindowExtent {
+    glm::ivec2 size{0}, size_after{0};  // size in the window's units, queried before and after `dots`
+    glm::ivec2 dots{0};                 // size of the framebuffer, pixels
+    float content_scale = 1;            // 1 on a display with 96 dots per inch
+};
+
+struct DisplayScale {
+    float design = 1;         // the window's units per logical pixel
+    float dots_per_unit = 1;  // pixels of the framebuffer per unit of the window
+    bool operator==(const DisplayScale&) const = default;
+};
+
+/// Returns the scale that fits `extent`; `before` is the current one. Dots per logical pixel stay within 0.75
+/// and 4, dots per unit within 0.5 and 4. Dots per unit do not change during a resize, if the window has
+/// no area, or if the ratio differs only by rounding to whole dots: fonts are rebuilt only for a real change.
+[[nodiscard]] DisplayScale display_scale(const WindowExtent& extent, const DisplayScale& before);
 
 }  // namespace glint

@@ -8,8 +8,6 @@
 #include <limits>
 #include <optional>
 
-#include "ui/widgets/fonts.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"

@@ -10,9 +10,11 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "models/fields/field_kinds.h"
-#include "models/range.h"
+#include "models/numbers.h"
+#include "ui/widgets/area.h"
 
 namespace glint {
 
@@ -91,5 +93,40 @@ struct ColourPreset {
 
 /// The lamps come after the others, from the warmest to the coldest.
 [[nodiscard]] std::span<const ColourPreset> colour_presets();
+
+// Lists the controls of a frame by name and position, so that tests find them directly. The program itself
+// lists none.
+
+struct NamedControl {
+    std::string name;      // the title of its tooltip
+    std::string key;       // its tooltip's last line: the JSON pointer of its value, or keys of the keyboard
+    std::string shortcut;  // the shortcut, if `key` is a value of the scene
+    Rect at;               // position in the window
+    bool in_sight = false;
+};
+
+/// Lists everything drawn from now on; null: lists nothing.
+void list_controls_in(std::vector<NamedControl>* list);
+
+/// Lists a control. tooltip() does so for the item drawn last; a clickable item without a tooltip calls this.
+void list_control(const char* name, const std::string& key, const Rect& at);
+
+// One-line text fields.
+
+/// A text field that shows `hint` while it is empty. Returns true when the text was changed, or with
+/// EnterReturnsTrue (flags are ImGuiInputTextFlags) when Enter ended the typing. During an edit Dear ImGui
+/// stores text in 16 bits per character: an edit turns an emoji, or a byte that is not UTF-8, into U+FFFD.
+/// Focus without an edit does not.
+[[nodiscard]] bool text_field(const char* label, const char* hint, std::string& text, int flags = 0);
+
+/// During its lifetime a line break within pasted text becomes a space, and one at its end is dropped. Dear
+/// ImGui would drop all of them: a pasted column of numbers would become one number.
+class PasteInOneLine {
+  public:
+    PasteInOneLine();
+    ~PasteInOneLine();
+    PasteInOneLine(const PasteInOneLine&) = delete;
+    PasteInOneLine& operator=(const PasteInOneLine&) = delete;
+};
 
 }  // namespace glint

@@ -15,7 +15,6 @@
 
 #include "models/io/file.h"
 #include "models/mesh/formats/mesh_reader.h"
-#include "models/mesh/formats/places.h"
 #include "models/progress.h"
 #include "models/utf8.h"
 

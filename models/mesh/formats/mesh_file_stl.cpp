@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "models/mesh/formats/mesh_reader.h"
-#include "models/mesh/formats/places.h"
 
 namespace glint {
 namespace {

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <utility>
 
+#include "models/numbers.h"
 #include "models/problem.h"
 #include "models/progress.h"
-#include "models/range.h"
 
 namespace glint {
 

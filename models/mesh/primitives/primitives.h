@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "models/mesh/mesh.h"
-#include "models/range.h"
+#include "models/numbers.h"
 
 namespace glint {
 

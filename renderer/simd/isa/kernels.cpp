@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "renderer/simd/isa/instruction_set.h"
 #include "renderer/simd/isa/kernel_set.h"
 
 namespace glint {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
-#include "models/gltf/gltf_items.h"
+#include "models/gltf/gltf_document.h"
 #include "models/memory_limit.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/places.h"

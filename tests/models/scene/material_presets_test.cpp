@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "models/scene/material.h"
+#include "models/scene/scene.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

@@ -4,8 +4,6 @@
 #include <map>
 #include <set>
 
-#include "models/fields/scene_numbers.h"
-#include "models/fields/scene_rules.h"
 #include "models/json/json.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"

@@ -4,7 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "models/scene/transform.h"
+#include "models/scene/scene.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

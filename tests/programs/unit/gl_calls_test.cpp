@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_fields.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/places.h"
 #include "tests/support/asset_scenes.h"

@@ -4,7 +4,7 @@
 #include <regex>
 
 #include "programs/program.h"
-#include "programs/scene_flags.h"
+#include "programs/scene_tables.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 

@@ -13,8 +13,6 @@
 
 #include "models/fields/choices.h"
 #include "models/scene/mistakes.h"
-#include "renderer/explain/explain_format.h"
-#include "renderer/explain/printed_number.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"

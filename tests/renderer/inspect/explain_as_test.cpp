@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "models/scene/mistakes.h"
-#include "renderer/explain/explain_format.h"
+#include "renderer/explain/equation_text.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/sanitized.h"

@@ -1,10 +1,9 @@
 // The explanation's spaces and its LaTeX form; JSON and text are tested with the command line.
-#include "renderer/explain/explain_format.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 
+#include "renderer/explain/equation_text.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"

@@ -7,7 +7,7 @@
 #include "models/fields/choices.h"
 #include "models/json/json.h"
 #include "models/scene_file/scene_file.h"
-#include "renderer/explain/explain_format.h"
+#include "renderer/explain/equation_text.h"
 #include "renderer/renderer.h"
 #include "tests/support/asset_scenes.h"
 #include "tests/support/catch.h"

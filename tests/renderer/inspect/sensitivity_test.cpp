@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_fields.h"
 #include "renderer/debug_views/buffers.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"

@@ -1,8 +1,7 @@
 // Cool-to-warm shading against its closed form, and in the picture. Lecture: "Non-photorealistic shading".
-#include "renderer/lighting/cool_to_warm.h"
-
 #include <cmath>
 
+#include "renderer/lighting/reflection.h"
 #include "renderer/renderer.h"
 #include "tests/support/as_fresh.h"
 #include "tests/support/catch.h"

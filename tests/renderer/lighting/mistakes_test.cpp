@@ -10,7 +10,7 @@
 #include "models/scene_file/scene_file.h"
 #include "renderer/lighting/illuminate.h"
 #include "renderer/renderer.h"
-#include "renderer/shade/surface_material.h"
+#include "renderer/shade/lighting.h"
 #include "tests/support/catch.h"
 #include "tests/support/mistake_scenes.h"
 #include "tests/support/sanitized.h"

@@ -1,11 +1,10 @@
 // The tile lists that contain each triangle.
-#include "renderer/visibility/binning.h"
-
 #include <algorithm>
 #include <random>
 #include <set>
 
 #include "models/scene_file/scene_file.h"
+#include "renderer/visibility/visibility.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 

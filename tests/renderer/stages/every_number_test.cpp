@@ -3,7 +3,7 @@
 #include <regex>
 #include <set>
 
-#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_fields.h"
 #include "models/scene_file/scene_file.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"

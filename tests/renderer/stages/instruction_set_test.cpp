@@ -1,8 +1,7 @@
 // GLINT_ISA forces an instruction set: the bytes of a picture must not depend on it.
-#include "renderer/simd/isa/instruction_set.h"
-
 #include <cstdlib>
 
+#include "renderer/simd/isa/kernel_set.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"

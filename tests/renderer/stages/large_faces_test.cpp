@@ -5,7 +5,7 @@
 #include <memory>
 #include <random>
 
-#include "renderer/geometry/recent_faces.h"
+#include "renderer/geometry/object_normals.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"

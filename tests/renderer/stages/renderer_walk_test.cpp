@@ -6,8 +6,7 @@
 #include <deque>
 
 #include "models/fields/choices.h"
-#include "models/fields/scene_numbers.h"
-#include "models/fields/scene_rules.h"
+#include "models/fields/scene_fields.h"
 #include "models/scene/mistakes.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"

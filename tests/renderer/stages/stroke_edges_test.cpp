@@ -1,6 +1,4 @@
 // Edges that become strokes: counts worked by hand, and every edge of many meshes against the definition.
-#include "renderer/strokes/stroke_edges.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "renderer/strokes/stroke_lines.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 

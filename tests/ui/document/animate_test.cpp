@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_fields.h"
 #include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"
@@ -12,7 +12,7 @@
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
 #include "ui/features/export/animation.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;

@@ -1,10 +1,9 @@
 // References to lights or objects by index after others were added or deleted before them.
-#include "ui/document/follow_items.h"
-
 #include <random>
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "ui/document/scene_edit.h"
 
 using namespace glint;
 using test::HeadlessWindow;

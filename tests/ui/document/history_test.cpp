@@ -1,6 +1,6 @@
 // Undo, redo, and the names of steps.
 #include "models/memory_limit.h"
-#include "models/scene/scene_cost.h"
+#include "models/scene/scene.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
@@ -21,7 +21,7 @@ Scene two_lights() {
     return scene;
 }
 
-template <class Change> std::string name_of(Change change) {
+template <class Change> std::string undo_text(Change change) {
     Scene after = two_lights();
     change(after);
     return step_name(two_lights(), after);
@@ -257,20 +257,20 @@ TEST_CASE("the history keeps 500 steps and drops older ones", "[ui]") {
 
 TEST_CASE("steps are named by the changes", "[ui]") {
     CHECK(step_name(two_lights(), two_lights()).empty());
-    CHECK(name_of([](Scene& s) { s.lights[1].position.x = 7; }) == "Move Bulb");
-    CHECK(name_of([](Scene& s) { s.lights[0].position.w = 0; }) == "Turn Sun");
-    CHECK(name_of([](Scene& s) { s.lights[1].enabled = false; }) == "Switch Bulb off");
-    CHECK(name_of([](Scene& s) { s.lights[1].diffuse.x = 0.5f; }) == "Colour of Bulb");
-    CHECK(name_of([](Scene& s) { s.lights.erase(s.lights.begin()); }) == "Delete Sun");
-    CHECK(name_of([](Scene& s) { s.lights.emplace_back().name = "Lamp"; }) == "Add Lamp");
-    CHECK(name_of([](Scene& s) { s.lights[1].name = "Lamp"; }) == "Rename Bulb");
-    CHECK(name_of([](Scene& s) { s.objects[0].name = "Pot"; }) == "Rename Teapot");
-    CHECK(name_of([](Scene& s) { s.objects[0].material.shininess = 5; }) == "Material of Teapot");
-    CHECK(name_of([](Scene& s) { s.objects[0].transform.translate.x = 5; }) == "Move Teapot");
-    CHECK(name_of([](Scene& s) { s.camera.eye.x = 5; }) == "Camera");
-    CHECK(name_of([](Scene& s) { s.shading.mode = ShadingMode::Flat; }) == "Shading mode: Phong → Flat");
-    CHECK(name_of([](Scene& s) { s.shading.reflection = Reflection::BlinnPhong; }) ==
+    CHECK(undo_text([](Scene& s) { s.lights[1].position.x = 7; }) == "Move Bulb");
+    CHECK(undo_text([](Scene& s) { s.lights[0].position.w = 0; }) == "Turn Sun");
+    CHECK(undo_text([](Scene& s) { s.lights[1].enabled = false; }) == "Switch Bulb off");
+    CHECK(undo_text([](Scene& s) { s.lights[1].diffuse.x = 0.5f; }) == "Colour of Bulb");
+    CHECK(undo_text([](Scene& s) { s.lights.erase(s.lights.begin()); }) == "Delete Sun");
+    CHECK(undo_text([](Scene& s) { s.lights.emplace_back().name = "Lamp"; }) == "Add Lamp");
+    CHECK(undo_text([](Scene& s) { s.lights[1].name = "Lamp"; }) == "Rename Bulb");
+    CHECK(undo_text([](Scene& s) { s.objects[0].name = "Pot"; }) == "Rename Teapot");
+    CHECK(undo_text([](Scene& s) { s.objects[0].material.shininess = 5; }) == "Material of Teapot");
+    CHECK(undo_text([](Scene& s) { s.objects[0].transform.translate.x = 5; }) == "Move Teapot");
+    CHECK(undo_text([](Scene& s) { s.camera.eye.x = 5; }) == "Camera");
+    CHECK(undo_text([](Scene& s) { s.shading.mode = ShadingMode::Flat; }) == "Shading mode: Phong → Flat");
+    CHECK(undo_text([](Scene& s) { s.shading.reflection = Reflection::BlinnPhong; }) ==
           "Reflection: Phong → Blinn–Phong");
-    CHECK(name_of([](Scene& s) { s.shading.terms.ambient = false; }) == "Terms");
-    CHECK(name_of([](Scene& s) { s.display.exposure = 2, s.camera.eye.x = 5; }) == "Edit scene");
+    CHECK(undo_text([](Scene& s) { s.shading.terms.ambient = false; }) == "Terms");
+    CHECK(undo_text([](Scene& s) { s.display.exposure = 2, s.camera.eye.x = 5; }) == "Edit scene");
 }

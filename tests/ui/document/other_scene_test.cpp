@@ -1,7 +1,7 @@
 // Indices of one scene are never used in another.
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
-#include "ui/commands/menus.h"
+#include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
 #include "ui/picture/draw_picture.h"
 

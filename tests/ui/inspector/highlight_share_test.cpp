@@ -1,10 +1,9 @@
 // How much of a highlight a coarse mesh keeps, shown next to the mesh.
-#include "ui/fields/highlight_share.h"
-
 #include "models/scene_file/scene_file.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "ui/fields/panels.h"
 
 using namespace glint;
 using test::HeadlessWindow;

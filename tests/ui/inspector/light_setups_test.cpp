@@ -4,7 +4,7 @@
 #include "tests/places.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
-#include "ui/commands/menus.h"
+#include "ui/commands/command.h"
 #include "ui/fields/panels.h"
 #include "ui/preferences/persistence.h"
 

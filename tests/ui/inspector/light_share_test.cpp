@@ -4,7 +4,7 @@
 
 #include "tests/support/headless_inspector.h"
 #include "tests/support/headless_window.h"
-#include "ui/features/inspector/tabs.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/on_screen.h"
 #include "ui/picture/picture_notes.h"

@@ -1,13 +1,12 @@
 // The thumbnails of the mistakes: their contents, and when they are drawn. Comparisons of bytes are in double
 // parentheses, so that a failure does not print them all.
-#include "ui/features/inspector/mistake_pictures.h"
-
 #include <algorithm>
 #include <chrono>
 #include <thread>
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "ui/features/inspector/mistake_row.h"
 
 using namespace glint;
 using test::HeadlessWindow;

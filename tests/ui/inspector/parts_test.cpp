@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "renderer/explain/explain_words.h"
+#include "renderer/explain/equation_text.h"
 #include "tests/support/catch.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/scene_edit.h"

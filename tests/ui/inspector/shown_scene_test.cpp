@@ -10,7 +10,7 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
 #include "ui/features/export/export_picture.h"
-#include "ui/features/inspector/equation/number_handle.h"
+#include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/views/views.h"
 #include "ui/picture/draw_picture.h"
 

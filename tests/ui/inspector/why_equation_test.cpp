@@ -5,8 +5,7 @@
 #include <set>
 
 #include "models/scene_file/scene_file.h"
-#include "renderer/explain/explain_format.h"
-#include "renderer/explain/explain_words.h"
+#include "renderer/explain/equation_text.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/features/inspector/equation/equation_tab.h"

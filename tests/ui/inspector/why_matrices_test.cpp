@@ -4,7 +4,7 @@
 #include "renderer/shade/light_sources.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
-#include "ui/features/inspector/tabs.h"
+#include "ui/features/inspector/inspector.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -5,8 +5,8 @@
 #include "models/scene/mistakes.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/mistake_row.h"
-#include "ui/features/inspector/tabs.h"
 
 using namespace glint;
 using test::HeadlessWindow;

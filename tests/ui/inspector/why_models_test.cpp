@@ -3,7 +3,7 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
-#include "ui/features/inspector/tabs.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/fields/field_panel.h"
 
 using namespace glint;

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "lessons/quiz.h"
-#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_fields.h"
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
 #include "tests/places.h"

@@ -5,7 +5,7 @@
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
 #include "ui/document/document_actions.h"
-#include "ui/features/lessons/lesson_progress.h"
+#include "ui/features/lessons/course.h"
 #include "ui/preferences/persistence.h"
 
 using namespace glint;

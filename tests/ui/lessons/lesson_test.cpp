@@ -10,10 +10,10 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
-#include "ui/commands/menus.h"
+#include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
-#include "ui/features/lessons/lesson_progress.h"
-#include "ui/features/lessons/prose.h"
+#include "ui/features/lessons/course.h"
+#include "ui/features/lessons/lesson_parts.h"
 #include "ui/preferences/persistence.h"
 
 using namespace glint;

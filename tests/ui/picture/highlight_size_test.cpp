@@ -1,13 +1,12 @@
 // A highlight is resized by its rim: the factor there is half of its peak, by the models' own formulas.
-#include "ui/picture/handles/highlight_size.h"
-
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/scenes.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/highlight_drag.h"
+#include "ui/picture/handles/light_handles.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -7,7 +7,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 #include "ui/picture/handles/highlight_drag.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/picture/surface_patch.h"
 
 using namespace glint;

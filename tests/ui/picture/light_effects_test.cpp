@@ -1,7 +1,5 @@
 // A light positioned by its effect at a point: brightest there, or from behind; the light with the largest
 // effect there; and its brightness.
-#include "ui/picture/handles/light_effects.h"
-
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -9,7 +7,7 @@
 #include "tests/support/headless_window.h"
 #include "tests/support/lecture_scene.h"
 #include "tests/support/scenes.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/light_handles.h"
 
 using namespace glint;
 using test::HeadlessWindow;
@@ -49,11 +47,11 @@ struct DrawnBall {
 
 /// The angles of a light's position or direction at a point, by geometry in the world and without the
 /// equation.
-struct Geometry {
+struct LightAngles {
     glm::dvec3 n, l, v;
     double distance = 0;
 
-    Geometry(const DrawnBall& stage, const Light& light, const Explanation& e)
+    LightAngles(const DrawnBall& stage, const Light& light, const Explanation& e)
         : n(glm::normalize(glm::dvec3(e.at.normal.world))), v(glm::normalize(glm::dvec3(e.at.view.world))) {
         const glm::dvec3 to_light =
             light.kind == LightKind::Directional
@@ -99,7 +97,7 @@ TEST_CASE("brightest here: n·l is 1 under the cursor for every light kind and s
         const Light& start = stage.scene.lights[0];
         const auto light = stage.with(LightEffect::Brightest, pixel);
         REQUIRE(light);
-        const Geometry before(stage, start, e), now(stage, *light, e);
+        const LightAngles before(stage, start, e), now(stage, *light, e);
         CHECK(glm::dot(now.n, now.l) == Approx(1).margin(1e-4));
         CHECK(now.distance == Approx(before.distance).epsilon(1e-5));
         if (light->kind == LightKind::Spot || light->kind == LightKind::Area)
@@ -124,7 +122,7 @@ TEST_CASE("rim light: from behind at cos 75°, lit from the cursor to the outlin
     const double cosine = std::cos(75 * std::acos(-1.0) / 180);
     int from_behind = 0;
     for_all_lights([&](DrawnBall& stage, const Explanation& e, glm::dvec2 pixel) {
-        const Geometry before(stage, stage.scene.lights[0], e);
+        const LightAngles before(stage, stage.scene.lights[0], e);
         const auto light = stage.with(LightEffect::Rim, pixel);
         const double facing = glm::dot(before.n, before.v);
         // Closer than 15 degrees to the line of sight no direction 75 degrees off n comes from behind.
@@ -132,7 +130,7 @@ TEST_CASE("rim light: from behind at cos 75°, lit from the cursor to the outlin
             CHECK(bool(light) == (facing < std::sqrt(1 - cosine * cosine)));
         if (!light) return;
         ++from_behind;
-        const Geometry now(stage, *light, e);
+        const LightAngles now(stage, *light, e);
         CHECK(glm::dot(now.n, now.l) == Approx(cosine).margin(1e-4));
         CHECK(glm::dot(now.v, now.l) < 1e-4);
         CHECK(std::abs(glm::dot(now.l, glm::cross(now.n, now.v))) < 1e-4);

@@ -6,7 +6,7 @@
 #include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
 #include "ui/features/inspector/outside_view.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/picture/orbit.h"
 
 using namespace glint;

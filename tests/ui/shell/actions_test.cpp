@@ -6,7 +6,6 @@
 #include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
 #include "ui/commands/match.h"
-#include "ui/commands/menus.h"
 
 using namespace glint;
 using test::HeadlessWindow;

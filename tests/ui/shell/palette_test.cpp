@@ -5,14 +5,14 @@
 #include <utility>
 
 #include "models/fields/choices.h"
-#include "models/fields/scene_numbers.h"
-#include "renderer/explain/explain_format.h"
+#include "models/fields/scene_fields.h"
+#include "renderer/explain/equation_text.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "tests/support/program.h"
-#include "ui/commands/menus.h"
-#include "ui/features/inspector/tabs.h"
+#include "ui/commands/command.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/preferences/autosave.h"
 
 using namespace glint;

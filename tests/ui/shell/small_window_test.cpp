@@ -12,8 +12,8 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/sanitized.h"
-#include "ui/features/inspector/tabs.h"
-#include "ui/widgets/display_scale.h"
+#include "ui/features/inspector/inspector.h"
+#include "ui/widgets/theme.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -1,6 +1,4 @@
 // Text fields, which Dear ImGui edits in 16 bits per character.
-#include "ui/widgets/text/text_field.h"
-
 #include <imgui.h>
 
 #include <string>
@@ -10,6 +8,7 @@
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "ui/document/document_actions.h"
+#include "ui/widgets/widgets.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_fields.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"

@@ -24,7 +24,7 @@
 #include "ui/features/lessons/lesson.h"
 #include "ui/features/views/compare_view.h"
 #include "ui/features/views/debug_view_controls.h"
-#include "ui/features/views/fitted_picture.h"
+#include "ui/features/views/small_pictures.h"
 #include "ui/ui.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/widgets.h"
@@ -32,8 +32,8 @@
 namespace glint {
 namespace {
 
-constexpr double settling_time = 0.3;    // seconds before a diagnosis begins
-constexpr double look_again = 0.05;  // seconds between checks of its progress
+constexpr double settling_time = 0.3;  // seconds before a diagnosis begins
+constexpr double look_again = 0.05;    // seconds between checks of its progress
 
 /// The window keeps one core for itself.
 int threads_beside() {

@@ -12,7 +12,7 @@
 #include "diagnose/diagnose.h"
 #include "models/io/child_process.h"
 #include "models/io/watched_file.h"
-#include "renderer/explain/explanation.h"
+#include "renderer/explain/explain.h"
 #include "renderer/renderer.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/job.h"

@@ -12,8 +12,8 @@
 #include "shader/shader_process.h"
 #include "ui/features/diagnosis/my_picture.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

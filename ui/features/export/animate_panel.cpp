@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "models/fields/scene_numbers.h"
+#include "models/fields/scene_fields.h"
 #include "models/problem.h"
 #include "ui/commands/match.h"
 #include "ui/features/export/animation.h"
@@ -15,7 +15,6 @@
 #include "ui/shell/layout.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/text/text_field.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "models/fields/scene_numbers.h"
-#include "models/range.h"
+#include "models/fields/scene_fields.h"
+#include "models/numbers.h"
 #include "models/scene_file/scene_file.h"
 #include "ui/commands/keys.h"
 #include "ui/document/file_dialog.h"

@@ -15,11 +15,9 @@
 #include "ui/feature.h"
 #include "ui/features/export/clipboard.h"
 #include "ui/features/export/export_picture.h"
-#include "ui/features/export/save_with_command.h"
 #include "ui/picture/picture_notes.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -213,5 +211,33 @@ const Feature export_feature{
     .dialog = {[](const UiState& s) { return s.get<ExportState>().open; },
                [](UiState& s) { s.get<ExportState>().open = false; }, export_dialog, true},
     .commands = export_commands};
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An unused file name in pictures_folder(): "scene.png", "scene-2.png".
+std::string free_name(const UiState& state) {
+    const fs::path offered = pictures_folder() / fs::path(offered_name(state, ".png")).filename();
+    std::error_code failed;
+    fs::path name = offered;
+    for (int i = 2; fs::exists(name, failed); ++i)
+        name.replace_filename(fmt::format("{}-{}.png", offered.stem().string(), i));
+    return name.string();
+}
+
+}  // namespace
+
+void save_with_command(UiState& state, const ExportOptions& options) {
+    const std::string name = free_name(state);
+    copy_render_command(state, options, name);
+    begin_export(state, options, name);
+}
+
+void save_with_command(UiState& state) {
+    const std::optional<LastExport>& last = state.get<ExportState>().last;
+    const bool again = last && last->document == state.editor.document.path;
+    save_with_command(state, again ? last->options : ExportOptions{state.full_size, 1});
+}
 
 }  // namespace glint

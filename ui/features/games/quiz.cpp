@@ -13,12 +13,10 @@
 #include "ui/feature.h"
 #include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
-#include "ui/features/lessons/prose.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/text/text_field.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

@@ -3,9 +3,12 @@
 
 #include <imgui.h>
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 #include "models/scene/mistakes.h"
+#include "models/scene/scene.h"
 #include "ui/features/views/small_pictures.h"
 
 namespace glint {
@@ -31,5 +34,48 @@ void draw_small(const SmallLook& look, int index, ImVec2 low);
 
 /// Draws the row; a click anywhere in it toggles the mistake. True while hovered. `index`: of its thumbnail.
 [[nodiscard]] bool mistake_row(const MistakeName& mistake, bool& on, const SmallLook& look, int index);
+
+// Thumbnails of the open scene under each mistake, drawn in the background while the mouse is idle and the
+// tab of mistakes is visible.
+
+struct UiState;
+
+/// The first replaces the picture of a mistake that changes nothing; the second is drawn over one that is
+/// hard to distinguish from the scene without it.
+inline constexpr const char* no_difference = "no difference here";
+inline constexpr const char* hardly_differs = "hardly differs";
+
+/// Samples per pixel of these pictures.
+inline constexpr int mistake_samples = 4;
+
+struct MistakePictures {
+    SmallPictures pictures;  // the first without mistakes, then under each of mistakes_as_seen()
+    Scene seen;              // the open scene, as of the last frame
+    Scene asked;             // `seen` without mistakes: the pictures do not change when one is switched on
+    PictureSize asked_size{0, 0};
+    double asked_since = 0;  // time of the last change of scene or size
+    bool begun = false;      // whether the pictures have been started since then
+    bool looked_at = false;  // whether they were visible in this frame
+};
+
+/// Indices into mistake_names(), in the order of the tab: group by group, as in all_seen_as.
+[[nodiscard]] std::span<const std::size_t> mistakes_as_seen();
+
+/// Collects finished pictures. Starts again if the scene or size has changed and then stayed the same for a
+/// moment with no button down. The tab calls this once a frame.
+void look_at_mistake_pictures(UiState& state, PictureSize size);
+
+/// Ends the drawing and releases all meshes if the pictures were not visible in this frame. Call it after the
+/// tab.
+void rest_mistake_pictures(MistakePictures& of_mistakes);
+
+/// Whether the mistakes of the open scene change a pixel: found in the background while nothing moves.
+struct MistakeEffect {
+    Scene of;  // the compared scene
+    PictureSize size{0, 0};
+    double since = 0;  // ImGui time since when the scene and the size have been these
+    bool is_known = false, is_none = false;
+    JobPtr<bool> job, ending;
+};
 
 }  // namespace glint

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/mistake_pictures.h"
 #include "ui/features/inspector/mistake_row.h"
-#include "ui/features/inspector/tabs.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"

@@ -6,13 +6,12 @@
 #include "renderer/reflectance/highlight.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/tabs.h"
 #include "ui/features/plots/plots_tab.h"
 #include "ui/fields/field_panel.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

@@ -13,11 +13,10 @@
 #include "ui/feature.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/tabs.h"
 #include "ui/features/views/compare_view.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

@@ -7,10 +7,9 @@
 
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 

@@ -9,13 +9,10 @@
 
 #include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
-#include "ui/features/lessons/prose.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/numbers/expression.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/text/text_field.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

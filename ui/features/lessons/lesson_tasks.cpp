@@ -1,19 +1,23 @@
 // A task for the user to carry out: its fields, and its condition, which is evaluated on the current scene in
 // the background.
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "models/fields/scene_numbers.h"
-#include "models/json/json_pointer.h"
+#include "models/fields/scene_fields.h"
+#include "models/json/json.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/inspector/equation/words.h"
+#include "ui/features/lessons/course.h"
 #include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
-#include "ui/features/lessons/lesson_progress.h"
+#include "ui/features/views/small_pictures.h"
+#include "ui/picture/tool.h"
 #include "ui/ui.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -141,6 +145,131 @@ void task_box(UiState& state, const Task& task, bool done, bool holds_now) {
     coloured(done ? theme().accent : theme().dim_text, words);
     list_control(done ? "Task done" : "Task open", "", last_item());
     task_fields(state, task);
+}
+
+// The lesson's tool on the picture: a click answers a question about a position; everything else is blocked
+// during a question. Maps the lesson's pixels to the window's picture; draws sketches.
+
+namespace {
+
+/// The question of that kind with its position or line in the picture: the open one, else an answered one.
+struct Shown {
+    const StationQuestion* question = nullptr;
+    const GivenAnswer* given = nullptr;
+    bool is_open = false;
+};
+
+Shown shown_question(const LessonState& lesson, PredictionKind kind) {
+    if (!lesson.course) return {};
+    const auto open = open_question(lesson);
+    const std::vector<StationQuestion>& questions = lesson.station().questions;
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+        if (questions[i].asks->kind != kind || (open && *open != i)) continue;
+        return {&questions[i], &lesson.given()[i], open == i};
+    }
+    return {};
+}
+
+bool lesson_hover(ToolFrame& frame) {
+    if (!open_question(frame.state.get<LessonState>()) || !frame.over) return false;
+    const bool clicks = !frame.state.get<LessonState>().lecturer &&
+                        shown_question(frame.state.get<LessonState>(), PredictionKind::Click).is_open;
+    if (clicks) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    return true;  // no other tool receives the mouse
+}
+
+int lesson_press(ToolFrame& frame) {
+    LessonState& lesson = frame.state.get<LessonState>();
+    const bool clicks =
+        !lesson.lecturer && ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (!clicks || !shown_question(lesson, PredictionKind::Click).is_open) return not_taken;
+    const glm::dvec2 size(frame.view.map.size.width, frame.view.map.size.height);
+    const glm::dvec2 at = lesson_pixel_of_share(frame.state, frame.pixel / size);
+    lesson.chosen = Json{at.x, at.y};
+    return not_taken;
+}
+
+std::string lesson_hint(const UiState& state) {
+    if (!open_question(state.get<LessonState>())) return {};
+    return "The picture is frozen until you have made your prediction";
+}
+
+ImVec2 place_of(const UiState& state, const PictureView& view, const Json& pixel) {
+    const Json::array_t& at = elements_of(pixel);
+    const glm::dvec2 share = share_of_lesson_pixel(state, {at[0].get<double>(), at[1].get<double>()});
+    return view.to_window(share * glm::dvec2(view.map.size.width, view.map.size.height));
+}
+
+void draw_click(ImDrawList& list, const UiState& state, const PictureView& view) {
+    const Shown shown = shown_question(state.get<LessonState>(), PredictionKind::Click);
+    if (shown.question == nullptr) return;
+    const Json& mine = shown.is_open ? state.get<LessonState>().chosen : shown.given->value;
+    const ImU32 own = to_u32(theme().warning), white = to_u32({1, 1, 1, 1});
+    const bool has_mine = elements_of(mine).size() == 2;
+    if (!shown.is_open) {
+        const ImVec2 right = place_of(state, view, shown.question->right.value);
+        if (has_mine) cased_line(list, place_of(state, view, mine), right, own);
+        for (const ImVec2 way : {ImVec2(1, 1), ImVec2(1, -1)})
+            cased_line(list, right - px(8) * way, right + px(8) * way, white, 2);
+    }
+    if (has_mine) cased_circle(list, place_of(state, view, mine), 9, own, 2.5f);
+}
+
+/// The line along which a curve is sketched, with its ends labelled as in the plot.
+void draw_sketch_line(ImDrawList& list, const UiState& state, const PictureView& view) {
+    const Shown shown = shown_question(state.get<LessonState>(), PredictionKind::Sketch);
+    if (shown.question == nullptr) return;
+    const auto end = [&](glm::ivec2 pixel) {
+        const glm::dvec2 middle = glm::dvec2(pixel) + 0.5;
+        return place_of(state, view, Json{middle.x, middle.y});
+    };
+    const ImVec2 a = end(shown.question->asks->from), b = end(shown.question->asks->to);
+    cased_line(list, a, b, to_u32({1, 1, 1, 1}), 1.6f);
+    const ImVec2 way = 1 / std::max(length_of(b - a), 1.0f) * (b - a);
+    rimmed_text(list, a - px(12) * way, {1, 1, 1, 1}, "A");
+    rimmed_text(list, b + px(12) * way, {1, 1, 1, 1}, "B");
+}
+
+}  // namespace
+
+const Tool lesson_tool{.hover = lesson_hover, .press = lesson_press, .hint = lesson_hint};
+
+void draw_lesson(ImDrawList& list, UiState& state, const PictureView& view) {
+    draw_click(list, state, view);
+    draw_sketch_line(list, state, view);
+}
+
+glm::dvec2 share_of_lesson_pixel(const UiState& state, glm::dvec2 pixel) {
+    const PictureSize size = state.rendered != nullptr ? state.rendered->size : PictureSize{16, 9};
+    const PixelsBetween between =
+        pixels_between(state.editor.scene().camera, state.get<LessonState>().course->lesson.size, size);
+    return between(pixel) / glm::dvec2(size.width, size.height);
+}
+
+glm::dvec2 lesson_pixel_of_share(const UiState& state, glm::dvec2 share) {
+    const PictureSize size = state.rendered->size;
+    return pixels_between(state.editor.scene().camera, size, state.get<LessonState>().course->lesson.size)(
+        share * glm::dvec2(size.width, size.height));
+}
+
+std::size_t sketch_length(const Prediction& question) {
+    const glm::ivec2 way = glm::abs(question.to - question.from);
+    return static_cast<std::size_t>(std::max(way.x, way.y)) + 1;
+}
+
+void sketch(Json& values, std::size_t count, glm::dvec2 from, glm::dvec2 to) {
+    Json::array_t list = elements_of(values);
+    list.resize(count);
+    if (from.x > to.x) std::swap(from, to);
+    const auto last = static_cast<double>(count) - 1;
+    const int first = static_cast<int>(std::round(std::clamp(from.x, 0.0, last))),
+              end = static_cast<int>(std::round(std::clamp(to.x, 0.0, last)));
+    for (int i = first; i <= end; ++i) {
+        const double share = to.x > from.x ? (i - from.x) / (to.x - from.x) : 1;
+        const double value = from.y + (to.y - from.y) * std::clamp(share, 0.0, 1.0);
+        list[static_cast<std::size_t>(i)] = std::max(value, 0.0);
+    }
+    values = Json(std::move(list));
 }
 
 }  // namespace glint

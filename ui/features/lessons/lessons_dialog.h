@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/features/lessons/lesson_progress.h"
+#include "ui/features/lessons/course.h"
 
 namespace glint {
 

@@ -12,7 +12,6 @@
 #include "ui/features/export/animation.h"
 #include "ui/features/lecture/lecture.h"
 #include "ui/features/lessons/lesson_parts.h"
-#include "ui/features/lessons/prose.h"
 #include "ui/features/views/compare_view.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"

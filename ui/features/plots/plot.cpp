@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
-#include "renderer/explain/printed_number.h"
-#include "ui/widgets/fonts.h"
+#include "renderer/explain/equation_text.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
@@ -234,6 +235,103 @@ void draw_upright(ImDrawList& list, const PlotArea& area, double x, const ImVec4
     const float at = area.at({x, area.y.low}).x;
     if (at < area.rect.low.x || at > area.rect.high.x) return;
     list.AddLine({at, area.rect.low.y}, {at, area.rect.high.y}, to_u32(colour, opacity));
+}
+
+// Reads numbers off a plot under the mouse.
+
+std::optional<double> value_at(std::span<const glm::dvec2> points, double x) {
+    const auto after =
+        std::lower_bound(points.begin(), points.end(), x, [](glm::dvec2 p, double at) { return p.x < at; });
+    if (after == points.end()) return std::nullopt;
+    if (after->x == x) return after->y;
+    if (after == points.begin()) return std::nullopt;
+    const glm::dvec2 a = *(after - 1), b = *after;
+    return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+}
+
+void draw_reading(ImDrawList& list, const PlotArea& area, std::initializer_list<ReadCurve> curves) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!ImGui::IsWindowHovered() || !area.rect.holds(mouse)) return;
+    const double x = area.value(mouse).x;
+    draw_upright(list, area, x, theme().text, 0.6f);
+    std::vector<std::pair<std::string, ImVec4>> lines{{fmt::format("at {:.4g}", x), theme().dim_text}};
+    for (const ReadCurve& curve : curves) {
+        const std::optional<double> y = value_at(curve.points, x);
+        if (!y) continue;
+        const ImVec2 at = area.at({x, *y});
+        if (area.rect.holds(at)) draw_point(list, at, curve.colour);
+        lines.emplace_back(fmt::format("{:.4g}", *y), curve.colour);
+    }
+    const float line = small_text_height(), width = px(62);
+    const bool left = mouse.x + px(8) + width > area.rect.high.x;
+    const ImVec2 low{left ? mouse.x - px(8) - width : mouse.x + px(8), area.rect.low.y + px(3)};
+    list.AddRectFilled(low - px(1) * ImVec2(3, 1),
+                       low + ImVec2(width, line * static_cast<float>(lines.size()) + px(2)),
+                       to_u32(theme().window, 0.85f), px(3));
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        plot_text(list, low + ImVec2(0, line * static_cast<float>(i)), lines[i].second, lines[i].first);
+}
+
+// Plots in a half-disc of directions.
+
+namespace {
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+void half_ring(ImDrawList& list, ImVec2 centre, float radius, const ImVec4& colour) {
+    list.PathArcTo(centre, radius, -pi, 0, 48);
+    list.PathStroke(to_u32(colour), 0, px(1));
+}
+
+}  // namespace
+
+ImVec2 PolarArea::at(double deg, double amount) const {
+    const double angle = deg * std::numbers::pi / 180, length = double(radius) * amount / most;
+    return {centre.x + static_cast<float>(length * std::sin(angle)),
+            centre.y - static_cast<float>(length * std::cos(angle))};
+}
+
+PolarArea draw_polar_axes(ImDrawList& list, const Rect& all, double most) {
+    const float text = small_text_height();
+    const ImVec2 size = all.size();
+    PolarArea area;
+    area.radius = std::max(std::min(size.x / 2 - px(12), size.y - text - px(10)), 4.0f);
+    area.centre = {(all.low.x + all.high.x) / 2, all.high.y - px(6)};
+    area.most = most;
+    const std::vector<double> rings = ticks({0, most}, 4);
+    const double step = rings.size() > 1 ? rings[1] - rings[0] : most;
+    list.PathArcTo(area.centre, area.radius, -pi, 0, 48);
+    list.PathFillConvex(to_u32(theme().window));
+    for (const double ring : rings)
+        if (ring > 0)
+            half_ring(list, area.centre, static_cast<float>(ring / most) * area.radius, theme().line);
+    half_ring(list, area.centre, area.radius, theme().line);
+    for (const double deg : {-60.0, -30.0, 0.0, 30.0, 60.0})
+        list.AddLine(area.centre, area.at(deg, most), to_u32(theme().line));
+    const ImVec2 half{area.radius + px(6), 0};
+    list.AddLine(area.centre - half, area.centre + half, to_u32(theme().dim_text), px(1.5f));
+    if (rings.size() > 1)
+        plot_text(list, area.at(0, rings.back()) + ImVec2(px(3), 0), theme().dim_text,
+                  tick_text(rings.back(), step));
+    return area;
+}
+
+void draw_polar_curve(ImDrawList& list, const PolarArea& area, std::span<const glm::dvec2> curve,
+                      const ImVec4& colour, float width) {
+    for (const glm::dvec2 p : curve)
+        if (std::isfinite(p.y)) list.PathLineTo(area.at(p.x, std::max(p.y, 0.0)));
+    list.PathStroke(to_u32(colour), 0, px(width));
+}
+
+void draw_direction(ImDrawList& list, const PolarArea& area, double deg, const ImVec4& colour,
+                    const char* letter, bool arrives) {
+    const ImVec2 rim = area.at(deg, area.most), near = area.at(deg, 0.12 * area.most);
+    const ImVec2 from = arrives ? rim : area.centre, to = arrives ? near : area.at(deg, 0.92 * area.most);
+    list.AddLine(from, to, to_u32(colour), px(1.6f));
+    const ImVec2 way = to - from;
+    arrow_head(list, to, way / std::max(length_of(way), 1e-3f), 6, 3, to_u32(colour));
+    const ImVec2 beyond = area.at(deg, area.most * (1 + double(px(8)) / double(area.radius)));
+    plot_text(list, beyond, colour, letter, true);
 }
 
 }  // namespace glint

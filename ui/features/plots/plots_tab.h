@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/scene/scene.h"
-#include "renderer/explain/explanation.h"
+#include "renderer/explain/explain.h"
 #include "renderer/reflectance/lobes.h"
 #include "renderer/reflectance/microfacets.h"
 #include "ui/widgets/area.h"

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "ui/features/plots/plot.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

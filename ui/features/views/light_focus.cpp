@@ -2,7 +2,7 @@
 #include "ui/commands/command.h"
 #include "ui/feature.h"
 #include "ui/fields/panels.h"
-#include "ui/picture/handles/light_place.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/ui.h"
 
 namespace glint {

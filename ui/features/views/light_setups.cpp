@@ -9,14 +9,11 @@
 
 #include "models/json/json.h"
 #include "ui/commands/command.h"
-#include "ui/commands/menus.h"
 #include "ui/document/document_actions.h"
 #include "ui/feature.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/orbit.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/text/text_field.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "ui/features/views/views.h"
-#include "ui/widgets/fonts.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {

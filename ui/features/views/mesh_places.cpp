@@ -1,5 +1,5 @@
 // Checks the selected object's mesh in the background, and marks the positions of a finding in the picture.
-#include "models/scene/transform.h"
+#include "models/scene/scene.h"
 #include "ui/feature.h"
 #include "ui/fields/mesh_check.h"
 #include "ui/ui.h"

@@ -13,8 +13,8 @@
 #include "ui/features/lecture/lecture.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

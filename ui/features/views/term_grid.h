@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/renderer.h"
-#include "ui/features/inspector/blocks_in_sight.h"
+#include "ui/features/inspector/inspector.h"
 #include "ui/widgets/picture_sheet.h"
 
 namespace glint {

@@ -15,9 +15,9 @@
 #include "ui/picture/picture_notes.h"
 #include "ui/ui.h"
 #include "ui/widgets/area.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

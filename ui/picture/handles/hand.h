@@ -9,8 +9,6 @@
 #include "renderer/renderer.h"
 #include "ui/document/scene_edit.h"
 #include "ui/picture/handles/highlight_drag.h"
-#include "ui/picture/handles/highlight_size.h"
-#include "ui/picture/handles/light_effects.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/object_drag.h"
 

@@ -6,16 +6,59 @@
 
 #include <array>
 #include <cmath>
+#include <glm/vec3.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "models/scene/scene.h"
+#include "renderer/explain/explain.h"
 #include "ui/picture/handles/drag_math.h"
-#include "ui/picture/handles/light_place.h"
 #include "ui/picture/screen.h"
+#include "ui/picture/surface_patch.h"
 #include "ui/widgets/area.h"
 
 namespace glint {
+
+// Computes a light's position in the world, and its numbers after a move there or a change of coordinates. A
+// directional light has no position; it is shown on a dome round the scene.
+
+/// A box round all visible objects, in world coordinates; a cube of edge 2 at the target if there are none.
+[[nodiscard]] Bounds scene_bounds(const Scene& scene);
+
+/// The height of the widest horizontal object, such as a floor; without one, the lowest height of the scene.
+[[nodiscard]] double ground_height(const Scene& scene);
+
+/// A dome round the camera's target, sized to stay inside the view, so that every directional light has a
+/// visible handle; at most twice the scene.
+[[nodiscard]] Dome sun_dome(glm::vec3 target, const Bounds& bounds, const ScreenMap& map);
+
+/// The position of the light's handle: the light's own, or (directional) the one on the dome. World
+/// coordinates.
+[[nodiscard]] glm::dvec3 handle_of(const Light& light, const Dome& dome, const ScreenMap& map);
+
+/// Unit direction from the dome's centre to the handle, world coordinates.
+[[nodiscard]] glm::dvec3 direction_of(const Light& light, const ScreenMap& map);
+
+/// The light with its handle at `place` in the world (directional: turned towards it; unchanged at the
+/// centre).
+[[nodiscard]] Light placed_at(Light light, glm::dvec3 place, const Dome& dome, const ScreenMap& map);
+
+/// Converts a vector (w = 0) or position (w = 1) from the light's own coordinates to the world.
+[[nodiscard]] glm::dvec3 to_world(const Light& light, glm::dvec3 own, double w, const ScreenMap& map);
+
+/// The inverse of to_world().
+[[nodiscard]] glm::dvec3 to_own(const Light& light, glm::dvec3 world, double w, const ScreenMap& map);
+
+/// Turns a spot's axis or a panel's edges by a rotation of the world.
+void turn_shape(Light& light, const glm::dmat4& turn, const ScreenMap& map);
+
+/// Expresses the light in other coordinates; its current position, shape and axis do not change.
+[[nodiscard]] Light in_space(Light light, LightSpace space, const Camera& camera);
+
+/// Changes the light's kind: a position becomes the direction from the dome's centre, and back.
+[[nodiscard]] Light as_kind(Light light, LightKind kind, const Dome& dome, const ScreenMap& map);
 
 struct SurfaceView;
 
@@ -174,5 +217,51 @@ struct TerminatorDrag {
 /// direction is turned into it. Nothing on the background, or if the light is straight above the pixel.
 [[nodiscard]] std::optional<Light> dragged_terminator(const TerminatorDrag& drag, const SurfaceView& view,
                                                       glm::dvec2 pixel);
+
+// Positions a light by its effect at a surface point: brightest there, or lit from behind, so that the
+// outline is lit. Also finds the light that contributes most there. Pure functions.
+
+/// The effect of a light at the point under the cursor.
+enum class LightEffect { Brightest, Rim };
+
+struct LightEffectInfo {
+    LightEffect effect;
+    const char* done;   // "Bulb ...", at the cursor
+    const char* means;  // in the status line: the resulting position of the light
+    const char* waits;  // there, if no position of the light has the effect
+};
+[[nodiscard]] const LightEffectInfo& info_of(LightEffect effect);
+
+/// The angle between n and l, in degrees, at the point that sets a rim light: the surface is lit from there
+/// to the outline.
+inline constexpr double rim_light_deg = 75;
+
+/// Returns the light moved to have that effect at a pixel. Brightest: n.l = 1. Rim: n.l = cos 75 degrees, l
+/// in the plane of n and v on the far side of n. It keeps its distance from the point (a directional light is
+/// turned); a spot or a panel turns to shine at the point. Nothing on the background; for Rim, nothing where
+/// n and v are less than 15 degrees apart: light from behind cannot reach it.
+[[nodiscard]] std::optional<Light> with_effect(LightEffect effect, const Light& light,
+                                               const SurfaceView& view, glm::dvec2 pixel);
+
+/// What a light adds to the sum at one point, per channel: all terms together, all samples of an area light.
+[[nodiscard]] glm::vec3 added_by(const ExplainedLight& light);
+
+/// What each light adds to a pixel, per channel, by its index; under Gouraud and flat shading from all
+/// corners.
+[[nodiscard]] std::map<int, glm::vec3> added_to_pixel(const Explanation& explanation);
+/// The share of `added` in the pixel's sum over all channels, 0 to 1.
+[[nodiscard]] double share_of_pixel(const Explanation& explanation, glm::vec3 added);
+
+/// The light that contributes most to a pixel's sum.
+struct MainLight {
+    int light = 0;     // index into Scene::lights
+    double share = 0;  // share of the sum over all channels, 0 to 1
+};
+/// Nothing if no light contributes.
+[[nodiscard]] std::optional<MainLight> main_light(const Explanation& explanation);
+
+/// The intensity after the cursor moved up by `up_px` in a picture `height` pixels high: a factor of e per
+/// third of the height. An intensity of 0 rises as if from a hundredth.
+[[nodiscard]] float dimmed(float intensity, double up_px, int height);
 
 }  // namespace glint

@@ -1,6 +1,6 @@
 #pragma once
 // Moves, rotates and scales an object with the mouse: the position of its gizmo, the part under the cursor,
-// and the transform after a drag. Pure functions; M = T Rz Ry Rx S (models/scene/transform.h).
+// and the transform after a drag. Pure functions; M = T Rz Ry Rx S (models/scene/scene.h).
 
 #include <imgui.h>
 

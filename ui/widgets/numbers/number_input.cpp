@@ -8,13 +8,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
-#include "models/json/json_pointer.h"
+#include "models/json/json.h"
 #include "models/problem.h"
-#include "ui/widgets/fonts.h"
+#include "renderer/explain/equation_text.h"
 #include "ui/widgets/numbers/expression.h"
-#include "ui/widgets/text/text_field.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -306,5 +307,132 @@ void say_refused(const std::string& line) { said.push_back({line, true}); }
 void unsay() { said.pop_back(); }
 std::vector<Said> take_said() { return std::exchange(said, {}); }
 std::string take_refused_text() { return std::exchange(refused_text, {}); }
+
+// Sliders, steps and texts for each kind of number.
+
+float lowest(const Range& range) {
+    const auto low = static_cast<float>(range.low);
+    return range.low_open ? std::nextafter(low, static_cast<float>(range.high)) : low;
+}
+
+float highest(const Range& range) {
+    const auto high = static_cast<float>(range.high);
+    return range.high_open ? std::nextafter(high, static_cast<float>(range.low)) : high;
+}
+
+bool has_slider(const Real& kind) {
+    return kind.range.low > -max_number && double(kind.usual_max) > kind.range.low;
+}
+
+double slider_share(double value, const Real& kind) {
+    const double low = kind.range.low, usual = double(kind.usual_max) - low,
+                 above = std::max(value - low, 0.0);
+    return kind.logarithmic ? std::log1p(above) / std::log1p(usual) : above / usual;
+}
+
+double slider_value(double share, const Real& kind) {
+    const double low = kind.range.low, usual = double(kind.usual_max) - low;
+    const double above = kind.logarithmic ? std::expm1(share * std::log1p(usual)) : share * usual;
+    return std::clamp(low + above, double(lowest(kind.range)), double(highest(kind.range)));
+}
+
+ImVec4 slider_fill(const Theme& theme, const ImVec4& ground) {
+    const auto mix = [](float from, float to) { return from + (to - from) * 0.3f; };
+    return {mix(ground.x, theme.accent.x), mix(ground.y, theme.accent.y), mix(ground.z, theme.accent.z), 1};
+}
+
+double drag_step(const Real& kind, double value) {
+    const double size = kind.logarithmic ? std::max(std::abs(value), 10 * double(kind.step)) : 1;
+    const double about = 10 * double(kind.step) * size;
+    const double power = std::pow(10, std::floor(std::log10(about)));
+    for (const double digit : {1.0, 2.0, 5.0})
+        if (digit * power >= about * 0.999) return digit * power;
+    return 10 * power;
+}
+
+std::string shown_text(float value, const Real& kind) {
+    if (value == 0 && *kind.zero != 0) return kind.zero;
+    constexpr std::size_t longest = 10;  // characters that fit into a field, so that the end is not cut off
+    char plain[64];
+    std::snprintf(plain, sizeof plain, kind.format, double(value));
+    const std::string_view format = kind.format;
+    const bool has_decimals = format.starts_with("%.") && format.substr(3).starts_with('f');
+    const std::string text =
+        has_decimals ? significant_text(double(value), format[2] - '0').append(format.substr(4)) : plain;
+    return text.size() > longest ? fmt::format("{:.6g}", value) : text;
+}
+
+std::string fitting_text(float value, const Real& kind, float width) {
+    std::string text = shown_text(value, kind);
+    constexpr int most_digits = 6;
+    for (int digits = most_digits; digits > 0 && ImGui::CalcTextSize(text.c_str()).x > width; --digits)
+        text = fmt::format("{:.{}g}", value, digits);
+    return text;
+}
+
+std::string exact_text(float value) { return fmt::format("{}", value); }
+
+// The context menu of a number.
+
+namespace {
+
+bool item(const char* name, const std::string& about, bool possible = true) {
+    const bool chosen = ImGui::MenuItem(name, about.c_str(), false, possible);
+    list_control(name, "", last_item());
+    return chosen;
+}
+
+void copy(const std::string& text) {
+    ImGui::SetClipboardText(text.c_str());
+    say(fmt::format("{} is on the clipboard", text));
+}
+
+/// True if the clipboard contained another number. If reading it failed, the window has reported that.
+bool paste(float& value, const Range& range) {
+    const char* text = ImGui::GetClipboardText();
+    if (text == nullptr) return false;
+    const Calculated found = calculated(text, double(value));
+    if (!found.problem.empty()) {
+        say_refused("The clipboard has no number: " + on_one_line(found.problem));
+        return false;
+    }
+    const bool edited = assign(value, found.value, range);
+    if (!range.contains(found.value)) say_out_of_range(found.value, range, value);
+    return edited;
+}
+
+}  // namespace
+
+bool number_menu(float& value, const NumberInput& input) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(6)});
+    const bool open = ImGui::BeginPopup(number_menu_id);
+    ImGui::PopStyleVar();
+    if (!open) return false;
+    ImGui::PushFont(fonts().body);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // regardless of the number's own colour
+    const float before = value;
+    bool edited = false;
+    if (item("Copy", exact_text(value))) copy(exact_text(value));
+    if (item("Paste", "")) edited = paste(value, input.kind.range);
+    const bool has_default = !std::isnan(input.initial);
+    if (has_default && item("Reset to default", exact_text(input.initial), value != input.initial)) {
+        value = input.initial;
+        edited = true;
+    }
+    if (value == input.initial && !edited) tooltip("Reset to default", "It is already the default");
+    if (!input.pointer.empty()) {
+        ImGui::Separator();
+        const bool advanced = ImGui::BeginMenu("Advanced");
+        list_control("Advanced", "", last_item());
+        if (advanced) {
+            if (item("Copy pointer", input.pointer)) copy(input.pointer);
+            ImGui::EndMenu();
+        }
+    }
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ImGui::EndPopup();
+    return edited && value != before;
+}
 
 }  // namespace glint

@@ -5,28 +5,29 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vector_relational.hpp>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "models/scene/reflection.h"
-#include "renderer/explain/explain_format.h"
-#include "renderer/explain/explain_words.h"
+#include "models/scene/scene.h"
+#include "renderer/explain/equation_text.h"
 #include "ui/features/diagnosis/my_picture.h"
-#include "ui/features/inspector/equation/formula.h"
 #include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/tabs.h"
 #include "ui/fields/field_panel.h"
 #include "ui/picture/draw_picture.h"
-#include "ui/picture/handles/light_effects.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -256,6 +257,71 @@ void equation_tab(UiState& state, const PictureView&) {
         if (point.lights.empty()) wrapped_dim("No light is on: only ambient and emission are left.");
     }
     copy_buttons(state);
+}
+
+namespace {
+
+/// Formats a number for use in a program: without surrounding spaces, and with an ASCII minus.
+std::string plain(std::string_view number) {
+    constexpr std::string_view minus = "−";
+    std::string text;
+    while (!number.empty()) {
+        const bool is_minus = number.starts_with(minus);
+        if (is_minus || number.front() != ' ' || !text.empty()) text += is_minus ? '-' : number.front();
+        number.remove_prefix(is_minus ? minus.size() : 1);
+    }
+    return text;
+}
+
+void copy_item(const char* label, const std::string& text) {
+    if (ImGui::MenuItem(label)) {
+        ImGui::SetClipboardText(text.c_str());
+        say(text + " is on the clipboard");
+    }
+    list_control(label, "", last_item());
+}
+
+}  // namespace
+
+void copy_menu(int id, const std::string& number, const std::string& line) {
+    ImGui::PushID(id);
+    tooltip("Right click: copy it", line.empty() ? "" : "alone, or its entire line");
+    if (ImGui::BeginPopupContextItem("##copy")) {
+        copy_item("Copy", plain(number));
+        if (!line.empty()) copy_item("Copy line", line);
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+}
+
+// Finds what blocks the line from the picked point to a light, under the local model, which ignores it.
+
+namespace {
+
+/// Whether the object only marks a light's position, with the light at its centre.
+bool marks(const Object& object, glm::vec3 light) {
+    const Bounds& box = object.mesh->bounds;
+    const glm::vec3 middle =
+        glm::vec3(world_from_object(object.transform) * glm::vec4((box.min + box.max) / 2.0f, 1));
+    const float size = glm::length(object.transform.scale * (box.max - box.min));
+    return glm::distance(middle, light) < 0.1f * size;
+}
+
+}  // namespace
+
+std::string blocked_words(const UiState& state, const Explanation& explanation, std::size_t which) {
+    const Scene& scene = explained_scene(state);
+    const std::vector<TracedLight>& rays = state.get<InspectorState>().rays;
+    // Under the other models, the light's own line names the object that casts the shadow.
+    if (scene.transport.model != TransportModel::Local || which >= rays.size()) return "";
+    const TracedLight& ray = rays[which];
+    const auto blocker = static_cast<std::size_t>(ray.object);  // -1 becomes the largest value
+    if (!ray.in_front || blocker >= scene.objects.size() || marks(scene.objects[blocker], ray.to)) return "";
+    const std::string name = ray.object == explanation.object_index
+                                 ? "Its own surface"
+                                 : fmt::format("“{}”", scene.objects[blocker].name);
+    return fmt::format(
+        "{} is between this light and the point, but the local model lights each point on its own.", name);
 }
 
 }  // namespace glint

@@ -7,8 +7,8 @@
 
 #include "models/scene/scene.h"
 #include "renderer/explain/equation_line.h"
-#include "renderer/explain/explanation.h"
-#include "ui/features/inspector/equation/number_handle.h"
+#include "renderer/explain/explain.h"
+#include "ui/features/inspector/equation/text_line.h"
 
 namespace glint {
 
@@ -53,5 +53,11 @@ void copy_explanation(const UiState& state, const CopyFormat& format);
 
 /// The exact text that `glint explain --format …` prints for this pixel.
 [[nodiscard]] std::string explained_as(CopyAs format, const Explanation& explanation, const Scene& scene);
+
+// The context menu of a read-only number: copies the number, or the line that contains it.
+
+/// Opens on a right click on the item drawn last. `number`: as displayed. An empty `line` is not offered.
+/// `id` distinguishes numbers at the same position.
+void copy_menu(int id, const std::string& number, const std::string& line);
 
 }  // namespace glint

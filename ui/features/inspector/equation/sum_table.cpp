@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/features/inspector/equation/copy_menu.h"
 #include "ui/features/inspector/equation/equation_tab.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
-#include "ui/widgets/named_controls.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

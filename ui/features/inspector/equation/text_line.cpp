@@ -1,15 +1,17 @@
 #include "ui/features/inspector/equation/text_line.h"
 
+#include <fmt/core.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "ui/features/inspector/equation/copy_menu.h"
-#include "ui/features/inspector/equation/quantity_look.h"
-#include "ui/widgets/fonts.h"
-#include "ui/widgets/named_controls.h"
+#include "renderer/explain/equation_text.h"
+#include "ui/features/inspector/equation/equation_tab.h"
+#include "ui/features/inspector/equation/words.h"
 #include "ui/widgets/numbers/number_input.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
@@ -227,6 +229,203 @@ void TextLine::result(const std::string& text, const ImVec4& colour) {
     x_ = right_ - width;
     number(text, colour);
     if (mark_) end_mark(last_item());
+}
+
+Symbol colour_of(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::EmissionTerm:
+    case Quantity::MaterialEmission:
+        return Symbol::Emission;
+    case Quantity::AmbientTerm:
+    case Quantity::BouncedTerm:
+    case Quantity::MaterialAmbient:
+    case Quantity::GlobalAmbient:
+    case Quantity::LightAmbient:
+        return Symbol::Ambient;
+    case Quantity::DiffuseTerm:
+    case Quantity::MaterialDiffuse:
+    case Quantity::LightDiffuse:
+    case Quantity::Rough:
+        return Symbol::Diffuse;
+    case Quantity::SpecularTerm:
+    case Quantity::MaterialSpecular:
+    case Quantity::LightSpecular:
+    case Quantity::Power:
+    case Quantity::Highlight:
+    case Quantity::QuarterPi:
+    case Quantity::Facets:
+    case Quantity::Masking:
+    case Quantity::Fresnel:
+        return Symbol::Specular;
+    case Quantity::N:
+    case Quantity::NL:
+    case Quantity::NH:
+    case Quantity::NV:
+        return Symbol::N;
+    case Quantity::L:
+    case Quantity::LV:
+        return Symbol::L;
+    case Quantity::V:
+        return Symbol::V;
+    case Quantity::R:
+    case Quantity::RV:
+        return Symbol::R;
+    case Quantity::H:
+        return Symbol::H;
+    default:
+        return Symbol::Construction;
+    }
+}
+
+std::pair<Quantity, Quantity> vectors_of(Quantity cosine) {
+    if (cosine == Quantity::RV) return {Quantity::R, Quantity::V};
+    if (cosine == Quantity::NH) return {Quantity::N, Quantity::H};
+    if (cosine == Quantity::LV) return {Quantity::L, Quantity::V};
+    if (cosine == Quantity::NV) return {Quantity::N, Quantity::V};
+    return {Quantity::N, Quantity::L};
+}
+
+namespace {
+
+/// The highlight's factor.
+void highlight(TextLine& f, Reflection reflection) {
+    const ReflectionInfo info = info_of(reflection);
+    const auto power = [&f](Quantity cosine) {
+        f.plain("(").symbol(cosine).plain(")").symbol(Quantity::Power);
+    };
+    switch (info.cosine) {
+    case HighlightCosine::RV:
+        return power(Quantity::RV);
+    case HighlightCosine::NH:
+        return power(Quantity::NH);
+    case HighlightCosine::LV:
+        return power(Quantity::LV);
+    case HighlightCosine::None:
+        break;
+    }
+    if (reflection != Reflection::CookTorrance) return (void)f.symbol(Quantity::Highlight);
+    f.gap(2).symbol(Quantity::QuarterPi).gap(2).symbol(Quantity::Facets).symbol(Quantity::Masking);
+    f.symbol(Quantity::Fresnel).plain("/").symbol(Quantity::NV);
+}
+
+}  // namespace
+
+void formula(Reflection reflection, TransportModel transport) {
+    const ReflectionInfo info = info_of(reflection);
+    if (!info.is_lit) return dim_text("No lighting: the mesh's own colours.");
+    TextLine f(20);
+    f.symbol(Quantity::Result).plain(" = ").symbol(Quantity::MaterialEmission);
+    f.together([&] {
+        if (transport == TransportModel::Bounces)
+            f.plain("+").symbol(Quantity::MaterialDiffuse).symbol(Quantity::Bounced);
+        else
+            f.plain("+").symbol(Quantity::MaterialAmbient).symbol(Quantity::GlobalAmbient);
+    });
+    f.together([&] {
+        f.plain("+Σ").symbol(Quantity::Share);
+        if (transport != TransportModel::Local) f.gap(2).symbol(Quantity::Reach).gap(2);
+        f.plain("(");
+        f.symbol(Quantity::MaterialAmbient).symbol(Quantity::LightAmbient);
+    });
+    f.together([&] {
+        f.plain("+").symbol(Quantity::MaterialDiffuse).symbol(Quantity::LightDiffuse).symbol(Quantity::NL);
+        if (info.rough_diffuse) f.symbol(Quantity::Rough);
+        if (!info.has_highlight) f.plain(")");
+    });
+    if (!info.has_highlight) return;
+    f.together([&] {
+        f.plain("+").symbol(Quantity::MaterialSpecular).symbol(Quantity::LightSpecular);
+        highlight(f, reflection);
+        f.plain(")");
+    });
+}
+
+// Draws a line of the equation, piece by piece.
+
+namespace {
+
+std::string shown(double x) { return shown_number(static_cast<float>(x)); }
+
+std::string trimmed(const std::string& text) { return text.substr(text.find_first_not_of(' ')); }
+
+/// Draws the numbers of one line.
+class LinePieces {
+  public:
+    LinePieces(TextLine& line, const HandledScene& scene, int channel)
+        : line_(line), scene_(scene), channel_(channel) {}
+
+    void factor(const EquationFactor& f, int decimals, int exponent_decimals) {
+        if (f.is_mean) line_.plain("mean ");
+        if (f.power) line_.plain("(");
+        line_.symbol(f.quantity);
+        if (f.quantity == Quantity::QuarterPi) return;
+        const ImVec4& colour = is_cosine(f.quantity) ? theme().text : theme()[colour_of(f.quantity)];
+        if (!f.pointer.empty())
+            handle(f.is_colour ? fmt::format("{}/{}", f.pointer, channel_) : f.pointer, decimals, colour);
+        else if (f.clamped_from < 0)
+            line_.gap(3).number(trimmed(shown(f.clamped_from)), theme().warning).plain("→0", theme().warning);
+        else
+            line_.gap(3).number(decimal_text(f.value[channel_], decimals), colour);
+        if (f.power) power(*f.power, exponent_decimals);
+    }
+    void made_by(const std::string& pointer) {
+        const NamedNumber named = named_number(pointer, scene_.shown);
+        const std::size_t word = named.what.rfind(' ');
+        line_.plain(" by " + (word == std::string::npos ? named.what : named.what.substr(word + 1)));
+        handle(pointer, 2, theme().text);
+    }
+    [[nodiscard]] bool edited() const { return edited_; }
+
+  private:
+    void power(const EquationPower& p, int decimals) {
+        line_.plain(")");
+        const ImVec4& colour = theme()[colour_of(Quantity::Power)];
+        if (p.pointer.empty()) {
+            line_.raised(decimal_text(p.exponent, decimals), colour);
+            return;
+        }
+        NumberHandle number = number_handle(scene_, p.pointer);
+        number.number.kind.format = decimal_format(p.exponent, decimals);
+        edited_ |= line_.exponent(number, colour);
+    }
+    void handle(const std::string& pointer, int decimals, const ImVec4& colour) {
+        NumberHandle number = number_handle(scene_, pointer);
+        number.number.kind.format = decimal_format(number.number.value, decimals);
+        edited_ |= line_.handle(number, colour);
+    }
+
+    TextLine& line_;
+    const HandledScene& scene_;
+    int channel_;
+    bool edited_ = false;
+};
+
+}  // namespace
+
+bool draw_line(const EquationLine& term, const HandledScene& scene, int channel) {
+    const LineDecimals decimals = written_decimals(term, channel, shown);
+    const std::string result = shown(term.result[channel]);
+    TextLine line(28);
+    line.copied_as(fmt::format("{} = {}{}", text_of(term.term), written_product(term, channel, shown),
+                               term.left_out.empty() ? " = " + trimmed(result) : ""));
+    line.symbol(term.term).gap(4).plain("=").gap(4);
+    LinePieces pieces(line, scene, channel);
+    for (std::size_t i = 0; i < term.factors.size(); ++i)
+        line.together([&] {
+            if (i > 0 && term.factors[i].divides) line.gap(3).plain("/").gap(3);
+            if (i > 0 && !term.factors[i].divides) line.times();
+            pieces.factor(term.factors[i], decimals.value[i], decimals.exponent[i]);
+        });
+    if (!term.left_out.empty()) {
+        line.together([&] {
+            line.gap(4).plain("=").number(shown(term.product(channel)), theme().dim_text).plain(", ");
+        });
+        line.plain(term.left_out, theme().warning);
+    }
+    for (const std::string& pointer : term.made_by) line.together([&] { pieces.made_by(pointer); });
+    line.result(trimmed(result),
+                term.result[channel] == 0 ? theme().disabled_text : theme()[colour_of(term.term)]);
+    return pieces.edited();
 }
 
 }  // namespace glint

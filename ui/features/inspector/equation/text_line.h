@@ -6,13 +6,34 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "models/fields/scene_fields.h"
+#include "models/scene/reflection.h"
+#include "models/scene/scene.h"
+#include "models/scene/transport.h"
 #include "renderer/explain/quantity.h"
-#include "ui/features/inspector/equation/number_handle.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {
+
+// A number of the scene that can be dragged within the equation.
+
+/// Valid while the scene's lists do not change.
+struct NumberHandle {
+    SceneNumber number;
+    std::string name;  // "shininess of Teapot"
+};
+
+/// A scene whose numbers are shown, and the same scene for editing; the latter is null if read-only.
+struct HandledScene {
+    const Scene& shown;
+    Scene* edited = nullptr;
+};
+/// The number at `pointer` of the scene, named by its keys and its light's or object's name, without a target
+/// if the scene is read-only. Precondition: it exists.
+[[nodiscard]] NumberHandle number_handle(const HandledScene& scene, const std::string& pointer);
 
 /// During the lifetime of a mark, the first letter of that quantity is framed, with the number after it; with
 /// `scrolls` it is also scrolled into view.
@@ -86,5 +107,18 @@ class TextLine {
     std::optional<Rect> mark_;   // the letter of the marked quantity, until its value is drawn
     bool marks_result_ = false;  // whether the marked quantity is the line's result
 };
+
+// The style of the equation's letters in the window.
+
+/// The colour of a letter.
+[[nodiscard]] Symbol colour_of(Quantity quantity);
+
+/// The two vectors of a cosine. Precondition: is_cosine().
+[[nodiscard]] std::pair<Quantity, Quantity> vectors_of(Quantity cosine);
+
+// The lighting equation in symbols.
+
+/// Draws it on one line, each symbol in its colour; hovering over a symbol explains it.
+void formula(Reflection reflection, TransportModel transport);
 
 }  // namespace glint

@@ -10,10 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "models/fields/scene_numbers.h"
-#include "renderer/explain/explain_words.h"
-#include "renderer/explain/printed_number.h"
-#include "ui/features/inspector/equation/number_handle.h"
+#include "models/fields/scene_fields.h"
+#include "renderer/explain/equation_text.h"
+#include "ui/features/inspector/equation/text_line.h"
 
 namespace glint {
 

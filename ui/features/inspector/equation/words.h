@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "renderer/explain/explanation.h"
+#include "renderer/explain/explain.h"
 #include "ui/document/scene_edit.h"
 
 namespace glint {

@@ -11,11 +11,10 @@
 #include "renderer/reflectance/term_sensitivity.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
-#include "ui/features/inspector/tabs.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "models/scene/scene.h"
-#include "renderer/explain/explanation.h"
+#include "renderer/explain/explain.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {

@@ -1,14 +1,65 @@
-#include "models/scene/scene_cost.h"
+#include "models/scene/scene.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/trigonometric.hpp>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "models/json/json.h"
+#include "models/material_presets_text.h"
 #include "models/memory_limit.h"
 
 namespace glint {
+namespace {
+
+/// The matrix of a single step, rotation or scale, without the translation.
+glm::dmat3 linear_part(const Transform& written, TransformStep step) {
+    Transform alone;
+    if (step == TransformStep::Rotate) alone.rotate_deg = written.rotate_deg;
+    if (step == TransformStep::Scale) alone.scale = written.scale;
+    return {world_from_object(alone)};
+}
+
+bool are_alike(const glm::dmat3& a, const glm::dmat3& b, double size) {
+    constexpr double error = 1e-9;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            if (!(std::abs(a[c][r] - b[c][r]) <= error * size)) return false;
+    return true;
+}
+
+}  // namespace
+
+glm::dmat4 world_from_object(const Transform& transform) {
+    const glm::dvec3 angle = glm::radians(glm::dvec3(transform.rotate_deg));
+    glm::dmat4 m = glm::translate(glm::dmat4(1.0), glm::dvec3(transform.translate));
+    m = glm::rotate(m, angle.z, {0, 0, 1});
+    m = glm::rotate(m, angle.y, {0, 1, 0});
+    m = glm::rotate(m, angle.x, {1, 0, 0});
+    return glm::scale(m, glm::dvec3(transform.scale));
+}
+
+std::optional<Transform> in_file_order(const Transform& written, const TransformOrder& order) {
+    const glm::dmat3 rotate = linear_part(written, TransformStep::Rotate);
+    const glm::dmat3 scale = linear_part(written, TransformStep::Scale);
+    glm::dmat3 linear(1), before_translate(1);
+    for (const TransformStep step : order) {
+        if (step == TransformStep::Translate) before_translate = linear;
+        linear = linear * linear_part(written, step);
+    }
+    const glm::dvec3 s = glm::abs(glm::dvec3(written.scale));
+    if (!are_alike(linear, rotate * scale, s.x + s.y + s.z)) return std::nullopt;
+    Transform transform = written;
+    transform.translate = glm::vec3(before_translate * glm::dvec3(written.translate));
+    return transform;
+}
+
 namespace {
 
 constexpr std::uint64_t bytes_an_object = 4096;
@@ -94,6 +145,34 @@ std::optional<Problem> too_large(const Scene& scene, PictureSize size, int sampl
                        fmt::format("at most {}, pixels times samples", max_picture_samples)};
     if (auto problem = too_many_triangles(scene)) return problem;
     return too_much_memory(scene_cost(scene, size, samples));
+}
+
+namespace {
+
+glm::vec3 color(const Json& numbers) {
+    return {numbers[0].get<float>(), numbers[1].get<float>(), numbers[2].get<float>()};
+}
+
+/// Alpha is ignored: transparency is not supported.
+MaterialPreset preset_of(const Json& entry) {
+    Material m;
+    m.ambient = color(entry["ambient"]);
+    m.diffuse = color(entry["diffuse"]);
+    m.specular = color(entry["specular"]);
+    m.shininess = entry["shininess"].get<float>();
+    return {entry["name"].get_ref<const std::string&>(), entry["family"].get_ref<const std::string&>(), m};
+}
+
+}  // namespace
+
+std::span<const MaterialPreset> material_presets() {
+    static const Json document = parsed_json(material_presets_text, "materials.json");  // owns the names
+    static const std::vector<MaterialPreset> presets = [] {
+        std::vector<MaterialPreset> made;
+        for (const Json& entry : document["materials"]) made.push_back(preset_of(entry));
+        return made;
+    }();
+    return presets;
 }
 
 }  // namespace glint
