@@ -205,7 +205,8 @@ TEST_CASE("numbers are read and written with a point in a locale with decimal co
     const std::vector<std::string> arguments{"explain", scene,   "--pixel",
                                              "640,360", "--set", "/global_ambient=[0.5,0.25,0.125]"};
     const Ended german =
-        run_glint(arguments, {}, {}, {"env", "LOCPATH=" + folder.path(), "LC_ALL=de_DE.UTF-8"});
+        run_glint(arguments, {}, {}, {"/usr/bin/env", "LOCPATH=" + folder.path(), "LC_ALL=de_DE.UTF-8"});
+    INFO(german.err);
     CHECK(german.status == 0);
     CHECK(german.out == run_glint(arguments).out);
 }

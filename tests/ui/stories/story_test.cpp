@@ -92,7 +92,7 @@ TEST_CASE("story: the README's tour of the window", "[ui][window][story]") {
         CHECK(changed());
     }
     person.press(Key::C);
-    CHECK(person.sees("Side by side"));
+    CHECK(person.sees("Stacked"));
     CHECK(changed());
     person.press(Key::C);
     person.press(Key::P);
