@@ -79,9 +79,9 @@ struct LightFocus {
     void toggle_muted(int light);
 };
 
-/// Draws the list: edits the scene (adds, deletes, switches) and the selection; returns whether the scene
-/// changed. Sets `browse_mesh` to request a mesh file for a new object.
-[[nodiscard]] bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& browse_mesh);
+/// Draws the list: edits the scene (adds, deletes, switches) and the selection. Sets `browse_mesh` to request
+/// a mesh file for a new object.
+void scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& browse_mesh);
 
 // Measures how much of an object's highlight survives its shading: flat and Gouraud shading lose a highlight
 // that covers no vertex. Lecture: Gouraud shading misses highlights.

@@ -38,9 +38,8 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
     return clicked;
 }
 
-/// A row with a name that is typed in place, until the field loses the keyboard. True when the name was
-/// edited.
-bool typed_row(Icon icon, ImU32 colour, std::string& name, float indent, float reserve, LightFocus& focus) {
+/// A row with a name that is typed in place, until the field loses the keyboard.
+void typed_row(Icon icon, ImU32 colour, std::string& name, float indent, float reserve, LightFocus& focus) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     draw_icon(*ImGui::GetWindowDrawList(), icon, {low.x + indent + 0.5f * height, low.y + 0.5f * height},
@@ -49,22 +48,19 @@ bool typed_row(Icon icon, ImU32 colour, std::string& name, float indent, float r
     ImGui::SameLine(0, 0);
     if (!focus.is_typed) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - reserve, px(20)));
-    const bool edited = bare_name("##name", name, max_name_characters, ImGuiInputTextFlags_AutoSelectAll);
+    (void)bare_name("##name", name, max_name_characters, ImGuiInputTextFlags_AutoSelectAll);
     if (focus.is_typed && !ImGui::IsItemActive()) focus.renamed = -1;
     focus.is_typed = ImGui::IsItemActive();
     list_control("Name in the list", "", last_item());
-    return edited;
 }
 
-/// The row of a light or an object. A click selects it, a double-click edits its name. True when the name was
-/// edited.
-bool named_row(Icon icon, ImU32 colour, std::string& name, Selection row, float reserve, Selection& selection,
+/// The row of a light or an object. A click selects it, a double-click edits its name.
+void named_row(Icon icon, ImU32 colour, std::string& name, Selection row, float reserve, Selection& selection,
                LightFocus& focus) {
     if (focus.renamed == number_of(row)) return typed_row(icon, colour, name, px(8), reserve, focus);
     if (item_row(icon, colour, whole_label(name).c_str(), selection == row, px(8), reserve)) selection = row;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
         focus.renamed = number_of(row), focus.is_typed = false;
-    return false;
 }
 
 bool plain_row(Icon icon, const char* name, Selection::Kind kind, Selection& selection) {
@@ -73,9 +69,10 @@ bool plain_row(Icon icon, const char* name, Selection::Kind kind, Selection& sel
     return clicked;
 }
 
-/// Right-click on a row: duplicate or delete its item; show a light alone, or leave it out.
+/// Right-click on a row: duplicate or delete its item; show a light alone, or leave it out. True when the
+/// list has changed.
 bool row_menu(Scene& scene, Selection& selection, Selection row, LightFocus* focus = nullptr) {
-    bool edited = false;
+    const std::size_t items = scene.lights.size() + scene.objects.size();
     if (!ImGui::BeginPopupContextItem("##menu")) return false;
     selection = row;
     if (focus != nullptr) {
@@ -83,12 +80,10 @@ bool row_menu(Scene& scene, Selection& selection, Selection row, LightFocus* foc
         if (ImGui::MenuItem("Mute", "M", !focus->shows(row.index))) focus->toggle_muted(row.index);
         ImGui::Separator();
     }
-    if (ImGui::MenuItem("Duplicate", keys_of(CommandId::Duplicate).c_str()))
-        duplicate(scene, selection), edited = true;
-    if (ImGui::MenuItem("Delete", keys_of(CommandId::Delete).c_str()))
-        remove(scene, selection), edited = true;
+    if (ImGui::MenuItem("Duplicate", keys_of(CommandId::Duplicate).c_str())) duplicate(scene, selection);
+    if (ImGui::MenuItem("Delete", keys_of(CommandId::Delete).c_str())) remove(scene, selection);
     ImGui::EndPopup();
-    return edited;
+    return scene.lights.size() + scene.objects.size() != items;
 }
 
 /// The eye at the right end of a row: open while the row's item is visible in the picture.
@@ -101,20 +96,22 @@ bool eye_button(bool& open, const char* state, const char* what, const std::stri
 }
 
 /// The eye of a light; also closed while another light is shown alone. A click shows the light again.
-bool light_eye(Light& light, int index, LightFocus& focus) {
+void light_eye(Light& light, int index, LightFocus& focus) {
     const bool shown = focus.shows(index);
     const char* const state = focus.solo == index ? "Solo" : !shown ? "Muted" : light.enabled ? "On" : "Off";
     bool open = light.enabled && shown;
     const bool pressed = eye_button(open, state, "Whether this light shines. Alt+click: this light alone",
                                     "/lights/" + std::to_string(index) + "/enabled");
-    if (!pressed) return false;
-    if (ImGui::GetIO().KeyAlt) return focus.toggle_solo(index), false;
-    if (!shown) return focus = {}, false;
-    light.enabled = !light.enabled;
-    return true;
+    if (!pressed) return;
+    if (ImGui::GetIO().KeyAlt)
+        focus.toggle_solo(index);
+    else if (!shown)
+        focus = {};
+    else
+        light.enabled = !light.enabled;
 }
 
-bool space_button(Light& light, const Camera& camera) {
+void space_button(Light& light, const Camera& camera) {
     const bool world = light.space == LightSpace::World;
     const float size = ImGui::GetFrameHeight();
     const bool pressed = hit_area("##space", {size, size});
@@ -133,7 +130,6 @@ bool space_button(Light& light, const Camera& camera) {
         light.space = other;
     else if (pressed)
         light = in_space(light, other, camera);
-    return pressed;
 }
 
 /// Draws a warning mark at the right end of the row drawn last.
@@ -147,8 +143,8 @@ void warning_mark(const std::string& why) {
     list_control("Light without effect", why, area);
 }
 
-/// Draws the row of a light. True when the scene was edited; the row's menu may have changed the list.
-bool light_row(Scene& scene, int index, Selection& selection, LightFocus& focus) {
+/// The row's menu may change the list.
+void light_row(Scene& scene, int index, Selection& selection, LightFocus& focus) {
     Light& light = scene.lights[static_cast<std::size_t>(index)];
     const Selection row{Selection::Kind::Light, index};
     const float size = ImGui::GetFrameHeight();
@@ -156,43 +152,37 @@ bool light_row(Scene& scene, int index, Selection& selection, LightFocus& focus)
     const ImVec2 low = ImGui::GetCursorScreenPos(),
                  high = low + ImVec2(ImGui::GetContentRegionAvail().x, size);
     const ImU32 colour = to_u32(legible(colour_of(light)), light.enabled && focus.shows(index) ? 1 : 0.4f);
-    bool edited = named_row(icon_of(light.kind), colour, light.name, row, 2 * size, selection, focus);
+    named_row(icon_of(light.kind), colour, light.name, row, 2 * size, selection, focus);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high)) focus.hovered = index;
     const auto which = static_cast<std::size_t>(index);
     if (which < focus.warnings.size() && !focus.warnings[which].empty()) warning_mark(focus.warnings[which]);
-    const bool structural = row_menu(scene, selection, row, &focus);
-    if (!structural) {
+    if (!row_menu(scene, selection, row, &focus)) {
         ImGui::SameLine(0, 0);
-        edited |= space_button(light, scene.camera);
-        edited |= light_eye(light, index, focus);
+        space_button(light, scene.camera);
+        light_eye(light, index, focus);
     }
     ImGui::PopID();
-    return edited || structural;
 }
 
-bool add_light_menu(Scene& scene, Selection& selection) {
-    bool edited = false;
-    if (!ImGui::BeginPopup("##add-light")) return false;
+void add_light_menu(Scene& scene, Selection& selection) {
+    if (!ImGui::BeginPopup("##add-light")) return;
     for (const LightKind kind : enumerators<LightKind>) {
         const Choice choice = choice_of(kind);
         const std::string keys = kind == LightKind::Point ? keys_of(CommandId::AddLight) : "";
-        if (ImGui::MenuItem(choice.label, keys.c_str())) edited |= add_light(scene, selection, kind);
+        if (ImGui::MenuItem(choice.label, keys.c_str())) (void)add_light(scene, selection, kind);
         tooltip(choice.label, choice.meaning);
     }
     ImGui::EndPopup();
-    return edited;
 }
 
-bool add_object_menu(Scene& scene, Selection& selection, bool& browse_mesh) {
-    bool edited = false;
-    if (!ImGui::BeginPopup("##add-object")) return false;
+void add_object_menu(Scene& scene, Selection& selection, bool& browse_mesh) {
+    if (!ImGui::BeginPopup("##add-object")) return;
     if (ImGui::MenuItem("Mesh file…")) browse_mesh = true;
     ImGui::Separator();
     for (const Primitive primitive : enumerators<Primitive>)
         if (ImGui::MenuItem(choice_of(primitive).label))
-            edited |= add_object(scene, selection, default_mesh(primitive));
+            (void)add_object(scene, selection, default_mesh(primitive));
     ImGui::EndPopup();
-    return edited;
 }
 
 /// A heading with a plus button at its right end, and a button for entire sets to the left of it.
@@ -212,18 +202,16 @@ void list_heading(const char* title, const char* popup, bool full, bool* asks_se
     tooltip("Add", full ? is_full : "Add one to the scene");
 }
 
-bool object_row(Scene& scene, int index, Selection& selection, LightFocus& focus) {
+void object_row(Scene& scene, int index, Selection& selection, LightFocus& focus) {
     const Selection row{Selection::Kind::Object, index};
     Object& object = scene.objects[static_cast<std::size_t>(index)];
     ImGui::PushID(static_cast<int>(max_lights) + index);
-    const bool renamed = named_row(Icon::Object, to_u32(theme().dim_text, object.visible ? 1 : 0.4f),
-                                   object.name, row, ImGui::GetFrameHeight(), selection, focus);
-    bool edited = row_menu(scene, selection, row);
-    if (!edited)
-        edited = eye_button(object.visible, object.visible ? "Shown" : "Hidden",
-                            "Whether this object is drawn", "/objects/" + std::to_string(index) + "/visible");
+    named_row(Icon::Object, to_u32(theme().dim_text, object.visible ? 1 : 0.4f), object.name, row,
+              ImGui::GetFrameHeight(), selection, focus);
+    if (!row_menu(scene, selection, row))
+        (void)eye_button(object.visible, object.visible ? "Shown" : "Hidden", "Whether this object is drawn",
+                         "/objects/" + std::to_string(index) + "/visible");
     ImGui::PopID();
-    return edited || renamed;
 }
 
 float row_step() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
@@ -237,15 +225,12 @@ void scroll_to_row(int index) {
 }
 
 /// Draws the visible rows. If a row changes the list, no further row is drawn in this frame.
-template <class Item, class DrawRow> bool rows(const std::vector<Item>& items, DrawRow draw_row) {
+template <class Item, class DrawRow> void rows(const std::vector<Item>& items, DrawRow draw_row) {
     const std::size_t count = items.size();
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(count), row_step());
-    bool edited = false;
     while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd && items.size() == count; ++i)
-            edited |= draw_row(i);
-    return edited;
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd && items.size() == count; ++i) draw_row(i);
 }
 
 }  // namespace
@@ -260,9 +245,8 @@ void LightFocus::toggle_muted(int light) {
     if (std::erase(muted, light) == 0) muted.push_back(light);
 }
 
-bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& browse_mesh) {
+void scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& browse_mesh) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, px(1)});
-    bool edited = false;
     // Scrolls to an item that was selected elsewhere: in the picture or with keys.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const int before = std::exchange(*storage.GetIntRef(ImGui::GetID("shown"), -1), number_of(selection));
@@ -271,19 +255,18 @@ bool scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& br
     plain_row(Icon::Shading, "Shading", Selection::Kind::Shading, selection);
     plain_row(Icon::Display, "Display", Selection::Kind::Display, selection);
     list_heading("Lights", "##add-light", scene.lights.size() >= max_lights, &focus.asks_setups);
-    edited |= add_light_menu(scene, selection);
+    add_light_menu(scene, selection);
     if (is_other && selection.kind == Selection::Kind::Light) scroll_to_row(selection.index);
-    edited |= rows(scene.lights, [&](int i) { return light_row(scene, i, selection, focus); });
+    rows(scene.lights, [&](int i) { light_row(scene, i, selection, focus); });
     if (scene.lights.empty())
         dim_text(("   No light yet: press + or " + keys_of(CommandId::AddLight)).c_str());
     list_heading("Objects", "##add-object", scene.objects.size() >= max_objects);
-    edited |= add_object_menu(scene, selection, browse_mesh);
+    add_object_menu(scene, selection, browse_mesh);
     if (is_other && selection.kind == Selection::Kind::Object) scroll_to_row(selection.index);
-    edited |= rows(scene.objects, [&](int i) { return object_row(scene, i, selection, focus); });
+    rows(scene.objects, [&](int i) { object_row(scene, i, selection, focus); });
     if (scene.objects.empty()) dim_text("   Nothing to light yet: press +");
     ImGui::PopStyleVar();
     selection = valid_selection(selection, scene);
-    return edited;
 }
 
 }  // namespace glint

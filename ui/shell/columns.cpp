@@ -83,7 +83,7 @@ void scene_column(UiState& state, const PictureView& view) {
     const float all = rows * (ImGui::GetFrameHeight() + px(1)) + px(4);
     const float room = ImGui::GetContentRegionAvail().y;
     ImGui::BeginChild("##list", {0, std::min(all, 0.45f * room)});
-    (void)scene_panel(scene, state.editor.selection, state.get<LightFocus>(), browse_mesh);
+    scene_panel(scene, state.editor.selection, state.get<LightFocus>(), browse_mesh);
     ImGui::EndChild();
     if (browse_mesh) ask_mesh(state, -1);
     ImGui::Separator();
