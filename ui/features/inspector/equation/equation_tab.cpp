@@ -140,6 +140,9 @@ void light_cards(UiState& state, const Explanation& explanation, const Explained
     const auto& lights = point.lights;
     InspectorState& inspector = state.get<InspectorState>();
     if (lights.size() > 1) {
+        const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+        const float width = ImGui::CalcTextSize("Largest share first").x + 2 * small_padding().x;
+        if (!point.bounces.used) same_line_if_fits(width, px(8), right);  // as "Show the ray"
         if (small_chosen_button("Largest share first", inspector.sorts_lights))
             inspector.sorts_lights ^= true;
         tooltip("Largest share first", "Sorts the lights by what they add; else in the scene's order");
