@@ -43,7 +43,12 @@ void add_diagnosis(GradeRow& row, const DiagnosedPicture& diagnosed, const Scene
     const Json found = json_or_null(diagnoses_json({diagnosed}, scene));
     row["verdict"] = found["verdict"];
     std::string text = diagnosis_text(diagnosed.diagnosis, scene);
-    row["text"] = text.substr(0, text.find('\n'));
+    std::size_t end = text.find('\n');
+    if (text.compare(end + 1, 7, "Look in") == 0) {
+        text[end] = ' ';
+        end = text.find('\n', end);
+    }
+    row["text"] = text.substr(0, end);
     row["size"] = {found["width"], found["height"]};
     row["picture_html"] = html_image(diagnosed.thumbnail, "as submitted");
     const Json* const candidates = find_member(found, "candidates");

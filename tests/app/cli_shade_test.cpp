@@ -195,6 +195,8 @@ TEST_CASE("glint grade names the mistakes of shaders and pictures", "[cli][shade
     CHECK(rows[1]["hint"] == "Mind, the sign.");
     CHECK(rows[1]["pixel"].size() == 2);
     CHECK(rows[2]["mistake"] == "unnormalized_light");
+    CHECK(rows[2]["text"].get<std::string>().find(" Look in your program for l = unit(light - p).") !=
+          std::string::npos);
     CHECK(rows[2]["points"] == 0);
     CHECK(rows[3]["verdict"] == "does not compile");
     CHECK(rows[3]["points"] == 1);
