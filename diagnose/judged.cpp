@@ -92,9 +92,7 @@ void judge_by_power(Judged& none, const Exhibit& exhibit, DisplayChange change) 
 
 /// Whether it supposes that colours were encoded twice, and decoded again.
 bool encodes_and_decodes(const Judged& j) {
-    const auto encodes = [](std::size_t m) { return mistake_names()[m].flag == &Mistakes::encoded_twice; };
-    return j.change.encodings() < 0 &&
-           std::any_of(j.explanation.mistakes.begin(), j.explanation.mistakes.end(), encodes);
+    return j.change.encodings() < 0 && j.explanation.makes(&Mistakes::encoded_twice);
 }
 
 /// Whether two changes encode otherwise, or brighten by clearly other gains.
@@ -402,7 +400,7 @@ void believe(std::vector<Judged>& all, const Exhibit& exhibit, const Drawing& ri
         const bool is_of_right = j.explanation.kind == ExplanationKind::Right;
         j.is_right = is_of_right || look_alike(exhibit, j.drawing, right);
         j.is_lossy =
-            !j.score.fits() && (is_of_right || shows_blocks(exhibit, j)) && means_fit(exhibit, j, 20);
+            !j.score.fits() && means_fit(exhibit, j, 20) && (is_of_right || shows_blocks(exhibit, j));
         const bool fits = j.score.fits() || j.is_lossy;
         j.is_almost = !fits && (is_of_right ? is_nearly_right(j)
                                             : fits_almost(j, none) && stands_alone(j, all, exhibit));

@@ -4,6 +4,7 @@
 
 #include "renderer/lighting/display.h"
 #include "renderer/renderer.h"
+#include "renderer/shade/lighting.h"
 
 namespace glint {
 
@@ -56,8 +57,7 @@ Picture draw_scoped(Renderer& renderer, const Scene& scene, PictureSize size, in
     }
     const Picture& everywhere = renderer.render(wrong, size, true, samples);  // explain() refers to it
     if (!scope.is_of_light()) edited = everywhere.linear;
-    const Display& display = scene.display;
-    const DisplayJob job{display.exposure, display.transfer == Transfer::Srgb};
+    const DisplayJob job = display_job(scene.display, {});
     for (std::size_t i = 0; i < size.pixels(); ++i) {
         const int x = static_cast<int>(i % std::size_t(size.width));
         const int y = static_cast<int>(i / std::size_t(size.width));

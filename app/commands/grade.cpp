@@ -52,10 +52,7 @@ void add_diagnosis(GradeRow& row, const DiagnosedPicture& diagnosed, const Scene
     row["size"] = {found["width"], found["height"]};
     row["picture_html"] = html_image(diagnosed.thumbnail, "as submitted");
     const Json* const candidates = find_member(found, "candidates");
-    const Verdict verdict = diagnosed.diagnosis.verdict;
-    const bool is_named = verdict != Verdict::NoMistake && verdict != Verdict::NotInCatalogue &&
-                          verdict != Verdict::NotComparable && verdict != Verdict::NotReadable;
-    if (!is_named || candidates == nullptr || candidates->empty()) return;
+    if (!is_explained(diagnosed.diagnosis.verdict) || candidates == nullptr || candidates->empty()) return;
     const Json& first = (*candidates)[0];
     row["mistake"] = first["name"];
     for (const char* key : {"also", "pixel", "mine", "reference"}) row[key] = first[key];

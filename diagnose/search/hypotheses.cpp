@@ -58,12 +58,6 @@ std::vector<DisplayChange> all_changes(const std::array<bool, 4>& turns, bool is
     return all;
 }
 
-/// Whether a supposition encodes the levels, if the scene does not.
-bool encodes(const Supposition& e) {
-    return std::any_of(e.mistakes.begin(), e.mistakes.end(),
-                       [](std::size_t m) { return mistake_names()[m].flag == &Mistakes::encoded_twice; });
-}
-
 struct CostedChange {
     DisplayChange change;
     double cost = 0;
@@ -226,7 +220,7 @@ class Search {
         if (!usual_.empty()) to.push_back(as_usual(e));
     }
     [[nodiscard]] const std::vector<DisplayChange>& changes_for(const Supposition& e) const {
-        return encodes(e) ? encoded_changes_ : changes_;
+        return e.makes(&Mistakes::encoded_twice) ? encoded_changes_ : changes_;
     }
     void progress(std::size_t done, std::size_t all) const {
         if (job_.progress) job_.progress(done, all);
@@ -234,7 +228,7 @@ class Search {
 
     Drawings& drawings_;
     const SearchJob& job_;
-    std::vector<DisplayChange> changes_, encoded_changes_;  // the latter of what encodes()
+    std::vector<DisplayChange> changes_, encoded_changes_;  // the latter where levels are encoded
     std::optional<Sample> sample_, few_;                    // few_: a part of it, for many explanations
     CostBound bound_;
     std::vector<Drawn> kept_;              // the likeliest so far, the plain right one first
@@ -611,9 +605,10 @@ void Search::try_pairs() {
 void Search::try_same() {
     const Supposition best = std::min_element(kept_.begin(), kept_.end(), is_cheaper)->explanation;
     if (!is_explained() || best.kind == ExplanationKind::Right || best.conventions.empty()) return;
+    const std::vector<Convention> of_best = conventions_in(best);
     std::vector<Supposition> batch = singles();
     for (Supposition& e : batch)
-        for (const Convention& c : conventions_in(best)) e = with_convention(e, c);
+        for (const Convention& c : of_best) e = with_convention(e, c);
     (void)take_likely(std::move(batch));
 }
 

@@ -63,6 +63,11 @@ Scene Supposition::applied(const Scene& right) const {
     return scene;
 }
 
+bool Supposition::makes(bool Mistakes::*flag) const {
+    return std::any_of(mistakes.begin(), mistakes.end(),
+                       [flag](std::size_t m) { return mistake_names()[m].flag == flag; });
+}
+
 bool Supposition::is_axes_form() const {
     return kind == ExplanationKind::Mistake &&
            mistake_names()[mistakes.front()].flag == &Mistakes::normals_axes_exchanged;
@@ -121,17 +126,13 @@ std::span<const ConventionName> convention_names() {
 
 std::vector<Convention> conventions_of(const Scene& scene) {
     std::vector<Convention> all;
-    const auto add_mistake = [&all](std::string_view name, const std::string& words, bool is_usual,
-                                    int form) {
-        for (std::size_t i = 0; i < mistake_names().size(); ++i)
-            if (mistake_names()[i].name == name) {
-                const Supposition e = mistake_edit(i, form);
-                all.push_back({e.name, words, e.set, e.edits.front(), is_usual});
-            }
+    const auto add_mistake = [&all](std::size_t mistake, const std::string& words, bool is_usual, int form) {
+        const Supposition e = mistake_edit(mistake, form);
+        all.push_back({e.name, words, e.set, e.edits.front(), is_usual});
     };
-    add_mistake("specular_behind_surface", "it does not test n·l before the highlight; that is common", true,
-                0);
-    add_mistake("interpolated_lengths",
+    add_mistake(mistake_index(&Mistakes::specular_behind_surface),
+                "it does not test n·l before the highlight; that is common", true, 0);
+    add_mistake(mistake_index(&Mistakes::interpolated_lengths),
                 "its normals are not unit at the corners and made unit at the pixel; that is common", true,
                 0);
     const bool local = !scene.shading.local_viewer;
@@ -158,12 +159,10 @@ std::vector<Convention> conventions_of(const Scene& scene) {
                            for (Object& o : s.objects) o.normals.weighting = weighting;
                        }});
     }
-    const auto normalized = std::find_if(mistake_names().begin(), mistake_names().end(), [](const auto& m) {
-        return m.flag == &Mistakes::highlight_normalized;
-    });
-    for (int form = 0; form < form_count(*normalized); ++form)
-        add_mistake(normalized->name, "it multiplies the highlight by " + form_words(*normalized, form),
-                    false, form);
+    const std::size_t normalized = mistake_index(&Mistakes::highlight_normalized);
+    const MistakeName& row = mistake_names()[normalized];
+    for (int form = 0; form < form_count(row); ++form)
+        add_mistake(normalized, "it multiplies the highlight by " + form_words(row, form), false, form);
     return all;
 }
 
@@ -400,11 +399,7 @@ std::vector<Supposition> mistake_edits() {
 
 std::vector<Supposition> all_lights_reversed(const Scene& scene) {
     constexpr int of_bulbs_with_cones = 2;  // form
-    const auto all = mistake_names();
-    const auto reversed = std::find_if(all.begin(), all.end(), [](const MistakeName& m) {
-        return m.flag == &Mistakes::light_direction_reversed;
-    });
-    Supposition e = mistake_edit(static_cast<std::size_t>(reversed - all.begin()), of_bulbs_with_cones);
+    Supposition e = mistake_edit(mistake_index(&Mistakes::light_direction_reversed), of_bulbs_with_cones);
     const std::size_t without = e.set.size();
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];

@@ -46,6 +46,8 @@ struct Supposition {
     /// Return the scene with the conventions alone, and with conventions and edit; they ignore `only`.
     [[nodiscard]] Scene program(const Scene& right) const;
     [[nodiscard]] Scene applied(const Scene& right) const;
+    /// Whether it is this mistake, or that together with others.
+    [[nodiscard]] bool makes(bool Mistakes::*flag) const;
     /// Whether it is normals_axes_exchanged, which has very many forms.
     [[nodiscard]] bool is_axes_form() const;
 };

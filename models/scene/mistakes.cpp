@@ -347,6 +347,12 @@ constexpr std::array names{
 
 std::span<const MistakeName> mistake_names() { return names; }
 
+std::size_t mistake_index(bool Mistakes::*flag) {
+    const auto at =
+        std::find_if(names.begin(), names.end(), [flag](const MistakeName& m) { return m.flag == flag; });
+    return static_cast<std::size_t>(at - names.begin());
+}
+
 int form_count(const MistakeName& mistake) {
     if (mistake.flag == &Mistakes::normals_axes_exchanged) return axes_forms;
     return 1 + static_cast<int>(std::count(mistake.forms.begin(), mistake.forms.end(), '|'));

@@ -45,6 +45,8 @@ struct MistakeName {
 
 /// All of them, in the order of struct Mistakes.
 [[nodiscard]] std::span<const MistakeName> mistake_names();
+/// The index of a switch in mistake_names().
+[[nodiscard]] std::size_t mistake_index(bool Mistakes::*flag);
 
 /// The number of forms of a mistake, at least 1, and the name of one of them; empty if it has only one.
 [[nodiscard]] int form_count(const MistakeName& mistake);
