@@ -1,8 +1,6 @@
 #pragma once
-// Finds the polygons that meet at each edge. Built from the polygon list on demand (for counting, creases,
-// silhouettes), never for plain drawing. Connectivity is OpenMesh's half-edge structure. Cases that it cannot
-// represent (an edge of three faces, two fans at one vertex, ...) are split there and joined again here, so
-// that every edge of every polygon is reported. All indices are those of the original Mesh.
+// Finds the polygons that meet at each edge, however many. Built from the polygon list on demand (for
+// counting, creases, silhouettes), never for plain drawing.
 
 #include <array>
 #include <cstddef>
@@ -31,8 +29,8 @@ struct Topology {
     }
 };
 
-/// Finds the edges between places (Mesh::place_of()). Degenerate polygons are included; a side from a place
-/// to itself is not an edge. Time: about linear (n log n in the cases that OpenMesh cannot represent).
+/// Finds the edges between places (Mesh::place_of()), in the order of their first corners. Degenerate
+/// polygons are included; a side from a place to itself is not an edge. Time: about linear, at most n log n.
 [[nodiscard]] Topology make_topology(const Mesh& mesh);
 
 /// The corner after `corner` around polygon `face`; the first corner after the last one.
