@@ -99,11 +99,9 @@ float rounded_to(float value, int digits) {
 
 bool Fit::fit(const FreeNumber& number, Supposition& found) {
     constexpr double scanned = 0.75, fitted = 0.15;
-    Scene copy = scene_;
-    const float* const given = number.at(copy);
-    const float v = number.scales_three ? std::max({given[0], given[1], given[2]}) : *given;
+    const float v = value_in(scene_, number);
     std::vector<float> values;
-    if (number.is_signed) {
+    if (number.is_signed()) {
         for (const float d : {0.25f, 0.5f, 1.0f, 2.0f, 4.0f}) values.insert(values.end(), {v - d, v + d});
         values.insert(values.end(), {-v, 0.0f});
     } else if (v == 0) {

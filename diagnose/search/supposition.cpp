@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "models/fields/choices.h"
+#include "models/fields/scene_fields.h"
 #include "models/scene/mistakes.h"
 
 namespace glint {
@@ -30,8 +31,6 @@ Supposition edit_of(ExplanationKind kind, double belief, std::string name, std::
     e.edits.push_back(std::move(edit));
     return e;
 }
-
-std::string light_name(const Scene& scene, std::size_t i) { return scene.lights[i].name; }
 
 }  // namespace
 
@@ -126,15 +125,14 @@ std::span<const ConventionName> convention_names() {
 
 std::vector<Convention> conventions_of(const Scene& scene) {
     std::vector<Convention> all;
-    const auto add_mistake = [&all](std::size_t mistake, const std::string& words, bool is_usual, int form) {
+    const auto add_mistake = [&all](std::size_t mistake, const std::string& words, int form) {
         const Supposition e = mistake_edit(mistake, form);
-        all.push_back({e.name, words, e.set, e.edits.front(), is_usual});
+        all.push_back({e.name, words, e.set, e.edits.front()});
     };
     add_mistake(mistake_index(&Mistakes::specular_behind_surface),
-                "it does not test n·l before the highlight; that is common", true, 0);
+                "it does not test n·l before the highlight; that is common", 0);
     add_mistake(mistake_index(&Mistakes::interpolated_lengths),
-                "its normals are not unit at the corners and made unit at the pixel; that is common", true,
-                0);
+                "its normals are not unit at the corners and made unit at the pixel; that is common", 0);
     const bool local = !scene.shading.local_viewer;
     all.push_back({"local_viewer",
                    local ? "its viewer is at the eye" : "its viewer is infinitely far away",
@@ -162,7 +160,7 @@ std::vector<Convention> conventions_of(const Scene& scene) {
     const std::size_t normalized = mistake_index(&Mistakes::highlight_normalized);
     const MistakeName& row = mistake_names()[normalized];
     for (int form = 0; form < form_count(row); ++form)
-        add_mistake(normalized, "it multiplies the highlight by " + form_words(row, form), false, form);
+        add_mistake(normalized, "it multiplies the highlight by " + form_words(row, form), form);
     return all;
 }
 
@@ -239,7 +237,7 @@ void add_lights_left_out(std::vector<Supposition>& all, const Scene& scene) {
         std::string names;
         for (const std::size_t i : off) {
             set.push_back(fmt::format("/lights/{}/enabled=false", i));
-            names += (names.empty() ? "" : ", ") + light_name(scene, i);
+            names += (names.empty() ? "" : ", ") + scene.lights[i].name;
         }
         const bool whole = off.size() == on.size();
         const double more =
@@ -269,7 +267,7 @@ void add_lights_left_out(std::vector<Supposition>& all, const Scene& scene) {
                                   }));
         }
     };
-    for (const std::size_t i : on) add_terms_of(light_name(scene, i), {i}, 0.2);
+    for (const std::size_t i : on) add_terms_of(scene.lights[i].name, {i}, 0.2);
     for (const LightKind kind :
          {LightKind::Directional, LightKind::Point, LightKind::Spot, LightKind::Area}) {
         std::vector<std::size_t> of_kind;
@@ -483,119 +481,102 @@ std::string words_of(const MistakeScope& only, const Scene& scene) {
 
 namespace {
 
-std::string json_of_floats(const float* numbers, int count) {
-    if (count == 1) return fmt::format("{}", *numbers);
-    std::string text = "[";
-    for (int i = 0; i < count; ++i) text += fmt::format("{}{}", i > 0 ? "," : "", numbers[i]);
-    return text + "]";
+/// The numbers of the JSON value that holds it.
+std::vector<float*> numbers_at(Scene& scene, const FreeNumber& number) {
+    std::vector<float*> all;
+    all.reserve(static_cast<std::size_t>(number.size));
+    for (int i = 0; i < number.size; ++i)
+        all.push_back(
+            number_at(scene, number.pointer + (number.size == 1 ? "" : fmt::format("/{}", i)))->place);
+    return all;
 }
 
-/// Collects numbers: a vector's components one by one, a colour also scaled as one.
-class Numbers {
-  public:
-    std::vector<FreeNumber> all;
-    int object = -1;
-
-    void add(const std::string& pointer, float least, float most, const std::function<float*(Scene&)>& at,
-             bool is_signed = false) {
-        all.push_back({pointer, object, is_signed, least, most, at, value_of(at, 1), false});
-    }
-    void add_vector(const std::string& pointer, float least, float most, bool is_signed, int count,
-                    const std::function<float*(Scene&)>& at) {
-        const bool is_color = !is_signed;
-        if (is_color) all.push_back({pointer, object, false, least, most, at, value_of(at, count), true});
-        for (int i = 0; i < 3; ++i)
-            all.push_back({pointer, object, is_signed, least, most, [at, i](Scene& s) { return at(s) + i; },
-                           value_of(at, count), false});
-    }
-
-  private:
-    static std::function<std::string(const Scene&)> value_of(const std::function<float*(Scene&)>& at,
-                                                             int count) {
-        return [at, count](const Scene& s) {
-            Scene copy = s;
-            return json_of_floats(at(copy), count);
-        };
-    }
-};
-
-void add_material(Numbers& n, std::size_t i, const Scene& scene) {
-    const std::string at = fmt::format("/objects/{}/material/", i);
-    const auto member = [i](auto Material::*m) {
-        return [i, m](Scene& s) { return reinterpret_cast<float*>(&(s.objects[i].material.*m)); };
-    };
-    n.object = static_cast<int>(i);
-    n.add_vector(at + "diffuse", 0, 1, false, 3, member(&Material::diffuse));
-    n.add_vector(at + "specular", 0, 1, false, 3, member(&Material::specular));
-    n.add_vector(at + "ambient", 0, 1, false, 3, member(&Material::ambient));
-    n.add_vector(at + "emission", 0, 10, false, 3, member(&Material::emission));
-    const ReflectionInfo& info = info_of(scene.shading.reflection);
-    if (info.uses_shininess()) n.add(at + "shininess", 0, 10'000, member(&Material::shininess));
-    if (info.uses_roughness) n.add(at + "roughness", 0, 1, member(&Material::roughness));
-    if (info.uses_f0) n.add_vector(at + "f0", 0, 1, false, 3, member(&Material::f0));
-    n.object = -1;
-}
-
-void add_light(Numbers& n, std::size_t i, const Light& light) {
-    if (!light.enabled) return;
-    const std::string at = fmt::format("/lights/{}/", i);
-    const auto of = [i](const auto& member) { return [i, member](Scene& s) { return member(s.lights[i]); }; };
-    n.add(at + "intensity", 0, 1e6f, of([](Light& l) { return &l.intensity; }));
-    n.add_vector(at + "diffuse", 0, 1e6f, false, 3, of([](Light& l) { return &l.diffuse.x; }));
-    n.add_vector(at + "specular", 0, 1e6f, false, 3, of([](Light& l) { return &l.specular.x; }));
-    n.add_vector(at + "ambient", 0, 1e6f, false, 3, of([](Light& l) { return &l.ambient.x; }));
-    n.add_vector(at + "position", -1e6f, 1e6f, true, 4, of([](Light& l) { return &l.position.x; }));
-    if (light.kind == LightKind::Directional || light.kind == LightKind::Area) return;
-    n.add(at + "falloff/constant", 0, 1e6f, of([](Light& l) { return &l.falloff.constant; }));
-    n.add(at + "falloff/linear", 0, 1e6f, of([](Light& l) { return &l.falloff.linear; }));
-    n.add(at + "falloff/quadratic", 0, 1e6f, of([](Light& l) { return &l.falloff.quadratic; }));
-    if (light.kind != LightKind::Spot) return;
-    n.add(at + "spot/cutoff_deg", 1, 90, of([](Light& l) { return &l.spot.cutoff_deg; }));
-    n.add(at + "spot/inner_deg", 0, 90, of([](Light& l) { return &l.spot.inner_deg; }));
-    n.add(at + "spot/exponent", 0, 128, of([](Light& l) { return &l.spot.exponent; }));
-    n.add_vector(at + "spot/direction", -1e6f, 1e6f, true, 3,
-                 of([](Light& l) { return &l.spot.direction.x; }));
+std::string json_of(Scene scene, const FreeNumber& number) {
+    std::string text;
+    for (const float* x : numbers_at(scene, number)) text += fmt::format("{}{}", text.empty() ? "" : ",", *x);
+    return number.size == 1 ? text : "[" + text + "]";
 }
 
 }  // namespace
 
 std::vector<FreeNumber> free_numbers(const Scene& scene) {
     constexpr std::size_t few = 24;
-    Numbers n;
-    for (std::size_t i = 0; i < std::min(few, scene.objects.size()); ++i) add_material(n, i, scene);
-    if (scene.objects.size() > 1 && info_of(scene.shading.reflection).uses_shininess()) {
-        n.add("shininess of all objects", 0, 10'000,
-              [](Scene& s) { return &s.objects[0].material.shininess; });
-        n.all.back().is_of_all = true;
+    std::vector<FreeNumber> all;
+    const auto add = [&all](FreeNumber number) {
+        const bool is_color = number.size == 3 && !number.is_signed();
+        for (int i = is_color ? FreeNumber::all_three : 0; i < std::min(number.size, 3); ++i) {
+            number.component = i;
+            all.push_back(number);
+        }
+    };
+    const ReflectionInfo& info = info_of(scene.shading.reflection);
+    for (std::size_t i = 0; i < std::min(few, scene.objects.size()); ++i) {
+        const auto of_material = [&](const char* key, int size, float most) {
+            add({fmt::format("/objects/{}/material/{}", i, key), size, 0, most, static_cast<int>(i)});
+        };
+        of_material("diffuse", 3, 1);
+        of_material("specular", 3, 1);
+        of_material("ambient", 3, 1);
+        of_material("emission", 3, 10);
+        if (info.uses_shininess()) of_material("shininess", 1, 10'000);
+        if (info.uses_roughness) of_material("roughness", 1, 1);
+        if (info.uses_f0) of_material("f0", 3, 1);
     }
-    for (std::size_t i = 0; i < std::min(few, scene.lights.size()); ++i) add_light(n, i, scene.lights[i]);
-    n.add_vector("/global_ambient", 0, 1e6f, false, 3, [](Scene& s) { return &s.global_ambient.x; });
-    return n.all;
+    if (scene.objects.size() > 1 && info.uses_shininess()) {
+        add({"/objects/0/material/shininess", 1, 0, 10'000});
+        all.back().is_of_all = true;
+    }
+    for (std::size_t i = 0; i < std::min(few, scene.lights.size()); ++i) {
+        const Light& light = scene.lights[i];
+        if (!light.enabled) continue;
+        const auto of_light = [&](const char* key, int size = 1, float least = 0, float most = 1e6f) {
+            add({fmt::format("/lights/{}/{}", i, key), size, least, most});
+        };
+        of_light("intensity");
+        for (const char* key : {"diffuse", "specular", "ambient"}) of_light(key, 3);
+        of_light("position", 4, -1e6f);
+        if (light.kind == LightKind::Directional || light.kind == LightKind::Area) continue;
+        for (const char* key : {"falloff/constant", "falloff/linear", "falloff/quadratic"}) of_light(key);
+        if (light.kind != LightKind::Spot) continue;
+        of_light("spot/cutoff_deg", 1, 1, 90);
+        of_light("spot/inner_deg", 1, 0, 90);
+        of_light("spot/exponent", 1, 0, 128);
+        of_light("spot/direction", 3, -1e6f);
+    }
+    add({"/global_ambient", 3});
+    return all;
+}
+
+float value_in(Scene scene, const FreeNumber& number) {
+    const std::vector<float*> at = numbers_at(scene, number);
+    return number.scales_three() ? std::max({*at[0], *at[1], *at[2]})
+                                 : *at[static_cast<std::size_t>(number.component)];
 }
 
 void set_number(Scene& scene, const FreeNumber& number, float value) {
-    float* const at = number.at(scene);
-    if (!number.scales_three) {
-        *at = std::clamp(value, number.least, number.most);
-        if (number.is_of_all)
-            for (Object& o : scene.objects) o.material.shininess = *at;
+    const std::vector<float*> at = numbers_at(scene, number);
+    const auto allowed = [&number](float x) { return std::clamp(x, number.least, number.most); };
+    if (number.scales_three()) {
+        const float largest = std::max({*at[0], *at[1], *at[2]});
+        for (float* x : at) *x = largest > 0 ? allowed(*x / largest * value) : value;
         return;
     }
-    const float largest = std::max({at[0], at[1], at[2]});
-    for (int i = 0; i < 3; ++i)
-        at[i] = largest > 0 ? std::clamp(at[i] / largest * value, number.least, number.most) : value;
+    *at[static_cast<std::size_t>(number.component)] = allowed(value);
+    for (std::size_t i = 0; number.is_of_all && i < scene.objects.size(); ++i)
+        scene.objects[i].material.shininess = *at[0];
 }
 
 Supposition number_edit(const FreeNumber& number, float value, const Scene& scene) {
     Scene edited = scene;
     set_number(edited, number, value);
-    const std::string given = number.json(scene), fits = number.json(edited);
+    const std::string given = json_of(scene, number), fits = json_of(edited, number);
+    const std::string name = number.is_of_all ? "shininess of all objects" : number.pointer;
     std::vector<std::string> set;
     for (std::size_t i = 0; number.is_of_all && i < scene.objects.size(); ++i)
         set.push_back(fmt::format("/objects/{}/material/shininess={}", i, fits));
     if (set.empty()) set.push_back(fmt::format("{}={}", number.pointer, fits));
-    return edit_of(ExplanationKind::Number, of_number, number.pointer,
-                   fmt::format("Your picture fits {} {}; the scene has {}.", number.pointer, fits, given),
+    return edit_of(ExplanationKind::Number, of_number, name,
+                   fmt::format("Your picture fits {} {}; the scene has {}.", name, fits, given),
                    std::move(set), [number, value](Scene& s) { set_number(s, number, value); });
 }
 

@@ -58,8 +58,7 @@ struct Convention {
     std::string words;
     std::vector<std::string> set;
     SceneEdit edit;
-    bool usual = false;  // tried together with every edit
-    double cost = 0.3;   // of believing it; 0 if the user declared it
+    double cost = 0.3;  // of believing it; 0 if the user declared it
 };
 /// A convention as a user declares it; it may select several of conventions_of().
 struct ConventionName {
@@ -85,17 +84,20 @@ struct ConventionName {
 
 /// A number of the scene that may differ in a program.
 struct FreeNumber {
-    std::string pointer;                            // of the JSON value that holds it
-    int object = -1;                                // the only object that it changes; -1: any
-    bool is_signed = false;                         // a coordinate
-    float least = 0, most = 1e6f;                   // its range
-    std::function<float*(Scene&)> at;               // one component
-    std::function<std::string(const Scene&)> json;  // the value to set
-    bool scales_three = false;                      // `at` is the first of three, which keep their ratios
-    bool is_of_all = false;                         // the shininess of all objects; `at` is that of the first
+    static constexpr int all_three = -1;
+    std::string pointer;           // of the JSON value that holds it
+    int size = 1;                  // how many numbers that value holds
+    float least = 0, most = 1e6f;  // its range
+    int object = -1;               // the only object that it changes; -1: any
+    int component = 0;             // of the value; all_three: a colour's, which keep their ratios
+    bool is_of_all = false;        // the shininess of all objects; `pointer` is that of the first
+    [[nodiscard]] bool is_signed() const { return least < 0; }  // a coordinate
+    [[nodiscard]] bool scales_three() const { return component == all_three; }
 };
 [[nodiscard]] std::vector<FreeNumber> free_numbers(const Scene& scene);
 [[nodiscard]] Supposition number_edit(const FreeNumber& number, float value, const Scene& scene);
+/// The number; the largest of three.
+[[nodiscard]] float value_in(Scene scene, const FreeNumber& number);
 /// Sets the number, clamped to its range.
 void set_number(Scene& scene, const FreeNumber& number, float value);
 
