@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "diagnose/search/hypotheses.h"
-#include "diagnose/search/softness.h"
+#include "diagnose/search/score.h"
 #include "models/scene/mistakes.h"
 
 namespace glint {

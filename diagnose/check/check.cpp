@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/check/readings.h"
-#include "diagnose/search/comparable.h"
+#include "diagnose/search/probes.h"
 #include "diagnose/search/supposition.h"
 #include "models/json/json.h"
 #include "renderer/threads.h"

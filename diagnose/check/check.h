@@ -2,6 +2,7 @@
 // Compares the buffers of another renderer with ours, from geometry to colour: the first one that differs
 // shows where the mistake is made. For vectors, it names the transform that would repair them.
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -41,5 +42,58 @@ struct BufferCheck {
 /// The result as text, and as JSON.
 [[nodiscard]] std::string check_text(const BufferCheck& check);
 [[nodiscard]] std::string check_json(const BufferCheck& check);
+
+// Recognises the numbers in a wrong buffer: the right ones in a different frame, reversed, or with a
+// different length.
+
+/// One lit point from which a pixel's value is blended: a vertex, or the pixel's own point. Camera
+/// coordinates.
+struct ReadAt {
+    double weight = 1;  // in the pixel's blend
+    glm::dvec3 position{0}, normal{0}, view{0};
+    glm::dvec3 to_light{0};               // unit; 0 if the buffer does not belong to a light
+    double distance = 0;                  // to the light; 0: it is directional
+    glm::dvec3 falloff{1, 0, 0};          // of the light: constant, linear, quadratic
+    glm::dvec3 axis{0};                   // of its cone
+    double cutoff_deg = 0, exponent = 0;  // of its cone
+    glm::dmat4 world_from_object{1};
+};
+
+/// One pixel of a wrong buffer.
+struct ReadPoint {
+    glm::vec3 mine{0}, ours{0};  // the buffer's value, and the right one
+    std::vector<ReadAt> at;      // the blended points
+};
+
+struct CheckFrames {
+    glm::dmat4 view_from_world{1}, clip_from_view{1};
+};
+
+/// The kind of numbers in a buffer.
+enum class BufferKind {
+    Point,
+    Depth,
+    Normal,
+    View,
+    ToLight,
+    Cosine,
+    Distance,
+    Falloff,
+    Cone,
+    Mirrored,
+    Halfway,
+    Diffuse,
+    Color
+};
+/// Returns the kind of a buffer by its name: ToLight for "l_3".
+[[nodiscard]] BufferKind buffer_kind(const std::string& name);
+/// The index of the light in a buffer's name: 3 for "l_3" and "n_dot_l_3"; -1 for a buffer that does not
+/// belong to one light.
+[[nodiscard]] int buffer_light(const std::string& name);
+
+/// Describes the numbers that the buffer has in place of the right ones: "ours times V transposed: they were
+/// left in world coordinates". Empty if no description fits nearly all of them.
+[[nodiscard]] std::string reading_of(BufferKind kind, const std::vector<ReadPoint>& points,
+                                     const CheckFrames& frames);
 
 }  // namespace glint

@@ -1,5 +1,3 @@
-#include "diagnose/check/readings.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "diagnose/check/check.h"
 #include "models/scene/mistakes.h"
 
 namespace glint {

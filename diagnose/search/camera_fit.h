@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/search/comparable.h"
+#include "diagnose/search/probes.h"
 
 namespace glint {
 

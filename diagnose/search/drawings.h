@@ -1,5 +1,5 @@
 #pragma once
-// Draws the scene under explanations: the complete picture, or probes only.
+// Draws the scene under explanations: the complete picture, or probes only. Fits numbers to a picture.
 
 #include <map>
 #include <string>
@@ -53,5 +53,10 @@ class Drawings {
 /// Returns the RGBA bytes of linear colours, to which the exposure has not been applied.
 [[nodiscard]] std::vector<std::uint8_t> bytes_of_linear(const std::vector<float>& linear,
                                                         const Display& display);
+
+/// Returns the edits of one number under which the scene is much nearer to `wrong`, the levels at the probes.
+[[nodiscard]] std::vector<Supposition> fitted_numbers(Drawings& drawings, const std::vector<Probe>& probes,
+                                                      const ProbeLevels& wrong,
+                                                      const std::vector<Convention>& conventions);
 
 }  // namespace glint

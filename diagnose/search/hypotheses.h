@@ -44,9 +44,4 @@ struct SearchJob {
 /// others are sorted by cost.
 [[nodiscard]] std::vector<Hypothesis> likely_hypotheses(Drawings& drawings, const SearchJob& job);
 
-/// Returns the edits of one number under which the scene is much nearer to `wrong`, the levels at the probes.
-[[nodiscard]] std::vector<Supposition> fitted_numbers(Drawings& drawings, const std::vector<Probe>& probes,
-                                                      const ProbeLevels& wrong,
-                                                      const std::vector<Convention>& conventions);
-
 }  // namespace glint

@@ -129,14 +129,6 @@ struct GltfMaterial {
 /// without a material uses an empty JSON object.
 [[nodiscard]] GltfMaterial material_of(const Node& node);
 
-/// The inverse: the base colour and the metalness that give the material's diffuse colour and f0; nothing if
-/// no such pair exists.
-struct GltfMetal {
-    glm::vec3 base;
-    float metal;  // 0 to 1
-};
-[[nodiscard]] std::optional<GltfMetal> metal_of(const Material& material);
-
 /// A spot's cone as glTF's two angles, in radians: brightness is constant within the inner one and 0 outside
 /// the outer one. A spot with an exponent and a hard edge gets a soft edge with the same brightness half-way
 /// between the cosines of its two angles, if such an edge exists.
@@ -161,72 +153,8 @@ struct GltfCamera {
 [[nodiscard]] Light light_from(const Node& light, const std::string& name, const glm::dmat4& placed,
                                LightSpace space, bool& has_bad_cone);
 
-// Features of a glTF file that a scene cannot express, and vice versa.
-
-/// Counts the items of each kind that were left out.
-struct GltfLeftOut {
-    std::size_t textures = 0, blended = 0, skins = 0, animations = 0, morphs = 0, lines = 0, sparse = 0,
-                colours = 0, emissions = 0, instances = 0, cones = 0;
-    std::size_t cameras = 0, sheared = 0, flat = 0, far = 0, lights = 0, ranges = 0;
-};
-/// Returns one warning, with its count, for each kind of missing object.
-[[nodiscard]] Warnings said_objects(const GltfLeftOut& left);
-/// Returns one warning for each kind, missing objects included.
-[[nodiscard]] Warnings said(const GltfLeftOut& left);
-
-/// Features of a scene that glTF cannot express.
-struct GltfUnsaid {
-    bool frustum = false, mirroring = false, angle = false;  // of the camera
-    std::size_t invisible = 0, empty = 0, colours = 0;       // objects
-    std::size_t materials = 0, bright = 0;
-    std::size_t off = 0, areas = 0, falloffs = 0, cones = 0, ambients = 0, speculars = 0;  // lights
-};
-/// Returns one warning, with its count, for each kind, and one for each lost feature of the scene itself.
-[[nodiscard]] Warnings said(const GltfUnsaid& unsaid, const Scene& scene);
-
-// Parts of the .glb writer: the binary chunk, cameras and lights. Inside models/gltf/ only.
-
-[[nodiscard]] Json numbers_json(const glm::vec3& v);
-
 /// Builds a .glb file from its two chunks, which are below 4 GiB in total.
 [[nodiscard]] std::string glb_container(std::string_view json, std::string_view bin);
-
-/// Identifies the stored data of an object's mesh: objects with equal keys share it.
-using GltfMeshKey = std::pair<NormalsKey, bool>;  // and NormalOptions::flip
-[[nodiscard]] GltfMeshKey mesh_key(const Object& object);
-
-/// Collects the data of meshes, with the buffer views and accessors that locate it.
-class GltfBuffer {
-  public:
-    /// Adds the object's mesh with the normals used to draw it (`flip` reverses them). Returns the accessors
-    /// as the members "attributes" and "indices" of a primitive. Precondition: the object's mesh is loaded.
-    [[nodiscard]] Json add(const Object& object);
-    [[nodiscard]] const std::string& bytes() const { return bytes_; }
-    [[nodiscard]] const Json& views() const { return views_; }
-    [[nodiscard]] const Json& accessors() const { return accessors_; }
-
-  private:
-    int add_vectors(const std::vector<glm::vec3>& vectors, bool with_bounds);
-    int add_indices(const std::vector<std::uint32_t>& indices);
-    int add_view(std::size_t begin, int target);
-
-    std::string bytes_;
-    Json views_ = Json::array(), accessors_ = Json::array();
-};
-
-// The camera and lights of a scene, converted to glTF.
-
-/// An element of "cameras".
-[[nodiscard]] Json camera_json(const Projection& projection, GltfUnsaid& unsaid);
-/// The members that place a node at the camera.
-[[nodiscard]] Json camera_matrix(const Camera& camera);
-
-/// An element of "lights". Precondition: it is not an area light. Throws ProblemFound with `pointer` (the
-/// light's pointer) if its intensity exceeds the reader's limit.
-[[nodiscard]] Json light_json(const Light& light, const Camera& camera, const std::string& pointer,
-                              GltfUnsaid& unsaid);
-/// The node of light number `index`, in the light's space.
-[[nodiscard]] Json light_node(const Light& light, std::size_t index);
 
 // The nodes of a glTF file and the items that they refer to. Inside models/gltf/ only.
 

@@ -241,29 +241,6 @@ Light light_from(const Node& node, const std::string& name, const glm::dmat4& pl
     return light;
 }
 
-std::optional<GltfMetal> metal_of(const Material& m) {
-    constexpr float close = 2e-3f;
-    const auto fits = [&](const GltfMetal& tried) {
-        const glm::vec3 diffuse = (1 - tried.metal) * tried.base;
-        const glm::vec3 f0 = glm::vec3(0.04f * (1 - tried.metal)) + tried.metal * tried.base;
-        const glm::vec3 off = glm::max(glm::abs(diffuse - m.diffuse), glm::abs(f0 - m.f0));
-        return std::max({off.x, off.y, off.z}) < close;
-    };
-    // diffuse + f0 = base + 0.04 (1 - metal). With base = diffuse/(1 - metal), the sum of the channels gives
-    // a quadratic equation in 1 - metal.
-    const double d = m.diffuse.x + m.diffuse.y + m.diffuse.z, f = m.f0.x + m.f0.y + m.f0.z;
-    const double half = (d + f) / 0.24;  // 0.12 k^2 - (d + f) k + d = 0, k = 1 - metal
-    const double root = half * half - d / 0.12;
-    for (const double k :
-         {half - std::sqrt(std::max(root, 0.0)), 1.0, 0.0, half + std::sqrt(std::max(root, 0.0))}) {
-        if (!(k >= -1e-6 && k <= 1 + 1e-6)) continue;
-        const auto share = static_cast<float>(std::clamp(k, 0.0, 1.0));
-        const GltfMetal tried{share < 1e-4f ? m.f0 : m.diffuse / share, share < 1e-4f ? 1 : 1 - share};
-        if (fits(tried)) return tried;
-    }
-    return {};
-}
-
 std::size_t count_of(const Node& root, std::string_view list) {
     const Json& all = root.value();
     return all.contains(list) && all[list].is_array() ? all[list].size() : 0;

@@ -24,6 +24,318 @@
 namespace glint {
 namespace {
 
+/// Features of a scene that glTF cannot express.
+struct GltfUnsaid {
+    bool frustum = false, mirroring = false, angle = false;  // of the camera
+    std::size_t invisible = 0, empty = 0, colours = 0;       // objects
+    std::size_t materials = 0, bright = 0;
+    std::size_t off = 0, areas = 0, falloffs = 0, cones = 0, ambients = 0, speculars = 0;  // lights
+};
+void say_camera(const GltfUnsaid& unsaid, Warnings& w) {
+    if (unsaid.frustum) w.emplace_back("the frustum is written as a view whose middle is straight ahead");
+    if (unsaid.mirroring)
+        w.emplace_back(
+            "the frustum mirrors the picture (left above right, or bottom above top), which is left out");
+    if (unsaid.angle)
+        w.emplace_back("the angle of view is beyond what glTF can express: the nearest is written");
+}
+
+void say_whole(const Scene& scene, Warnings& w) {
+    if (scene.shading.reflection != Reflection::CookTorrance)
+        w.emplace_back(
+            "the reflection model is written as metal and roughness (cook-torrance), the nearest that "
+            "glTF has");
+    if (scene.display.transfer != Transfer::Srgb)
+        w.emplace_back("glTF's pictures are encoded (sRGB): they are brighter than this scene's");
+    if (scene.global_ambient != glm::vec3(0))
+        w.emplace_back("the ambient light is left out, which glTF does not have");
+    if (scene.transport != Transport{}) w.emplace_back("/transport is left out, which glTF does not have");
+}
+
+/// Settings other than the model that affect how faces are drawn and lit, and that glTF cannot express.
+void say_shading(const Scene& scene, Warnings& w) {
+    const Shading &now = scene.shading, read;
+    std::string names;
+    const auto add = [&names](bool differs, const char* name) {
+        if (differs) names += std::string(names.empty() ? "" : ", ") + name;
+    };
+    add(now.mode != read.mode, "mode");
+    add(now.interpolation != read.interpolation, "interpolation");
+    add(now.local_viewer != read.local_viewer, "local_viewer");
+    add(now.cull != read.cull, "cull");
+    add(now.terms != read.terms, "terms");
+    add(now.power_table != read.power_table, "power_table");
+    add(now.mistakes != read.mistakes, "mistakes");
+    if (!names.empty()) w.push_back("glTF has no words for these of /shading, which are left out: " + names);
+    if (scene.npr.cool_to_warm || scene.npr.silhouettes || scene.npr.creases)
+        w.emplace_back("cool-to-warm shading and strokes are left out, which glTF does not have");
+}
+
+void say_lights(const GltfUnsaid& unsaid, Warnings& w) {
+    warn(w, unsaid.off, "light that is off is left out", "lights that are off are left out");
+    warn(w, unsaid.areas, "area light is left out", "area lights are left out");
+    warn(w, unsaid.falloffs,
+         "light does not fall off with the square of the distance: only at the camera's target is it as "
+         "bright as here",
+         "lights do not fall off with the square of the distance: only at the camera's target are they as "
+         "bright as here");
+    warn(w, unsaid.cones, "spot has an exponent, which glTF does not have: a soft edge is written",
+         "spots have exponents, which glTF does not have: soft edges are written");
+    warn(w, unsaid.ambients, "light has an ambient colour, which is left out",
+         "lights have ambient colours, which are left out");
+    warn(w, unsaid.speculars, "light has highlights of another colour, which is left out",
+         "lights have highlights of other colours, which are left out");
+}
+
+/// Returns one warning, with its count, for each kind, and one for each lost feature of the scene itself.
+Warnings said(const GltfUnsaid& unsaid, const Scene& scene) {
+    Warnings w;
+    say_camera(unsaid, w);
+    say_whole(scene, w);
+    say_shading(scene, w);
+    if (scene.shading.reflection == Reflection::CookTorrance)
+        warn(w, unsaid.materials, "material has colours that no metal has: its diffuse colour is kept",
+             "materials have colours that no metal has: their diffuse colours are kept");
+    warn(w, unsaid.bright, "material reflects more light than it gets: its colour is clamped to 1",
+         "materials reflect more light than they get: their colours end at 1");
+    say_lights(unsaid, w);
+    warn(w, unsaid.invisible, "invisible object is left out", "invisible objects are left out");
+    warn(w, unsaid.colours, "mesh has colours of vertices, which are left out",
+         "meshes have colours of vertices, which are left out");
+    warn(w, unsaid.empty, "object without a triangle is left out", "objects without a triangle are left out");
+    return w;
+}
+
+// OpenGL's constants.
+constexpr int vertex_data = 34962, index_data = 34963, of_floats = 5126, of_unsigned_ints = 5125;
+
+void append(std::string& bytes, std::uint32_t bits) {
+    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(bits >> (8 * i) & 0xFF);
+}
+
+Json numbers_json(const glm::vec3& v) {
+    return Json::array({number_json(v.x), number_json(v.y), number_json(v.z)});
+}
+
+/// Identifies the stored data of an object's mesh: objects with equal keys share it.
+using GltfMeshKey = std::pair<NormalsKey, bool>;  // and NormalOptions::flip
+GltfMeshKey mesh_key(const Object& object) { return {normals_key(object), object.normals.flip}; }
+
+/// Collects the data of meshes, with the buffer views and accessors that locate it.
+class GltfBuffer {
+  public:
+    /// Adds the object's mesh with the normals used to draw it (`flip` reverses them). Returns the accessors
+    /// as the members "attributes" and "indices" of a primitive. Precondition: the object's mesh is loaded.
+    [[nodiscard]] Json add(const Object& object) {
+        const Mesh& mesh = *object.mesh;
+        const CornerNormals normals = corner_normals(mesh, object.normals);
+        // A vertex is a position with a normal.
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;
+        std::vector<glm::vec3> places, directions;
+        std::vector<std::uint32_t> indices;
+        indices.reserve(3 * mesh.triangles.size());
+        for (const Triangle& triangle : mesh.triangles)
+            for (const std::uint32_t corner : triangle.corner) {
+                const std::uint32_t position = mesh.corner_position[corner];
+                const std::uint32_t normal = normals.corner.empty() ? position : normals.corner[corner];
+                const auto [at, is_new] = known.emplace(std::pair(position, normal), places.size());
+                if (is_new) {
+                    places.push_back(mesh.positions[position]);
+                    directions.push_back((object.normals.flip ? -1.0f : 1.0f) * normals.normals[normal]);
+                }
+                indices.push_back(at->second);
+            }
+        const int place = add_vectors(places, true), direction = add_vectors(directions, false);
+        return {{"attributes", {{"POSITION", place}, {"NORMAL", direction}}},
+                {"indices", add_indices(indices)}};
+    }
+    [[nodiscard]] const std::string& bytes() const { return bytes_; }
+    [[nodiscard]] const Json& views() const { return views_; }
+    [[nodiscard]] const Json& accessors() const { return accessors_; }
+
+  private:
+    int add_view(std::size_t begin, int target) {
+        views_.push_back({{"buffer", 0},
+                          {"byteOffset", begin},
+                          {"byteLength", bytes_.size() - begin},
+                          {"target", target}});
+        return static_cast<int>(views_.size()) - 1;
+    }
+
+    int add_vectors(const std::vector<glm::vec3>& vectors, bool with_bounds) {
+        const std::size_t begin = bytes_.size();
+        glm::vec3 low(vectors.front()), high(low);
+        for (const glm::vec3& v : vectors) {
+            for (int i = 0; i < 3; ++i) append(bytes_, std::bit_cast<std::uint32_t>(v[i]));
+            low = glm::min(low, v);
+            high = glm::max(high, v);
+        }
+        Json accessor{{"bufferView", add_view(begin, vertex_data)},
+                      {"componentType", of_floats},
+                      {"count", vectors.size()},
+                      {"type", "VEC3"}};
+        if (with_bounds) {
+            accessor["min"] = numbers_json(low);
+            accessor["max"] = numbers_json(high);
+        }
+        accessors_.push_back(accessor);
+        return static_cast<int>(accessors_.size()) - 1;
+    }
+
+    int add_indices(const std::vector<std::uint32_t>& indices) {
+        const std::size_t begin = bytes_.size();
+        for (const std::uint32_t i : indices) append(bytes_, i);
+        accessors_.push_back({{"bufferView", add_view(begin, index_data)},
+                              {"componentType", of_unsigned_ints},
+                              {"count", indices.size()},
+                              {"type", "SCALAR"}});
+        return static_cast<int>(accessors_.size()) - 1;
+    }
+
+    std::string bytes_;
+    Json views_ = Json::array(), accessors_ = Json::array();
+};
+
+/// The inverse of reading a material: the base colour and the metalness that give the material's diffuse
+/// colour and f0; nothing if no such pair exists.
+struct GltfMetal {
+    glm::vec3 base;
+    float metal;  // 0 to 1
+};
+std::optional<GltfMetal> metal_of(const Material& m) {
+    constexpr float close = 2e-3f;
+    const auto fits = [&](const GltfMetal& tried) {
+        const glm::vec3 diffuse = (1 - tried.metal) * tried.base;
+        const glm::vec3 f0 = glm::vec3(0.04f * (1 - tried.metal)) + tried.metal * tried.base;
+        const glm::vec3 off = glm::max(glm::abs(diffuse - m.diffuse), glm::abs(f0 - m.f0));
+        return std::max({off.x, off.y, off.z}) < close;
+    };
+    // diffuse + f0 = base + 0.04 (1 - metal). With base = diffuse/(1 - metal), the sum of the channels gives
+    // a quadratic equation in 1 - metal.
+    const double d = m.diffuse.x + m.diffuse.y + m.diffuse.z, f = m.f0.x + m.f0.y + m.f0.z;
+    const double half = (d + f) / 0.24;  // 0.12 k^2 - (d + f) k + d = 0, k = 1 - metal
+    const double root = half * half - d / 0.12;
+    for (const double k :
+         {half - std::sqrt(std::max(root, 0.0)), 1.0, 0.0, half + std::sqrt(std::max(root, 0.0))}) {
+        if (!(k >= -1e-6 && k <= 1 + 1e-6)) continue;
+        const auto share = static_cast<float>(std::clamp(k, 0.0, 1.0));
+        const GltfMetal tried{share < 1e-4f ? m.f0 : m.diffuse / share, share < 1e-4f ? 1 : 1 - share};
+        if (fits(tried)) return tried;
+    }
+    return {};
+}
+
+/// The rotation that turns (0, 0, 1) into the unit vector `to`.
+glm::dquat turn_from_z(const glm::dvec3& to) {
+    if (to.z < -1 + 1e-12) return {0, 1, 0, 0};  // half a turn about x
+    return glm::normalize(glm::dquat(1 + to.z, -to.y, to.x, 0));
+}
+
+Json planes_json(const Projection& projection) {
+    return {{"znear", number_json(near_of(projection))}, {"zfar", number_json(far_of(projection))}};
+}
+
+/// The vertical angle in radians, clamped so that it stays above 0 and below pi as a float.
+double yfov_of(const Projection& projection, GltfUnsaid& unsaid) {
+    double angle = 0;
+    if (const auto* f = std::get_if<Frustum>(&projection)) {
+        const double height = std::abs(static_cast<double>(f->top) - static_cast<double>(f->bottom));
+        angle = 2 * std::atan(height / (2 * static_cast<double>(f->near)));
+        unsaid.frustum = true;
+        unsaid.mirroring = f->left > f->right || f->bottom > f->top;
+    } else {
+        angle = glm::radians(static_cast<double>(std::get<Perspective>(projection).fov_y_deg));
+    }
+    constexpr double least = std::numeric_limits<float>::denorm_min();
+    const double most = std::nextafter(std::numbers::pi_v<float>, 0.0f);
+    unsaid.angle = angle < least || angle > most;
+    return std::clamp(angle, least, most);
+}
+
+/// The divisor of a light's colour and the factor of its intensity: colours in glTF are at most 1.
+float color_scale(const Light& light) {
+    return std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
+}
+
+/// The intensity that makes a glTF light as bright as this light at the camera's target. A glTF light falls
+/// off with the square of the distance.
+double intensity_of(const Light& light, const Camera& camera, GltfUnsaid& unsaid) {
+    const double i =
+        static_cast<double>(light.intensity) * static_cast<double>(color_scale(light)) * std::numbers::pi;
+    if (light.kind == LightKind::Directional) return i;
+    const auto& f = light.falloff;
+    if (f.constant == 0 && f.linear == 0) return i / static_cast<double>(f.quadratic);
+    ++unsaid.falloffs;
+    const glm::dvec4 place(light.position);
+    const glm::dvec3 in_world(light.space == LightSpace::World ? place : world_from_view(camera) * place);
+    const double r = std::max(glm::distance(in_world, glm::dvec3(camera.target)), 1e-3);
+    return i * r * r /
+           (static_cast<double>(f.constant) +
+            r * (static_cast<double>(f.linear) + r * static_cast<double>(f.quadratic)));
+}
+
+/// An element of "cameras".
+Json camera_json(const Projection& projection, GltfUnsaid& unsaid) {
+    Json lens = planes_json(projection);
+    const auto* o = std::get_if<Orthographic>(&projection);
+    if (o == nullptr) {
+        lens["yfov"] = yfov_of(projection, unsaid);
+        return {{"type", "perspective"}, {"perspective", lens}};
+    }
+    const float half = std::max(o->height / 2, std::numeric_limits<float>::denorm_min());
+    lens["xmag"] = number_json(half * 16 / 9);
+    lens["ymag"] = number_json(half);
+    return {{"type", "orthographic"}, {"orthographic", lens}};
+}
+
+/// The members that place a node at the camera.
+Json camera_matrix(const Camera& camera) {
+    const glm::dmat4 m = world_from_view(camera);
+    Json matrix = Json::array();
+    for (int i = 0; i < 12; ++i) matrix.push_back(m[i / 4][i % 4]);
+    for (int i = 0; i < 3; ++i) matrix.push_back(number_json(camera.eye[i]));
+    matrix.push_back(1);
+    return matrix;
+}
+
+/// An element of "lights". Precondition: it is not an area light. Throws ProblemFound with `pointer` (the
+/// light's pointer) if its intensity exceeds the reader's limit.
+Json light_json(const Light& light, const Camera& camera, const std::string& pointer, GltfUnsaid& unsaid) {
+    // Without a cone a spot shines everywhere, as a point light does.
+    const bool is_spot = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
+    const double intensity = intensity_of(light, camera, unsaid);
+    if (!at_least_zero.contains(intensity))
+        throw ProblemFound({"", pointer, fmt::format("in glTF's units its intensity is {:.3g}", intensity),
+                            "at most 1e7: a light that is dimmer, or nearer to the camera's target"});
+    Json out{{"name", light.name},
+             {"type", light.kind == LightKind::Directional ? "directional"
+                      : is_spot                            ? "spot"
+                                                           : "point"},
+             {"color", numbers_json(light.diffuse / color_scale(light))},
+             {"intensity", intensity}};
+    if (is_spot) {
+        const GltfCone cone = cone_of(light.spot);
+        out["spot"] = {{"innerConeAngle", cone.inner}, {"outerConeAngle", cone.outer}};
+        unsaid.cones += light.spot.exponent > 0 ? 1 : 0;
+    }
+    unsaid.ambients += light.ambient != glm::vec3(0) ? 1 : 0;
+    unsaid.speculars += light.specular != light.diffuse ? 1 : 0;
+    return out;
+}
+
+/// The node of light number `index`, in the light's space.
+Json light_node(const Light& light, std::size_t index) {
+    const bool is_sun = light.kind == LightKind::Directional;
+    const glm::dvec3 back =
+        glm::normalize(glm::dvec3(is_sun ? glm::vec3(light.position) : -light.spot.direction));
+    const glm::dquat q = turn_from_z(back);
+    Json node{{"name", light.name},
+              {"rotation", {q.x, q.y, q.z, q.w}},
+              {"extensions", {{"KHR_lights_punctual", {{"light", index}}}}}};
+    if (!is_sun) node["translation"] = numbers_json(glm::vec3(light.position));
+    return node;
+}
+
 constexpr const char* strength_extension = "KHR_materials_emissive_strength";
 
 class Writer {
@@ -151,6 +463,26 @@ class Writer {
 
 }  // namespace
 
+std::string glb_container(std::string_view json, std::string_view bin) {
+    const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
+    const std::size_t length = 12 + 8 + padded(json.size()) + (bin.empty() ? 0 : 8 + padded(bin.size()));
+    std::string out;
+    out.reserve(length);
+    const auto number = [&out](std::size_t n) { append(out, static_cast<std::uint32_t>(n)); };
+    const auto chunk = [&](std::string_view type, std::string_view content, char filler) {
+        number(padded(content.size()));
+        out += type;
+        out += content;
+        out.append(padded(content.size()) - content.size(), filler);
+    };
+    out += "glTF";
+    number(2);
+    number(length);
+    chunk("JSON", json, ' ');
+    if (!bin.empty()) chunk({"BIN\0", 4}, bin, '\0');
+    return out;
+}
+
 Result<GltfWritten> unchecked_glb_of(const Scene& scene, const std::string& name) {
     std::set<GltfMeshKey> meshes;
     std::uint64_t bytes = 0, text = 0;
@@ -162,116 +494,6 @@ Result<GltfWritten> unchecked_glb_of(const Scene& scene, const std::string& name
     if (bytes + text > most)
         return Problem{"", "", "the meshes are too large for one .glb file", "less than 4 GiB"};
     return result_of("", [&] { return Writer(scene).write(name); });
-}
-
-namespace {
-
-/// The rotation that turns (0, 0, 1) into the unit vector `to`.
-glm::dquat turn_from_z(const glm::dvec3& to) {
-    if (to.z < -1 + 1e-12) return {0, 1, 0, 0};  // half a turn about x
-    return glm::normalize(glm::dquat(1 + to.z, -to.y, to.x, 0));
-}
-
-Json planes_json(const Projection& projection) {
-    return {{"znear", number_json(near_of(projection))}, {"zfar", number_json(far_of(projection))}};
-}
-
-/// The vertical angle in radians, clamped so that it stays above 0 and below pi as a float.
-double yfov_of(const Projection& projection, GltfUnsaid& unsaid) {
-    double angle = 0;
-    if (const auto* f = std::get_if<Frustum>(&projection)) {
-        const double height = std::abs(static_cast<double>(f->top) - static_cast<double>(f->bottom));
-        angle = 2 * std::atan(height / (2 * static_cast<double>(f->near)));
-        unsaid.frustum = true;
-        unsaid.mirroring = f->left > f->right || f->bottom > f->top;
-    } else {
-        angle = glm::radians(static_cast<double>(std::get<Perspective>(projection).fov_y_deg));
-    }
-    constexpr double least = std::numeric_limits<float>::denorm_min();
-    const double most = std::nextafter(std::numbers::pi_v<float>, 0.0f);
-    unsaid.angle = angle < least || angle > most;
-    return std::clamp(angle, least, most);
-}
-
-/// The divisor of a light's colour and the factor of its intensity: colours in glTF are at most 1.
-float color_scale(const Light& light) {
-    return std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
-}
-
-/// The intensity that makes a glTF light as bright as this light at the camera's target. A glTF light falls
-/// off with the square of the distance.
-double intensity_of(const Light& light, const Camera& camera, GltfUnsaid& unsaid) {
-    const double i =
-        static_cast<double>(light.intensity) * static_cast<double>(color_scale(light)) * std::numbers::pi;
-    if (light.kind == LightKind::Directional) return i;
-    const auto& f = light.falloff;
-    if (f.constant == 0 && f.linear == 0) return i / static_cast<double>(f.quadratic);
-    ++unsaid.falloffs;
-    const glm::dvec4 place(light.position);
-    const glm::dvec3 in_world(light.space == LightSpace::World ? place : world_from_view(camera) * place);
-    const double r = std::max(glm::distance(in_world, glm::dvec3(camera.target)), 1e-3);
-    return i * r * r /
-           (static_cast<double>(f.constant) +
-            r * (static_cast<double>(f.linear) + r * static_cast<double>(f.quadratic)));
-}
-
-}  // namespace
-
-Json camera_json(const Projection& projection, GltfUnsaid& unsaid) {
-    Json lens = planes_json(projection);
-    const auto* o = std::get_if<Orthographic>(&projection);
-    if (o == nullptr) {
-        lens["yfov"] = yfov_of(projection, unsaid);
-        return {{"type", "perspective"}, {"perspective", lens}};
-    }
-    const float half = std::max(o->height / 2, std::numeric_limits<float>::denorm_min());
-    lens["xmag"] = number_json(half * 16 / 9);
-    lens["ymag"] = number_json(half);
-    return {{"type", "orthographic"}, {"orthographic", lens}};
-}
-
-Json camera_matrix(const Camera& camera) {
-    const glm::dmat4 m = world_from_view(camera);
-    Json matrix = Json::array();
-    for (int i = 0; i < 12; ++i) matrix.push_back(m[i / 4][i % 4]);
-    for (int i = 0; i < 3; ++i) matrix.push_back(number_json(camera.eye[i]));
-    matrix.push_back(1);
-    return matrix;
-}
-
-Json light_json(const Light& light, const Camera& camera, const std::string& pointer, GltfUnsaid& unsaid) {
-    // Without a cone a spot shines everywhere, as a point light does.
-    const bool is_spot = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
-    const double intensity = intensity_of(light, camera, unsaid);
-    if (!at_least_zero.contains(intensity))
-        throw ProblemFound({"", pointer, fmt::format("in glTF's units its intensity is {:.3g}", intensity),
-                            "at most 1e7: a light that is dimmer, or nearer to the camera's target"});
-    Json out{{"name", light.name},
-             {"type", light.kind == LightKind::Directional ? "directional"
-                      : is_spot                            ? "spot"
-                                                           : "point"},
-             {"color", numbers_json(light.diffuse / color_scale(light))},
-             {"intensity", intensity}};
-    if (is_spot) {
-        const GltfCone cone = cone_of(light.spot);
-        out["spot"] = {{"innerConeAngle", cone.inner}, {"outerConeAngle", cone.outer}};
-        unsaid.cones += light.spot.exponent > 0 ? 1 : 0;
-    }
-    unsaid.ambients += light.ambient != glm::vec3(0) ? 1 : 0;
-    unsaid.speculars += light.specular != light.diffuse ? 1 : 0;
-    return out;
-}
-
-Json light_node(const Light& light, std::size_t index) {
-    const bool is_sun = light.kind == LightKind::Directional;
-    const glm::dvec3 back =
-        glm::normalize(glm::dvec3(is_sun ? glm::vec3(light.position) : -light.spot.direction));
-    const glm::dquat q = turn_from_z(back);
-    Json node{{"name", light.name},
-              {"rotation", {q.x, q.y, q.z, q.w}},
-              {"extensions", {{"KHR_lights_punctual", {{"light", index}}}}}};
-    if (!is_sun) node["translation"] = numbers_json(glm::vec3(light.position));
-    return node;
 }
 
 }  // namespace glint

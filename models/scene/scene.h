@@ -23,7 +23,6 @@
 #include "models/problem.h"
 #include "models/scene/camera.h"
 #include "models/scene/shading.h"
-#include "models/scene/transport.h"
 
 namespace glint {
 

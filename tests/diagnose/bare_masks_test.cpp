@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "diagnose/diagnose.h"
-#include "diagnose/search/comparable.h"
+#include "diagnose/search/probes.h"
 #include "diagnose/search/score.h"
 #include "models/scene/mistakes.h"
 #include "tests/diagnose/wrong_pictures.h"

@@ -7,7 +7,7 @@
 
 #include "diagnose/diagnose.h"
 #include "diagnose/diagnosis_format.h"
-#include "diagnose/search/softness.h"
+#include "diagnose/search/score.h"
 #include "tests/diagnose/wrong_pictures.h"
 #include "tests/support/catch.h"
 

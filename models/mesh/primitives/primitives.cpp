@@ -9,7 +9,6 @@
 #include <glm/vec2.hpp>
 #include <unordered_map>
 
-#include "models/mesh/primitives/primitive_builder.h"
 #include "models/numbers.h"
 
 namespace glint {

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
-#include "models/mesh/primitives/primitive_builder.h"
 #include "models/mesh/primitives/primitives.h"
 
 namespace glint {

@@ -2,87 +2,127 @@
 
 #include <fmt/core.h>
 
+// clang-format off
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+// These require the meshes above.
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+// clang-format on
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <optional>
 #include <queue>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "models/mesh/resolution/half_edges.h"
+#include "models/mesh/normals.h"
+#include "models/mesh/topology.h"
 #include "models/progress.h"
 
 namespace glint {
 namespace {
 
-/// The number of faces after that many steps: the first step gives one face per corner of a polygon (4 per
-/// triangle if all are triangles), each further step 4 per face.
-std::uint64_t faces_after(const Mesh& mesh, int steps) {
-    const bool triangles = mesh.corner_position.size() == 3 * mesh.face_count();
-    const std::uint64_t first = triangles ? 4 * mesh.face_count() : mesh.corner_position.size();
-    return first << 2 * (steps - 1);
-}
+// Half-edges of OpenMesh. If they cannot represent a vertex of the mesh (an edge of three faces, two fans at
+// one vertex, ...), they have several vertices for it.
 
-/// The largest number of corners of a face: subdividing makes this many faces meet at its centre.
-std::size_t most_corners(const Mesh& mesh) {
-    std::size_t most = 0;
-    for (std::size_t f = 0; f < mesh.face_count(); ++f)
-        most = std::max<std::size_t>(most, mesh.first_corner[f + 1] - mesh.first_corner[f]);
-    return most;
-}
+/// Positions in double, because each of the many steps rounds.
+struct DoublePlaces : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::Vec3d;
+    using Normal = OpenMesh::Vec3d;
+};
+using TriangleHalfEdges = OpenMesh::TriMesh_ArrayKernelT<DoublePlaces>;
+using PolygonHalfEdges = OpenMesh::PolyMesh_ArrayKernelT<DoublePlaces>;
 
-std::optional<Problem> too_many_around(const Mesh& mesh, const char* pointer) {
-    const std::size_t faces = most_faces_around(mesh), corners = most_corners(mesh);
-    if (std::max(faces, corners) <= max_faces_around) return std::nullopt;
-    return Problem{"", pointer,
-                   faces > max_faces_around ? fmt::format("{} faces meet at one vertex of the mesh", faces)
-                                            : fmt::format("a face of the mesh has {} corners", corners),
-                   fmt::format("at most {} for another resolution", max_faces_around)};
-}
-
-}  // namespace
-
-bool has_resolution(const Mesh& mesh, const MeshResolution& wanted) {
-    const bool few =
-        wanted.decimate == 0 || mesh.triangles.size() <= static_cast<std::size_t>(wanted.decimate);
-    return few && wanted.subdivide == 0;
-}
-
-Result<Mesh> with_resolution(const Mesh& mesh, const MeshResolution& wanted) {
-    const auto start = std::chrono::steady_clock::now();
-    const Mesh* from = &mesh;
-    Mesh made;
-    if (!has_resolution(mesh, {wanted.decimate, 0})) {
-        if (const auto problem = too_many_around(mesh, "/decimate")) return *problem;
-        made = decimated(mesh, static_cast<std::size_t>(wanted.decimate));
-        from = &made;
+/// The vertex of the half-edges at each corner.
+struct Fans {
+    std::vector<std::uint32_t> corner;    // #C, indices into `position`
+    std::vector<std::uint32_t> position;  // by vertex of the half-edges: index into Mesh::positions
+    std::vector<char> is_split;           // #V of the mesh: has several vertices here
+    std::size_t split_count = 0;          // the number of such vertices
+};
+/// Gives each fan of faces its own vertex, so that only manifold edges are joined. Precondition: no polygon
+/// has fewer than three corners or a vertex twice in a row.
+Fans fans_of(const Mesh& mesh) {
+    static const bool silent = (::omerr().disable(), true);  // it prints every face that it rejects
+    static_cast<void>(silent);
+    CreaseGroups groups = crease_groups(mesh, make_topology(mesh), 180);
+    Fans fans;
+    fans.position.resize(groups.count);
+    fans.is_split.resize(mesh.positions.size(), 0);
+    std::vector<std::uint32_t> first(mesh.positions.size(), no_index);
+    for (std::size_t c = 0; c < groups.group.size(); ++c) {
+        const std::uint32_t v = mesh.corner_position[c], fan = groups.group[c];
+        fans.position[fan] = v;
+        if (first[v] == no_index) first[v] = fan;
+        if (first[v] == fan || fans.is_split[v] != 0) continue;
+        fans.is_split[v] = 1;
+        ++fans.split_count;
     }
-    if (wanted.subdivide > 0) {
-        if (const auto problem = too_many_around(mesh, "/subdivide")) return *problem;
-        const std::uint64_t faces = faces_after(*from, wanted.subdivide);
-        if (faces > max_subdivided_faces)
-            return Problem{"", "/subdivide",
-                           fmt::format("subdivided {} times the mesh has {} faces", wanted.subdivide, faces),
-                           fmt::format("at most {}", max_subdivided_faces)};
-        made = subdivided(*from, wanted.subdivide);
+    fans.corner = std::move(groups.group);
+    return fans;
+}
+
+/// An unfinished mesh with the vertices of another, and no faces.
+Mesh with_vertices_of(const Mesh& mesh) {
+    Mesh out;
+    out.positions = mesh.positions;
+    out.colors = mesh.colors;
+    out.first_corner.push_back(0);
+    return out;
+}
+
+/// Adds a polygon without vertices that repeat the one before them, unless fewer than three are left.
+void add_polygon(Mesh& to, std::span<const std::uint32_t> vertices) {
+    const std::size_t begin = to.corner_position.size();
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        if (vertices[i] != vertices[(i + 1) % vertices.size()]) to.corner_position.push_back(vertices[i]);
+    if (to.corner_position.size() < begin + 3)
+        to.corner_position.resize(begin);
+    else
+        to.first_corner.push_back(static_cast<std::uint32_t>(to.corner_position.size()));
+}
+
+/// The maximum number of faces that meet at a vertex.
+std::size_t most_faces_around(const Mesh& mesh) {
+    std::vector<std::size_t> faces(mesh.positions.size(), 0);
+    for (const std::uint32_t v : mesh.corner_position) ++faces[v];
+    return faces.empty() ? 0 : *std::max_element(faces.begin(), faces.end());
+}
+
+/// Adds the faces of `mesh`; a face that half-edges reject gets vertices of its own, which are marked in
+/// `fans`. `place(v)` returns the position of the mesh's vertex v.
+template <class HalfEdges, class Place>
+void add_faces(const Mesh& mesh, Fans& fans, const Place& place, HalfEdges& to) {
+    using Handle = OpenMesh::VertexHandle;
+    to.reserve(fans.position.size(), mesh.corner_position.size(), mesh.face_count());
+    for (const std::uint32_t v : fans.position) to.add_vertex(place(v));
+    std::vector<Handle> corners;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        corners.clear();
+        for (std::uint32_t c = mesh.first_corner[f]; c < mesh.first_corner[f + 1]; ++c)
+            corners.emplace_back(static_cast<int>(fans.corner[c]));
+        std::vector<Handle> distinct = corners;
+        std::sort(distinct.begin(), distinct.end());
+        const bool holds = std::adjacent_find(distinct.begin(), distinct.end()) == distinct.end();
+        if (holds && to.add_face(corners.data(), corners.size()).is_valid()) continue;
+        for (Handle& corner : corners) {
+            const std::uint32_t v = fans.position[static_cast<std::size_t>(corner.idx())];
+            fans.split_count += fans.is_split[v] == 0 ? 1 : 0;
+            fans.is_split[v] = 1;
+            fans.position.push_back(v);
+            corner = to.add_vertex(place(v));
+        }
+        to.add_face(corners.data(), corners.size());
     }
-    finish_mesh(made);
-    made.given_triangles = mesh.triangles.size();
-    const auto time = std::chrono::steady_clock::now() - start;
-    made.load_ms = mesh.load_ms + std::chrono::duration<double, std::milli>(time).count();
-    return made;
 }
 
 // Subdivision: C. Loop, "Smooth Subdivision Surfaces Based on Triangles", 1987; E. Catmull and J. Clark,
 // "Recursively generated B-spline surfaces on arbitrary topological meshes", 1978.
-
-// These headers require OpenMesh's mesh.
-
-namespace {
 
 using OpenMesh::Subdivider::Uniform::CatmullClarkT;
 using OpenMesh::Subdivider::Uniform::LoopT;
@@ -148,35 +188,31 @@ template <class HalfEdges> void copy_faces(const HalfEdges& from, Mesh& to) {
 template <class HalfEdges, class Subdivider> Mesh subdivided_by(const Mesh& mesh, int times) {
     const Fans fans = fans_of(mesh);
     Mesh out;
-    {
+    const auto values_of = [&](const std::vector<glm::vec3>& values, bool with_faces) {
         HalfEdges half_edges;
         Fans split = fans;
         add_faces(
-            mesh, split, [&](std::uint32_t v) { return double_place(mesh.positions[v]); }, half_edges);
+            mesh, split, [&](std::uint32_t v) { return double_place(values[v]); }, half_edges);
         subdivide<Subdivider>(half_edges, times);
-        out.positions = places_in(half_edges);
-        copy_faces(half_edges, out);
-        warn(
-            out.warnings, split.split_count,
-            "vertex at an edge of three or more faces, or between several fans, was split by the subdivision",
-            "vertices at an edge of three or more faces, or between several fans, were split by the "
-            "subdivision");
-    }
-    if (!mesh.colors.empty()) {
-        HalfEdges half_edges;
-        Fans split = fans;
-        add_faces(
-            mesh, split, [&](std::uint32_t v) { return double_place(mesh.colors[v]); }, half_edges);
-        subdivide<Subdivider>(half_edges, times);
-        out.colors = places_in(half_edges);
-    }
+        if (with_faces) {
+            copy_faces(half_edges, out);
+            warn(out.warnings, split.split_count,
+                 "vertex at an edge of three or more faces, or between several fans, was split by the "
+                 "subdivision",
+                 "vertices at an edge of three or more faces, or between several fans, were split by the "
+                 "subdivision");
+        }
+        return places_in(half_edges);
+    };
+    out.positions = values_of(mesh.positions, true);
+    if (!mesh.colors.empty()) out.colors = values_of(mesh.colors, false);
     return out;
 }
 
-}  // namespace
-
+/// Precondition: times >= 1. Appends its warnings to those of the mesh, as decimated() does.
 Mesh subdivided(const Mesh& mesh, int times) {
-    const Mesh clean = without_repeated_corners(mesh);
+    Mesh clean = with_vertices_of(mesh);
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) add_polygon(clean, mesh.corners_of(f));
     bool triangles = true;
     for (std::size_t f = 0; f < clean.face_count(); ++f)
         triangles = triangles && clean.corners_of(f).size() == 3;
@@ -187,10 +223,6 @@ Mesh subdivided(const Mesh& mesh, int times) {
 }
 
 // Decimation: M. Garland and P. Heckbert, "Surface simplification using quadric error metrics", 1997.
-
-// This header requires OpenMesh's vectors.
-
-namespace {
 
 using HalfEdges = TriangleHalfEdges;
 using OpenMesh::HalfedgeHandle;
@@ -383,10 +415,14 @@ Mesh what_is_left(const Mesh& mesh, const Fans& fans, const HalfEdges& half_edge
     return out;
 }
 
-}  // namespace
-
+/// Precondition: the mesh has more triangles than `triangles`, which is 1 or more.
 Mesh decimated(const Mesh& mesh, std::size_t triangles) {
-    const Mesh cut = triangles_of(mesh);
+    Mesh cut = with_vertices_of(mesh);
+    for (const Triangle& triangle : mesh.triangles) {
+        std::array<std::uint32_t, 3> vertices{};
+        for (std::size_t i = 0; i < 3; ++i) vertices[i] = mesh.corner_position[triangle.corner[i]];
+        add_polygon(cut, vertices);
+    }
     Fans fans = fans_of(cut);
     // Positions are centred at the origin and scaled to within 1, so that no error is too large or too small
     // for a float.
@@ -413,6 +449,64 @@ Mesh decimated(const Mesh& mesh, std::size_t triangles) {
                         "no face turns over or becomes a needle",
                         out.face_count(), triangles, most_around));
     return out;
+}
+
+/// The number of faces after that many steps: the first step gives one face per corner of a polygon (4 per
+/// triangle if all are triangles), each further step 4 per face.
+std::uint64_t faces_after(const Mesh& mesh, int steps) {
+    const bool triangles = mesh.corner_position.size() == 3 * mesh.face_count();
+    const std::uint64_t first = triangles ? 4 * mesh.face_count() : mesh.corner_position.size();
+    return first << 2 * (steps - 1);
+}
+
+/// The largest number of corners of a face: subdividing makes this many faces meet at its centre.
+std::size_t most_corners(const Mesh& mesh) {
+    std::size_t most = 0;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        most = std::max<std::size_t>(most, mesh.first_corner[f + 1] - mesh.first_corner[f]);
+    return most;
+}
+
+std::optional<Problem> too_many_around(const Mesh& mesh, const char* pointer) {
+    const std::size_t faces = most_faces_around(mesh), corners = most_corners(mesh);
+    if (std::max(faces, corners) <= max_faces_around) return std::nullopt;
+    return Problem{"", pointer,
+                   faces > max_faces_around ? fmt::format("{} faces meet at one vertex of the mesh", faces)
+                                            : fmt::format("a face of the mesh has {} corners", corners),
+                   fmt::format("at most {} for another resolution", max_faces_around)};
+}
+
+}  // namespace
+
+bool has_resolution(const Mesh& mesh, const MeshResolution& wanted) {
+    const bool few =
+        wanted.decimate == 0 || mesh.triangles.size() <= static_cast<std::size_t>(wanted.decimate);
+    return few && wanted.subdivide == 0;
+}
+
+Result<Mesh> with_resolution(const Mesh& mesh, const MeshResolution& wanted) {
+    const auto start = std::chrono::steady_clock::now();
+    const Mesh* from = &mesh;
+    Mesh made;
+    if (!has_resolution(mesh, {wanted.decimate, 0})) {
+        if (const auto problem = too_many_around(mesh, "/decimate")) return *problem;
+        made = decimated(mesh, static_cast<std::size_t>(wanted.decimate));
+        from = &made;
+    }
+    if (wanted.subdivide > 0) {
+        if (const auto problem = too_many_around(mesh, "/subdivide")) return *problem;
+        const std::uint64_t faces = faces_after(*from, wanted.subdivide);
+        if (faces > max_subdivided_faces)
+            return Problem{"", "/subdivide",
+                           fmt::format("subdivided {} times the mesh has {} faces", wanted.subdivide, faces),
+                           fmt::format("at most {}", max_subdivided_faces)};
+        made = subdivided(*from, wanted.subdivide);
+    }
+    finish_mesh(made);
+    made.given_triangles = mesh.triangles.size();
+    const auto time = std::chrono::steady_clock::now() - start;
+    made.load_ms = mesh.load_ms + std::chrono::duration<double, std::milli>(time).count();
+    return made;
 }
 
 }  // namespace glint

@@ -43,12 +43,4 @@ inline constexpr std::size_t max_faces_around = 8192;
 /// Throws LoadCancelled (models/progress.h).
 [[nodiscard]] Result<Mesh> with_resolution(const Mesh& mesh, const MeshResolution& wanted);
 
-// The two steps of with_resolution(), for models/mesh/resolution/ only. Each appends its warnings to those of
-// the mesh.
-
-/// Precondition: the mesh has more triangles than `triangles`, which is 1 or more.
-[[nodiscard]] Mesh decimated(const Mesh& mesh, std::size_t triangles);
-/// Precondition: times >= 1.
-[[nodiscard]] Mesh subdivided(const Mesh& mesh, int times);
-
 }  // namespace glint

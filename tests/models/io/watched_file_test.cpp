@@ -1,9 +1,8 @@
-#include "models/io/watched_file.h"
-
 #include <filesystem>
 #include <fstream>
 
 #include "models/io/child_process.h"
+#include "models/io/file.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 

@@ -11,8 +11,8 @@
 #include <thread>
 #include <utility>
 
-#include "diagnose/arrived.h"
 #include "diagnose/diagnosis_format.h"
+#include "diagnose/search/display_change.h"
 #include "models/io/file.h"
 #include "renderer/image/image_file.h"
 #include "ui/commands/command.h"

@@ -11,7 +11,7 @@
 
 #include "diagnose/diagnose.h"
 #include "models/io/child_process.h"
-#include "models/io/watched_file.h"
+#include "models/io/file.h"
 #include "renderer/explain/explain.h"
 #include "renderer/renderer.h"
 #include "ui/document/file_dialog.h"

@@ -11,7 +11,7 @@
 #include "models/fields/scene_fields.h"
 #include "models/scene/reflection.h"
 #include "models/scene/scene.h"
-#include "models/scene/transport.h"
+#include "models/scene/shading.h"
 #include "renderer/explain/quantity.h"
 #include "ui/widgets/area.h"
 #include "ui/widgets/theme.h"
