@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "lessons/handout.h"
+#include "lessons/lesson_source.h"
 #include "models/utf8.h"
 #include "renderer/image/image_file.h"
 
@@ -56,58 +57,27 @@ float print_exposure(const Picture& picture) {
 
 /// Replaces characters that LaTeX's T1 encoding lacks.
 std::string latex_text(std::string_view text) {
-    // Pairs of a character and its command.
-    constexpr std::string_view signs[]{"°", "\\textdegree{}",
-                                       "·", "\\textperiodcentered{}",
-                                       "√", "\\ensuremath{\\surd}",
-                                       "²", "\\ensuremath{^2}",
-                                       "ⁿ", "\\ensuremath{^n}",
-                                       "ˢ", "\\ensuremath{^s}",
-                                       "α", "\\ensuremath{\\alpha}",
-                                       "β", "\\ensuremath{\\beta}",
-                                       "γ", "\\ensuremath{\\gamma}",
-                                       "δ", "\\ensuremath{\\delta}",
-                                       "ε", "\\ensuremath{\\varepsilon}",
-                                       "η", "\\ensuremath{\\eta}",
-                                       "λ", "\\ensuremath{\\lambda}",
-                                       "μ", "\\ensuremath{\\mu}",
-                                       "ρ", "\\ensuremath{\\rho}",
-                                       "τ", "\\ensuremath{\\tau}",
-                                       "φ", "\\ensuremath{\\varphi}",
-                                       "ψ", "\\ensuremath{\\psi}",
-                                       "ω", "\\ensuremath{\\omega}",
-                                       "Δ", "\\ensuremath{\\Delta}",
-                                       "Σ", "\\ensuremath{\\Sigma}",
-                                       "Φ", "\\ensuremath{\\Phi}",
-                                       "Ω", "\\ensuremath{\\Omega}",
-                                       "₀", "\\ensuremath{_0}",
-                                       "₁", "\\ensuremath{_1}",
-                                       "₂", "\\ensuremath{_2}",
-                                       "³", "\\ensuremath{^3}",
-                                       "⁴", "\\ensuremath{^4}",
-                                       "∞", "\\ensuremath{\\infty}",
-                                       "→", "\\ensuremath{\\to}",
-                                       "≈", "\\ensuremath{\\approx}",
-                                       "≠", "\\ensuremath{\\ne}",
-                                       "∠", "\\ensuremath{\\angle}",
-                                       "∥", "\\ensuremath{\\parallel}",
-                                       "±", "\\ensuremath{\\pm}",
-                                       "π", "\\ensuremath{\\pi}",
-                                       "θ", "\\ensuremath{\\theta}",
-                                       "σ", "\\ensuremath{\\sigma}",
-                                       "−", "\\ensuremath{-}",
-                                       "×", "\\ensuremath{\\times}",
-                                       "≤", "\\ensuremath{\\le}",
-                                       "≥", "\\ensuremath{\\ge}",
-                                       "…", "\\dots{}",
-                                       "–", "--",
-                                       "½", "\\ensuremath{\\frac12}"};
+    // Pairs of a character and its command, in mathematics and in text.
+    static const std::vector<std::string> math = words_of(
+        "√ \\surd ² ^2 ⁿ ^n ˢ ^s α \\alpha β \\beta γ \\gamma δ \\delta ε \\varepsilon η \\eta λ \\lambda μ "
+        "\\mu ρ \\rho τ \\tau φ \\varphi ψ \\psi ω \\omega Δ \\Delta Σ \\Sigma Φ \\Phi Ω \\Omega ₀ _0 ₁ _1 ₂ "
+        "_2 ³ ^3 ⁴ ^4 ∞ \\infty → \\to ≈ \\approx ≠ \\ne ∠ \\angle ∥ \\parallel ± \\pm π \\pi θ \\theta σ "
+        "\\sigma − - × \\times ≤ \\le ≥ \\ge ½ \\frac12");
+    static const std::vector<std::string> plain =
+        words_of("° \\textdegree{} · \\textperiodcentered{} … \\dots{} – --");
+    const auto command = [](const std::vector<std::string>& pairs, std::string_view letter) {
+        const auto found = std::find(pairs.begin(), pairs.end(), letter);
+        return found == pairs.end() ? std::string() : *(found + 1);
+    };
     const std::string escaped = with_indices(latex_escaped(text), "\\_", "{0}\\textsubscript{{{1}}}");
     std::string set;
     for (std::size_t at = 0; at < escaped.size();) {
         const std::string_view letter = first_characters(std::string_view(escaped).substr(at), 1);
-        const auto* const found = std::find(std::begin(signs), std::end(signs), letter);
-        set += letter.size() == 1 || found == std::end(signs) ? letter : *(found + 1);
+        const std::string in_math = command(math, letter), in_text = command(plain, letter);
+        if (letter.size() == 1 || (in_math.empty() && in_text.empty()))
+            set += letter;
+        else
+            set += in_math.empty() ? in_text : "\\ensuremath{" + in_math + "}";
         at += letter.size();
     }
     return set;

@@ -72,33 +72,20 @@ const Json& element_of(const Json& list, const Json& place) {
     return elements_of(list)[static_cast<std::size_t>(at)];
 }
 
-double arithmetic(char symbol, double a, double b) {
-    switch (symbol) {
-    case '+':
-        return a + b;
-    case '-':
-        return a - b;
-    case '*':
-        return a * b;
-    case '/':
-        return a / b;
-    default:
-        return std::pow(a, b);
-    }
-}
+using Operation = double (*)(double, double);
 
-Json arithmetic_of(char symbol, const Json& a, const Json& b) {
+Operation operation_of(char symbol) {
     switch (symbol) {
     case '+':
-        return combined(a, b, [](double x, double y) { return arithmetic('+', x, y); });
+        return [](double a, double b) { return a + b; };
     case '-':
-        return combined(a, b, [](double x, double y) { return arithmetic('-', x, y); });
+        return [](double a, double b) { return a - b; };
     case '*':
-        return combined(a, b, [](double x, double y) { return arithmetic('*', x, y); });
+        return [](double a, double b) { return a * b; };
     case '/':
-        return combined(a, b, [](double x, double y) { return arithmetic('/', x, y); });
+        return [](double a, double b) { return a / b; };
     default:
-        return combined(a, b, [](double x, double y) { return arithmetic('^', x, y); });
+        return [](double a, double b) { return std::pow(a, b); };
     }
 }
 
@@ -208,11 +195,10 @@ Json made_by(const ExpressionNode& node, const NamedValues& names) {
     case Kind::Element:
         break;  // handled by found_by()
     case Kind::Negate:
-        return combined(0.0, found_by(node.parts[0], names).value(),
-                        [](double a, double b) { return a - b; });
+        return combined(0.0, found_by(node.parts[0], names).value(), operation_of('-'));
     case Kind::Arithmetic:
-        return arithmetic_of(node.word[0], found_by(node.parts[0], names).value(),
-                             found_by(node.parts[1], names).value());
+        return combined(found_by(node.parts[0], names).value(), found_by(node.parts[1], names).value(),
+                        operation_of(node.word[0]));
     case Kind::Compare:
         return comparison_of(node, names);
     case Kind::And:
@@ -329,35 +315,16 @@ Json each(const Json& value, double (*f)(double)) {
     for (const Json& element : elements_of(value)) results.push_back(each(element, f));
     return Json(std::move(results));
 }
-/// Applies a function to each number of the argument.
-template <double (*f)(double)> Json of_each(const Values& v) { return each(v[0], f); }
-
-double magnitude(double x) { return std::abs(x); }
-double square_root(double x) { return std::sqrt(x); }
-double exponential(double x) { return std::exp(x); }
-double logarithm(double x) { return std::log(x); }
-double sine(double deg) { return std::sin(deg * degree); }
-double cosine(double deg) { return std::cos(deg * degree); }
-double tangent(double deg) { return std::tan(deg * degree); }
-double arc_sine(double x) { return std::asin(x) / degree; }
-double arc_cosine(double x) { return std::acos(x) / degree; }
-double arc_tangent(double x) { return std::atan(x) / degree; }
-double nearest_whole(double x) { return std::round(x); }
-
-double quotient(double a, double b) { return a / b; }
-double plus(double a, double b) { return a + b; }
-double times(double a, double b) { return a * b; }
-
 Json sum(const Json& list) {
     Json total(0.0);
-    for (const Json& element : as_list(list)) total = combined(total, element, plus);
+    for (const Json& element : as_list(list)) total = combined(total, element, operation_of('+'));
     return total;
 }
 
 double dot(const Json& a, const Json& b) {
     as_list(a);
     as_list(b);
-    return as_number(sum(combined(a, b, times)));
+    return as_number(sum(combined(a, b, operation_of('*'))));
 }
 
 double length(const Json& v) { return std::sqrt(dot(v, v)); }
@@ -413,29 +380,30 @@ Json part(const Values& v) {
 }
 
 Json mean(const Values& v) {
-    return combined(sum(v[0]), static_cast<double>(as_list(v[0]).size()), quotient);
+    return combined(sum(v[0]), static_cast<double>(as_list(v[0]).size()), operation_of('/'));
 }
 
 struct Function {
     std::string_view name;
     std::size_t least, most;  // minimum and maximum number of arguments
     Json (*value)(const Values& v);
+    double (*of_each)(double x) = nullptr;  // in place of `value`: is applied to each number
 };
 
 constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
 constexpr std::array functions{
-    Function{"abs", 1, 1, of_each<magnitude>},
-    Function{"sqrt", 1, 1, of_each<square_root>},
-    Function{"exp", 1, 1, of_each<exponential>},
-    Function{"log", 1, 1, of_each<logarithm>},
-    Function{"round", 1, 1, of_each<nearest_whole>},
-    Function{"sin", 1, 1, of_each<sine>},
-    Function{"cos", 1, 1, of_each<cosine>},
-    Function{"tan", 1, 1, of_each<tangent>},
-    Function{"asin", 1, 1, of_each<arc_sine>},
-    Function{"acos", 1, 1, of_each<arc_cosine>},
-    Function{"atan", 1, 1, of_each<arc_tangent>},
+    Function{"abs", 1, 1, nullptr, [](double x) { return std::abs(x); }},
+    Function{"sqrt", 1, 1, nullptr, [](double x) { return std::sqrt(x); }},
+    Function{"exp", 1, 1, nullptr, [](double x) { return std::exp(x); }},
+    Function{"log", 1, 1, nullptr, [](double x) { return std::log(x); }},
+    Function{"round", 1, 1, nullptr, [](double x) { return std::round(x); }},
+    Function{"sin", 1, 1, nullptr, [](double x) { return std::sin(x * degree); }},
+    Function{"cos", 1, 1, nullptr, [](double x) { return std::cos(x * degree); }},
+    Function{"tan", 1, 1, nullptr, [](double x) { return std::tan(x * degree); }},
+    Function{"asin", 1, 1, nullptr, [](double x) { return std::asin(x) / degree; }},
+    Function{"acos", 1, 1, nullptr, [](double x) { return std::acos(x) / degree; }},
+    Function{"atan", 1, 1, nullptr, [](double x) { return std::atan(x) / degree; }},
     Function{"pi", 0, 0, [](const Values&) { return Json(std::numbers::pi); }},
     Function{"count", 1, 1, [](const Values& v) { return Json(as_list(v[0]).size()); }},
     Function{"sum", 1, 1, [](const Values& v) { return sum(v[0]); }},
@@ -447,7 +415,7 @@ constexpr std::array functions{
     Function{"part", 3, 3, part},
     Function{"dot", 2, 2, [](const Values& v) { return Json(dot(v[0], v[1])); }},
     Function{"length", 1, 1, [](const Values& v) { return Json(length(v[0])); }},
-    Function{"unit", 1, 1, [](const Values& v) { return combined(v[0], length(v[0]), quotient); }},
+    Function{"unit", 1, 1, [](const Values& v) { return combined(v[0], length(v[0]), operation_of('/')); }},
     Function{"cross", 2, 2, [](const Values& v) { return cross(v[0], v[1]); }},
     Function{"mul", 2, 2, [](const Values& v) { return mul(v[0], v[1]); }},
 };
@@ -501,7 +469,7 @@ Json call_function(const std::string& name, const std::vector<Json>& arguments) 
     if (arguments.size() < f.least || arguments.size() > f.most)
         throw ExpressionProblem{name + "() is given " + std::to_string(arguments.size()) + " values",
                                 std::to_string(f.least) + (f.most == unlimited ? " at least" : "")};
-    return f.value(arguments);
+    return f.of_each != nullptr ? each(arguments[0], f.of_each) : f.value(arguments);
 }
 
 }  // namespace glint

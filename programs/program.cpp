@@ -76,22 +76,10 @@ std::optional<Need> lacking_in(Language language, const Scene& scene) {
     return lacking == needs.end() ? std::nullopt : std::optional(*lacking);
 }
 
-/// All words of a text, which names from the scene must not use.
+/// All words of a text, which names from the scene must not use, and those of the languages that are neither
+/// in small letters nor in capitals: Identifiers changes all others.
 Flags words_of(std::string_view text) {
-    Flags words{"Light",     "Material", "Object",   "alignas",  "and",       "asm",      "auto",
-                "bool",      "break",    "case",     "catch",    "char",      "class",    "const",
-                "constexpr", "continue", "def",      "default",  "del",       "delete",   "do",
-                "double",    "elif",     "else",     "enum",     "except",    "explicit", "extern",
-                "false",     "False",    "finally",  "float",    "for",       "friend",   "from",
-                "global",    "goto",     "if",       "import",   "in",        "inline",   "int",
-                "is",        "lambda",   "long",     "mutable",  "namespace", "new",      "None",
-                "nonlocal",  "not",      "operator", "or",       "pass",      "private",  "protected",
-                "public",    "raise",    "register", "return",   "short",     "signed",   "sizeof",
-                "static",    "struct",   "switch",   "template", "this",      "throw",    "true",
-                "True",      "try",      "typedef",  "typeid",   "typename",  "union",    "unsigned",
-                "using",     "virtual",  "void",     "volatile", "while",     "with",     "xor",
-                "yield",     "assert",   "async",    "await",    "linux",     "unix",     "j0",
-                "j1",        "jn",       "y0",       "y1",       "yn",        "gamma"};
+    Flags words{"Light", "Material", "Object", "False", "None", "True"};
     std::string word;
     for (const char c : text) {
         if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {

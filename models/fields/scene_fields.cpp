@@ -54,10 +54,11 @@ std::string in_a_sentence(std::string_view label) {
     return words;
 }
 
-/// Calls visit(SceneNumber, kind, member) for every float and int of a scene, or only for the one at `only`.
+/// Calls visit(SceneNumber, kind, member) for every float and int of a scene or a part of it, or only for the
+/// one at `only`; without `lists` not for lights and objects.
 template <class Visit> class NumberWalk {
   public:
-    NumberWalk(Visit& visit, const Tokens* only) : visit_(visit), only_(only) {}
+    NumberWalk(Visit& visit, const Tokens* only, bool lists) : visit_(visit), only_(only), lists_(lists) {}
 
     template <class T> void members(T& value) const {
         fields_with_defaults(value,
@@ -119,6 +120,7 @@ template <class Visit> class NumberWalk {
         std::visit([this](auto& s) { this->members(s); }, source);
     }
     template <class T, class D> void at(const List&, T& list, const D&) const {
+        if (!lists_) return;
         const int one = only_ != nullptr && depth_ < only_->size() ? index_of((*only_)[depth_]) : -1;
         const std::size_t first = one >= 0 ? static_cast<std::size_t>(one) : 0;
         const std::size_t last = only_ == nullptr ? list.size()
@@ -157,27 +159,34 @@ template <class Visit> class NumberWalk {
 
     Visit& visit_;
     const Tokens* only_;
+    bool lists_;
     std::size_t depth_ = 0;
     std::string pointer_, words_;
     const char* help_ = "";
     bool moves_faces_ = true, applies_ = true, is_w_ = false;
 };
 
-template <class AnyScene, class Visit> void walk(AnyScene& scene, const Tokens* only, Visit visit) {
-    NumberWalk<Visit>(visit, only).members(scene);
+template <class AnyScene, class Visit>
+void walk(AnyScene& scene, const Tokens* only, Visit visit, bool lists = true) {
+    NumberWalk<Visit>(visit, only, lists).members(scene);
 }
+
+bool is_allowed(const Real& kind, float x) { return kind.range.contains(x); }
+bool is_allowed(const Count& kind, int n) { return kind.contains(n); }
+std::string allowed_by(const Real& kind) { return std::string(kind.range.words); }
+std::string allowed_by(const Count& kind) { return words_of(kind); }
 
 /// Sets a number unless its kind forbids the value. A float may exceed a limit by the error of rounding that
 /// limit to a float.
 std::optional<Problem> assign(const Real& kind, float& to, double value) {
     const auto rounded = static_cast<float>(value);
     const bool contained = kind.range.contains(rounded) && (value == rounded || kind.range.contains(value));
-    if (!contained) return out_of_range(value, std::string(kind.range.words));
+    if (!contained) return out_of_range(value, allowed_by(kind));
     to = static_cast<float>(value);
     return std::nullopt;
 }
 std::optional<Problem> assign(const Count& kind, int& to, double value) {
-    if (!kind.contains(value)) return out_of_range(value, words_of(kind));
+    if (!kind.contains(value)) return out_of_range(value, allowed_by(kind));
     to = static_cast<int>(value);
     return std::nullopt;
 }
@@ -279,47 +288,16 @@ std::optional<Problem> below(std::string at, std::optional<Problem> violation) {
 }
 
 /// Finds the first number of a struct, nested structs included, that its kind does not allow. Skips lists.
-class RangeSearch {
-  public:
-    template <class T> static std::optional<Problem> in(const T& value) {
-        std::optional<Problem> found;
-        fields(value, [&found](const Row& row, const auto& kind, const auto& member) {
-            if (found) return;
-            found = at(kind, member);
-            if (found) found->pointer = fmt::format("/{}{}", row.key, found->pointer);
-        });
-        return found;
-    }
-
-  private:
-    using Found = std::optional<Problem>;
-
-    static Found at(const Real& kind, float x) {
-        if (kind.range.contains(x)) return {};
-        return out_of_range(x, std::string(kind.range.words));
-    }
-    static Found at(const Count& kind, int n) {
-        if (kind.contains(n)) return {};
-        return out_of_range(n, words_of(kind));
-    }
-    template <class Kind, int size> static Found parts(const Kind& kind, const glm::vec<size, float>& v) {
-        for (int i = 0; i < size; ++i)
-            if (Found found = at(component_of(kind), v[i]))
-                return below(fmt::format("/{}", i), std::move(found));
-        return {};
-    }
-    static Found at(const Colour& kind, const glm::vec3& v) { return parts(kind, v); }
-    static Found at(const Vector& kind, const glm::vec3& v) { return parts(kind, v); }
-    static Found at(const Homogeneous& kind, const glm::vec4& v) { return parts(kind, v); }
-    template <class T> static Found at(const Group&, const T& value) { return in(value); }
-    static Found at(const OneProjection&, const Projection& projection) {
-        return std::visit([](const auto& p) { return in(p); }, projection);
-    }
-    static Found at(const OneMesh&, const MeshSource& source) {
-        return std::visit([](const auto& s) { return in(s); }, source);
-    }
-    template <class Kind, class T> static Found at(const Kind&, const T&) { return {}; }
-};
+template <class T> std::optional<Problem> range_violation(const T& value) {
+    std::optional<Problem> found;
+    const auto check = [&found](const SceneNumber& number, const auto& kind, const auto& x) {
+        if (found || is_allowed(kind, x)) return;
+        found = out_of_range(x, allowed_by(kind));
+        found->pointer = number.pointer;
+    };
+    walk(value, nullptr, check, false);
+    return found;
+}
 
 template <class T> std::optional<Problem> any_violation_of(const T& value) {
     if (auto found = violation_of(value)) return found;
@@ -408,10 +386,10 @@ std::optional<Problem> violation_of(const Scene& scene) {
     return std::nullopt;
 }
 
-std::optional<Problem> violation_of_ranges(const Camera& camera) { return RangeSearch::in(camera); }
-std::optional<Problem> violation_of_ranges(const Light& light) { return RangeSearch::in(light); }
-std::optional<Problem> violation_of_ranges(const Object& object) { return RangeSearch::in(object); }
-std::optional<Problem> violation_of_ranges(const Scene& scene) { return RangeSearch::in(scene); }
+std::optional<Problem> violation_of_ranges(const Camera& camera) { return range_violation(camera); }
+std::optional<Problem> violation_of_ranges(const Light& light) { return range_violation(light); }
+std::optional<Problem> violation_of_ranges(const Object& object) { return range_violation(object); }
+std::optional<Problem> violation_of_ranges(const Scene& scene) { return range_violation(scene); }
 
 std::optional<Problem> violation_since(const Scene& valid, const Scene& now) {
     if (auto found = violation_of(now.camera)) return below("/camera", std::move(found));
