@@ -269,11 +269,7 @@ std::vector<double> numbers_in(std::string_view all, bool angles) {
 Result<Shown> answer_shown(LessonRunner& runner, const Lesson& lesson, const Prediction& question,
                            const RightAnswer& right, const StudentPage& page) {
     if (Shown found = in_text(question, right, page.text)) return found;
-    try {
-        return Looker(runner, lesson, question, right, page).found();
-    } catch (ProblemFound& found) {
-        return std::move(found.problem);
-    }
+    return result_of("", [&] { return Looker(runner, lesson, question, right, page).found(); });
 }
 
 }  // namespace glint

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "models/fields/scene_fields.h"
@@ -234,17 +235,8 @@ Shortfall shortfall_of(Checker& checker, const LessonPart& part) {
 }  // namespace
 
 const char* name_of(CheckedKind kind) {
-    switch (kind) {
-    case CheckedKind::Prediction:
-        return "prediction";
-    case CheckedKind::Task:
-        return "task";
-    case CheckedKind::Claim:
-        return "claim";
-    case CheckedKind::Exercise:
-        return "exercise";
-    }
-    return "";  // unreachable
+    constexpr std::array names{"prediction", "task", "claim", "exercise"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 Result<std::vector<Checked>> check_lesson(LessonRunner& runner, const Lesson& lesson, bool claims_only) {

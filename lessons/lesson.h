@@ -116,19 +116,21 @@ struct Claim {
     int line = 0;
 };
 
+/// `key: value` or `name = run` of a block, including the indented lines that follow.
+struct BlockLine {
+    std::string key, value;
+    int line = 0;  // in the file, from 1
+    bool is_run = false;
+};
+
 /// A question whose numbers differ between sheets.
 struct Exercise {
     struct Variable {
         std::string name;
         std::vector<double> values;  // the possible values
     };
-    struct Line {
-        std::string key, value;  // may contain {names}
-        int line = 0;
-        bool is_run = false;
-    };
     std::vector<Variable> variables;  // each with its possible values
-    std::vector<Line> lines;
+    std::vector<BlockLine> lines;     // their values may contain {names}
     int line = 0;
 };
 /// An exercise with its variables substituted.

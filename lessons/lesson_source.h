@@ -12,13 +12,6 @@
 
 namespace glint {
 
-/// `key: value` or `name = run`, including the indented lines that follow.
-struct BlockLine {
-    std::string key, value;
-    int line = 0;  // in the file, from 1
-    bool is_run = false;
-};
-
 /// A fenced block, which begins with ```word kind.
 struct SourceBlock {
     std::string word, kind;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <tuple>
 
 #include "lessons/lesson_source.h"
@@ -139,17 +140,14 @@ class Builder {
 
 Result<Lesson> parse_lesson(std::string_view text, const std::string& path) {
     text = without_byte_order_mark(text);
-    try {
+    return result_of(path, [&] {
         if (text.size() > max_lesson_bytes) fail_at(0, "the lesson is too long", "at most 256 KiB");
         if (const std::size_t wrong = first_invalid_utf8(text); wrong < text.size())
             fail_at(line_of(text, wrong), "the text is not UTF-8", "UTF-8");
         Builder builder(path);
         for (SourcePart& part : lesson_source(text)) std::visit(builder, part);
         return std::move(builder).take();
-    } catch (ProblemFound& found) {
-        found.problem.file = path;
-        return std::move(found.problem);
-    }
+    });
 }
 
 Result<Lesson> read_lesson(const std::string& path) {
@@ -425,15 +423,15 @@ std::string replaced(const std::string& text, const NamedValues& values, int lin
     return result;
 }
 
-ExerciseInstance instance_of(const SourceBlock& block, const NamedValues& values) {
-    SourceBlock filled = block;
+ExerciseInstance instance_of(const Exercise& exercise, const NamedValues& values) {
+    SourceBlock filled{"exercise", "", exercise.lines, exercise.line};
     for (BlockLine& line : filled.lines) line.value = replaced(line.value, values, line.line);
     ExerciseInstance instance;
     instance.values = values;
     std::vector<std::string> names;
     for (const auto& [name, unused] : values) names.push_back(name);
     instance.question = filled.require("question").value;
-    for (const BlockLine* line : filled.all("set")) instance.set.push_back(read_set(*line));
+    instance.set = read_sets(filled, "set");
     instance.runs = read_runs(filled.lines);
     instance.answer = read_expression(filled.require("answer"), instance.runs, names);
     instance.tolerance = read_expression(filled.require("tolerance"), instance.runs, names);
@@ -441,12 +439,6 @@ ExerciseInstance instance_of(const SourceBlock& block, const NamedValues& values
     if (const BlockLine* closed = filled.find("closed"))
         instance.closed = read_expression(*closed, {}, names);
     return instance;
-}
-
-SourceBlock block_of(const Exercise& exercise) {
-    SourceBlock block{"exercise", "", {}, exercise.line};
-    for (const Exercise::Line& l : exercise.lines) block.lines.push_back({l.key, l.value, l.line, l.is_run});
-    return block;
 }
 
 NamedValues values_of(const Exercise& exercise, const std::vector<double>& values) {
@@ -477,20 +469,15 @@ Exercise read_exercise(const SourceBlock& block) {
     if (combinations > max_combinations)
         fail_at(block.line, "the exercise varies too much", "at most 10^9 combinations");
     if (first.empty()) fail_at(block.line, "the exercise varies nothing", "a line vary:");
-    for (const BlockLine& l : block.lines)
-        if (l.is_run || l.key != "vary") exercise.lines.push_back({l.key, l.value, l.line, l.is_run});
-    (void)instance_of(block_of(exercise), values_of(exercise, first));
+    std::copy_if(block.lines.begin(), block.lines.end(), std::back_inserter(exercise.lines),
+                 [](const BlockLine& l) { return l.is_run || l.key != "vary"; });
+    (void)instance_of(exercise, values_of(exercise, first));
     return exercise;
 }
 
 Result<ExerciseInstance> exercise_with(const Exercise& exercise, const std::vector<double>& values,
                                        const std::string& path) {
-    try {
-        return instance_of(block_of(exercise), values_of(exercise, values));
-    } catch (ProblemFound& found) {
-        found.problem.file = path;
-        return std::move(found.problem);
-    }
+    return result_of(path, [&] { return instance_of(exercise, values_of(exercise, values)); });
 }
 
 }  // namespace glint

@@ -169,7 +169,7 @@ TEST_CASE("every lesson has four exercises with a formula and 40 variants or mor
                     variants *= variable.values.size();
                 CHECK(variants >= 40);
                 CHECK(std::any_of(exercise->lines.begin(), exercise->lines.end(),
-                                  [](const Exercise::Line& line) { return line.key == "closed"; }));
+                                  [](const BlockLine& line) { return line.key == "closed"; }));
             }
         CHECK(count >= 4);
     }
