@@ -28,16 +28,9 @@ namespace glint {
 /// `type` drops the keys of the other projections. Throws ProblemFound with file "--set".
 void apply_assignments(Json& document, const std::vector<Assignment>& assignments);
 
-/// A scene's text, read once. Applies assignments to it as parse_scene() does, any number of times.
-class SceneJson {
-  public:
-    SceneJson(std::string_view text, std::string file);
-    [[nodiscard]] Result<Scene> scene_with(const std::vector<Assignment>& assignments) const;
-
-  private:
-    std::string file_;
-    Result<Json> json_;
-};
+/// The scene of a document under assignments. Returns the problem of `json`, or one as parse_scene() does.
+[[nodiscard]] Result<Scene> scene_of(const Result<Json>& json, const std::string& file,
+                                     const std::vector<Assignment>& assignments);
 
 /// True if an assignment sets the value at `pointer` or one that contains it.
 [[nodiscard]] bool is_assigned(const std::string& pointer, const std::vector<Assignment>& assignments);

@@ -52,35 +52,38 @@ Problem blamed(Problem problem, const std::vector<Assignment>& assignments) {
     return problem;
 }
 
-/// The parsed variant with its meshes, sharing those of the document with the same source.
-Result<Scene> with_meshes(Result<Scene> parsed, const SceneDocument& document,
-                          const std::vector<Assignment>& assignments) {
-    if (problem_of(parsed)) return parsed;
-    Scene scene = std::get<Scene>(std::move(parsed));
-    take_meshes(scene, document.scene.objects);
-    const Result<Warnings> warned = load_meshes(scene, document.path, document.mesh_dir);
-    if (const Problem* problem = problem_of(warned)) return blamed(*problem, assignments);
-    return scene;
+// Functions that return a document or warnings throw ProblemFound.
+
+/// Gives the scene its meshes: those in `loaded` with the same source, others are read. Problems with
+/// assigned values are attributed to the assignment.
+Warnings add_meshes(Scene& scene, const std::vector<Object>& loaded, const std::string& path,
+                    const std::string& mesh_dir, const std::vector<Assignment>& assignments) {
+    take_meshes(scene, loaded);
+    Result<Warnings> warned = load_meshes(scene, path, mesh_dir);
+    if (const Problem* problem = problem_of(warned)) throw ProblemFound(blamed(*problem, assignments));
+    return std::get<Warnings>(std::move(warned));
 }
 
-/// Checks the scene, then loads its meshes. Problems with assigned values are attributed to the assignment.
-Result<SceneDocument> document_of(std::string_view text, const std::string& path,
-                                  const std::vector<Assignment>& assignments,
-                                  const std::vector<Object>& loaded = {}) {
-    Result<Scene> parsed = parse_scene(text, path, assignments);
-    if (const Problem* problem = problem_of(parsed)) return *problem;
-    SceneDocument document{std::get<Scene>(std::move(parsed)), path, directory_of(path), {}};
-    take_meshes(document.scene, loaded);
-    Result<Warnings> warned = load_meshes(document.scene, path, document.mesh_dir);
-    if (const Problem* problem = problem_of(warned)) return blamed(*problem, assignments);
-    document.warnings = std::get<Warnings>(std::move(warned));
+SceneDocument document_of(std::string_view text, const std::string& path,
+                          const std::vector<Assignment>& assignments,
+                          const std::vector<Object>& loaded = {}) {
+    SceneDocument document{
+        value_or_throw(parse_scene(text, path, assignments)), path, directory_of(path), {}};
+    document.warnings = add_meshes(document.scene, loaded, path, document.mesh_dir, assignments);
     return document;
 }
 
-Result<SceneDocument> open_scene(const std::string& path, const std::vector<Assignment>& assignments) {
-    const Result<std::string> text = read_file(path, max_json_bytes);
-    if (const Problem* problem = problem_of(text)) return *problem;
-    return document_of(std::get<std::string>(text), path, assignments);
+/// The document of another file than a scene's, with the assignments.
+SceneDocument assigned(SceneDocument given, const std::vector<Assignment>& assignments) {
+    if (assignments.empty()) return given;
+    SceneDocument changed =
+        document_of(scene_text(given.scene), given.path, assignments, given.scene.objects);
+    changed.warnings.insert(changed.warnings.begin(), given.warnings.begin(), given.warnings.end());
+    return changed;
+}
+
+SceneDocument open_scene(const std::string& path, const std::vector<Assignment>& assignments) {
+    return document_of(value_or_throw(read_file(path, max_json_bytes)), path, assignments);
 }
 
 /// "640x716"; nothing for any other text.
@@ -121,50 +124,29 @@ void take_picture(SceneDocument& document, const PngInfo& png) {
     }
 }
 
-Result<SceneDocument> open_picture(const std::string& path, const std::vector<Assignment>& assignments) {
-    const Result<PngInfo> read = read_png_info(path, png_scene_keyword, max_json_bytes);
-    if (const Problem* problem = problem_of(read)) return *problem;
-    const auto& png = std::get<PngInfo>(read);
-    Result<SceneDocument> opened = document_of(*png.text(png_scene_keyword), path, assignments);
-    if (auto* document = std::get_if<SceneDocument>(&opened)) take_picture(*document, png);
-    return opened;
-}
-
-Result<SceneDocument> open_mesh(const std::string& path, const std::vector<Assignment>& assignments) {
-    Result<Mesh> read = read_mesh(path);
-    if (const Problem* problem = problem_of(read)) return *problem;
-    const auto mesh = std::make_shared<const Mesh>(std::get<Mesh>(std::move(read)));
-    const std::string name = fs::path(path).filename().string();
-    SceneDocument document{scene_of_mesh(mesh, name), path, directory_of(path), {}};
-    if (!assignments.empty()) {
-        Result<SceneDocument> assigned =
-            document_of(scene_text(document.scene), path, assignments, document.scene.objects);
-        if (problem_of(assigned) != nullptr) return assigned;
-        document = std::get<SceneDocument>(std::move(assigned));
-    }
-    Warnings warnings;
-    for (const std::string& warning : mesh->warnings)
-        warnings.push_back(fmt::format("{}: {}", name, warning));
-    warnings.insert(warnings.end(), document.warnings.begin(), document.warnings.end());
-    document.warnings = std::move(warnings);
+SceneDocument open_picture(const std::string& path, const std::vector<Assignment>& assignments) {
+    const PngInfo png = value_or_throw(read_png_info(path, png_scene_keyword, max_json_bytes));
+    SceneDocument document = document_of(*png.text(png_scene_keyword), path, assignments);
+    take_picture(document, png);
     return document;
 }
 
-Result<SceneDocument> open_gltf_scene(const std::string& path, const std::vector<Assignment>& assignments) {
-    Result<GltfOpened> opened = open_gltf(path);
-    if (const Problem* problem = problem_of(opened)) return *problem;
-    auto& gltf = std::get<GltfOpened>(opened);
-    SceneDocument document{std::move(gltf.scene), path, directory_of(path), std::move(gltf.warnings)};
-    if (assignments.empty()) return document;
-    Result<SceneDocument> assigned =
-        document_of(scene_text(document.scene), path, assignments, document.scene.objects);
-    if (auto* changed = std::get_if<SceneDocument>(&assigned))
-        changed->warnings.insert(changed->warnings.begin(), document.warnings.begin(),
-                                 document.warnings.end());
-    return assigned;
+SceneDocument open_mesh(const std::string& path, const std::vector<Assignment>& assignments) {
+    const auto mesh = std::make_shared<const Mesh>(value_or_throw(read_mesh(path)));
+    const std::string name = fs::path(path).filename().string();
+    SceneDocument document{scene_of_mesh(mesh, name), path, directory_of(path), {}};
+    for (const std::string& warning : mesh->warnings)
+        document.warnings.push_back(fmt::format("{}: {}", name, warning));
+    return assigned(std::move(document), assignments);
 }
 
-Result<SceneDocument> open_by_extension(const std::string& path, const std::vector<Assignment>& assignments) {
+SceneDocument open_gltf_scene(const std::string& path, const std::vector<Assignment>& assignments) {
+    GltfOpened opened = value_or_throw(open_gltf(path));
+    return assigned({std::move(opened.scene), path, directory_of(path), std::move(opened.warnings)},
+                    assignments);
+}
+
+SceneDocument open_by_extension(const std::string& path, const std::vector<Assignment>& assignments) {
     const std::string extension = lower_extension(path);
     if (path == "-" || extension == ".json") return open_scene(path, assignments);
     if (extension == ".png") return open_picture(path, assignments);
@@ -172,10 +154,12 @@ Result<SceneDocument> open_by_extension(const std::string& path, const std::vect
     if (is_mesh_path(path)) return open_mesh(path, assignments);
     if (!path.empty())
         // A missing file is reported as missing, even if its extension is unknown.
-        if (auto problem = why_not_there(path, opened_files)) return *problem;
+        if (auto problem = why_not_there(path, opened_files)) throw ProblemFound(*problem);
     std::error_code error;
-    if (fs::is_directory(path, error)) return Problem{path, "", "is a directory", opened_files};
-    return Problem{path, "", extension.empty() ? "has no extension" : "has another extension", opened_files};
+    const char* const what = fs::is_directory(path, error) ? "is a directory"
+                             : extension.empty()           ? "has no extension"
+                                                           : "has another extension";
+    throw ProblemFound({path, "", what, opened_files});
 }
 
 /// The directory with links and dots resolved in its existing part; the working directory if it is empty. If
@@ -252,12 +236,13 @@ std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
 Result<SceneDocument> open_document(const std::string& path, const std::vector<Assignment>& assignments) {
     // Before reading, so that a write during the read counts as a change.
     const FileStamp stamp = path == "-" ? FileStamp{} : file_stamp(path);
-    Result<SceneDocument> opened = open_by_extension(path, assignments);
-    if (auto* document = std::get_if<SceneDocument>(&opened)) {
-        document->stamp = stamp, document->assignments = assignments;
-        warn_of_hidden_colors(document->scene, document->warnings);
-    }
-    return opened;
+    return result_of("", [&] {
+        SceneDocument document = open_by_extension(path, assignments);
+        document.stamp = stamp;
+        document.assignments = assignments;
+        warn_of_hidden_colors(document.scene, document.warnings);
+        return document;
+    });
 }
 
 std::optional<PictureSize> fitted_size_in(const std::string& path) {
@@ -290,18 +275,18 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
 }
 
 SceneVariants::SceneVariants(const SceneDocument& document)
-    : document_(document),
-      json_(std::make_unique<const SceneJson>(scene_text(document.scene), document.path)) {}
-
-SceneVariants::~SceneVariants() = default;
+    : document_(document), json_(read_json(scene_text(document.scene), document.path)) {}
 
 Result<Scene> SceneVariants::with(const std::vector<Assignment>& assignments) const {
-    return with_meshes(json_->scene_with(assignments), document_, assignments);
+    return result_of("", [&] {
+        Scene scene = value_or_throw(scene_of(json_, document_.path, assignments));
+        (void)add_meshes(scene, document_.scene.objects, document_.path, document_.mesh_dir, assignments);
+        return scene;
+    });
 }
 
 Result<Scene> scene_variant(const SceneDocument& document, const std::vector<Assignment>& assignments) {
-    return with_meshes(parse_scene(scene_text(document.scene), document.path, assignments), document,
-                       assignments);
+    return SceneVariants(document).with(assignments);
 }
 
 namespace {

@@ -2,7 +2,6 @@
 // Reads, checks and writes the scene file, version 1 (docs/scene_file.md). A written scene reads back equal.
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 
 #include "models/gltf/gltf.h"
 #include "models/io/file.h"
+#include "models/json/json.h"
 #include "models/problem.h"
 #include "models/scene/scene.h"
 
@@ -126,21 +126,16 @@ bool frame_camera(Scene& scene, int object = -1);
 [[nodiscard]] Result<Scene> scene_variant(const SceneDocument& document,
                                           const std::vector<Assignment>& assignments);
 
-class SceneJson;
-
 /// Many variants of one scene, each like scene_variant(): the scene's text is written and read once.
 class SceneVariants {
   public:
     /// Precondition: `document` outlives this object.
     explicit SceneVariants(const SceneDocument& document);
-    ~SceneVariants();
-    SceneVariants(const SceneVariants&) = delete;
-    SceneVariants& operator=(const SceneVariants&) = delete;
     [[nodiscard]] Result<Scene> with(const std::vector<Assignment>& assignments) const;
 
   private:
     const SceneDocument& document_;
-    std::unique_ptr<const SceneJson> json_;
+    Result<Json> json_;
 };
 
 // Converts a glTF file to a scene that can be drawn, and a scene to a glTF file.
