@@ -382,12 +382,11 @@ int channels_apart(const Picture& a, const Picture& b, std::size_t pixel) {
     return sum;
 }
 
-/// The difference, at a pixel, of the two most similar pictures there.
-int least_apart_at(const std::vector<Picture>& pictures, std::size_t pixel) {
-    int least = channels_apart(pictures[0], pictures[1], pixel);
+/// The difference of the two most similar pictures, if that of two is far(a, b).
+template <class Far> auto least_apart(const std::vector<Picture>& pictures, const Far& far) {
+    auto least = far(pictures[0], pictures[1]);
     for (std::size_t i = 2; i < pictures.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            least = std::min(least, channels_apart(pictures[k], pictures[i], pixel));
+        for (std::size_t k = 0; k < i; ++k) least = std::min(least, far(pictures[k], pictures[i]));
     return least;
 }
 
@@ -396,7 +395,9 @@ int least_apart_at(const std::vector<Picture>& pictures, std::size_t pixel) {
 glm::ivec2 telling_pixel(const std::vector<Picture>& pictures) {
     const PictureSize size = pictures[0].size;
     std::vector<int> least(size.pixels());
-    for (std::size_t i = 0; i < least.size(); ++i) least[i] = least_apart_at(pictures, i);
+    for (std::size_t i = 0; i < least.size(); ++i)
+        least[i] = least_apart(pictures,
+                               [i](const Picture& a, const Picture& b) { return channels_apart(a, b, i); });
     const auto least_around = [&](int x, int y) {
         int around = least[size.index(x, y)];
         for (int v = std::max(y - 1, 0); v <= std::min(y + 1, size.height - 1); ++v)
@@ -435,15 +436,6 @@ std::vector<Picture> drawn_under(Renderer& renderer, const Scene& scene, Picture
     return pictures;
 }
 
-/// The difference of the two most similar pictures.
-double least_apart(const std::vector<Picture>& pictures) {
-    double least = apart(pictures[0], pictures[1]);
-    for (std::size_t a = 0; a < pictures.size(); ++a)
-        for (std::size_t b = a + 1; b < pictures.size(); ++b)
-            least = std::min(least, apart(pictures[a], pictures[b]));
-    return least;
-}
-
 PictureSize small_size(PictureSize size) {
     constexpr int height = 72;
     const int h = std::min(height, size.height);
@@ -475,7 +467,7 @@ std::optional<Experiment> find_experiment(const SceneDocument& document, Picture
         Result<Scene> varied = variants.with({change});
         if (problem_of(varied) != nullptr) continue;
         const Scene& scene = std::get<Scene>(varied);
-        const double far = least_apart(drawn_under(renderer, scene, small_size(size), mistakes));
+        const double far = least_apart(drawn_under(renderer, scene, small_size(size), mistakes), apart);
         if (far <= most) continue;
         most = far;
         best = change;

@@ -285,15 +285,7 @@ std::string own_brightness(const Diagnosis& diagnosis, const Candidate& candidat
 
 namespace {
 
-Json rgb_json(Rgb c) { return {int{c[0]}, int{c[1]}, int{c[2]}}; }
-
 constexpr std::array kind_texts{"right", "left out", "setting", "mistake", "number"};
-
-Json strings_json(const std::vector<std::string>& strings) {
-    Json json = Json::array();
-    for (const std::string& s : strings) json.push_back(s);
-    return json;
-}
 
 Json display_json(const DisplayFinding& display) {
     const DisplayChange& c = display.change;
@@ -309,7 +301,7 @@ Json display_json(const DisplayFinding& display) {
     }
     if (c.noise > 0) json["noise"] = c.noise;
     if (display.tone != ToneCurve::None) json["curve"] = tone_name(display.tone);
-    if (display.background) json["background"] = rgb_json(*display.background);
+    if (display.background) json["background"] = *display.background;
     if (display.shift != glm::vec2(0)) json["shift"] = Json{display.shift.x, display.shift.y};
     if (display.camera) {
         const CameraDifference& d = *display.camera;
@@ -332,17 +324,17 @@ Json candidate_json(const Candidate& c) {
     Json json;
     json["kind"] = kind_texts[static_cast<std::size_t>(c.kind)];
     json["name"] = c.name;
-    json["set"] = strings_json(c.options());
-    json["also"] = strings_json(c.also_named);
-    json["conventions"] = strings_json(c.conventions);
+    json["set"] = c.options();
+    json["also"] = c.also_named;
+    json["conventions"] = c.conventions;
     json["almost"] = c.almost;
     json["residual"] = c.residual;
     json["explained"] = c.explained;
     json["gain"] = c.change.gain;
     json["pixel"] = json_of(c.pixel);
-    json["mine"] = rgb_json(c.mine);
-    json["reference"] = rgb_json(c.reference);
-    json["as_mistaken"] = rgb_json(c.as_mistaken);
+    json["mine"] = c.mine;
+    json["reference"] = c.reference;
+    json["as_mistaken"] = c.as_mistaken;
     return json;
 }
 
@@ -353,7 +345,7 @@ Json answer_json(const Experiment& e) {
     json["pixel"] = json_of(e.pixel);
     Json& shows = json["shows"] = Json::array();
     for (std::size_t i = 0; i < e.shows.size(); ++i)
-        shows.push_back({{"name", name_of(e.mistakes[i])}, {"color", rgb_json(e.shows[i])}});
+        shows.push_back({{"name", name_of(e.mistakes[i])}, {"color", e.shows[i]}});
     return json;
 }
 
@@ -402,7 +394,7 @@ Json answer_json(const DiagnosedPicture& p, const Scene& scene) {
     json["width"] = d.size.width;
     json["height"] = d.size.height;
     json["display"] = display_json(d.display);
-    json["conventions"] = strings_json(d.conventions);
+    json["conventions"] = d.conventions;
     json["pixels"] = pixels_json(d.pixels);
     Json& candidates = json["candidates"] = Json::array();
     for (const Candidate& c : d.candidates) candidates.push_back(candidate_json(c));
