@@ -16,13 +16,6 @@
 #include "models/progress.h"
 
 namespace glint {
-namespace {
-
-// A corner takes up to about a thousand steps of ear clipping: a few milliseconds between two reports.
-constexpr std::size_t corners_between_reports = 1 << 14;
-
-}  // namespace
-
 Bounds bounds_of_faces(const Mesh& mesh) {
     if (mesh.corner_position.empty()) return {};
     Bounds bounds{mesh.positions[mesh.corner_position[0]], mesh.positions[mesh.corner_position[0]]};
@@ -85,44 +78,6 @@ std::optional<std::string> rounding_warning(const Bounds& bounds) {
         "{:.3g}: it is drawn distorted, and may be too small to see; subtract an offset that moves it near "
         "the origin",
         across, farthest, step);
-}
-
-void finish_mesh(Mesh& mesh) {
-    mesh.triangles.clear();
-    if (mesh.corner_position.size() > 2 * mesh.face_count())
-        mesh.triangles.reserve(mesh.corner_position.size() - 2 * mesh.face_count());
-    Triangulator triangulator;
-    RepeatedCorners repeated;
-    std::vector<std::uint32_t> corners;
-    std::size_t without_area = 0, repeating = 0, returning = 0, long_fans = 0;
-    std::size_t next_report = corners_between_reports;
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-        const std::uint32_t first = mesh.first_corner[f], size = mesh.first_corner[f + 1] - first;
-        if (first >= next_report) {
-            report_or_leave(LoadStage::Building, f, mesh.face_count());
-            next_report = first + corners_between_reports;
-        }
-        const PolygonPlane plane = polygon_plane(mesh, f);
-        if (!(plane.area > 0)) {
-            ++without_area;
-        } else if (size == 3) {
-            mesh.triangles.push_back({{first, first + 1, first + 2}, f});
-        } else {
-            distinct_corners(mesh, f, corners);
-            repeating += corners.size() < size ? 1 : 0;
-            returning += repeated.comes_back(mesh, corners) ? 1 : 0;
-            long_fans += triangulator.cut(mesh, f, corners, plane.normal, mesh.triangles) ? 0 : 1;
-        }
-    }
-    mesh.bounds = bounds_of_faces(mesh);
-    warn(mesh.warnings, without_area, "degenerate face has no area and is not drawn",
-         "degenerate faces have no area and are not drawn");
-    warn(mesh.warnings, repeating, "face has a repeated corner, which was skipped",
-         "faces have a repeated corner, which was skipped");
-    warn(mesh.warnings, returning, "face visits one of its corners twice, and may be drawn wrong",
-         "faces visit one of their corners twice, and may be drawn wrong");
-    warn(mesh.warnings, long_fans, "face is not convex and has more than 1000 corners: drawn as a fan",
-         "faces are not convex and have more than 1000 corners: drawn as fans");
 }
 
 // The statistics of a mesh, and its findings.
