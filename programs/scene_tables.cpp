@@ -68,26 +68,20 @@ std::string columns_of(const std::string& type, const Row& row) {
     return fmt::format("{} = namedtuple(\"{}\", \"{}\")\n", type, type, fmt::join(names, " "));
 }
 
-std::string list_of(const std::string& type, const std::string& name, const std::vector<std::string>& names,
+/// The definition of a list of objects by their names.
+std::string list_of(const std::string& type, const std::string& name, std::vector<std::string> names,
                     Language language) {
-    if (language == Language::Python) {
-        const std::string start = name + " = [";
-        return start + joined(names, start.size(), "    ") + "]";
+    const bool python = language == Language::Python, c = language == Language::Gl1;
+    if (c) {  // which has no list that knows its length
+        for (std::string& one : names) one.insert(0, "&");
+        names.emplace_back("NULL");
     }
-    if (language == Language::Webgl) {
-        const std::string start = fmt::format("const {} = [", name);
-        return start + joined(names, start.size(), "    ") + "];";
-    }
-    if (language == Language::Gl1) {  // C has no list that knows its length
-        std::vector<std::string> pointers;
-        pointers.reserve(names.size() + 1);
-        for (const std::string& one : names) pointers.push_back("&" + one);
-        pointers.emplace_back("NULL");
-        const std::string start = fmt::format("const {}* const {}[] = {{", type, name);
-        return start + joined(pointers, start.size(), "    ") + "};";
-    }
-    const std::string start = fmt::format("const std::vector<{}> {} = {{", type, name);
-    return start + joined(names, start.size(), "    ") + "};";
+    const std::string start = python                        ? name + " = ["
+                              : language == Language::Webgl ? "const " + name + " = ["
+                              : c ? fmt::format("const {}* const {}[] = {{", type, name)
+                                  : fmt::format("const std::vector<{}> {} = {{", type, name);
+    const char* const end = python ? "]" : language == Language::Webgl ? "];" : "};";
+    return start + joined(names, start.size(), "    ") + end;
 }
 
 std::string word_in_program(std::string_view word, Language language) {
@@ -95,45 +89,34 @@ std::string word_in_program(std::string_view word, Language language) {
 }
 
 std::string camera_text(const Camera& camera, Language language) {
-    const bool python = language == Language::Python;
+    const bool python = language == Language::Python, page = language == Language::Webgl;
     const auto vector = [&](const glm::vec3& v) { return vector_in_program(v, language); };
-    const auto numbers = [&](const std::vector<std::pair<std::string, float>>& all) {
-        std::vector<std::string> parts;
-        parts.reserve(all.size());
-        for (const auto& [name, value] : all) parts.push_back(name + " = " + number_in_program(value));
-        const std::string start = python                        ? ""
-                                  : language == Language::Webgl ? "const "
-                                                                : "const double ",
-                          separator = python ? "; " : ", ";
-        return start + fmt::format("{}", fmt::join(parts, separator)) + (python ? "" : ";");
-    };
+    const std::string eye = vector(camera.eye), target = vector(camera.target), up = vector(camera.up);
     std::string text;
     if (python)
-        text = fmt::format("eye, target, up = {}, {}, {}\n", vector(camera.eye), vector(camera.target),
-                           vector(camera.up));
+        text = fmt::format("eye, target, up = {}, {}, {}\n", eye, target, up);
     else if (language == Language::Cpp)
-        text = fmt::format("const vec3 eye = {}, target = {}, up = {};  // world coordinates\n",
-                           vector(camera.eye), vector(camera.target), vector(camera.up));
-    else if (language == Language::Webgl)
-        text = fmt::format(
-            "let eye = {};  // world coordinates; moves with the mouse\nconst target = {}, up = {};\n",
-            vector(camera.eye), vector(camera.target), vector(camera.up));
+        text = fmt::format("const vec3 eye = {}, target = {}, up = {};  // world coordinates\n", eye, target,
+                           up);
     else
         text = fmt::format(
-            "vec3 eye = {};  // world coordinates; moves with the mouse\nconst vec3 target = {}, up = {};\n",
-            vector(camera.eye), vector(camera.target), vector(camera.up));
+            "{} eye = {};  // world coordinates; moves with the mouse\nconst {}target = {}, up = {};\n",
+            page ? "let" : "vec3", eye, page ? "" : "vec3 ", target, up);
+    std::vector<std::pair<const char*, float>> numbers;
     const float near = near_of(camera.projection), far = far_of(camera.projection);
     if (const auto* p = std::get_if<Perspective>(&camera.projection))
-        return text + numbers({{"fov_y_deg", p->fov_y_deg}, {"near", near}, {"far", far}});
-    if (const auto* o = std::get_if<Orthographic>(&camera.projection))
-        return text + numbers({{"view_height", o->height}, {"near", near}, {"far", far}});
-    const auto& f = std::get<Frustum>(camera.projection);
-    return text + numbers({{"left", f.left},
-                           {"right", f.right},
-                           {"bottom", f.bottom},
-                           {"top", f.top},
-                           {"near", near},
-                           {"far", far}});
+        numbers = {{"fov_y_deg", p->fov_y_deg}, {"near", near}, {"far", far}};
+    else if (const auto* o = std::get_if<Orthographic>(&camera.projection))
+        numbers = {{"view_height", o->height}, {"near", near}, {"far", far}};
+    else if (const auto* f = std::get_if<Frustum>(&camera.projection))
+        numbers = {{"left", f->left}, {"right", f->right}, {"bottom", f->bottom},
+                   {"top", f->top},   {"near", near},      {"far", far}};
+    std::vector<std::string> parts;
+    parts.reserve(numbers.size());
+    for (const auto& [name, value] : numbers)
+        parts.push_back(fmt::format("{} = {}", name, number_in_program(value)));
+    if (python) return text + fmt::format("{}", fmt::join(parts, "; "));
+    return text + fmt::format("const {}{};", page ? "" : "double ", fmt::join(parts, ", "));
 }
 
 /// Directional lights and area lights have no falloff, except with a mistake.
