@@ -1,5 +1,3 @@
-#include "diagnose/search/drawings.h"
-
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -7,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "diagnose/search/hypotheses.h"
 #include "renderer/lighting/display.h"
 #include "renderer/scoped_mistakes.h"
 

@@ -1,5 +1,5 @@
-#include "models/scene_file/read_scene.h"
-
+// Reads a scene from a JSON document, by its fields (models/fields/scene_fields.h), and applies assignments
+// to the document first.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include "models/fields/choices.h"
 #include "models/fields/scene_fields.h"
 #include "models/json/json.h"
+#include "models/scene_file/scene_file.h"
 #include "models/utf8.h"
 
 namespace glint {
@@ -18,6 +19,27 @@ namespace {
 template <class T> std::vector<std::string> keys_of(T& value) {
     std::vector<std::string> keys;
     fields(value, [&keys](const Row& row, const auto&, const auto&) { keys.emplace_back(row.key); });
+    return keys;
+}
+
+/// A projection of that kind with its defaults.
+Projection default_projection(ProjectionKind kind) {
+    switch (kind) {
+    case ProjectionKind::Perspective:
+        return Perspective{};
+    case ProjectionKind::Orthographic:
+        return Orthographic{};
+    case ProjectionKind::Frustum:
+        return Frustum{};
+    }
+    return {};  // not reached
+}
+
+/// The keys of a projection of that type, `type` first.
+std::vector<std::string> projection_keys(ProjectionKind kind) {
+    Projection projection = default_projection(kind);
+    std::vector<std::string> keys = keys_of(projection);
+    keys.insert(keys.begin(), "type");
     return keys;
 }
 
@@ -194,27 +216,7 @@ void check_version(const Node& root) {
     });
 }
 
-}  // namespace
-
-Projection default_projection(ProjectionKind kind) {
-    switch (kind) {
-    case ProjectionKind::Perspective:
-        return Perspective{};
-    case ProjectionKind::Orthographic:
-        return Orthographic{};
-    case ProjectionKind::Frustum:
-        return Frustum{};
-    }
-    return {};  // not reached
-}
-
-std::vector<std::string> projection_keys(ProjectionKind kind) {
-    Projection projection = default_projection(kind);
-    std::vector<std::string> keys = keys_of(projection);
-    keys.insert(keys.begin(), "type");
-    return keys;
-}
-
+/// The scene of a document of version 1. A missing key keeps its default.
 Scene read_scene(const Node& root) {
     Scene scene;
     check_version(root);
@@ -225,7 +227,8 @@ Scene read_scene(const Node& root) {
     return scene;
 }
 
-namespace {
+// `--set /pointer=JSON`: assignments to a document before it is checked (docs/command_line.md, "Changing a
+// scene").
 
 using Tokens = std::vector<std::string>;
 
@@ -397,8 +400,9 @@ void follow_type(Json& document, const Assignment& a, const std::vector<Assignme
     }
 }
 
-}  // namespace
-
+/// Applies all assignments in order. Missing parents are created: lists and vectors where a scene has them,
+/// otherwise objects. Setting only a light's `type` also sets the w of that type. Setting a projection's
+/// `type` drops the keys of the other projections. Throws ProblemFound with file "--set".
 void apply_assignments(Json& document, const std::vector<Assignment>& assignments) {
     for (const Assignment& a : assignments) {
         assign(document, a);
@@ -406,9 +410,43 @@ void apply_assignments(Json& document, const std::vector<Assignment>& assignment
     }
 }
 
+}  // namespace
+
 bool is_assigned(const std::string& pointer, const std::vector<Assignment>& assignments) {
     return std::any_of(assignments.begin(), assignments.end(),
                        [&](const Assignment& a) { return is_within(pointer, a.pointer); });
+}
+
+Result<Assignment> parse_assignment(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    const std::string expected = "POINTER=JSON, such as /display/exposure=2";
+    if (equals == std::string_view::npos)
+        return Problem{"--set", "", in_quotes(text) + " has no \"=\"", expected};
+    if (!text.starts_with('/'))
+        return Problem{"--set", "", in_quotes(text) + " does not begin with \"/\"", expected};
+    return Assignment{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+}
+
+Result<Scene> scene_of(const Result<Json>& json, const std::string& file,
+                       const std::vector<Assignment>& assignments) {
+    if (const Problem* problem = problem_of(json)) return *problem;
+    Result<Scene> scene = result_of("", [&] {
+        Json document = std::get<Json>(json);
+        if (document.is_object()) apply_assignments(document, assignments);
+        return read_scene(Node(document));
+    });
+    if (auto* problem = std::get_if<Problem>(&scene); problem != nullptr && problem->file.empty()) {
+        const bool is_assigned_value =
+            !assignments.empty() &&
+            (is_assigned(problem->pointer, assignments) || problem_of(scene_of(json, file, {})) == nullptr);
+        problem->file = is_assigned_value ? "--set" : file;
+    }
+    return scene;
+}
+
+Result<Scene> parse_scene(std::string_view text, const std::string& file,
+                          const std::vector<Assignment>& assignments) {
+    return scene_of(read_json(text, file), file, assignments);
 }
 
 }  // namespace glint

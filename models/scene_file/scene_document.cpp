@@ -21,7 +21,6 @@
 #include "models/problem.h"
 #include "models/progress.h"
 #include "models/scene/scene.h"
-#include "models/scene_file/read_scene.h"
 #include "models/scene_file/scene_file.h"
 
 namespace glint {

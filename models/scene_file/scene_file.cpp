@@ -9,43 +9,9 @@
 #include "models/fields/scene_fields.h"
 #include "models/json/json.h"
 #include "models/numbers.h"
-#include "models/scene_file/read_scene.h"
 #include "models/utf8.h"
 
 namespace glint {
-
-Result<Assignment> parse_assignment(std::string_view text) {
-    const std::size_t equals = text.find('=');
-    const std::string expected = "POINTER=JSON, such as /display/exposure=2";
-    if (equals == std::string_view::npos)
-        return Problem{"--set", "", in_quotes(text) + " has no \"=\"", expected};
-    if (!text.starts_with('/'))
-        return Problem{"--set", "", in_quotes(text) + " does not begin with \"/\"", expected};
-    return Assignment{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
-}
-
-Result<Scene> scene_of(const Result<Json>& json, const std::string& file,
-                       const std::vector<Assignment>& assignments) {
-    if (const Problem* problem = problem_of(json)) return *problem;
-    Result<Scene> scene = result_of("", [&] {
-        Json document = std::get<Json>(json);
-        if (document.is_object()) apply_assignments(document, assignments);
-        return read_scene(Node(document));
-    });
-    if (auto* problem = std::get_if<Problem>(&scene); problem != nullptr && problem->file.empty()) {
-        const bool is_assigned_value =
-            !assignments.empty() &&
-            (is_assigned(problem->pointer, assignments) || problem_of(scene_of(json, file, {})) == nullptr);
-        problem->file = is_assigned_value ? "--set" : file;
-    }
-    return scene;
-}
-
-Result<Scene> parse_scene(std::string_view text, const std::string& file,
-                          const std::vector<Assignment>& assignments) {
-    return scene_of(read_json(text, file), file, assignments);
-}
-
 namespace {
 
 Json range_json(const Range& range) {
@@ -124,14 +90,17 @@ template <class T> Described described(const List& kind, const std::vector<T>&) 
 }
 Described described(const OneProjection&, const Projection&) {
     Json any = Json::array();
-    for (const ProjectionKind kind : enumerators<ProjectionKind>) {
-        const Choice row = choice_of(kind);
-        Json schema = schema_of(default_projection(kind));
+    for (const Projection& one :
+         {Projection(Perspective{}), Projection(Orthographic{}), Projection(Frustum{})}) {
+        const Choice row = choice_of(kind_of(one));
+        Json schema = schema_of(one);
         schema["description"] = row.meaning;
         schema["properties"]["type"] = {{"const", std::string(row.word)}};
         // Without a type the first one applies; a frustum needs all of its numbers.
-        if (kind != ProjectionKind::Perspective) schema["required"] = {"type"};
-        if (kind == ProjectionKind::Frustum) schema["required"] = projection_keys(kind);
+        if (kind_of(one) != ProjectionKind::Perspective) schema["required"] = {"type"};
+        if (kind_of(one) == ProjectionKind::Frustum)
+            for (const auto& [key, property] : schema["properties"].items())
+                if (key != "type") schema["required"].push_back(key);
         any.push_back(schema);
     }
     return {{{"oneOf", any}}};

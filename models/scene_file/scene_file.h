@@ -161,4 +161,13 @@ struct GltfOpened {
 /// file that it accepts. Ends with a newline.
 [[nodiscard]] std::string scene_schema();
 
+// Inside models/scene_file/ only.
+
+/// The scene of a document under assignments. Returns the problem of `json`, or one as parse_scene() does.
+[[nodiscard]] Result<Scene> scene_of(const Result<Json>& json, const std::string& file,
+                                     const std::vector<Assignment>& assignments);
+
+/// True if an assignment sets the value at `pointer` or one that contains it.
+[[nodiscard]] bool is_assigned(const std::string& pointer, const std::vector<Assignment>& assignments);
+
 }  // namespace glint
