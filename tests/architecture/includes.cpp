@@ -84,11 +84,7 @@ std::string complaint(string_view path, string_view name, bool quoted) {
         return "uses GL, GLFW or a window below app";
     if (!path.starts_with("app/") && !path.starts_with("ui/") && name.starts_with("imgui"))
         return "uses ImGui below ui";
-    // Only the files of models/mesh/resolution share its half-edges.
-    const bool in_source = path.starts_with("models/") && path.ends_with(".cpp");
-    if (name.starts_with("OpenMesh/") && !in_source && path != "models/mesh/resolution/half_edges.h")
-        return "uses OpenMesh outside models/*.cpp";
-    if (name == "models/mesh/resolution/half_edges.h" && !path.starts_with("models/mesh/resolution/"))
+    if (name.starts_with("OpenMesh/") && path != "models/mesh/resolution/resolution.cpp")
         return "uses OpenMesh outside models/mesh/resolution";
     // Each of these headers takes seconds to compile.
     if (name == "nlohmann/json.hpp" && path != "models/json/json.h")
