@@ -365,7 +365,7 @@ Hypothesis Search::judged(const Drawn& d) const {
                     kept.insert(after, {change, cost});
                     if (kept.size() > changes_kept) kept.pop_back();
                 });
-    Hypothesis hypothesis{d.explanation, {}, d.same, kept.front().cost};
+    Hypothesis hypothesis{d.explanation, {}, d.same};
     for (const CostedChange& c : kept) hypothesis.changes.push_back(c.change);
     return hypothesis;
 }

@@ -69,7 +69,6 @@ struct Hypothesis {
     Supposition explanation;
     std::vector<DisplayChange> changes;
     std::vector<Supposition> same;  // others with the same colours at the probes
-    double cost = 0;                // of the first change
 };
 
 /// The cost of an explanation, lower is likelier: log2(excess + free), plus the cost of believing it, plus 1

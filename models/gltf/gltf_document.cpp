@@ -228,8 +228,7 @@ void check_extensions(const Node& root) {
 void check_version(const Node& root) {
     require_object(root);
     if (!root.has("asset")) root.fail("the key \"asset\" is missing", "{\"asset\": {\"version\": \"2.0\"}}");
-    root.with("asset", [](const Node& asset) {
-        require_object(asset);
+    with_object(root, "asset", [](const Node& asset) {
         std::string version;
         read(asset, "version", version);
         if (!version.starts_with("2.")) asset.fail(in_quotes(version) + " is its version", "2.0");

@@ -78,6 +78,13 @@ struct GltfDocument {
 
 /// Fails unless the value is an object.
 void require_object(const Node& node);
+/// Calls f(Node) with the object at a key, if the key exists. Fails for any other value.
+template <class F> void with_object(const Node& node, std::string_view key, F f) {
+    node.with(key, [&f](const Node& at) {
+        require_object(at);
+        f(at);
+    });
+}
 
 /// Calls f(Node) with an element of a list at the root ("meshes"). Its index is at `key` of `from`. Fails if
 /// the element does not exist.
@@ -175,15 +182,11 @@ void read_name(const Node& named, std::string& to);
 template <class F> void with_light(const Node& root, const Node& node, F f) {
     constexpr std::string_view extension = "KHR_lights_punctual";
     static const Json undeclared = Json::object();
-    node.with("extensions", [&](const Node& extensions) {
-        require_object(extensions);
-        extensions.with(extension, [&](const Node& reference) {
-            require_object(reference);
+    with_object(node, "extensions", [&](const Node& extensions) {
+        with_object(extensions, extension, [&](const Node& reference) {
             bool is_declared = false;
-            root.with("extensions", [&](const Node& all) {
-                require_object(all);
-                all.with(extension, [&](const Node& punctual) {
-                    require_object(punctual);
+            with_object(root, "extensions", [&](const Node& all) {
+                with_object(all, extension, [&](const Node& punctual) {
                     is_declared = true;
                     follow(punctual, reference, "light", "lights", f);
                 });

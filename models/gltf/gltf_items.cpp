@@ -36,8 +36,7 @@ template <class P> void read_planes(const Node& node, P& p) {
 void read_cone(const Node& node, SpotCone& cone, bool& is_bad) {
     constexpr auto widest = static_cast<float>(std::numbers::pi / 2);
     float inner = 0, outer = static_cast<float>(std::numbers::pi / 4);
-    node.with("spot", [&](const Node& spot) {
-        require_object(spot);
+    with_object(node, "spot", [&](const Node& spot) {
         read(spot, "innerConeAngle", inner, at_least_zero);
         read(spot, "outerConeAngle", outer, at_least_zero);
     });
@@ -117,8 +116,7 @@ GltfMaterial material_of(const Node& node) {
     glm::vec3 base(1), emission(0);
     float metal = 1, roughness = 1, strength = 1;
     bool textured = node.has("normalTexture") || node.has("occlusionTexture") || node.has("emissiveTexture");
-    node.with("pbrMetallicRoughness", [&](const Node& pbr) {
-        require_object(pbr);
+    with_object(node, "pbrMetallicRoughness", [&](const Node& pbr) {
         pbr.with("baseColorFactor", [&](const Node& at) {
             const std::vector<double> c = numbers(at, 4, 4, at_least_zero);
             base = glm::vec3(c[0], c[1], c[2]);
@@ -128,12 +126,9 @@ GltfMaterial material_of(const Node& node) {
         textured = textured || pbr.has("baseColorTexture") || pbr.has("metallicRoughnessTexture");
     });
     read(node, "emissiveFactor", emission, at_least_zero);
-    node.with("extensions", [&](const Node& extensions) {
-        require_object(extensions);
-        extensions.with("KHR_materials_emissive_strength", [&](const Node& at) {
-            require_object(at);
-            read(at, "emissiveStrength", strength, at_least_zero);
-        });
+    with_object(node, "extensions", [&](const Node& extensions) {
+        with_object(extensions, "KHR_materials_emissive_strength",
+                    [&](const Node& at) { read(at, "emissiveStrength", strength, at_least_zero); });
     });
     bool is_see_through = false;
     node.with("alphaMode", [&](const Node& at) {
@@ -166,8 +161,7 @@ GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world
         at.fail(fmt::format("the key {} is missing", in_quotes(type)), "the numbers of its lens");
     if (type == "orthographic") {
         Orthographic o;
-        at.with("orthographic", [&](const Node& p) {
-            require_object(p);
+        with_object(at, "orthographic", [&](const Node& p) {
             read(p, "ymag", o.height, above_zero);
             o.height *= 2;
             read_planes(p, o);
@@ -175,8 +169,7 @@ GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world
         camera.projection = o;
     } else {
         Perspective v;
-        at.with("perspective", [&](const Node& p) {
-            require_object(p);
+        with_object(at, "perspective", [&](const Node& p) {
             float fov = glm::radians(v.fov_y_deg);
             read(p, "yfov", fov, {0, std::numbers::pi, "more than 0, less than pi", true, true});
             v.fov_y_deg = std::min(glm::degrees(fov), std::nextafter(180.0f, 0.0f));

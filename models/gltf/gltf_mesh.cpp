@@ -121,8 +121,7 @@ const GltfVertices& vertices_of(const GltfDocument& document, const Node& root, 
 void read_primitive(const GltfDocument& document, const Node& root, const Node& primitive, Mesh& mesh) {
     const PrimitiveMode mode = mode_of(primitive);
     if (mode == PrimitiveMode::None) primitive.fail("it is made of points or lines", "one with triangles");
-    primitive.with("attributes", [&](const Node& attributes) {
-        require_object(attributes);
+    with_object(primitive, "attributes", [&](const Node& attributes) {
         follow(root, attributes, "POSITION", "accessors", [&](const Node& accessor) {
             const bool is_draco = has_extension(primitive, "KHR_draco_mesh_compression");
             if (is_draco && accessor.value().is_object() && !accessor.has("bufferView"))

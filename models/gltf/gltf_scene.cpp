@@ -197,10 +197,8 @@ class SceneReader {
             for (std::size_t i = 0; i < numbers.count; ++i) f(numbers, i, all[i]);
         };
         node.with("extensions", [&](const Node& extensions) {
-            extensions.with("EXT_mesh_gpu_instancing", [&](const Node& extension) {
-                require_object(extension);
-                extension.with("attributes", [&](const Node& from) {
-                    require_object(from);
+            with_object(extensions, "EXT_mesh_gpu_instancing", [&](const Node& extension) {
+                with_object(extension, "attributes", [&](const Node& from) {
                     each(from, "SCALE", "VEC3", [](const GltfNumbers& n, std::size_t i, glm::dmat4& m) {
                         for (int k = 0; k < 3; ++k) m[k] *= n.at(i, static_cast<std::size_t>(k));
                     });
@@ -219,8 +217,7 @@ class SceneReader {
     void add_primitive(const Node& primitive, int part, const std::string& name, const glm::dmat4& world) {
         if (mode_of(primitive) == PrimitiveMode::None) return void(++left_.lines);
         bool sparse = false, has_normals = false;
-        primitive.with("attributes", [&](const Node& a) {
-            require_object(a);
+        with_object(primitive, "attributes", [&](const Node& a) {
             sparse = is_sparse(root_, a, "POSITION") || is_sparse(root_, a, "NORMAL");
             has_normals = a.has("NORMAL");
             left_.colours += a.has("COLOR_0") ? 1 : 0;
