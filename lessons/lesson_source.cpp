@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <sstream>
 
 #include "models/problem.h"
 
@@ -108,15 +110,8 @@ const BlockLine& SourceBlock::require(std::string_view key) const {
 }
 
 std::vector<std::string> words_of(std::string_view text) {
-    std::vector<std::string> words;
-    for (std::size_t i = 0; i < text.size();) {
-        while (i < text.size() && is_blank(text[i])) ++i;
-        std::size_t end = i;
-        while (end < text.size() && !is_blank(text[end])) ++end;
-        if (end > i) words.emplace_back(text.substr(i, end - i));
-        i = end;
-    }
-    return words;
+    std::istringstream in{std::string(text)};
+    return {std::istream_iterator<std::string>(in), {}};
 }
 
 glm::ivec2 read_place(std::string_view text, int line) {

@@ -58,7 +58,7 @@ using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
 [[nodiscard]] Assignment read_set(const BlockLine& line);
 [[nodiscard]] Expression read_expression(const BlockLine& line, const std::vector<LessonRun>& runs,
                                          const std::vector<std::string>& variables = {});
-/// Splits a text into words at spaces.
+/// Splits a text into words at white space.
 [[nodiscard]] std::vector<std::string> words_of(std::string_view text);
 
 /// Reads the runs of a block. Names must be unique; compare refers to earlier render runs.

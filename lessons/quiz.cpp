@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <numeric>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
 #include "lessons/handout.h"
+#include "lessons/lesson_source.h"
 #include "models/utf8.h"
 #include "renderer/image/image_file.h"
 
@@ -113,11 +112,7 @@ std::string options_html(const Prediction& p, std::size_t number, std::optional<
 
 /// Compares with the page's title as a browser reports it, ignoring differences in white space.
 bool is_title(const Json& told, const std::string& title) {
-    const auto words = [](const std::string& text) {
-        std::istringstream in(text);
-        return std::vector<std::string>(std::istream_iterator<std::string>(in), {});
-    };
-    return told.is_string() && words(told.get_ref<const std::string&>()) == words(title);
+    return told.is_string() && words_of(told.get_ref<const std::string&>()) == words_of(title);
 }
 
 /// Null if there are no answers.

@@ -1,6 +1,8 @@
 #include "models/utf8.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
 #include "models/problem.h"
 
@@ -120,65 +122,45 @@ std::string unescaped_bytes(std::string_view text) {
     return rewritten(text, character, [](char c) { return std::string(1, c); });
 }
 
-std::string html_escaped(std::string_view text) {
-    std::string html;
+namespace {
+
+using Replacements = std::initializer_list<std::pair<char, const char*>>;
+
+/// The text on one line, with these characters replaced.
+std::string with_replaced(std::string_view text, Replacements all) {
+    std::string out;
     for (const char c : on_one_line(text)) {
-        switch (c) {
-        case '<':
-            html += "&lt;";
-            break;
-        case '>':
-            html += "&gt;";
-            break;
-        case '&':
-            html += "&amp;";
-            break;
-        case '"':
-            html += "&quot;";
-            break;
-        default:
-            html += c;
-        }
+        const auto* const found =
+            std::find_if(all.begin(), all.end(), [c](const auto& r) { return r.first == c; });
+        if (found == all.end())
+            out += c;
+        else
+            out += found->second;
     }
-    return html;
+    return out;
+}
+
+}  // namespace
+
+std::string html_escaped(std::string_view text) {
+    return with_replaced(text, {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}});
 }
 
 std::string latex_escaped(std::string_view text) {
-    std::string out;
-    for (const char c : on_one_line(text)) {
-        switch (c) {
-        case '<':  // LaTeX's default font encoding has other characters in place of these three
-            out += "\\textless{}";
-            break;
-        case '>':
-            out += "\\textgreater{}";
-            break;
-        case '|':
-            out += "\\textbar{}";
-            break;
-        case '\\':
-            out += "\\textbackslash{}";
-            break;
-        case '~':
-            out += "\\textasciitilde{}";
-            break;
-        case '^':
-            out += "\\textasciicircum{}";
-            break;
-        case '#':
-        case '$':
-        case '%':
-        case '&':
-        case '_':
-        case '{':
-        case '}':
-            out += '\\';
-            [[fallthrough]];
-        default:
-            out += c;
-        }
-    }
-    return out;
+    // LaTeX's default font encoding has other characters in place of the first three.
+    return with_replaced(text, {{'<', "\\textless{}"},
+                                {'>', "\\textgreater{}"},
+                                {'|', "\\textbar{}"},
+                                {'\\', "\\textbackslash{}"},
+                                {'~', "\\textasciitilde{}"},
+                                {'^', "\\textasciicircum{}"},
+                                {'#', "\\#"},
+                                {'$', "\\$"},
+                                {'%', "\\%"},
+                                {'&', "\\&"},
+                                {'_', "\\_"},
+                                {'{', "\\{"},
+                                {'}', "\\}"}});
 }
 
 std::string base64(std::string_view bytes) {

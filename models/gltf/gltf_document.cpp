@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <charconv>
 #include <filesystem>
 #include <glm/common.hpp>
 #include <map>
@@ -89,16 +89,12 @@ std::string from_base64(const Node& node, std::string_view text) {
 
 /// "a%20b" -> "a b".
 std::string unescaped_uri(const Node& node, const std::string& uri) {
-    const auto digit = [](char c) {
-        return c >= '0' && c <= '9'   ? c - '0'
-               : c >= 'a' && c <= 'f' ? c - 'a' + 10
-               : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                      : -1;
-    };
     std::string path;
     for (std::size_t i = 0; i < uri.size(); ++i) {
-        if (uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0) {
-            path += static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2]));
+        unsigned byte = 0;
+        const char* const after = uri.data() + i + 3;
+        if (uri[i] == '%' && i + 2 < uri.size() && std::from_chars(after - 2, after, byte, 16).ptr == after) {
+            path += static_cast<char>(byte);
             i += 2;
         } else {
             path += uri[i];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -18,32 +19,6 @@ Axes camera_axes(const Camera& camera) {
     const glm::dvec3 w = glm::normalize(glm::dvec3(camera.eye) - glm::dvec3(camera.target));
     const glm::dvec3 u = glm::normalize(glm::cross(glm::dvec3(camera.up), w));
     return {u, glm::cross(w, u), w};
-}
-
-/// The window on the near plane that a projection shows.
-struct Window {
-    double left, right, bottom, top, near, far;
-};
-
-glm::dmat4 frustum_matrix(const Window& s) {
-    const double width = s.right - s.left, height = s.top - s.bottom, depth = s.far - s.near;
-    glm::dmat4 m(0.0);  // m[column][row]
-    m[0][0] = 2 * s.near / width;
-    m[1][1] = 2 * s.near / height;
-    m[2] = {(s.right + s.left) / width, (s.top + s.bottom) / height, -(s.far + s.near) / depth, -1};
-    m[3][2] = -2 * s.far * s.near / depth;
-    return m;
-}
-
-glm::dmat4 orthographic_matrix(const Window& s) {
-    const double depth = s.far - s.near;
-    glm::dmat4 m(1.0);
-    m[0][0] = 2 / (s.right - s.left);
-    m[1][1] = 2 / (s.top - s.bottom);
-    m[2][2] = -2 / depth;
-    m[3] = {-(s.right + s.left) / (s.right - s.left), -(s.top + s.bottom) / (s.top - s.bottom),
-            -(s.far + s.near) / depth, 1};
-    return m;
 }
 
 }  // namespace
@@ -82,14 +57,14 @@ glm::dmat4 clip_from_view(const Projection& as_written, PictureSize size) {
     const double aspect = static_cast<double>(size.width) / size.height;
     if (const auto* p = std::get_if<Perspective>(&projection)) {
         const double top = p->near * std::tan(p->fov_y_deg * std::numbers::pi / 360);
-        return frustum_matrix({-top * aspect, top * aspect, -top, top, p->near, p->far});
+        return glm::frustumRH_NO<double>(-top * aspect, top * aspect, -top, top, p->near, p->far);
     }
     if (const auto* o = std::get_if<Orthographic>(&projection)) {
         const double top = o->height / 2.0;
-        return orthographic_matrix({-top * aspect, top * aspect, -top, top, o->near, o->far});
+        return glm::orthoRH_NO<double>(-top * aspect, top * aspect, -top, top, o->near, o->far);
     }
     const auto& f = std::get<Frustum>(projection);
-    return frustum_matrix({f.left, f.right, f.bottom, f.top, f.near, f.far});
+    return glm::frustumRH_NO<double>(f.left, f.right, f.bottom, f.top, f.near, f.far);
 }
 
 }  // namespace glint

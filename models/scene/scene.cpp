@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/matrix_relational.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/trigonometric.hpp>
@@ -26,14 +27,6 @@ glm::dmat3 linear_part(const Transform& written, TransformStep step) {
     return {world_from_object(alone)};
 }
 
-bool are_alike(const glm::dmat3& a, const glm::dmat3& b, double size) {
-    constexpr double error = 1e-9;
-    for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r)
-            if (!(std::abs(a[c][r] - b[c][r]) <= error * size)) return false;
-    return true;
-}
-
 }  // namespace
 
 glm::dmat4 world_from_object(const Transform& transform) {
@@ -54,7 +47,8 @@ std::optional<Transform> in_file_order(const Transform& written, const Transform
         linear = linear * linear_part(written, step);
     }
     const glm::dvec3 s = glm::abs(glm::dvec3(written.scale));
-    if (!are_alike(linear, rotate * scale, s.x + s.y + s.z)) return std::nullopt;
+    const double error = 1e-9 * (s.x + s.y + s.z);
+    if (!glm::all(glm::equal(linear, rotate * scale, error))) return std::nullopt;
     Transform transform = written;
     transform.translate = glm::vec3(before_translate * glm::dvec3(written.translate));
     return transform;
