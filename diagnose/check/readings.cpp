@@ -80,6 +80,9 @@ struct Reading {
     std::function<glm::dvec3(At at, Frames frames)> numbers;
 };
 
+/// A number as a buffer stores it, in three channels.
+glm::dvec3 all(double x) { return glm::dvec3(x); }
+
 std::vector<Reading> point_readings() {
     return {
         {"ours", [](At p, Frames) { return p.position; }},
@@ -169,16 +172,15 @@ std::vector<Reading> normal_readings() {
 }
 
 std::vector<Reading> depth_readings() {
-    const auto all = [](double x) { return glm::dvec3(x); };
     return {
         {"ours, turned round: z itself, which is negative in front of the camera",
-         [all](At p, Frames) { return all(p.position.z); }},
+         [](At p, Frames) { return all(p.position.z); }},
         {"the distance to the eye in place of that along the line of sight",
-         [all](At p, Frames) { return all(glm::length(p.position)); }},
+         [](At p, Frames) { return all(glm::length(p.position)); }},
         {"z in normalized device coordinates, -1 to 1",
-         [all](At p, Frames f) { return all(device_point(p, f).z); }},
+         [](At p, Frames f) { return all(device_point(p, f).z); }},
         {"the depth buffer's numbers, 0 to 1",
-         [all](At p, Frames f) { return all((device_point(p, f).z + 1) / 2); }},
+         [](At p, Frames f) { return all((device_point(p, f).z + 1) / 2); }},
     };
 }
 
@@ -236,7 +238,6 @@ std::vector<Reading> direction_readings(const Heading& to, bool has_head) {
 }
 
 std::vector<Reading> cosine_readings() {
-    const auto all = [](double x) { return glm::dvec3(x); };
     const auto right = [](At p) { return glm::dot(p.normal, p.to_light); };
     std::vector<Reading> readings{
         {"ours", [=](At p, Frames) { return all(right(p)); }},
@@ -256,19 +257,18 @@ std::vector<Reading> cosine_readings() {
 
 /// Distances to the light.
 std::vector<Reading> distance_readings() {
-    const auto all = [](double x) { return glm::dvec3(x); };
     std::vector<Reading> readings{
-        {"ours", [all](At p, Frames) { return all(p.distance); }},
-        {"1 everywhere: taken after l was made unit", [all](At, Frames) { return all(1); }},
+        {"ours", [](At p, Frames) { return all(p.distance); }},
+        {"1 everywhere: taken after l was made unit", [](At, Frames) { return all(1); }},
         {"sqrt(r^2 + 1): the difference of both w is 1",
-         [all](At p, Frames) { return all(std::hypot(p.distance, 1)); }},
-        {"the square of ours", [all](At p, Frames) { return all(p.distance * p.distance); }},
-        {"the distance to the eye", [all](At p, Frames) { return all(glm::length(p.position)); }},
+         [](At p, Frames) { return all(std::hypot(p.distance, 1)); }},
+        {"the square of ours", [](At p, Frames) { return all(p.distance * p.distance); }},
+        {"the distance to the eye", [](At p, Frames) { return all(glm::length(p.position)); }},
     };
     std::vector<Reading> mixed;
     add_mixed(mixed, to_light());
     for (const Reading& m : mixed)
-        readings.push_back({m.words, [all, m](At p, Frames f) { return all(glm::length(m.numbers(p, f))); }});
+        readings.push_back({m.words, [m](At p, Frames f) { return all(glm::length(m.numbers(p, f))); }});
     return readings;
 }
 

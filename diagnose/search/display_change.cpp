@@ -72,6 +72,8 @@ float coded(Code code, float x) {
     return x;  // not reached
 }
 
+float coded_byte(Code code, std::uint8_t byte) { return half_levels_of(code)[2 * std::size_t{byte} + 1]; }
+
 int DisplayChange::encodings() const { return steps_of(before) + steps_of(after); }
 
 int DisplayChange::count() const {

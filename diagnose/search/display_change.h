@@ -97,6 +97,8 @@ struct ByteBounds {
 
 /// The curve of one code on 0 to 1.
 [[nodiscard]] float coded(Code code, float x);
+/// The same of a byte / 255, from a table. Precondition: the code is not Power.
+[[nodiscard]] float coded_byte(Code code, std::uint8_t byte);
 
 // Pictures as they arrive: copies of a window, with a border or with each pixel as a square.
 

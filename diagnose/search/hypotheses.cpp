@@ -24,9 +24,9 @@ constexpr std::size_t even_probes = 1500, wrong_probes = 1200, changes_kept = 3;
 constexpr std::size_t likely_in_many = 48;  // of a large batch, tried on all probes
 constexpr double free_in_probes = 12;
 
-/// Every curve that a display may have put its numbers through, with its gain to be found. `is_encoded`: the
-/// levels are, so that a gain of light is not one of levels.
-std::vector<DisplayChange> curves(bool is_encoded) {
+/// Every way in which colours may have got lost, with its gain to be found. `is_encoded`: the levels are, so
+/// that a gain of light is not one of levels.
+std::vector<DisplayChange> all_changes(const std::array<bool, 4>& turns, bool is_encoded) {
     std::vector<DisplayChange> all;
     for (const auto& [before, after] : {std::pair{Code::Same, Code::Same},
                                         {Code::Encoded, Code::Same},
@@ -34,27 +34,16 @@ std::vector<DisplayChange> curves(bool is_encoded) {
                                         {Code::Same, Code::Encoded},
                                         {Code::Decoded, Code::Encoded}}) {
         if (before == Code::Decoded && after == Code::Encoded && !is_encoded) continue;
-        DisplayChange change;
-        change.before = before;
-        change.after = after;
-        all.push_back(change);
-    }
-    return all;
-}
-
-/// Every way in which colours may have got lost, with its gain to be found.
-std::vector<DisplayChange> all_changes(const std::array<bool, 4>& turns, bool is_encoded) {
-    std::vector<DisplayChange> all;
-    for (DisplayChange change : curves(is_encoded))
-        for (const DisplayChange& turned : ways_of_turning()) {
-            if (!turns[way_turned(turned)]) continue;
-            change.upside_down = turned.upside_down;
-            change.mirrored = turned.mirrored;
+        for (DisplayChange change : ways_of_turning()) {
+            if (!turns[way_turned(change)]) continue;
+            change.before = before;
+            change.after = after;
             for (const bool exchanged : {false, true}) {
                 change.red_blue = exchanged;
                 all.push_back(change);
             }
         }
+    }
     return all;
 }
 

@@ -215,24 +215,11 @@ Code inverse(Code code) {
     return code == Code::Encoded ? Code::Decoded : code == Code::Decoded ? Code::Encoded : Code::Same;
 }
 
-using CodeTable = std::array<float, 256>;
-CodeTable filled_table(Code code) {
-    CodeTable table{};
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = coded(code, static_cast<float>(i) / 255);
-    return table;
-}
-const CodeTable& code_table(Code code) {
-    static const std::array<CodeTable, 3> tables = {filled_table(Code::Same), filled_table(Code::Encoded),
-                                                    filled_table(Code::Decoded)};
-    return tables[static_cast<std::size_t>(code)];
-}
-
 std::vector<Pair> gain_pairs(const DrawnProbes& drawn, const WrongProbes& wrong,
                              const DisplayChange& change) {
     constexpr std::uint8_t least = 4, most = 250;
     constexpr std::size_t enough = 80, few = 60;
-    const CodeTable& before = code_table(change.before);
-    const CodeTable& after = code_table(inverse(change.after));
+    const Code undo = inverse(change.after);
     const ProbeLevels& mine = wrong.at(change);
     const std::size_t probes = mine.size() / 3, step = std::max<std::size_t>(1, probes / enough);
     std::vector<Pair> pairs;
@@ -243,7 +230,8 @@ std::vector<Pair> gain_pairs(const DrawnProbes& drawn, const WrongProbes& wrong,
             for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
                 const std::uint8_t from = drawn.at[k], to = mine[k];
                 if (from < least || to < least || from > most || to > most) continue;
-                pairs.push_back({before[from], after[to], after[to] / before[from]});
+                const float drawn_light = coded_byte(change.before, from), mine_light = coded_byte(undo, to);
+                pairs.push_back({drawn_light, mine_light, mine_light / drawn_light});
             }
         }
     };
