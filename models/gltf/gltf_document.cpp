@@ -8,14 +8,12 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
-#include <glm/common.hpp>
 #include <map>
 #include <optional>
 
 #include "models/gltf/gltf.h"
 #include "models/io/file.h"
 #include "models/mesh/formats/mesh_reader.h"
-#include "models/mesh/normals.h"
 
 namespace glint {
 namespace {

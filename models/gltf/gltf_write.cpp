@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -18,6 +19,7 @@
 
 #include "models/gltf/gltf.h"
 #include "models/gltf/gltf_document.h"
+#include "models/mesh/normals.h"
 #include "models/numbers.h"
 #include "models/problem.h"
 
@@ -31,6 +33,7 @@ struct GltfUnsaid {
     std::size_t materials = 0, bright = 0;
     std::size_t off = 0, areas = 0, falloffs = 0, cones = 0, ambients = 0, speculars = 0;  // lights
 };
+
 void say_camera(const GltfUnsaid& unsaid, Warnings& w) {
     if (unsaid.frustum) w.emplace_back("the frustum is written as a view whose middle is straight ahead");
     if (unsaid.mirroring)
@@ -107,7 +110,7 @@ Warnings said(const GltfUnsaid& unsaid, const Scene& scene) {
 }
 
 // OpenGL's constants.
-constexpr int vertex_data = 34962, index_data = 34963, of_floats = 5126, of_unsigned_ints = 5125;
+constexpr int vertex_data = 34962, index_data = 34963;
 
 void append(std::string& bytes, std::uint32_t bits) {
     for (int i = 0; i < 4; ++i) bytes += static_cast<char>(bits >> (8 * i) & 0xFF);
@@ -171,7 +174,7 @@ class GltfBuffer {
             high = glm::max(high, v);
         }
         Json accessor{{"bufferView", add_view(begin, vertex_data)},
-                      {"componentType", of_floats},
+                      {"componentType", gltf_floats},
                       {"count", vectors.size()},
                       {"type", "VEC3"}};
         if (with_bounds) {
@@ -186,7 +189,7 @@ class GltfBuffer {
         const std::size_t begin = bytes_.size();
         for (const std::uint32_t i : indices) append(bytes_, i);
         accessors_.push_back({{"bufferView", add_view(begin, index_data)},
-                              {"componentType", of_unsigned_ints},
+                              {"componentType", gltf_unsigned_int},
                               {"count", indices.size()},
                               {"type", "SCALAR"}});
         return static_cast<int>(accessors_.size()) - 1;
