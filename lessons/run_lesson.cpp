@@ -46,7 +46,7 @@ Result<Json> lobe_answer(const Scene& scene, const Lesson& lesson, const LessonR
         return problem_at(lesson, run.line, "the scene has no object " + std::to_string(number),
                           std::to_string(scene.objects.size()) + " objects, counted from 0");
     const Object& object = scene.objects[number];
-    const Reflector reflector{scene.shading.reflection, object.material, scene.shading.terms};
+    const Reflector reflector = reflector_of(object.material, scene.shading);
     return lobe_json(reflector, object.name, run.angle_deg, lobe_slice(reflector, run.angle_deg, 180));
 }
 

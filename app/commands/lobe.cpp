@@ -28,8 +28,7 @@ const Object& object_of(const Scene& scene, int number) {
 Outcome lobe(const LobeArguments& arguments) {
     const SceneDocument document = open_scene(arguments.scene);
     const Object& object = object_of(document.scene, arguments.object);
-    const Shading& shading = document.scene.shading;
-    const Reflector reflector{shading.reflection, object.material, shading.terms};
+    const Reflector reflector = reflector_of(object.material, document.scene.shading);
     const auto slice = lobe_slice(reflector, arguments.light_deg, arguments.steps);
     return {arguments.as_json ? json_text(lobe_json(reflector, object.name, arguments.light_deg, slice))
                               : lobe_csv(slice),

@@ -152,6 +152,11 @@ constexpr Choice choice_of(Transfer transfer) {
 }
 
 constexpr Choice choice_of(Reflection reflection) { return row_of(reflection).choice; }
+
+constexpr Choice choice_of(OwnReflection reflection) {
+    if (reflection == OwnReflection::Scene) return {"scene", "As the scene", "The scene's reflection model"};
+    return choice_of(static_cast<Reflection>(reflection));
+}
 constexpr Choice choice_of(Primitive primitive) { return info_of(primitive).choice; }
 
 /// The kinds of projection, in the order of the alternatives of `Projection`.

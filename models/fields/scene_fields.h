@@ -175,6 +175,9 @@ template <Of<Material> M, class Visit> void fields(M& m, Visit&& visit) {
     visit(Row{"roughness", "Roughness", "0 smooth, 1 rough; Oren–Nayar and Cook–Torrance"},
           Real{.range = zero_to_one, .step = 0.004f, .format = "%.2f", .usual_max = 1}, m.roughness);
     visit(Row{"f0", "F0", "Reflectance at normal incidence; Cook–Torrance"}, Colour{}, m.f0);
+    visit(Row{"reflection", "Reflection", "Its own reflection model instead of the scene's"}
+              .omitted_by_default(),
+          OneOf{}, m.reflection);
 }
 
 template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {

@@ -30,7 +30,7 @@ namespace {
 struct GltfUnsaid {
     bool frustum = false, mirroring = false, angle = false;  // of the camera
     std::size_t invisible = 0, empty = 0, colours = 0;       // objects
-    std::size_t materials = 0, bright = 0;
+    std::size_t materials = 0, models = 0, bright = 0;  // models: other than cook-torrance
     std::size_t off = 0, areas = 0, falloffs = 0, cones = 0, ambients = 0, speculars = 0;  // lights
 };
 
@@ -43,8 +43,8 @@ void say_camera(const GltfUnsaid& unsaid, Warnings& w) {
         w.emplace_back("the angle of view is beyond what glTF can express: the nearest is written");
 }
 
-void say_whole(const Scene& scene, Warnings& w) {
-    if (scene.shading.reflection != Reflection::CookTorrance)
+void say_whole(const GltfUnsaid& unsaid, const Scene& scene, Warnings& w) {
+    if (unsaid.models > 0)
         w.emplace_back(
             "the reflection model is written as metal and roughness (cook-torrance), the nearest that "
             "glTF has");
@@ -94,11 +94,10 @@ void say_lights(const GltfUnsaid& unsaid, Warnings& w) {
 Warnings said(const GltfUnsaid& unsaid, const Scene& scene) {
     Warnings w;
     say_camera(unsaid, w);
-    say_whole(scene, w);
+    say_whole(unsaid, scene, w);
     say_shading(scene, w);
-    if (scene.shading.reflection == Reflection::CookTorrance)
-        warn(w, unsaid.materials, "material has colours that no metal has: its diffuse colour is kept",
-             "materials have colours that no metal has: their diffuse colours are kept");
+    warn(w, unsaid.materials, "material has colours that no metal has: its diffuse colour is kept",
+         "materials have colours that no metal has: their diffuse colours are kept");
     warn(w, unsaid.bright, "material reflects more light than it gets: its colour is clamped to 1",
          "materials reflect more light than they get: their colours end at 1");
     say_lights(unsaid, w);
@@ -410,9 +409,10 @@ class Writer {
     }
 
     std::size_t add(const Material& m, bool is_double_sided) {
-        const bool is_physical = scene_.shading.reflection == Reflection::CookTorrance;
+        const bool is_physical = reflection_of(m, scene_.shading.reflection) == Reflection::CookTorrance;
+        unsaid_.models += is_physical ? 0 : 1;
         const std::optional<GltfMetal> metal = is_physical ? metal_of(m) : std::nullopt;
-        if (!metal || m.specular != glm::vec3(1)) ++unsaid_.materials;
+        if (is_physical && (!metal || m.specular != glm::vec3(1))) ++unsaid_.materials;
         const glm::vec3 whole = metal ? metal->base : m.diffuse, base = glm::min(whole, glm::vec3(1));
         // The base colour of a metal is computed, so rounding may raise it slightly above 1. Up to 1e-5 above
         // 1 is tolerated.

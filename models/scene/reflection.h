@@ -10,6 +10,9 @@ namespace glint {
 
 enum class Reflection { None, Lambert, Phong, BlinnPhong, Retro, OrenNayar, CookTorrance };
 
+/// The model of one material: the scene's, or its own, with the same value as in Reflection.
+enum class OwnReflection { Scene, Lambert, Phong, BlinnPhong, Retro, OrenNayar, CookTorrance };
+
 /// The cosine that a model's highlight raises to the shininess.
 enum class HighlightCosine { None, RV, NH, LV };
 

@@ -79,8 +79,15 @@ struct Material {
     float shininess = 32;                                 // exponent n_shiny, 0 to 10,000
     float roughness = 0.5f;                               // 0 to 1; oren-nayar and cook-torrance
     glm::vec3 f0{0.04f};                                  // reflectance at normal incidence; cook-torrance
+    OwnReflection reflection = OwnReflection::Scene;
     bool operator==(const Material&) const = default;
 };
+
+/// The reflection model of a material in a scene with the model `of_scene`. In an unlit scene nothing is lit.
+[[nodiscard]] constexpr Reflection reflection_of(const Material& material, Reflection of_scene) {
+    const bool is_own = material.reflection != OwnReflection::Scene && of_scene != Reflection::None;
+    return is_own ? static_cast<Reflection>(material.reflection) : of_scene;
+}
 
 /// One of the classic materials of the OpenGL sample programs (assets/materials.json).
 struct MaterialPreset {

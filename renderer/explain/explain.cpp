@@ -149,6 +149,7 @@ Explanation explain_stages(const ExplainedStages& stages, int x, int y) {
     e.object_index = static_cast<int>(face.object);
     e.object = stages.scene.objects[face.object].name;
     e.material = mistaken_material(shading.mistakes, stages.lighting.materials[face.object]);
+    e.reflection = reflection_of(e.material, shading.reflection);
     e.face = t.face;
     e.triangle = static_cast<std::uint32_t>(&t - &*first_of_face);
     e.front_facing = !stages.visibility.back_at(pixel);

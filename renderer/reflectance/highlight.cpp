@@ -68,7 +68,9 @@ glm::vec3 peak_direction(const Scene& scene, PictureSize size, const SeenPoint& 
     const LightAlone any(scene, size, {}, mirror_like(scene, point.object));
     const PointAt<float> at = any.seen(point.position, point.normal);
     if (!(dot(at.n, at.v) > 0)) return glm::vec3(0);
-    const bool back = info_of(scene.shading.reflection).peak == HighlightPeak::Light;
+    const Material& material = scene.objects[static_cast<std::size_t>(point.object)].material;
+    const Reflection model = reflection_of(material, scene.shading.reflection);
+    const bool back = info_of(model).peak == HighlightPeak::Light;
     return to_glm(back ? at.v : directions_for(at.v, at).r);
 }
 

@@ -24,6 +24,10 @@ struct Reflector {
     Terms terms;
     bool operator==(const Reflector&) const = default;
 };
+/// The surface that this material has in a scene with this shading.
+[[nodiscard]] inline Reflector reflector_of(const Material& material, const Shading& shading) {
+    return {reflection_of(material, shading.reflection), material, shading.terms};
+}
 
 /// The terms of the equation, per channel. `ambient` is k_a, as for a light with an ambient part of 1.
 struct Reflected {

@@ -248,9 +248,9 @@ LightJob light_job(const Scene& scene, PictureSize size, const Material& given,
     const bool without_k_a = wrong.ambient_without_material;
     job.material.global_ambient = product(without_k_a ? glm::vec3(1) : m.ambient, scene.global_ambient);
     if (without_k_a && wrong.form == 1) job.material.k_a = {1, 1, 1};
-    if (wrong.alpha_not_squared && scene.shading.reflection == Reflection::CookTorrance)
+    job.model = reflection_of(given, scene.shading.reflection);
+    if (wrong.alpha_not_squared && job.model == Reflection::CookTorrance)
         job.material.roughness = wrong.form == 1 ? m.roughness * m.roughness : std::sqrt(m.roughness);
-    job.model = scene.shading.reflection;
     job.terms = scene.shading.terms;
     job.tone = tone_of(scene.npr, lights);
     if (job.tone.on) job.terms.emission = job.terms.ambient = job.terms.diffuse = false;

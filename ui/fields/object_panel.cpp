@@ -227,13 +227,15 @@ void apply(const MaterialPreset& preset, Material& material) {
     material.shininess = m.shininess;
 }
 
-bool material_panel(Material& material, const std::string& pointer, Reflection reflection) {
-    const ReflectionInfo uses = info_of(reflection);
+bool material_panel(Material& material, const std::string& pointer, Reflection of_scene) {
+    const ReflectionInfo uses = info_of(reflection_of(material, of_scene));
     bool edited = preset_field(material);
     FieldPanel panel(material, pointer);
     panel.dim("shininess", uses.uses_shininess())
         .dim("roughness", uses.uses_roughness)
-        .dim("f0", uses.uses_f0);
+        .dim("f0", uses.uses_f0)
+        .dim("reflection", uses.is_lit);
+    panel.draw({"reflection"});
     return panel.rest().edited() || edited;
 }
 

@@ -24,9 +24,9 @@ struct MeshCheck;
 [[nodiscard]] bool light_panel(Light& light, const std::string& pointer, const Camera& camera,
                                const Dome& dome, const ScreenMap& map);
 
-/// Edits a material, whose JSON pointer is `pointer`: "/objects/0/material". Dims numbers that `reflection`
-/// does not use.
-[[nodiscard]] bool material_panel(Material& material, const std::string& pointer, Reflection reflection);
+/// Edits a material, whose JSON pointer is `pointer`: "/objects/0/material". Dims numbers that its reflection
+/// model, which may be that of the scene, does not use.
+[[nodiscard]] bool material_panel(Material& material, const std::string& pointer, Reflection of_scene);
 
 /// Copies a preset's ambient, diffuse, specular and shininess into the material; the rest stays.
 void apply(const MaterialPreset& preset, Material& material);

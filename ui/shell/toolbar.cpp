@@ -134,7 +134,7 @@ void switches(UiState& state, const Rect& area) {
                   mode_room, {});
     ImGui::SameLine(0, gap);
     choice_switch("Reflection", shading.reflection,
-                  {"How all surfaces of the scene reflect light", "/shading/reflection"},
+                  {"How surfaces reflect light, unless a material has its own model", "/shading/reflection"},
                   choices_room - std::min(mode_room, std::max(of_mode, combo)), {Reflection::Retro});
     ImGui::SameLine(0, gap);
     if (fits) {

@@ -1,4 +1,4 @@
-// The effects of an object's switches: `visible` and `normals.flip`.
+// The effects of an object's switches: `visible`, `normals.flip` and `material.reflection`.
 #include "renderer/renderer.h"
 #include "tests/support/as_fresh.h"
 #include "tests/support/catch.h"
@@ -72,4 +72,45 @@ TEST_CASE("flipping one object's normals does not change the others", "[renderer
         CHECK(wrong == 0);
         CHECK(changed > 100);
     });
+}
+
+TEST_CASE("each object looks as if its own reflection model were the scene's", "[renderer]") {
+    for_each_mode(busy_scene(), [](Scene scene) {
+        const std::array own{OwnReflection::Scene, OwnReflection::OrenNayar, OwnReflection::CookTorrance};
+        for (std::size_t o = 0; o < scene.objects.size(); ++o)
+            scene.objects[o].material.reflection = own[o % own.size()];
+        Renderer renderer(1), alone(1);
+        const Picture mixed = renderer.render(scene, small, true);
+        for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+            CAPTURE(o);
+            Scene other = scene;
+            for (Object& object : other.objects) object.material.reflection = OwnReflection::Scene;
+            if (o % own.size() > 0) other.shading.reflection = static_cast<Reflection>(own[o % own.size()]);
+            const Picture& same_model = alone.render(other, small, true);
+            int seen = 0, wrong = 0;
+            for (int y = 0; y < small.height; ++y)
+                for (int x = 0; x < small.width; ++x) {
+                    const Explanation e = renderer.explain(x, y);
+                    if (!e.hit || e.object_index != static_cast<int>(o)) continue;
+                    ++seen;
+                    wrong +=
+                        e.reflection != other.shading.reflection || !same_bits(e.sum, mixed.linear_at(x, y));
+                    wrong += !same_bits(same_model.linear_at(x, y), mixed.linear_at(x, y));
+                }
+            CHECK(seen > 0);
+            CHECK(wrong == 0);
+        }
+    });
+}
+
+TEST_CASE("an object's own reflection model drawn after another scene equals a fresh picture", "[renderer]") {
+    Scene scene = busy_scene();
+    Renderer renderer(1);
+    (void)renderer.render(scene, small);
+    scene.objects[0].material.reflection = OwnReflection::CookTorrance;
+    CHECK(renderer.render(scene, small).rgba == drawn_bytes(scene));
+    scene.shading.reflection = Reflection::None;  // nothing is lit, whatever a material says
+    const std::vector<std::uint8_t> unlit = drawn_bytes(scene);
+    scene.objects[0].material.reflection = OwnReflection::Scene;
+    CHECK(drawn_bytes(scene) == unlit);
 }

@@ -121,7 +121,7 @@ TEST_CASE("loading a mesh without normals reports the averaging and shows Crease
     CHECK(said());
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, 0});
     const Rect crease = bench.area_of("/objects/0/normals/crease_deg");  // visible without scrolling
-    CHECK(crease.low.y < bench.area_of("/objects/0/material/ambient").low.y);
+    CHECK(crease.low.y < bench.area_of("/objects/0/material/reflection").low.y);
     // A mesh with normals gives no message.
     bench.state.notifications.list.clear();
     drop.dropped = {folder.file("with.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")};

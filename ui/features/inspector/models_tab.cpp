@@ -109,15 +109,19 @@ void like_line(UiState& state, const Explanation& explanation) {
     section_heading("Blinn–Phong against Phong");
     wrapped_dim(fmt::format(
         "Blinn's (n·h)ˢ is closest to this Phong highlight of shininess {:.4g} with {:.4g}.", n, like));
-    if (ImGui::Button("Change to Blinn–Phong")) {
-        scene.shading.reflection = Reflection::BlinnPhong;
-        scene.objects[object].material.shininess = static_cast<float>(like);
-    }
+    const auto change = [&](Scene& changed) {
+        Material& material = changed.objects[object].material;
+        if (material.reflection == OwnReflection::Scene)
+            changed.shading.reflection = Reflection::BlinnPhong;
+        else
+            material.reflection = OwnReflection::BlinnPhong;
+        material.shininess = static_cast<float>(like);
+    };
+    if (ImGui::Button("Change to Blinn–Phong")) change(scene);
     tooltip("Change to Blinn–Phong", "With that shininess; undo restores Phong");
     if (!is_pointed_at()) return;
     Scene other = scene;
-    other.shading.reflection = Reflection::BlinnPhong;
-    other.objects[object].material.shininess = static_cast<float>(like);
+    change(other);
     show_instead(state, other, fmt::format("Blinn–Phong, shininess {:.4g}", like));
 }
 

@@ -28,7 +28,7 @@ namespace {
 constexpr int lobe_steps = 180;
 
 Reflector reflector_of(const PlotSubject& subject) {
-    return {subject.scene.shading.reflection, subject.material, {}};
+    return {reflection_of(subject.material, subject.scene.shading.reflection), subject.material, {}};
 }
 
 template <class Value>
@@ -201,9 +201,10 @@ namespace {
 
 constexpr int shape_steps = 90, curve_steps = 240;
 
-/// The model whose exponent is fitted: the scene's, or Phong's if the scene's model has none.
-Reflection fitted_model(const Scene& scene) {
-    return scene.shading.reflection == Reflection::BlinnPhong ? Reflection::BlinnPhong : Reflection::Phong;
+/// The model whose exponent is fitted: the surface's, or Phong's if the surface's model has none.
+Reflection fitted_model(const PlotSubject& subject) {
+    const bool is_blinn = reflector_of(subject).reflection == Reflection::BlinnPhong;
+    return is_blinn ? Reflection::BlinnPhong : Reflection::Phong;
 }
 
 /// Half of a model's highlight from its centre outwards.
@@ -262,7 +263,7 @@ void highlight_section(PlotsState& plots, const PlotSubject& subject) {
     draw_curve(list, area, blinn, theme()[Symbol::H]);
     draw_curve(list, area, phong, theme()[Symbol::R], 2.6f);
     draw_curve(list, area, close, theme().text, 1);
-    const Reflection reflection = subject.scene.shading.reflection;
+    const Reflection reflection = reflector_of(subject).reflection;
     if (subject.point.light != nullptr && raises_a_cosine(reflection))
         draw_mark(list, area, highlight_mark(subject.point, reflection),
                   theme()[reflection == Reflection::Phong ? Symbol::R : Symbol::H]);
@@ -294,7 +295,7 @@ std::vector<glm::dvec2> points_of(const HighlightSketch& sketch) {
 void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subject) {
     if (!fold("Draw a highlight of your own", false)) return;
     const double n = double(subject.material.shininess);
-    const Reflection model = fitted_model(subject.scene);
+    const Reflection model = fitted_model(subject);
     const Symbol symbol = model == Reflection::Phong ? Symbol::R : Symbol::H;
     const auto power = half_highlight(model, subject.material.shininess);
     // Its width at half height equals that of the power; Blinn-Phong's is measured over twice the angle.

@@ -317,7 +317,7 @@ HandNote shape_note(const Light& light, ShapePart part) {
 HandNote size_note(const SizeDrag& drag, const Scene& scene) {
     if (static_cast<std::size_t>(drag.object) >= scene.objects.size()) return {};
     const Object& object = scene.objects[static_cast<std::size_t>(drag.object)];
-    if (info_of(scene.shading.reflection).uses_shininess())
+    if (info_of(reflection_of(object.material, scene.shading.reflection)).uses_shininess())
         return {"Shininess of " + object.name, fmt::format("{:.1f}", object.material.shininess)};
     return {"Roughness of " + object.name, fmt::format("{:.3f}", object.material.roughness)};
 }
@@ -340,9 +340,15 @@ std::string hint_of(const Grip& grip, const Scene& scene) {
         return name + ": aim at the point under the cursor · Ctrl: snap · Shift: turn freely";
     if (grip.kind == GripKind::Shape)
         return fmt::format("{}: {} · Ctrl: snap", name, text_of(grip.shape.part));
-    const bool power = info_of(scene.shading.reflection).uses_shininess();
+    const auto by_shininess = [&scene](const Object& o) {
+        return info_of(reflection_of(o.material, scene.shading.reflection)).uses_shininess();
+    };
+    const bool all = std::ranges::all_of(scene.objects, by_shininess);
+    const bool none = std::ranges::none_of(scene.objects, by_shininess);
     return fmt::format(fmt::runtime(text_of(grip.kind).hover), name,
-                       power ? "the shininess" : "the roughness");
+                       all    ? "the shininess"
+                       : none ? "the roughness"
+                              : "the shininess or roughness");
 }
 
 std::string hint_of(const Held& held) {

@@ -234,9 +234,10 @@ struct Width {
         return material;
     }
 };
-Width width_of(Reflection reflection) {
-    return info_of(reflection).uses_shininess() ? Width{&Material::shininess, sharpest, dullest}
-                                                : Width{&Material::roughness, smoothest, roughest};
+Width width_of(const Material& material, const Scene& scene) {
+    return info_of(reflection_of(material, scene.shading.reflection)).uses_shininess()
+               ? Width{&Material::shininess, sharpest, dullest}
+               : Width{&Material::roughness, smoothest, roughest};
 }
 
 /// The brightest channel of the highlight as displayed: 1 is full brightness.
@@ -284,10 +285,11 @@ std::optional<HoveredHighlight> highlight_under(const SurfaceView& view, glm::dv
 
 std::optional<int> highlight_rim_under(const SurfaceView& view, glm::dvec2 pixel, double reach) {
     const Scene& scene = view.scene;
-    if (!scene.shading.terms.specular || !info_of(scene.shading.reflection).has_highlight) return {};
+    if (!scene.shading.terms.specular) return {};
     const auto patch = surface_patch(view.renderer, view.map.size, pixel, 1);
     if (!patch) return {};
     const Material& material = scene.objects[static_cast<std::size_t>(patch->middle().object)].material;
+    if (!info_of(reflection_of(material, scene.shading.reflection)).has_highlight) return {};
     std::optional<int> best;
     double nearest = reach;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -311,7 +313,7 @@ std::optional<int> highlight_rim_under(const SurfaceView& view, glm::dvec2 pixel
 std::optional<Material> sized_highlight(const SizeDrag& drag, const SurfaceView& view, glm::dvec2 pixel) {
     const auto point = seen_at(view.renderer, view.map.size, pixel);
     if (!point || point->object != drag.object) return {};
-    const Width width = width_of(view.scene.shading.reflection);
+    const Width width = width_of(drag.start, view.scene);
     const auto share = [&](double at) {
         return highlight_share(view, drag.light, *point, width.at(drag.start, at));
     };

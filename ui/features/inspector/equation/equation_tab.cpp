@@ -243,6 +243,8 @@ void equation_tab(UiState& state, const PictureView&) {
                                         ? TransportModel::Bounces
                                     : is_local ? TransportModel::Local
                                                : TransportModel::Shadows);
+    if (explanation.material.reflection != OwnReflection::Scene)
+        wrapped_dim(fmt::format("Its own reflection model: {}", choice_of(explanation.reflection).label));
     if (!is_plain_front(explanation)) warning_text("The surface is seen from its " + side_words(explanation));
     sum_table(state, explanation);
     display_lines(state, explanation);

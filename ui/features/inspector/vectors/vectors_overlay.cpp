@@ -330,7 +330,7 @@ class Diagram {
 /// The lobe in polar form, scaled so that its longest ray is a unit vector.
 std::vector<glm::vec2> lobe_outline(const UiState& state, double light_deg) {
     const Shading& shading = explained_scene(state).shading;
-    const Reflector reflector{shading.reflection, state.on_screen.explanation->material, shading.terms};
+    const Reflector reflector = reflector_of(state.on_screen.explanation->material, shading);
     const std::vector<LobeSample> slice = lobe_slice(reflector, light_deg, lobe_steps);
     const auto strength = [&](const LobeSample& s) {
         return (s.reflected.diffuse + s.reflected.specular)[state.get<InspectorState>().channel];

@@ -156,7 +156,8 @@ void cell(float moved, const ImVec4& colour) {
 void sensitivity_of_terms(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
     section_heading("What each term depends on: change by a turn of 1°");
     const Shading& shading = explained_scene(state).shading;
-    const Reflector reflector{shading.reflection, state.on_screen.explanation->material, Terms{}};
+    Reflector reflector = reflector_of(state.on_screen.explanation->material, shading);
+    reflector.terms = {};
     const auto sensitivity =
         term_sensitivity(reflector, point.normal.camera, light.l.camera, point.view.camera);
     constexpr std::array names{"ambient", "diffuse", "specular"};
