@@ -87,10 +87,12 @@ std::string light_word(const Scene& scene, std::size_t index) {
     return fmt::format("GL_LIGHT{}{}", number < 8 ? "" : "0 + ", number);
 }
 
-/// Whether the program supports the scene's reflection model.
-bool can_reflect(const Shading& shading) {
+/// The first reflection model of the scene that the program does not support.
+std::optional<Reflection> lacking_model(const Scene& scene) {
     static const Flags can = mentioned_flags(gl1_main_c);
-    return can.contains(fmt::format("reflection.{}", name_of(shading.reflection)));
+    for (const Reflection model : models_of(scene))
+        if (!can.contains(fmt::format("reflection.{}", name_of(model)))) return model;
+    return {};
 }
 
 /// The scene's flags, but without mistakes, and with every term whose numbers the user may want to edit.
@@ -102,7 +104,7 @@ Flags flags_for_calls(Scene scene) {
     Flags flags = flags_of(scene);
     const Shading& shading = scene.shading;
     if (shading.terms.emission) flags.insert("terms.emission");
-    const bool has_highlight = info_of(shading.reflection).uses_shininess() || !can_reflect(shading);
+    const bool has_highlight = info_of(shading.reflection).uses_shininess() || lacking_model(scene);
     if (has_highlight && shading.terms.specular) flags.insert("uses.shininess");
     return flags;
 }
@@ -151,9 +153,9 @@ class CallWriter {
             calls.push_back(call_of(statement, scene_variables(), "", numbers_));
         if (s.mode == ShadingMode::Phong || s.mode == ShadingMode::Facet)
             calls.push_back(remark("It lights corners only; light at every pixel needs a shader."));
-        if (!can_reflect(s))
-            calls.push_back(remark(
-                fmt::format("It has Blinn-Phong only; {} needs a shader.", choice_of(s.reflection).label)));
+        if (const auto model = lacking_model(scene_))
+            calls.push_back(
+                remark(fmt::format("It has Blinn-Phong only; {} needs a shader.", choice_of(*model).label)));
         return group;
     }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "models/fields/choices.h"
 #include "models/mesh/normals.h"
 #include "models/scene/mistakes.h"
 
@@ -77,8 +78,8 @@ std::vector<Statement> statements_of(const char* program) {
     return all;
 }
 
-void make_mistakes(Statement& s, const Shading& shading) {
-    const bool rough = info_of(shading.reflection).rough_diffuse;
+void make_mistakes(Statement& s, const Shading& shading, Reflection model) {
+    const bool rough = info_of(model).rough_diffuse;
     for (const Change& change : changes) {
         const std::size_t at = s.expression.find(change.right);
         if (!(shading.mistakes.*change.flag) || at == s.expression.npos) continue;
@@ -125,37 +126,79 @@ std::string expression_in(const std::string& text, Language language) {
     return out;
 }
 
-std::string line_of(const Statement& s, Language language) {
+bool is_result(const Statement& s) { return s.name == "diffuse" || s.name == "S"; }
+
+const char* number_type(Language language) { return language == Language::Cpp ? "double" : "float"; }
+
+/// `assigns`: results are declared already, S as a vector if `as_vector`.
+std::string line_of(const Statement& s, Language language, bool assigns, bool as_vector) {
     std::string right = s.name + " =" + expression_in(s.expression, language);
     if (language == Language::Python) return right;
-    const bool is_result = s.name == "diffuse" || s.name == "S";
-    const char* constant = language == Language::Cpp && !is_result ? "const " : "";
-    const char* number = language == Language::Cpp ? "double" : "float";
-    return fmt::format("{}{} {};", constant, s.is_vector ? "vec3" : number, right);
+    if (assigns && is_result(s)) {
+        const char* const ones = language == Language::Cpp ? " * vec3{1, 1, 1}" : " * vec3(1.0)";
+        return right + (as_vector && s.name == "S" && !s.is_vector ? ones : "") + ";";
+    }
+    const char* constant = language == Language::Cpp && !is_result(s) ? "const " : "";
+    return fmt::format("{}{} {};", constant, s.is_vector ? "vec3" : number_type(language), right);
+}
+
+/// The statements of one model, with the scene's mistakes.
+std::vector<Statement> model_statements(const Shading& shading, Reflection model, bool diffuse_wanted) {
+    const bool half = shading.mistakes.half_angle_with_phong_shininess && model == Reflection::Phong;
+    if (half) model = Reflection::BlinnPhong;
+    std::vector<Statement> statements = statements_of(info_of(model).program);
+    for (Statement& s : statements) {
+        make_mistakes(s, shading, model);
+        if (half && s.name == "S") s.mistakes.emplace_back("half_angle_with_phong_shininess");
+    }
+    Flags results;
+    if (diffuse_wanted) results.insert("diffuse");
+    if (shading.terms.specular) results.insert("S");
+    return wanted(statements, results);
+}
+
+bool has_vector_s(const std::vector<Statement>& statements) {
+    return std::ranges::any_of(statements, [](const Statement& s) { return s.name == "S" && s.is_vector; });
 }
 
 }  // namespace
 
-ModelText model_text(const Shading& shading, bool diffuse_wanted, Language language,
-                     const std::string& indent) {
-    const bool half =
-        shading.mistakes.half_angle_with_phong_shininess && shading.reflection == Reflection::Phong;
-    const Reflection model = half ? Reflection::BlinnPhong : shading.reflection;
-    std::vector<Statement> statements = statements_of(info_of(model).program);
-    for (Statement& s : statements) make_mistakes(s, shading);
-    Flags results;
-    if (diffuse_wanted) results.insert("diffuse");
-    if (shading.terms.specular) results.insert("S");
+std::string identifier_of(Reflection model) {
+    std::string name(name_of(model));
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+ModelText model_text(const Shading& shading, const std::vector<Reflection>& models, bool diffuse_wanted,
+                     Language language, const std::string& indent) {
+    const bool several = models.size() > 1, python = language == Language::Python;
+    std::vector<std::vector<Statement>> of_models;
+    of_models.reserve(models.size());
+    for (const Reflection model : models)
+        of_models.push_back(model_statements(shading, model, diffuse_wanted));
+    const bool as_vector = several && std::ranges::any_of(of_models, has_vector_s);
     ModelText out;
-    const std::string comment = indent + (language == Language::Python ? "# " : "// ");
-    if (half && shading.terms.specular)
-        out.text += comment + mistake_comment("half_angle_with_phong_shininess") + "\n";
-    for (const Statement& s : wanted(statements, results)) {
-        for (const std::string_view mistake : s.mistakes)
-            out.text += comment + mistake_comment(mistake) + "\n";
-        out.text += indent + line_of(s, language) + "\n";
-        out.uses.insert("uses." + s.name);
-        for_words(s.expression, [&out](const std::string& word) { out.uses.insert("uses." + word); });
+    if (several && python) out.text += indent + "diffuse, S = 0.0, 0.0\n";
+    if (several && !python)
+        out.text += fmt::format("{0}{1} diffuse = 0.0;\n{0}{2};\n", indent, number_type(language),
+                                !as_vector                  ? number_type(language) + std::string(" S = 0.0")
+                                : language == Language::Cpp ? "vec3 S"
+                                                            : "vec3 S = vec3(0.0)");
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        if (of_models[i].empty()) continue;
+        const std::string within = indent + (several ? "    " : "");
+        if (several)
+            out.text +=
+                fmt::format(fmt::runtime(python ? "{}if m.model == \"{}\":\n" : "{}if (m.model == {}) {{\n"),
+                            indent, identifier_of(models[i]));
+        for (const Statement& s : of_models[i]) {
+            for (const std::string_view mistake : s.mistakes)
+                out.text += within + (python ? "# " : "// ") + mistake_comment(mistake) + "\n";
+            out.text += within + line_of(s, language, several, as_vector) + "\n";
+            out.uses.insert("uses." + s.name);
+            for_words(s.expression, [&out](const std::string& word) { out.uses.insert("uses." + word); });
+        }
+        if (several && !python) out.text += indent + "}\n";
     }
     if (!out.text.empty()) out.text.pop_back();  // the last end of line is the template's
     return out;

@@ -9,6 +9,7 @@
 // and earlier names. The results are `diffuse` and, if the model has a highlight, `S`.
 
 #include <string>
+#include <vector>
 
 #include "models/scene/scene.h"
 #include "programs/program.h"
@@ -22,9 +23,12 @@ struct ModelText {
 };
 
 /// The lines that the scene's terms need, including its mistakes, which are marked. Each begins with
-/// `indent`.
-[[nodiscard]] ModelText model_text(const Shading& shading, bool diffuse_wanted, Language language,
-                                   const std::string& indent);
+/// `indent`. With several models, the lines test m.model, whose values are the models' identifiers.
+[[nodiscard]] ModelText model_text(const Shading& shading, const std::vector<Reflection>& models,
+                                   bool diffuse_wanted, Language language, const std::string& indent);
+
+/// The name of a model in a program: "blinn_phong".
+[[nodiscard]] std::string identifier_of(Reflection model);
 
 // A mesh in the format of the programs: a text of numbers that three lines of code read in any language.
 //

@@ -175,6 +175,25 @@ std::string mesh_numbers(const ProgramOf& of, const std::vector<ProgramMesh>& me
     return text;
 }
 
+/// "Phong", or "m.model: Lambert, Phong".
+std::string model_names(const Scene& scene) {
+    const std::vector<Reflection> models = models_of(scene);
+    std::string names = models.size() > 1 ? "m.model: " : "";
+    for (const Reflection model : models)
+        names += (model == models.front() ? "" : ", ") + std::string(choice_of(model).label);
+    return names;
+}
+
+/// The numbers of the models of Material::model, as a declaration.
+std::string model_numbers(const Scene& scene, Language language) {
+    std::string numbers;
+    for (const Reflection model : models_of(scene))
+        numbers += fmt::format("{}{} = {}", numbers.empty() ? "" : ", ", identifier_of(model),
+                               static_cast<int>(model));
+    if (language == Language::Cpp) return "enum Model { " + numbers + " };";
+    return (language == Language::Webgl ? "const " : "const int ") + numbers + ";";
+}
+
 /// The values that all files of the program derive from the scene and the size.
 Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
     const Scene& s = of.scene;
@@ -187,7 +206,8 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"global_ambient", vector(s.global_ambient)},
             {"exposure", number_in_program(s.display.exposure)},
             {"power_table", fmt::format("{}", s.shading.power_table)},
-            {"model_name", choice_of(s.shading.reflection).label},
+            {"model_name", model_names(s)},
+            {"model_numbers", model_numbers(s, language)},
             {"cool", is_shader ? vector_in_program(s.npr.cool, Language::Python) : vector(s.npr.cool)},
             {"warm", is_shader ? vector_in_program(s.npr.warm, Language::Python) : vector(s.npr.warm)},
             {"alpha", number_in_program(s.npr.alpha)},
@@ -215,7 +235,9 @@ Program program_of(const ProgramOf& of, Language language, bool is_measured = fa
     Flags flags = flags_of(of.scene);
     if (of.blank) flags.insert("blank");
     if (is_measured) flags.insert("measured");  // by shader_stages()
-    const ModelText model = model_text(of.scene.shading, flags.contains("terms.diffuse"), language, "    ");
+    const std::vector<Reflection> models = models_of(of.scene);
+    const ModelText model =
+        model_text(of.scene.shading, models, flags.contains("terms.diffuse"), language, "    ");
     flags.insert(model.uses.begin(), model.uses.end());
     // A highlight requires testing which side of the surface the light is on.
     if (flags.contains("uses.S") && flags.contains("clamped_highlight") &&
@@ -231,7 +253,9 @@ Program program_of(const ProgramOf& of, Language language, bool is_measured = fa
     values["mesh_files"] = wrapped(meshes.files, std::string(texts.comment));
     std::string all;
     for (const LanguageTexts::File& file : texts.files) all += file.text;
-    const SceneTables tables = scene_tables(of.scene, language, flags, meshes.of_object, words_of(all));
+    Flags words = words_of(all);
+    for (const Reflection m : models) words.insert(identifier_of(m));
+    const SceneTables tables = scene_tables(of.scene, language, flags, meshes.of_object, std::move(words));
     values["camera"] = tables.camera;
     values["lights"] = tables.lights;
     values["objects"] = tables.objects;

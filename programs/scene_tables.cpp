@@ -12,11 +12,16 @@
 #include "models/numbers.h"
 #include "models/scene/mistakes.h"
 #include "models/scene_file/scene_file.h"
+#include "programs/model_text.h"
 
 namespace glint {
 namespace {
 
 constexpr std::size_t line_length = 110;  // characters
+
+Reflection model_of(const Object& object, const Scene& scene) {
+    return reflection_of(object.material, scene.shading.reflection);
+}
 
 /// One column of a row: its name, which Python writes, and its value.
 struct Column {
@@ -156,7 +161,8 @@ Row light_row(const Light& light, Language language, const Flags& flags) {
     return row;
 }
 
-Row material_row(const Material& m, Language language, const Flags& flags) {
+/// `model`: that of an object with this material.
+Row material_row(const Material& m, Reflection model, Language language, const Flags& flags) {
     const auto vector = [language](const glm::vec3& v) { return vector_in_program(v, language); };
     const auto has = [&flags](const char* flag) { return flags.contains(flag); };
     Row row{{"ambient", vector(m.ambient)}, {"diffuse", vector(m.diffuse)}, {"specular", vector(m.specular)}};
@@ -164,6 +170,7 @@ Row material_row(const Material& m, Language language, const Flags& flags) {
     if (has("uses.shininess")) row.push_back({"shininess", number_in_program(m.shininess)});
     if (has("uses.roughness")) row.push_back({"roughness", number_in_program(m.roughness)});
     if (has("uses.f0")) row.push_back({"f0", vector(m.f0)});
+    if (has("models.several")) row.push_back({"model", word_in_program(identifier_of(model), language)});
     return row;
 }
 
@@ -196,13 +203,14 @@ std::string object_text(const std::string& name, const Row& object, const Row& m
     return text.substr(0, end) + "," + material_text(material, language) + text.substr(end);
 }
 
-std::string objects_text(const std::vector<Object>& objects, const std::vector<std::string>& mesh_files,
-                         Language language, const Flags& flags, Identifiers& identifiers) {
+std::string objects_text(const Scene& scene, const std::vector<std::string>& mesh_files, Language language,
+                         const Flags& flags, Identifiers& identifiers) {
+    const std::vector<Object> objects = shown(scene);
     std::string text;
     std::vector<std::string> names;
     const bool lit = flags.contains("reflection.lit");
     if (language == Language::Python) {
-        if (lit) text += columns_of("Material", material_row({}, language, flags));
+        if (lit) text += columns_of("Material", material_row({}, {}, language, flags));
         Row columns = object_row({}, "", language, flags);
         if (lit) columns.push_back({"material", ""});
         text += columns_of("Object", columns);
@@ -211,7 +219,8 @@ std::string objects_text(const std::vector<Object>& objects, const std::vector<s
         const Object& o = objects[i];
         names.push_back(identifiers.of(o.name, "object"));
         text += object_text(names.back(), object_row(o, mesh_files[i], language, flags),
-                            lit ? material_row(o.material, language, flags) : Row{}, language);
+                            lit ? material_row(o.material, model_of(o, scene), language, flags) : Row{},
+                            language);
     }
     return text + list_of("Object", "objects", names, language);
 }
@@ -304,7 +313,7 @@ SceneTables scene_tables(const Scene& scene, Language language, const Flags& fla
     Identifiers identifiers(std::move(words));
     const std::string lights = lights_text(shining(scene), language, flags, identifiers);
     return {camera_text(scene.camera, language), lights,
-            objects_text(shown(scene), mesh_files, language, flags, identifiers)};
+            objects_text(scene, mesh_files, language, flags, identifiers)};
 }
 
 namespace {
@@ -341,11 +350,11 @@ struct Facts {
                             wrong.falloff_inverted || std::any_of(lights.begin(), lights.end(), has));
     }
     [[nodiscard]] bool uses_shininess() const {
-        return info_of(shading.reflection).uses_shininess() && shading.terms.specular;
+        return any_shininess([](float) { return true; });
     }
     template <class Test> [[nodiscard]] bool any_shininess(const Test& test) const {
-        return uses_shininess() && std::any_of(objects.begin(), objects.end(), [&test](const Object& o) {
-                   return test(o.material.shininess);
+        return shading.terms.specular && std::any_of(objects.begin(), objects.end(), [&](const Object& o) {
+                   return info_of(model_of(o, scene)).uses_shininess() && test(o.material.shininess);
                });
     }
     /// Where the corners' normals are zero, a point uses the facet's.
@@ -497,6 +506,7 @@ void add_derived(Flags& flags, const Facts& f) {
     const Terms& terms = f.shading.terms;
     const bool tone = f.scene.npr.cool_to_warm;
     add("reflection.lit", f.is_lit());
+    add("models.several", models_of(f.scene).size() > 1);
     add("flat.provoking", f.shading.mode == ShadingMode::Flat && f.provoking());
     add("corners", f.blends_corners());
     add("needs.blend", f.interpolates());
@@ -565,13 +575,27 @@ std::vector<Object> shown(const Scene& scene) {
     return objects;
 }
 
+std::vector<Reflection> models_of(const Scene& scene) {
+    std::set<Reflection> models;
+    for (const Object& o : scene.objects)
+        if (o.visible) models.insert(model_of(o, scene));
+    if (models.empty()) models.insert(scene.shading.reflection);
+    return {models.begin(), models.end()};
+}
+
 std::vector<Need> needs_of(const Scene& scene) {
     const Facts facts{scene};
     std::vector<Need> needs;
     for (const NeedRow& row : need_rows)
         if (row.is_needed(facts)) needs.push_back({row.flag, row.pointer, row.what});
-    const std::string model(name_of(scene.shading.reflection));
-    needs.push_back({"reflection." + model, "/shading/reflection", "the model is " + model});
+    for (const Reflection model : models_of(scene)) {
+        std::string pointer = "/shading/reflection";
+        for (std::size_t i = 0; model != scene.shading.reflection && i < scene.objects.size(); ++i)
+            if (scene.objects[i].visible && model_of(scene.objects[i], scene) == model)
+                pointer = fmt::format("/objects/{}/material/reflection", i);
+        const std::string name(name_of(model));
+        needs.push_back({"reflection." + name, std::move(pointer), "the model is " + name});
+    }
     for (const MistakeName& mistake : mistake_names())
         if (scene.shading.mistakes.*mistake.flag && shows(mistake, facts))
             needs.push_back({fmt::format("wrong.{}", mistake.name),

@@ -59,6 +59,9 @@ struct Need {
 [[nodiscard]] std::vector<Light> shining(const Scene& scene);
 [[nodiscard]] std::vector<Object> shown(const Scene& scene);
 
+/// The reflection models of the visible objects, each once; the scene's if there are none.
+[[nodiscard]] std::vector<Reflection> models_of(const Scene& scene);
+
 /// All needs of the scene.
 [[nodiscard]] std::vector<Need> needs_of(const Scene& scene);
 

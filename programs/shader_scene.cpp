@@ -73,6 +73,7 @@ void add_material(std::vector<Uniform>& list, const Material& m, const Shading& 
                  shading.rules == Rules::OpenGL2 ? std::min(m.shininess, opengl_most) : m.shininess);
     uniforms.add("roughness", m.roughness);
     uniforms.add("f0", m.f0);
+    uniforms.add("model", static_cast<int>(reflection_of(m, shading.reflection)));
 }
 
 ShaderObject shader_object(const Object& object, const Shading& shading, const glm::dmat4& view,

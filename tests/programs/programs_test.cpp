@@ -46,8 +46,10 @@ void as_fixed_function(Scene& scene, unsigned seed) {
     if (scene.lights.empty()) scene.lights.emplace_back();
     if (scene.lights.size() > 8) scene.lights.resize(8);
     for (Light& light : scene.lights) light.spot.exponent = std::min(light.spot.exponent, 128.0f);
-    for (Object& object : scene.objects)
+    for (Object& object : scene.objects) {
         object.material.shininess = std::clamp(object.material.shininess, 1.0f, 128.0f);
+        object.material.reflection = OwnReflection::Scene;
+    }
 }
 Scene fixed_function_scene(unsigned seed) {
     Scene scene = oracle::random_scene(seed);
@@ -225,16 +227,17 @@ TEST_CASE("an unsupported feature in OpenGL 1 is one line that names supporting 
               s.lights[0].kind = LightKind::Area;
               s.lights[0].position.w = 1;
           }) ==
-          "/lights: an area light shines, which gl1 cannot do; expected --language glsl or cpp or python or webgl");
+          "/lights: an area light shines, which gl1 cannot do; expected --language glsl or cpp or python or "
+          "webgl");
     CHECK(refused([](Scene& s) { s.shading.reflection = Reflection::Phong; }) ==
           "/shading/reflection: the model is phong, which gl1 cannot do; expected --language glsl or cpp or "
           "python or webgl");
-    CHECK(
-        refused([](Scene& s) { s.lights.resize(9, s.lights[0]); }) ==
-        "/lights: more than 8 lights shine, which gl1 cannot do; expected --language glsl or cpp or python or webgl");
-    CHECK(
-        refused([](Scene& s) { s.objects[0].material.shininess = 200; }) ==
-        "/objects: a shininess is above 128, which gl1 cannot do; expected --language glsl or cpp or python or webgl");
+    CHECK(refused([](Scene& s) { s.lights.resize(9, s.lights[0]); }) ==
+          "/lights: more than 8 lights shine, which gl1 cannot do; expected --language glsl or cpp or python "
+          "or webgl");
+    CHECK(refused([](Scene& s) { s.objects[0].material.shininess = 200; }) ==
+          "/objects: a shininess is above 128, which gl1 cannot do; expected --language glsl or cpp or "
+          "python or webgl");
 }
 TEST_CASE("an OpenGL 3.3 program draws the scenes of assets like Glint", "[programs]") {
     CHECK(compare_assets(Language::Glsl) == "silhouettes-and-creases skew-quad t-junction");

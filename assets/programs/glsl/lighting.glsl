@@ -3,6 +3,9 @@
 
 const float pi = 3.14159265358979;
 const int directional = 0, point = 1, spot = 2, area = 3;
+//@if models.several
+@model_numbers@  // of Material::model
+//@end
 
 struct Light {
     int kind;
@@ -40,6 +43,9 @@ struct Material {
     //@end
     //@if uses.f0
     vec3 f0;
+    //@end
+    //@if models.several
+    int model;
     //@end
 };
 uniform Material material;

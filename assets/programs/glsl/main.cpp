@@ -251,6 +251,9 @@ void draw() {
         //@if uses.f0
         set("material.f0", o.material.f0);
         //@end
+        //@if models.several
+        set("material.model", o.material.model);
+        //@end
         //@end
         //@if mirrored
         glFrontFace(o.mirrored ? GL_CW : GL_CCW);

@@ -64,6 +64,9 @@ struct Light {
     //@end
 };
 @lights@
+//@if models.several
+@model_numbers@
+//@end
 struct Material {
     vec3 ambient, diffuse, specular;  // k_a, k_d, k_s
     //@if terms.emission
@@ -77,6 +80,9 @@ struct Material {
     //@end
     //@if uses.f0
     vec3 f0;
+    //@end
+    //@if models.several
+    int model;
     //@end
 };
 //@end
