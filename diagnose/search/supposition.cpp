@@ -296,6 +296,50 @@ std::vector<Supposition> left_out_edits(const Scene& scene) {
 
 // Other settings.
 
+namespace {
+
+/// Another reflection model of the whole scene, in place of the models of single materials too; or of one
+/// object.
+void add_reflections(std::vector<Supposition>& all, const Scene& scene) {
+    constexpr std::size_t few = 8;  // objects that are tried one by one
+    const auto add = [&all](Reflection model, const std::string& whose, std::vector<std::string> set,
+                            SceneEdit edit, double more) {
+        all.push_back(
+            edit_of(ExplanationKind::Setting, of_setting + more,
+                    fmt::format("reflection={}{}", name_of(model), whose),
+                    fmt::format("Your picture is this scene with reflection {}{}.", name_of(model), whose),
+                    std::move(set), std::move(edit)));
+    };
+    for (const auto model : {Reflection::Phong, Reflection::BlinnPhong, Reflection::Lambert,
+                             Reflection::OrenNayar, Reflection::CookTorrance, Reflection::Retro}) {
+        const auto own = static_cast<OwnReflection>(model);
+        std::vector<std::string> set{fmt::format("/shading/reflection={}", name_of(model))};
+        std::vector<std::size_t> others;
+        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+            const Material& material = scene.objects[i].material;
+            if (material.reflection != OwnReflection::Scene)
+                set.push_back(fmt::format("/objects/{}/material/reflection=scene", i));
+            if (reflection_of(material, scene.shading.reflection) != model) others.push_back(i);
+        }
+        if (!others.empty() || scene.objects.empty())
+            add(
+                model, "", std::move(set),
+                [model](Scene& s) {
+                    s.shading.reflection = model;
+                    for (Object& o : s.objects) o.material.reflection = OwnReflection::Scene;
+                },
+                0);
+        if (scene.objects.size() < 2 || scene.objects.size() > few) continue;
+        for (const std::size_t i : others)
+            add(
+                model, " for " + scene.objects[i].name,
+                {fmt::format("/objects/{}/material/reflection={}", i, name_of(own))},
+                [i, own](Scene& s) { s.objects[i].material.reflection = own; }, 0.5);
+    }
+}
+
+}  // namespace
+
 std::vector<Supposition> setting_edits(const Scene& scene) {
     std::vector<Supposition> all;
     const auto add = [&](std::string set, const std::string& words, SceneEdit edit, double more = 0) {
@@ -313,9 +357,7 @@ std::vector<Supposition> setting_edits(const Scene& scene) {
     };
     each(&Shading::mode, "mode",
          std::array{ShadingMode::Gouraud, ShadingMode::Flat, ShadingMode::Facet, ShadingMode::Phong});
-    each(&Shading::reflection, "reflection",
-         std::array{Reflection::Phong, Reflection::BlinnPhong, Reflection::Lambert, Reflection::OrenNayar,
-                    Reflection::CookTorrance, Reflection::Retro});
+    add_reflections(all, scene);
     each(&Shading::interpolation, "interpolation",
          std::array{Interpolation::Perspective, Interpolation::Screen, Interpolation::Scanline});
     each(&Shading::flat_point, "flat_point", std::array{FlatPoint::Centroid, FlatPoint::Provoking});
@@ -509,8 +551,9 @@ std::vector<FreeNumber> free_numbers(const Scene& scene) {
             all.push_back(number);
         }
     };
-    const ReflectionInfo& info = info_of(scene.shading.reflection);
     for (std::size_t i = 0; i < std::min(few, scene.objects.size()); ++i) {
+        const ReflectionInfo& info =
+            info_of(reflection_of(scene.objects[i].material, scene.shading.reflection));
         const auto of_material = [&](const char* key, int size, float most) {
             add({fmt::format("/objects/{}/material/{}", i, key), size, 0, most, static_cast<int>(i)});
         };
@@ -522,7 +565,7 @@ std::vector<FreeNumber> free_numbers(const Scene& scene) {
         if (info.uses_roughness) of_material("roughness", 1, 1);
         if (info.uses_f0) of_material("f0", 3, 1);
     }
-    if (scene.objects.size() > 1 && info.uses_shininess()) {
+    if (scene.objects.size() > 1 && info_of(scene.shading.reflection).uses_shininess()) {
         add({"/objects/0/material/shininess", 1, 0, 10'000});
         all.back().is_of_all = true;
     }

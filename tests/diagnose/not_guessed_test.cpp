@@ -323,6 +323,27 @@ TEST_CASE("a flip that puts surfaces on the scene's background is rejected", "[d
     CHECK_FALSE(d.display.change.upside_down);
 }
 
+TEST_CASE("a material's own reflection model that a program leaves out is named with its object",
+          "[diagnose]") {
+    const SceneDocument document = shipped("chalk-and-glaze.json");
+    const auto named = [&](auto&& change) {
+        SceneDocument other = document;
+        change(other.scene);
+        const Diagnosis d = diagnosed(document, right_of(other, {320, 200}));
+        CHECK(d.verdict == Verdict::AnotherSetting);
+        return settings_of(d);
+    };
+    CHECK(named([](Scene& s) { s.objects[2].material.reflection = OwnReflection::Scene; }) ==
+          "/objects/2/material/reflection=blinn-phong");
+    CHECK(named([](Scene& s) { s.objects[0].material.reflection = OwnReflection::Lambert; }) ==
+          "/objects/0/material/reflection=lambert");
+    const auto all_phong = [](Scene& s) {
+        s.shading.reflection = Reflection::Phong;
+        for (Object& o : s.objects) o.material.reflection = OwnReflection::Scene;
+    };
+    CHECK(named(all_phong).starts_with("/shading/reflection=phong"));
+}
+
 TEST_CASE("if a flip keeps the silhouette, the light is named before the flip", "[diagnose]") {
     SceneDocument document;
     document.scene.objects = {object_of(primitive(Primitive::Sphere, 48))};
