@@ -21,7 +21,7 @@ sheet() { # NAME SCENE OPTIONS: a labelled grid
 for scene in still-life sun bulb spot-cone area-light sun-and-headlight ambient-alone no-shadows inverse-square \
     cosine-law mirror-vector shininess-grid every-term classic-materials rough-to-smooth cube-normals mach-bands \
     coarse-silhouette skew-quad t-junction cool-to-warm silhouettes-and-creases light-behind-ball \
-    shadow-hard shadow-soft corner-bleeding two-plates; do
+    chalk-and-glaze shadow-hard shadow-soft corner-bleeding two-plates; do
     picture "$scene" "$scene"
 done
 size=640x360 picture default default

@@ -53,7 +53,7 @@ glm::dvec3 bound_of(const Scene& scene, const Explanation& e) {
     glm::dvec3 highlights(0), shown(0);
     for (const Light& light : scene.lights)
         if (light.enabled) highlights += glm::dvec3(e.material.specular * light.specular * light.intensity);
-    if (scene.shading.reflection == Reflection::CookTorrance) {
+    if (e.reflection == Reflection::CookTorrance) {
         for (const ExplainedLight& light : e.at.lights) shown += glm::dvec3(light.specular);
         for (const ExplainedCorner& corner : e.corners)
             for (const ExplainedLight& light : corner.at.lights)

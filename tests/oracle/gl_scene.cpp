@@ -88,7 +88,10 @@ bool can_draw(const Scene& scene) {
 
 bool fixed_function_can_draw(const Scene& scene) {
     const Shading& s = scene.shading;
-    const bool model = s.reflection == Reflection::Lambert || s.reflection == Reflection::BlinnPhong;
+    const auto reflects = [&s](const Object& o) {
+        return o.material.reflection == OwnReflection::Scene &&
+               (s.reflection == Reflection::Lambert || s.reflection == Reflection::BlinnPhong);
+    };
     const bool mode = (s.mode == ShadingMode::Flat && lit_at_corner(s)) ||
                       (s.mode == ShadingMode::Gouraud && s.interpolation == Interpolation::Perspective);
     const auto holds = [](const Light& l) {
@@ -100,7 +103,8 @@ bool fixed_function_can_draw(const Scene& scene) {
             o.material.shininess > 0 && (o.material.shininess <= 128 || s.rules == Rules::OpenGL2);
         return usable || s.reflection == Reflection::Lambert;
     };
-    return can_draw(scene) && !scene.npr.cool_to_warm && model && mode &&
+    return can_draw(scene) && !scene.npr.cool_to_warm && mode &&
+           std::all_of(scene.objects.begin(), scene.objects.end(), reflects) &&
            std::all_of(scene.lights.begin(), scene.lights.end(), holds) &&
            std::all_of(scene.objects.begin(), scene.objects.end(), shines);
 }

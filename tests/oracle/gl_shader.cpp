@@ -80,7 +80,6 @@ void set_shader_lights(unsigned program, const Scene& scene, const glm::dmat4& v
     const Uniforms u{program, ""};
     u.set("light_count", count);
     u.set("global_ambient", scene.global_ambient);
-    u.set("model", static_cast<int>(scene.shading.reflection));
     u.set("local_viewer", scene.shading.local_viewer && !is_orthographic(scene.camera.projection));
     u.set("two_sided", scene.shading.two_sided);
     u.set("clamped", scene.shading.rules == Rules::OpenGL2);
@@ -89,6 +88,7 @@ void set_shader_lights(unsigned program, const Scene& scene, const glm::dmat4& v
 void set_shader_material(unsigned program, const Scene& scene, const Material& given) {
     const Material m = seen_material(given, scene.shading);
     const Uniforms u{program, ""};
+    u.set("model", static_cast<int>(reflection_of(given, scene.shading.reflection)));
     u.set("k_e", m.emission);
     u.set("k_a", m.ambient);
     u.set("k_d", m.diffuse);

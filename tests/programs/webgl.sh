@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failed=0
-for scene in still-life spot-cone area-light cool-to-warm bulb-over-facets mach-bands rough-to-smooth; do
+for scene in still-life spot-cone area-light cool-to-warm bulb-over-facets mach-bands rough-to-smooth chalk-and-glaze; do
     file=assets/scenes/$scene.json
     "$glint" code "$file" --language webgl --size 320x240 -o "$folder/$scene" || exit 1
     # A last script adds the picture's bytes to the page, which Chromium prints.
