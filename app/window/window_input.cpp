@@ -64,6 +64,17 @@ Key key_of(int key, int scancode, int mods) {
     return key_of_letter(letter);
 }
 
+/// The keys of the number pad without NumLock. GLFW names them by their digit either way.
+constexpr std::array<std::pair<int, int>, 9> pad_moves{{{GLFW_KEY_KP_7, GLFW_KEY_HOME},
+                                                        {GLFW_KEY_KP_8, GLFW_KEY_UP},
+                                                        {GLFW_KEY_KP_9, GLFW_KEY_PAGE_UP},
+                                                        {GLFW_KEY_KP_4, GLFW_KEY_LEFT},
+                                                        {GLFW_KEY_KP_6, GLFW_KEY_RIGHT},
+                                                        {GLFW_KEY_KP_1, GLFW_KEY_END},
+                                                        {GLFW_KEY_KP_2, GLFW_KEY_DOWN},
+                                                        {GLFW_KEY_KP_3, GLFW_KEY_PAGE_DOWN},
+                                                        {GLFW_KEY_KP_DECIMAL, GLFW_KEY_DELETE}}};
+
 WindowInput& input_of(GLFWwindow* window) {
     return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
 }
@@ -71,6 +82,10 @@ WindowInput& input_of(GLFWwindow* window) {
 void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
     if (action == GLFW_RELEASE || modifier) return;
+    // In a field they move the cursor; over the picture they turn the view with and without NumLock.
+    if (ImGui::GetIO().WantTextInput && (mods & GLFW_MOD_NUM_LOCK) == 0)
+        for (const auto& [pad, move] : pad_moves)
+            if (key == pad) key = move;
     KeyEvent event;
     event.key = key;
     event.with = {(mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0, (mods & GLFW_MOD_SHIFT) != 0,
@@ -120,6 +135,7 @@ void on_close(GLFWwindow* window) {
 
 void collect_input(GLFWwindow* window, WindowInput& input) {
     glfwSetWindowUserPointer(window, &input);
+    glfwSetInputMode(window, GLFW_LOCK_KEY_MODS, GLFW_TRUE);
     glfwSetKeyCallback(window, on_key);
     glfwSetCursorPosCallback(window, on_cursor);
     glfwSetMouseButtonCallback(window, on_button);
