@@ -54,6 +54,12 @@ start_display() {
     fail "no display started in $try tries"
 }
 
+# DPI: the display's resolution, from which the window takes its scale: 96 dots an inch are 1.
+set_resolution() {
+    command -v xprop >/dev/null || { echo "skipped: xprop is not installed"; exit 77; }
+    xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER "Xft.dpi:	$1"
+}
+
 find_window() {
     window=$(xdotool search --onlyvisible --name Glint 2>/dev/null | tail -1)
     [ -n "$window" ]

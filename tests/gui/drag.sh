@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Dragging a light with the real mouse: its handle follows the cursor, the picture changes, undo reverts both,
-# and the saved scene matches the window.
+# and the saved scene matches the window. The second argument is the display's resolution, if not 96 dots an inch.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -15,6 +15,7 @@ cat >"$work/scene.json" <<'JSON'
 JSON
 
 start_display 1280x800
+set_resolution "${2:-96}"
 start_glint "$work/scene.json"
 xdotool key F11 # only the picture: the list of lights shows the colour too
 handle_seen() { # in the screenshot $1
@@ -55,7 +56,8 @@ looks_like() { # LOOK PIXELS: fewer pixels than that differ from the screenshot 
     [ "$(difference "$1" now)" -lt "$2" ]
 }
 xdotool key ctrl+z
-within 10 looks_like before 1500 || fail "after undo $(difference before now) pixels differ from the beginning"
+# A hint at the bottom has gone since; without undo the whole ball differs.
+within 10 looks_like before 10000 || fail "after undo $(difference before now) pixels differ from the beginning"
 save_as third
 cmp -s "$work/first" "$work/third" || fail "after undo the saved scene is not the first one"
 
