@@ -30,6 +30,12 @@ exported_files() {
     command -v npm >/dev/null || { echo "nightly: skipped exported glTF files: npm is not installed" && return; }
     tests/gltf_validator.sh build/ci/app/glint
 }
+speed() {
+    local last
+    last=$(git describe --tags --match 'v*' --abbrev=0 2>/dev/null || git rev-list -1 --before='1 week ago' HEAD)
+    [ -n "$last" ] || { echo "nightly: skipped speed: no tag, and no commit older than a week" && return; }
+    tests/bench/against.sh "$last"
+}
 packages() {
     [ "$(id -u)" -eq 0 ] || { echo "nightly: skipped the installed package: not root" && return; }
     ./package.sh && tests/package/installed.sh
@@ -40,6 +46,8 @@ part "the Release build" build ci ON all nightly
 part "long tests" tests ci -L nightly
 part "every fault, 500 kills" every_fault
 part "exported glTF files" exported_files
+part "files of Blender" tests/blender.sh build/ci/app/glint
+part "speed against the last tag" speed
 part "generated faults" tests/mutate.py -n 100 --seed "$(date +%j)" --jobs "$(nproc)"
 part "clang-tidy" tests/tidy.sh
 part "the build with sanitizers" build dev ON
