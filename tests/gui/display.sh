@@ -67,8 +67,8 @@ find_window() {
 
 window_or_end() { find_window || ! kill -0 "$glint_pid" 2>/dev/null; }
 
-start_glint() { # FILE
-    "$program" "$1" 2>"$work/glint.err" &
+start_glint() { # ARGUMENTS of the program
+    "$program" "$@" 2>"$work/glint.err" &
     glint_pid=$!
     within 30 window_or_end && find_window || fail "no window appeared"
     xdotool windowfocus "$window"
