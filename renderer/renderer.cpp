@@ -39,7 +39,8 @@ struct Renderer::Kept {
     Warnings warnings;
     PathProgress on_paths;
     bool drawn = false;
-    Picture scoped;  // the last picture of mistakes with a scope
+    Picture scoped;                     // the last picture of mistakes with a scope
+    std::optional<Scene> scoped_scene;  // its scene, if it is the last picture of all
 
     /// Releases all memory; the next picture is drawn from scratch.
     void forget() {
@@ -117,11 +118,13 @@ void Renderer::Kept::draw(const Scene& scene, PictureSize size, bool linear, int
 const Picture& Renderer::render(const Scene& scene, PictureSize size, bool linear, int samples) {
     Kept& k = *kept_;
     KeptStages& s = k.stages;
-    if (!scene.shading.mistakes.only.is_all()) {
+    if (has_scope(scene)) {
         k.scoped = draw_scoped(*this, scene, size, samples);
+        k.scoped_scene = scene;
         if (!linear) k.scoped.linear.clear();
         return k.scoped;
     }
+    k.scoped_scene.reset();
     const Clock::time_point start = Clock::now();
     if (const auto problem = too_large(scene, size, samples)) throw LimitExceeded(*problem);
     try {
@@ -155,8 +158,12 @@ std::vector<PathStep> Renderer::bounce_path(int x, int y, int path, int corner) 
 }
 const FrameStats& Renderer::stats() const { return kept_->stats; }
 const Warnings& Renderer::warnings() const { return kept_->warnings; }
-Explanation Renderer::explain(int x, int y) const { return explain_pixel(kept_->stages, x, y); }
+Explanation Renderer::explain(int x, int y) const {
+    if (kept_->scoped_scene) return explain_scoped(*this, *kept_->scoped_scene, x, y);
+    return explain_pixel(kept_->stages, x, y);
+}
 Explanation Renderer::explain_as(const Scene& other, int x, int y) const {
+    if (has_scope(other)) return explain_scoped(*this, other, x, y);
     return explain_pixel_as(kept_->stages, other, x, y);
 }
 

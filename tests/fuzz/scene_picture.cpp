@@ -72,7 +72,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const int samples = 1 << (bytes.byte() % 8 < 5 ? 0 : bytes.below(4));
     const std::size_t edits = bytes.below(most_edits + 1);
     Scene scene = fuzz::scene_from(bytes);
-    scene.shading.mistakes.only = {};  // explain() shows them everywhere
 
     Renderer kept(1);
     for (std::size_t edit = 0;; ++edit) {
@@ -89,7 +88,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         if (edit == edits) return 0;
 
         fuzz::EditedScene next = fuzz::edited(scene, bytes);
-        next.scene.shading.mistakes.only = {};
         const Pixel at = pixel_of(picture_size, bytes);
         std::optional<glm::vec3> told;
         const bool shows_other_faces = next.moves_faces || lights_cull(scene) || lights_cull(next.scene);

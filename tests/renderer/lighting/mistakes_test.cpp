@@ -272,3 +272,33 @@ TEST_CASE("a scene file names its mistakes, and an unknown one is an error", "[m
     CHECK(problem_of(wrong)->pointer == "/shading/mistakes/normals_fliped");
     CHECK(problem_of(wrong)->text().find("normals_flipped") != std::string::npos);
 }
+
+TEST_CASE("a mistake that is made in a part of the picture is explained as its pixels show it",
+          "[mistakes][explain]") {
+    Scene scene = busy_scene();
+    REQUIRE(scene.objects.size() >= 2);
+    REQUIRE(scene.lights.size() >= 2);
+    scene.shading.mode = GENERATE(ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Flat);
+    scene.shading.mistakes.*
+        GENERATE(&Mistakes::normals_flipped, &Mistakes::half_lambert, &Mistakes::lit_in_srgb) = true;
+    scene.shading.mistakes.only = GENERATE(MistakeScope{.object = 1}, MistakeScope{.light = 1},
+                                           MistakeScope{.lights = ScopeLights::Point},
+                                           MistakeScope{.object = 0, .term = ScopeTerm::Diffuse},
+                                           MistakeScope{.light = 0, .term = ScopeTerm::Specular});
+    Renderer renderer(1);
+    const Picture picture = renderer.render(scene, mistaken_size, true);
+    int wrong = 0, hit = 0, told = 0;
+    for (int y = 0; y < mistaken_size.height; y += 3)
+        for (int x = 0; x < mistaken_size.width; x += 3) {
+            wrong += !explained(renderer, picture, x, y);
+            const Explanation e = renderer.explain(x, y);
+            if (!e.hit || e.lit_per_corner) continue;
+            ++hit;
+            glm::vec3 sum = e.at.base;
+            for (const ExplainedLight& light : e.at.lights)
+                sum += light.ambient + light.diffuse + light.specular;
+            told += glm::distance(sum, e.sum) <= 1e-4f * (1 + glm::length(e.sum));
+        }
+    CHECK(wrong == 0);
+    CHECK(told == hit);  // the printed terms add to the sum
+}
