@@ -323,8 +323,7 @@ TEST_CASE("a flip that puts surfaces on the scene's background is rejected", "[d
     CHECK_FALSE(d.display.change.upside_down);
 }
 
-TEST_CASE("a material's own reflection model that a program leaves out is named with its object",
-          "[diagnose]") {
+TEST_CASE("a material's model that a program leaves out is named with its object", "[diagnose]") {
     const SceneDocument document = shipped("chalk-and-glaze.json");
     const auto named = [&](auto&& change) {
         SceneDocument other = document;

@@ -273,7 +273,7 @@ TEST_CASE("a scene file names its mistakes, and an unknown one is an error", "[m
     CHECK(problem_of(wrong)->text().find("normals_flipped") != std::string::npos);
 }
 
-TEST_CASE("a mistake that is made in a part of the picture is explained as its pixels show it",
+TEST_CASE("a mistake made in a part of the picture is explained as its pixels show it",
           "[mistakes][explain]") {
     Scene scene = busy_scene();
     REQUIRE(scene.objects.size() >= 2);
