@@ -130,11 +130,16 @@ enum class PrimitiveMode { None, Triangles, Strip, Fan };
 struct GltfMaterial {
     Material material;  // for cook-torrance; its shininess gives a Blinn highlight of the same width
     bool has_textures = false, is_transparent = false, is_double_sided = false;
-    bool lacks_emission = false;  // its emissive texture is not read, so the factor is dropped too
+    bool lacks_emission = false;            // its emissive texture is not read, so the factor is dropped too
 };
 /// Reads a metallic-roughness material; an unlit one (KHR_materials_unlit) emits its base colour. A primitive
 /// without a material uses an empty JSON object.
 [[nodiscard]] GltfMaterial material_of(const Node& node);
+
+/// The reflectance of a material that is not metal, with an index of refraction of 1.5.
+constexpr float usual_f0 = 0.04f;
+/// The share of the light that its surface does not reflect, and that reaches the diffuse layer below it.
+constexpr float not_reflected = 1 - usual_f0;
 
 /// A spot's cone as glTF's two angles, in radians: brightness is constant within the inner one and 0 outside
 /// the outer one. A spot with an exponent and a hard edge gets a soft edge with the same brightness half-way

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -47,12 +48,38 @@ void read_cone(const Node& node, SpotCone& cone, bool& is_bad) {
     cone.inner_deg = outer - inner < sharp_below ? SpotCone{}.inner_deg : glm::degrees(inner);
 }
 
-Material material_from(const glm::vec3& base, float metal, float roughness) {
+/// How the part of a material that is not metal reflects: at normal incidence, and at grazing angles.
+struct Reflectance {
+    glm::vec3 f0{usual_f0};
+    float f90 = 1;
+};
+
+Reflectance reflectance_of(const Node& extensions, bool& has_textures) {
+    float ior = 1.5f;
+    glm::vec3 colour(1);
+    Reflectance r;
+    with_object(extensions, "KHR_materials_ior",
+                [&](const Node& at) { read(at, "ior", ior, at_least_zero); });
+    with_object(extensions, "KHR_materials_specular", [&](const Node& at) {
+        read(at, "specularFactor", r.f90, zero_to_one);
+        read(at, "specularColorFactor", colour, at_least_zero);
+        has_textures = has_textures || at.has("specularTexture") || at.has("specularColorTexture");
+    });
+    const float root = (ior - 1) / (ior + 1);
+    r.f0 = r.f90 * glm::min(root * root * colour, glm::vec3(1));
+    return r;
+}
+
+Material material_from(const glm::vec3& base, float metal, float roughness, const Reflectance& not_metal) {
     Material m;
     m.ambient = base;
-    m.diffuse = (1 - metal) * base;
-    m.f0 = glm::vec3(0.04f * (1 - metal)) + metal * base;
-    m.specular = glm::vec3(1);
+    // What the surface reflects does not reach the diffuse layer below it (fresnel_mix in glTF's appendix B,
+    // here at normal incidence).
+    m.diffuse = (1 - metal) * base * (1.0f - not_metal.f0);
+    // Glint's f90 is 1, so the highlight is scaled instead.
+    const float f90 = glm::mix(not_metal.f90, 1.0f, metal);
+    m.f0 = f90 > 0 ? glm::mix(not_metal.f0, base, metal) / f90 : glm::vec3(0);
+    m.specular = glm::vec3(f90);
     m.roughness = roughness;
     const float a = std::max(roughness * roughness, 0.03f);
     m.shininess = std::clamp(2 / (a * a) - 2, 1.0f, 2000.0f);  // a Blinn highlight of the same width
@@ -126,7 +153,9 @@ GltfMaterial material_of(const Node& node) {
         textured = textured || pbr.has("baseColorTexture") || pbr.has("metallicRoughnessTexture");
     });
     read(node, "emissiveFactor", emission, at_least_zero);
+    Reflectance not_metal;
     with_object(node, "extensions", [&](const Node& extensions) {
+        not_metal = reflectance_of(extensions, textured);
         with_object(extensions, "KHR_materials_emissive_strength",
                     [&](const Node& at) { read(at, "emissiveStrength", strength, at_least_zero); });
     });
@@ -139,7 +168,7 @@ GltfMaterial material_of(const Node& node) {
     });
     bool both_sides = false;
     read(node, "doubleSided", both_sides);
-    Material m = material_from(base, metal, roughness);
+    Material m = material_from(base, metal, roughness, not_metal);
     // The factor multiplies the texture, which is mostly black.
     const bool lacks_emission = node.has("emissiveTexture") && emission != glm::vec3(0);
     m.emission = lacks_emission ? glm::vec3(0) : strength * emission;

@@ -207,21 +207,22 @@ struct GltfMetal {
 std::optional<GltfMetal> metal_of(const Material& m) {
     constexpr float close = 2e-3f;
     const auto fits = [&](const GltfMetal& tried) {
-        const glm::vec3 diffuse = (1 - tried.metal) * tried.base;
-        const glm::vec3 f0 = glm::vec3(0.04f * (1 - tried.metal)) + tried.metal * tried.base;
+        const glm::vec3 diffuse = (1 - tried.metal) * not_reflected * tried.base;
+        const glm::vec3 f0 = glm::vec3(usual_f0 * (1 - tried.metal)) + tried.metal * tried.base;
         const glm::vec3 off = glm::max(glm::abs(diffuse - m.diffuse), glm::abs(f0 - m.f0));
         return std::max({off.x, off.y, off.z}) < close;
     };
-    // diffuse + f0 = base + 0.04 (1 - metal). With base = diffuse/(1 - metal), the sum of the channels gives
-    // a quadratic equation in 1 - metal.
-    const double d = m.diffuse.x + m.diffuse.y + m.diffuse.z, f = m.f0.x + m.f0.y + m.f0.z;
+    // diffuse/0.96 + f0 = base + 0.04 (1 - metal). With base = diffuse/0.96/(1 - metal), the sum of the
+    // channels gives a quadratic equation in 1 - metal.
+    const glm::vec3 below = m.diffuse / not_reflected;
+    const double d = below.x + below.y + below.z, f = m.f0.x + m.f0.y + m.f0.z;
     const double half = (d + f) / 0.24;  // 0.12 k^2 - (d + f) k + d = 0, k = 1 - metal
     const double root = half * half - d / 0.12;
     for (const double k :
          {half - std::sqrt(std::max(root, 0.0)), 1.0, 0.0, half + std::sqrt(std::max(root, 0.0))}) {
         if (!(k >= -1e-6 && k <= 1 + 1e-6)) continue;
         const auto share = static_cast<float>(std::clamp(k, 0.0, 1.0));
-        const GltfMetal tried{share < 1e-4f ? m.f0 : m.diffuse / share, share < 1e-4f ? 1 : 1 - share};
+        const GltfMetal tried{share < 1e-4f ? m.f0 : below / share, share < 1e-4f ? 1 : 1 - share};
         if (fits(tried)) return tried;
     }
     return {};
@@ -413,7 +414,8 @@ class Writer {
         unsaid_.models += is_physical ? 0 : 1;
         const std::optional<GltfMetal> metal = is_physical ? metal_of(m) : std::nullopt;
         if (is_physical && (!metal || m.specular != glm::vec3(1))) ++unsaid_.materials;
-        const glm::vec3 whole = metal ? metal->base : m.diffuse, base = glm::min(whole, glm::vec3(1));
+        const glm::vec3 whole = metal ? metal->base : m.diffuse,
+                        base = glm::min(metal ? whole : whole / not_reflected, glm::vec3(1));
         // The base colour of a metal is computed, so rounding may raise it slightly above 1. Up to 1e-5 above
         // 1 is tolerated.
         unsaid_.bright += glm::any(glm::greaterThan(whole, glm::vec3(1 + 1e-5f))) ? 1 : 0;

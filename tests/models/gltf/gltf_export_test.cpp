@@ -35,7 +35,7 @@ constexpr const char* sayable = R"({"glint": 1, "global_ambient": [0, 0, 0],
    "material": {"diffuse": [0, 0, 0], "specular": [1, 1, 1], "roughness": 0.45, "f0": [1, 0.8, 0.3]}},
   {"name": "Half", "mesh": {"primitive": "cube", "detail": 2}, "transform": {"translate": [2, 0.5, 0],
    "rotate_deg": [0, 90, 45], "scale": [0.5, 0.5, 0.5]},
-   "material": {"diffuse": [0.25, 0.4, 0.05], "specular": [1, 1, 1], "roughness": 0.6,
+   "material": {"diffuse": [0.24, 0.384, 0.048], "specular": [1, 1, 1], "roughness": 0.6,
    "f0": [0.27, 0.42, 0.07]}}],
  "shading": {"mode": "phong", "reflection": "cook-torrance"},
  "display": {"transfer": "srgb", "background": [0.01, 0.01, 0.013]}})";

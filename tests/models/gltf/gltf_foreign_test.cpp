@@ -39,6 +39,41 @@ TEST_CASE("an unlit glTF material shows its base colour", "[gltf]") {
     CHECK(m.specular == glm::vec3(0));
 }
 
+TEST_CASE("the reflectance of a glTF material follows its index of refraction and specular factors",
+          "[gltf]") {
+    struct Case {
+        const char *metal, *extensions;
+        glm::vec3 diffuse, f0;
+        float specular;
+    };
+    // ((2 - 1)/(2 + 1))^2 = 1/9; glTF's f0 and f90 are specular * f0 and specular here.
+    const glm::vec3 white(1);
+    for (const Case& c :
+         {Case{"0", "", 0.96f * white, 0.04f * white, 1},
+          {"0", R"("KHR_materials_ior": {"ior": 2})", white * (8 / 9.0f), white / 9.0f, 1},
+          {"0", R"("KHR_materials_ior": {"ior": 0})", 0.0f * white, white, 1},
+          {"0", R"("KHR_materials_specular": {"specularFactor": 0})", white, 0.0f * white, 0},
+          {"0",
+           R"("KHR_materials_ior": {"ior": 2}, "KHR_materials_specular": {"specularFactor": 0.5,
+                   "specularColorFactor": [0, 1.5, 100]})",
+           {1, 11 / 12.0f, 0.5f},
+           {0, 1 / 6.0f, 1},
+           0.5f},
+          {"0.5", R"("KHR_materials_specular": {"specularFactor": 0})", 0.5f * white, white, 0.5f},
+          {"1", R"("KHR_materials_specular": {"specularFactor": 0})", 0.0f * white, white, 1}}) {
+        CAPTURE(c.metal, c.extensions);
+        const Material m =
+            opened_text(with_materials(fmt::format(
+                            R"({{"pbrMetallicRoughness": {{"metallicFactor": {}}}, "extensions": {{{}}}}})",
+                            c.metal, c.extensions)))
+                .scene.objects[0]
+                .material;
+        CHECK(glm::distance(m.diffuse, c.diffuse) < 1e-6f);
+        CHECK(glm::distance(m.f0, c.f0) < 1e-6f);
+        CHECK(m.specular == glm::vec3(c.specular));
+    }
+}
+
 TEST_CASE("a glTF emission with a texture is left out with a warning", "[gltf]") {
     const SceneDocument textured =
         opened_text(with_materials(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}})"));

@@ -96,8 +96,8 @@ TEST_CASE("glTF nodes, cameras, lights and materials are converted as specified"
     check_near(glm::vec3(m * glm::dvec4(0, 0, 0, 1)), {2, 0, -1});
     check_near(glm::vec3(m * glm::dvec4(1, 0, 0, 0)), {0, 0, -2});
     check_near(glm::vec3(m * glm::dvec4(0, 0, 1, 0)), {2, 0, 0});
-    check_near(box.material.diffuse, {0.375f, 0.1875f, 0.75f});  // 3/4 is not metal
-    check_near(box.material.f0, {0.155f, 0.0925f, 0.28f});       // 0.03 + base/4
+    check_near(box.material.diffuse, {0.36f, 0.18f, 0.72f});  // 3/4 is not metal, and reflects 0.04
+    check_near(box.material.f0, {0.155f, 0.0925f, 0.28f});    // 0.03 + base/4
     CHECK(box.material.roughness == 0.375f);
     check_near(box.material.emission, {0, 0.125f, 0});
     CHECK(s.shading.reflection == Reflection::CookTorrance);
