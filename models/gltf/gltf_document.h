@@ -131,6 +131,7 @@ struct GltfMaterial {
     Material material;  // for cook-torrance; its shininess gives a Blinn highlight of the same width
     bool has_textures = false, is_transparent = false, is_double_sided = false;
     bool lacks_emission = false;            // its emissive texture is not read, so the factor is dropped too
+    std::vector<std::string_view> effects;  // names of its extensions that are not read
 };
 /// Reads a metallic-roughness material; an unlit one (KHR_materials_unlit) emits its base colour. A primitive
 /// without a material uses an empty JSON object.

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -47,6 +48,13 @@ void read_cone(const Node& node, SpotCone& cone, bool& is_bad) {
     cone.cutoff_deg = std::min(glm::degrees(outer), 90.0f);
     cone.inner_deg = outer - inner < sharp_below ? SpotCone{}.inner_deg : glm::degrees(inner);
 }
+
+/// Extensions that change how a material looks and that are not read.
+constexpr std::array<std::string_view, 10> effects_left_out{
+    "KHR_materials_anisotropy",    "KHR_materials_clearcoat",    "KHR_materials_diffuse_transmission",
+    "KHR_materials_dispersion",    "KHR_materials_iridescence",  "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",         "KHR_materials_transmission", "KHR_materials_volume",
+    "KHR_materials_volume_scatter"};
 
 /// How the part of a material that is not metal reflects: at normal incidence, and at grazing angles.
 struct Reflectance {
@@ -154,8 +162,11 @@ GltfMaterial material_of(const Node& node) {
     });
     read(node, "emissiveFactor", emission, at_least_zero);
     Reflectance not_metal;
+    std::vector<std::string_view> effects;
     with_object(node, "extensions", [&](const Node& extensions) {
         not_metal = reflectance_of(extensions, textured);
+        for (const std::string_view name : effects_left_out)
+            if (extensions.has(name)) effects.push_back(name);
         with_object(extensions, "KHR_materials_emissive_strength",
                     [&](const Node& at) { read(at, "emissiveStrength", strength, at_least_zero); });
     });
@@ -176,7 +187,7 @@ GltfMaterial material_of(const Node& node) {
         m.ambient = m.diffuse = m.specular = m.f0 = glm::vec3(0);
         m.emission = base;
     }
-    return {m, textured, is_see_through, both_sides, lacks_emission};
+    return {m, textured, is_see_through, both_sides, lacks_emission, std::move(effects)};
 }
 
 GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world) {

@@ -18,6 +18,7 @@ struct GltfLeftOut {
     std::size_t textures = 0, blended = 0, skins = 0, animations = 0, morphs = 0, lines = 0, sparse = 0,
                 colours = 0, emissions = 0, instances = 0, cones = 0;
     std::size_t cameras = 0, sheared = 0, flat = 0, far = 0, lights = 0, ranges = 0;
+    std::map<std::string_view, std::size_t> effects;  // of materials, by the name of their extension
 };
 /// Returns one warning, with its count, for each kind of missing object.
 Warnings said_objects(const GltfLeftOut& left) {
@@ -44,6 +45,9 @@ Warnings said(const GltfLeftOut& left) {
          "materials have emissive textures: their emission is left out");
     warn(w, left.blended, "material is transparent, which is not drawn",
          "materials are transparent, which is not drawn");
+    for (const auto& [name, count] : left.effects)
+        warn(w, count, fmt::format("material has {}, which is left out", name),
+             fmt::format("materials have {}, which is left out", name));
     warn(w, left.colours, "primitive has colours of vertices, which are not read",
          "primitives have colours of vertices, which are not read");
     warn(w, left.skins, "node has a skin: it is shown as it was modelled",
@@ -253,6 +257,7 @@ class SceneReader {
         left_.emissions += m.lacks_emission ? 1 : 0;
         left_.textures += m.has_textures ? 1 : 0;
         left_.blended += m.is_transparent ? 1 : 0;
+        for (const std::string_view effect : m.effects) ++left_.effects[effect];
         return m.material;
     }
 

@@ -30,7 +30,7 @@ namespace {
 struct GltfUnsaid {
     bool frustum = false, mirroring = false, angle = false;  // of the camera
     std::size_t invisible = 0, empty = 0, colours = 0;       // objects
-    std::size_t materials = 0, models = 0, bright = 0;  // models: other than cook-torrance
+    std::size_t materials = 0, models = 0, bright = 0;       // models: other than cook-torrance
     std::size_t off = 0, areas = 0, falloffs = 0, cones = 0, ambients = 0, speculars = 0;  // lights
 };
 

@@ -74,6 +74,13 @@ TEST_CASE("the reflectance of a glTF material follows its index of refraction an
     }
 }
 
+TEST_CASE("glTF materials with extensions that are not read cause a warning for each extension", "[gltf]") {
+    CHECK(opened_text(with_materials(R"({"extensions": {"KHR_materials_sheen": {}, "KHR_materials_ior": {},
+              "KHR_materials_clearcoat": {"clearcoatFactor": 1}}})"))
+              .warnings == Warnings{"1 material has KHR_materials_clearcoat, which is left out",
+                                    "1 material has KHR_materials_sheen, which is left out"});
+}
+
 TEST_CASE("a glTF emission with a texture is left out with a warning", "[gltf]") {
     const SceneDocument textured =
         opened_text(with_materials(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}})"));
