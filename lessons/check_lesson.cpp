@@ -57,7 +57,7 @@ class Checker {
         tried_on_ = document_;
         const RightAnswer right = value_or_throw(right_answer(runner_, document_, lesson_, p));
         Shortfall wrong =
-            p.kind == PredictionKind::Choice ? wrong_mistake(p) : wrong_tolerance(right.tolerance);
+            p.kind == PredictionKind::Choice ? wrong_option(p, right) : wrong_tolerance(right.tolerance);
         if (!wrong) wrong = wrong_term(p);
         if (!wrong) wrong = wrong_answers(p, right);
         return wrong ? wrong : value_or_throw(answer_shown(runner_, lesson_, p, right, page_));
@@ -121,8 +121,11 @@ class Checker {
         return {};
     }
 
-    /// Checks that an option is right when the mistake that it names is switched on.
-    Shortfall wrong_mistake(const Prediction& p) {
+    /// Checks that the right option names no misconception, and that an option is right when the mistake that
+    /// it names is switched on.
+    Shortfall wrong_option(const Prediction& p, const RightAnswer& right) {
+        const LessonOption& key = p.options[right.value.get<std::size_t>()];
+        if (!key.thinks.empty()) return "\"" + key.text + "\" is right, but has a misconception (thinks:)";
         for (const LessonOption& option : p.options) {
             if (option.mistake.empty()) continue;
             std::vector<LessonRun> mistaken = p.runs;

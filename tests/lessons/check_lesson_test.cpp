@@ -148,3 +148,12 @@ TEST_CASE("a typical wrong answer must count as wrong and not as another one", "
     CHECK(last_checked(dark + how_bright + "wrong: 1\nthinks: All.\nwrong: 1.01\nthinks: More.\n```\n")
               .why.starts_with("wrong: 1.01"));
 }
+
+TEST_CASE("a misconception at the right option fails the check", "[lesson]") {
+    const auto checked = [](const std::string& thinks) {
+        return last_checked("```predict choice\nquestion: ?\noption: yes\nif: true\n" + thinks +
+                            "option: no\nif: false\nthinks: Never.\n```\n");
+    };
+    CHECK(checked("").holds);
+    CHECK(checked("thinks: Always.\n").why == "\"yes\" is right, but has a misconception (thinks:)");
+}
