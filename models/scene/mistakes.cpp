@@ -11,8 +11,8 @@ constexpr std::array names{
                 SeenAs::WrongBrightness, "The vector to the light keeps its length in n·l, r and h.",
                 "Surfaces far from the light get brighter, and highlights grow into blots.",
                 "no_clamp_of_cosine falloff_inverted", "openFrameworks#6221",
-                "in n·l, r and h|also in the cone of a spot|not of directional lights|"
-                "also in the cone of a spot, and not of directional lights"},
+                "in n·l, r and h|also in the cone of a spot|except for directional lights|"
+                "also in the cone of a spot, except for directional lights"},
     MistakeName{"unnormalized_half", &Mistakes::unnormalized_half, MistakeStage::Equation,
                 SeenAs::WrongHighlight, "h = (l + v)/2, as the lecture first writes it, is not normalized.",
                 "Highlights shrink and darken where l and v diverge.", "", "openFrameworks#6221",
@@ -126,8 +126,8 @@ constexpr std::array names{
                 "Light is multiplied by constant + linear r + quadratic r² instead of divided.",
                 "Surfaces far from the light are brightest.", "unnormalized_light", "threepp#10"},
     MistakeName{"falloff_forgotten", &Mistakes::falloff_forgotten, MistakeStage::Lights, SeenAs::WrongReach,
-                "Falloff is 1 for every light; cone and area stay.", "Far things are as bright as near ones.",
-                "falloff_without_constant", "threepp#10"},
+                "Every light has the falloff 1. Cones of spots and areas of lights still count.",
+                "Far things are as bright as near ones.", "falloff_without_constant", "threepp#10"},
     MistakeName{"last_light_only", &Mistakes::last_light_only, MistakeStage::Lights, SeenAs::WrongBrightness,
                 "Each light overwrites the one before: only the last enabled one counts.",
                 "Lights are missing; if the last one is switched off, another one appears.", "",
