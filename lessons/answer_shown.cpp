@@ -197,7 +197,7 @@ class Looker {
             if (!shows(page_.asked) && std::none_of(page_.paper.begin(), page_.paper.end(), shows)) return {};
         }
         if (!any) return {};
-        return "the pictures show the answer: all that its runs read can be seen on the page";
+        return "the pictures show the answer: everything that its runs read is visible on the page";
     }
 
     LessonRunner& runner_;

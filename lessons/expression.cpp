@@ -331,7 +331,7 @@ double length(const Json& v) { return std::sqrt(dot(v, v)); }
 
 Json cross(const Json& a, const Json& b) {
     if (as_list(a).size() != 3 || as_list(b).size() != 3)
-        throw ExpressionProblem{"cross() is given lists of other lengths", "two lists of three numbers"};
+        throw ExpressionProblem{"cross() is given lists of different lengths", "two lists of three numbers"};
     std::array<double, 3> x{}, y{};
     for (std::size_t i = 0; i < 3; ++i) {
         x[i] = as_number(elements_of(a)[i]);
@@ -356,7 +356,7 @@ Json place_of(const Json& list, bool (*before)(double, double)) {
         if (std::isnan(x)) continue;
         if (best == elements.size() || before(x, as_number(elements[best]))) best = i;
     }
-    if (best == elements.size()) throw ExpressionProblem{"the list holds no numbers", "one at least"};
+    if (best == elements.size()) throw ExpressionProblem{"the list contains no numbers", "at least one"};
     return best;
 }
 bool is_less(double a, double b) { return a < b; }
@@ -373,7 +373,8 @@ Json part(const Values& v) {
     const double from = as_number(v[1]), to = as_number(v[2]);
     const bool whole = std::floor(from) == from && std::floor(to) == to;
     if (!(whole && from >= 0 && to >= from && to < size))
-        throw ExpressionProblem{"part() is asked for what the list does not have", "0 to its last place"};
+        throw ExpressionProblem{"part() has a position outside its list",
+                                "whole numbers from 0 to the last one"};
     const auto begin = elements_of(v[0]).begin();
     return Json(Json::array_t(begin + static_cast<std::ptrdiff_t>(from),
                               begin + static_cast<std::ptrdiff_t>(to) + 1));

@@ -190,7 +190,7 @@ class Collector {
             fail_at(code_line_, "there is no block " + in_quotes(block.word),
                     in_quotes(nearest(block.word, known)) + ", or \"text\" for a block that is only read");
         if (code_info_.size() > 2)
-            fail_at(code_line_, in_quotes(code_info_[2]) + " does not belong there", "one word at most");
+            fail_at(code_line_, in_quotes(code_info_[2]) + " does not belong there", "at most one word");
         std::vector<std::string> lines(1);
         for (const char c : open_text()) {
             if (c == '\n')

@@ -99,7 +99,7 @@ std::vector<const BlockLine*> SourceBlock::all(std::string_view key) const {
 
 const BlockLine* SourceBlock::find(std::string_view key) const {
     const std::vector<const BlockLine*> found = all(key);
-    if (found.size() > 1) fail_at(found[1]->line, in_quotes(key) + " stands twice", "one line of it");
+    if (found.size() > 1) fail_at(found[1]->line, in_quotes(key) + " is given twice", "it once");
     return found.empty() ? nullptr : found[0];
 }
 

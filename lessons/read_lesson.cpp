@@ -200,7 +200,7 @@ void require_mistake(const std::string& name, int line) {
 
 /// Reads a line that an option may have at most once.
 void take_once(const BlockLine& line, std::string& value) {
-    if (!value.empty()) fail_at(line.line, in_quotes(line.key) + " stands twice", "one line of it");
+    if (!value.empty()) fail_at(line.line, in_quotes(line.key) + " is given twice", "it once");
     value = line.value;
 }
 
@@ -229,7 +229,7 @@ void read_options(const SourceBlock& block, Prediction& p) {
         }
     }
     if (p.options.size() < 2 || p.options.back().is_right.text().empty())
-        fail_at(block.line, "a choice lacks options", "two at least, each with a line if: after it");
+        fail_at(block.line, "a choice lacks options", "at least two, each with a line if: after it");
 }
 
 /// Reads wrong answers, each followed by the misconception behind it.

@@ -18,7 +18,7 @@ struct LobeArguments {
 
 const Object& object_of(const Scene& scene, int number) {
     const std::size_t count = scene.objects.size();
-    if (count == 0) throw wrong_usage("--object", "the scene has no objects", "one at least");
+    if (count == 0) throw wrong_usage("--object", "the scene has no objects", "at least one");
     if (static_cast<std::size_t>(number) >= count)
         throw wrong_usage("--object", std::to_string(number) + " is out of range",
                           "0 to " + std::to_string(count - 1));

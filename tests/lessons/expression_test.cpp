@@ -126,7 +126,7 @@ TEST_CASE("an invalid expression reports its problem", "[lesson][bad-input]") {
     CHECK(problem_with("[] = 2") == "\"[] = 2\": a list of 0 is compared; expected a list with elements");
     CHECK(problem_with("1 = 1 within 0 / 0").ends_with("has the tolerance undefined; expected 0 or more"));
     CHECK(problem_with("a.list[0.5]").find("no element 0.5") != std::string::npos);
-    CHECK(problem_with("part(a.list, 0.5, 1)").find("part() is asked for what the list does not have") !=
+    CHECK(problem_with("part(a.list, 0.5, 1)").find("part() has a position outside its list") !=
           std::string::npos);
     CHECK(problem_with("a.list + [1]").find("lists of 3 and of 1 values meet") != std::string::npos);
     CHECK(problem_with("a.word + 1").find("is not a number") != std::string::npos);
