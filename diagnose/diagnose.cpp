@@ -51,8 +51,9 @@ bool is_exact(const Judged& best) {
 /// Levels from which on a right picture clearly has more than one colour.
 constexpr int several_colours = 8;
 
-/// Whether the picture's surfaces have a single colour, although those of the right picture have several.
-bool have_one_colour(const Exhibit& e, const DisplayChange& change) {
+/// The colour of the picture's surfaces if they have a single one, although those of the right picture have
+/// several.
+std::optional<Rgb> only_colour_of_surfaces(const Exhibit& e, const DisplayChange& change) {
     constexpr float rounding = 1;
     RgbBounds mine, right;
     const PictureSize size = e.right.size;
@@ -62,8 +63,10 @@ bool have_one_colour(const Exhibit& e, const DisplayChange& change) {
             mine.add(mine_at(e.wrong, change, x, y));
             right.add(rgb_at(e.right, size.index(x, y)));
         }
-    return static_cast<float>(mine.spread()) <= rounding + e.least_change.scatter() &&
-           right.spread() > several_colours;
+    if (static_cast<float>(mine.spread()) > rounding + e.least_change.scatter() ||
+        right.spread() <= several_colours)
+        return {};
+    return mine.high;
 }
 
 /// Further display changes to try for a picture that nothing explains, the smaller first.
@@ -134,10 +137,12 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
     const ExplanationKind kind = best.explanation.kind;
     const bool is_simple =
         best.is_believed && (kind == ExplanationKind::LeftOut || kind == ExplanationKind::Setting);
-    if (!is_simple && have_one_colour(exhibit, best.change)) {
-        d.why = "its surfaces have a single colour, which many mistakes would give";
-        return;
-    }
+    if (!is_simple)
+        if (const std::optional<Rgb> only = only_colour_of_surfaces(exhibit, best.change)) {
+            d.why = *only == Rgb{} ? "its surfaces are black: nothing is lit, which many mistakes would give"
+                                   : "its surfaces have a single colour, which many mistakes would give";
+            return;
+        }
     const bool is_believed = best.is_believed;
     d.display.lossy = is_believed && best.is_lossy;
     const Judged& shown = is_believed ? best : none;
@@ -257,8 +262,10 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
         return d;
     }
     if (is_of_one_colour(wrong, right, 0)) {
-        d.why = fmt::format("it has a single colour, ({}, {}, {}): nothing was drawn, or nothing was lit",
-                            wrong.rgba[0], wrong.rgba[1], wrong.rgba[2]);
+        const Rgb only = rgb_at(wrong, 0);
+        d.why = fmt::format("it has a single colour, ({}, {}, {}), {}", only[0], only[1], only[2],
+                            only == Rgb{} ? "which is black: nothing was drawn, or nothing is lit yet"
+                                          : "so that no surface can be seen");
         return d;
     }
     const auto camera = camera_difference(renderer, scene, wrong, kinds);

@@ -358,6 +358,12 @@ ShaderPicture ShaderCanvas::draw(const ShaderScene& scene) {
     out.stopped = pixels_where(raw, size, is_stopped);
     if (out.stopped.count > 0) return out;
     out.not_finite = pixels_where(raw, size, [](const float* color) { return !is_finite(color); });
+    const auto is_drawn = [](const float* color) { return color[3] > 0; };
+    const auto is_bright = [&](const float* color) {
+        return is_drawn(color) && !(color[0] <= 0 && color[1] <= 0 && color[2] <= 0);
+    };
+    out.is_black =
+        pixels_where(raw, size, is_drawn).count > 0 && pixels_where(raw, size, is_bright).count == 0;
     out.picture.size = size;
     out.picture.rgba = framebuffer.read<std::uint8_t>(Shown, GL_UNSIGNED_BYTE, size);
     out.picture.linear = without_fourth(raw);

@@ -33,6 +33,7 @@ struct ShaderPicture {
     Picture picture;  // linear and displayed colours; NaN is displayed as black
     // Three numbers per pixel if pixels are lit: the arguments of lit(); 0 at the background.
     std::vector<float> positions, normals;
+    bool is_black = false;    // lit() returned nothing above 0
     PixelFinding not_finite;  // lit() returned NaN or an infinity
     PixelFinding discarded;
     PixelFinding stopped;  // a loop was ended after max_loop_runs; no picture in that case

@@ -111,6 +111,7 @@ template <class A, class T> void answer_fields(A& a, T& s) {
     a(s.picture.picture.linear);
     a(s.picture.positions);
     a(s.picture.normals);
+    a(s.picture.is_black);
     a(s.picture.not_finite);
     a(s.picture.discarded);
     a(s.picture.stopped);
@@ -250,6 +251,10 @@ Warnings warnings_of(const ShaderAnswer& answer, const std::string& file) {
     };
     add(answer.picture.not_finite, "lit() returns NaN or an infinity");
     add(answer.picture.discarded, "nothing is drawn (discard)");
+    if (answer.picture.is_black)
+        warnings.push_back(file +
+                           ": lit() returns black in all pixels, so nothing is lit yet. Begin with "
+                           "material.ambient * global_ambient, then add one light");
     return warnings;
 }
 

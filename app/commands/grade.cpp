@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <map>
@@ -93,7 +94,14 @@ std::optional<Picture> drawn_by(const std::string& file, GradeRow& row, const Sc
     return std::move(answer.picture.picture);
 }
 
-bool is_picture(const std::string& file) { return problem_of(picture_format(file)) == nullptr; }
+/// Whether the name is that of a picture. Pictures that cannot be read count too, so that reading one names
+/// the formats that can.
+bool is_picture(const std::string& file) {
+    constexpr std::array others{".jpg",  ".jpeg", ".gif", ".bmp", ".tif",
+                                ".tiff", ".tga",  ".ppm", ".hdr", ".webp"};
+    return problem_of(picture_format(file)) == nullptr ||
+           std::find(others.begin(), others.end(), lower_extension(file)) != others.end();
+}
 
 GradeRow judged(const std::string& file, const GradeArguments& arguments) {
     GradeRow row{{"file", file}, {"verdict", not_judged}, {"messages", Json::array()}};

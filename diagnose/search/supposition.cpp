@@ -288,6 +288,17 @@ std::vector<Supposition> left_out_edits(const Scene& scene) {
                               "The global ambient light is left out.", {"/global_ambient=[0,0,0]"},
                               [](Scene& s) { s.global_ambient = glm::vec3(0); }));
     add_lights_left_out(all, scene);
+    // A single emission gives the surfaces a single colour, from which nothing can be concluded.
+    if (std::any_of(scene.objects.begin(), scene.objects.end(), [&scene](const Object& o) {
+            return o.material.emission != scene.objects[0].material.emission;
+        }))
+        all.push_back(edit_of(
+            ExplanationKind::LeftOut, of_left_out + 0.1, "all light",
+            "Nothing is lit: only emission remains.",
+            {"/shading/terms/ambient=false", "/shading/terms/diffuse=false", "/shading/terms/specular=false"},
+            [](Scene& s) {
+                s.shading.terms = {.emission = true, .ambient = false, .diffuse = false, .specular = false};
+            }));
     all.push_back(edit_of(ExplanationKind::LeftOut, of_left_out + 0.3, "lighting",
                           "Nothing is lit: the mesh's own colours are shown.", {"/shading/reflection=none"},
                           [](Scene& s) { s.shading.reflection = Reflection::None; }));

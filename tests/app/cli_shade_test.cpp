@@ -1,6 +1,7 @@
 // Tests of glint shade and glint grade as a user runs them.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "models/json/json.h"
 #include "renderer/image/image_file.h"
@@ -117,8 +118,11 @@ TEST_CASE("pixels that are not numbers or not drawn are counted", "[cli][shader]
               .find("glint: warning: a.glsl: lit() returns NaN or an infinity in ") == 0);
     CHECK(said_of("vec3 lit(vec3 p, vec3 n) { if (p.x > 0.0) discard; return n; }")
               .find("glint: warning: a.glsl: nothing is drawn (discard) in ") == 0);
-    CHECK(said_of("uniform float time;\nvec3 lit(vec3 p, vec3 n) { return time * n; }") ==
+    CHECK(said_of("uniform float time;\nvec3 lit(vec3 p, vec3 n) { return time + n; }") ==
           "glint: warning: a.glsl: the uniform time is not set\n");
+    CHECK(said_of("vec3 lit(vec3 p, vec3 n) { return -abs(n); }") ==
+          "glint: warning: a.glsl: lit() returns black in all pixels, so nothing is lit yet. Begin with "
+          "material.ambient * global_ambient, then add one light\n");
 }
 
 TEST_CASE("a file that is not a shader is reported in one line", "[cli][shader]") {
@@ -222,14 +226,33 @@ TEST_CASE("glint grade names the mistakes of shaders and pictures", "[cli][shade
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 6);
 }
 
+TEST_CASE("the verdict on a blank shader says that nothing is lit, and where to begin", "[cli][shader]") {
+    const TemporaryDirectory folder;
+    const std::string blank = folder.file("blank.glsl", lighting(folder, {"--blank"}));
+    for (const auto& [scene, says] : {std::pair{"still-life", "nothing is lit yet"},
+                                      {"every-term", "nothing is lit"},
+                                      {"glossy-ball", "All lights are off"}}) {
+        const std::string path = project_file("assets/scenes/" + std::string(scene) + ".json");
+        const Json row =
+            Json::parse(run_glint({"grade", path, blank, "--size", "160x120", "--format", "json"}).out);
+        const auto text = row["text"].get<std::string>();
+        INFO(scene << ": " << text);
+        CHECK(text.find(says) != text.npos);
+        CHECK(row["messages"][0].get<std::string>().find("Begin with material.ambient") != std::string::npos);
+    }
+}
+
 TEST_CASE("glint grade ends with status 1 if a file cannot be judged", "[cli][shader]") {
     const TemporaryDirectory folder;
-    const Ended ended = run_glint({"grade", scene_path, folder.file("a.png", "not a picture"),
-                                   folder.path("none.glsl"), "--format", "csv"});
+    const Ended ended =
+        run_glint({"grade", scene_path, folder.file("a.png", "not a picture"),
+                   folder.file("a.jpg", "not a shader"), folder.path("none.glsl"), "--format", "csv"});
     CHECK(ended.status == 1);
     CHECK(ended.err == "");
     CHECK(ended.out.find("a.png,not judged,") != ended.out.npos);
     CHECK(ended.out.find("none.glsl,not judged,") != ended.out.npos);
+    CHECK(ended.out.find("a.jpg: cannot be read; expected a picture whose name ends in .png, .pfm or .exr") !=
+          ended.out.npos);
 }
 
 TEST_CASE("a rubric with an unknown mistake and an unreadable scene are refused", "[cli][shader]") {

@@ -60,6 +60,16 @@ TEST_CASE("a picture of one colour is comparable only with a scene of one colour
     CHECK(diagnosed(dark, picture).verdict == Verdict::NoMistake);
 }
 
+TEST_CASE("a picture in which surfaces only emit lacks all light", "[diagnose]") {
+    const SceneDocument document = shipped("still-life.json");
+    Scene dark = document.scene;
+    dark.lights.clear();
+    dark.global_ambient = glm::vec3(0);
+    const Diagnosis d = diagnosed(document, picture_under(dark, {}));
+    REQUIRE(d.verdict == Verdict::LeftOut);
+    CHECK(d.candidates[0].name == "all light");
+}
+
 TEST_CASE("a picture of two flat colours has no noise, and is not a mistake of another scene",
           "[diagnose][release]") {
     for (const char* const name : {"sun", "every-term", "still-life"}) {
