@@ -14,8 +14,6 @@
 namespace glint {
 namespace {
 
-glm::vec3 to_glm(const Float3& v) { return {v.x, v.y, v.z}; }
-
 /// A light source in world coordinates.
 LightSource in_world(LightSource source, const glm::dmat4& world_from_view) {
     const auto moved = [&](const Float3& v, double w) {
@@ -89,16 +87,6 @@ glm::vec3 cosine_direction(PathRandom& random, const glm::vec3& n) {
     const float sign = std::copysign(1.0f, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
     const glm::vec3 u(1 + sign * n.x * n.x * a, sign * b, -sign * n.x), v(b, sign + n.y * n.y * a, -n.y);
     return x * u + y * v + std::sqrt(1 - squared) * n;
-}
-
-bool needs_shadow_ray(const TransportInputs& inputs, const LightSource& light, const TracedPoint& point) {
-    if (inputs.any_mistake || light.ambient != Float3{}) return true;
-    const glm::vec3 xyz = to_glm(light.xyz);
-    return glm::dot(point.n, light.w > 0 ? xyz - point.start.p : xyz) > 0;
-}
-
-WorldRay shadow_ray(const LightSource& light, const RayStart& start) {
-    return light.w > 0 ? ray_to(start, to_glm(light.xyz)) : ray_along(start, to_glm(light.xyz));
 }
 
 bool reaches(const RayScene& rays, const TransportInputs& inputs, const LightSource& light,

@@ -83,12 +83,22 @@ struct TracedPoint {
     std::uint64_t key = 0;  // identifies the point for the random numbers
 };
 
+// Inline, because a picture needs millions of shadow rays.
+
+inline glm::vec3 to_glm(const Float3& v) { return {v.x, v.y, v.z}; }
+
 /// Whether the light contributes to the point unless it is blocked. False if it contributes nothing anyway
 /// because the surface faces away from it.
-[[nodiscard]] bool needs_shadow_ray(const TransportInputs& inputs, const LightSource& light,
-                                    const TracedPoint& point);
+[[nodiscard]] inline bool needs_shadow_ray(const TransportInputs& inputs, const LightSource& light,
+                                           const TracedPoint& point) {
+    const glm::vec3 xyz = to_glm(light.xyz);
+    return glm::dot(point.n, light.w > 0 ? xyz - point.start.p : xyz) > 0 || inputs.any_mistake ||
+           light.ambient != Float3{};
+}
 /// The ray from the point to a light, or towards a directional light.
-[[nodiscard]] WorldRay shadow_ray(const LightSource& light, const RayStart& start);
+[[nodiscard]] inline WorldRay shadow_ray(const LightSource& light, const RayStart& start) {
+    return light.w > 0 ? ray_to(start, to_glm(light.xyz)) : ray_along(start, to_glm(light.xyz));
+}
 /// Whether the light reaches the point; true if no shadow ray is needed.
 [[nodiscard]] bool reaches(const RayScene& rays, const TransportInputs& inputs, const LightSource& light,
                            const TracedPoint& point);

@@ -19,8 +19,6 @@
 namespace glint {
 namespace {
 
-constexpr double half_ulp = 0x1p-24;  // the relative error of rounding to float
-
 void release(RTCDevice device) { rtcReleaseDevice(device); }
 void release(RTCScene scene) { rtcReleaseScene(scene); }
 template <class Handle> struct Release {
@@ -38,45 +36,6 @@ void check(RTCDevice device) {
                          fmt::format("Embree cannot trace rays here (error {})", static_cast<int>(error)),
                          "the model local"});
 }
-
-/// The three corners of a triangle, in mesh order.
-using Corners = std::array<glm::dvec3, 3>;
-
-/// The weights of the corners at the point of the triangle closest to p: the perpendicular projection of p
-/// onto the plane, with weights clamped to the triangle.
-glm::dvec3 weights_at(const Corners& c, const glm::dvec3& p) {
-    const glm::dvec3 u = c[1] - c[0], v = c[2] - c[0], to = p - c[0], n = glm::cross(u, v);
-    const double squared = glm::dot(n, n);
-    if (!(squared > 0)) return glm::dvec3(1, 0, 0);
-    const double wv = glm::dot(glm::cross(u, to), n) / squared, wu = glm::dot(glm::cross(to, v), n) / squared;
-    const glm::dvec3 w = glm::max(glm::dvec3(1 - wu - wv, wu, wv), glm::dvec3(0));
-    return w / (w.x + w.y + w.z);
-}
-
-/// Derivation of `away`: the point is the weighted mean of the corners, computed in doubles and then rounded
-/// to floats, which moves it by up to half_ulp |p| along each axis. Embree subtracts the ray's origin from
-/// the corners, and computes the cross product of two edges and the product of that with a corner: about 6
-/// roundings of numbers up to (distance to the corners) x (edge) x (edge), divided by the area. The factor 8
-/// includes the roundings of p itself. Compare M. Pharr, W. Jakob, G. Humphreys, "Physically Based
-/// Rendering", 3rd ed., 3.9 (Managing Rounding Error).
-RayStart start_at(const Corners& c, const glm::dvec3& weights) {
-    const glm::dvec3 p = weights.x * c[0] + weights.y * c[1] + weights.z * c[2];
-    const glm::dvec3 u = c[1] - c[0], v = c[2] - c[0], w = c[2] - c[1], across = glm::cross(u, v);
-    const double area = glm::length(across);
-    RayStart start;
-    start.p = glm::vec3(p);
-    if (!(area > 0)) return start;
-    const glm::dvec3 n = across / area;
-    const double longest = std::max({glm::dot(u, u), glm::dot(v, v), glm::dot(w, w)});
-    const double farthest =
-        std::max({glm::distance(p, c[0]), glm::distance(p, c[1]), glm::distance(p, c[2])});
-    start.n = glm::vec3(n);
-    start.away = static_cast<float>(
-        half_ulp * (glm::dot(glm::abs(n), glm::abs(p)) + 8 * farthest * longest / area) * 1.001);
-    return start;
-}
-
-float magnitude(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 RTCRay embree_ray(const WorldRay& ray) {
     RTCRay r{};
@@ -122,6 +81,55 @@ void place(RayObject& to, const Object& from) {
 
 }  // namespace
 
+RayFacet::RayFacet(const std::array<glm::dvec3, 3>& corners) : c(corners) {
+    const glm::dvec3 u = c[1] - c[0], v = c[2] - c[0], w = c[2] - c[1];
+    across = glm::cross(u, v);
+    area = glm::length(across);
+    if (area > 0) n = across / area;
+    longest = std::max({glm::dot(u, u), glm::dot(v, v), glm::dot(w, w)});
+}
+
+glm::dvec3 RayFacet::weights_at(const glm::dvec3& p) const {
+    const glm::dvec3 u = c[1] - c[0], v = c[2] - c[0], to = p - c[0];
+    const double squared = glm::dot(across, across);
+    if (!(squared > 0)) return glm::dvec3(1, 0, 0);
+    const double wv = glm::dot(glm::cross(u, to), across) / squared,
+                 wu = glm::dot(glm::cross(to, v), across) / squared;
+    const glm::dvec3 weights = glm::max(glm::dvec3(1 - wu - wv, wu, wv), glm::dvec3(0));
+    return weights / (weights.x + weights.y + weights.z);
+}
+
+/// Derivation of `away`: the point is the weighted mean of the corners, computed in doubles and then rounded
+/// to floats, which moves it by up to half_ulp |p| along each axis. Embree subtracts the ray's origin from
+/// the corners, and computes the cross product of two edges and the product of that with a corner: about 6
+/// roundings of numbers up to (distance to the corners) x (edge) x (edge), divided by the area. The factor 8
+/// includes the roundings of p itself. Compare M. Pharr, W. Jakob, G. Humphreys, "Physically Based
+/// Rendering", 3rd ed., 3.9 (Managing Rounding Error).
+RayStart RayFacet::start_at(const glm::dvec3& weights) const {
+    const glm::dvec3 p = weights.x * c[0] + weights.y * c[1] + weights.z * c[2];
+    RayStart start;
+    start.p = glm::vec3(p);
+    if (!(area > 0)) return start;
+    const double farthest =
+        std::max({glm::distance(p, c[0]), glm::distance(p, c[1]), glm::distance(p, c[2])});
+    start.n = glm::vec3(n);
+    start.away = static_cast<float>(
+        half_ulp * (glm::dot(glm::abs(n), glm::abs(p)) + 8 * farthest * longest / area) * 1.001);
+    return start;
+}
+
+RayStart RayFacet::on_bulge(const glm::dvec3& p, const std::array<glm::dvec3, 3>& normals) const {
+    const glm::dvec3 weights = weights_at(p);
+    RayStart start = start_at(weights);
+    glm::dvec3 lift(0);
+    for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        lift -= weights[i] * std::min(0.0, glm::dot(glm::dvec3(start.p) - c[k], normals[k])) * normals[k];
+    }
+    start.p = glm::vec3(glm::dvec3(start.p) + lift);
+    return start;
+}
+
 struct RayScene::Built {
     Owned<RTCDevice> device;
     Owned<RTCScene> scene;
@@ -140,12 +148,6 @@ struct RayScene::Built {
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(scene.get(), geometry, number);
         rtcReleaseGeometry(geometry);
-    }
-
-    [[nodiscard]] Corners corners(RayHit hit) const {
-        const RayObject& object = objects[hit.object];
-        const std::uint32_t* at = &object.corners[3 * std::size_t{hit.triangle}];
-        return {object.positions[at[0]], object.positions[at[1]], object.positions[at[2]]};
     }
 };
 
@@ -193,6 +195,26 @@ bool RayScene::is_blocked(const WorldRay& ray) const {
     return r.tfar < 0;
 }
 
+unsigned RayScene::blocked(const RayPacket& rays) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    RTCRay16 r{};
+    alignas(64) std::array<int, RayPacket::size> valid;
+    for (std::size_t i = 0; i < RayPacket::size; ++i) {
+        const bool is_valid = rays.which >> i & 1u;
+        r.org_x[i] = rays.from_x[i], r.org_y[i] = rays.from_y[i], r.org_z[i] = rays.from_z[i];
+        r.dir_x[i] = rays.direction_x[i], r.dir_y[i] = rays.direction_y[i], r.dir_z[i] = rays.direction_z[i];
+        r.tfar[i] = is_valid ? rays.reach[i] : -1;  // Embree ignores `valid` where it splits packets
+        r.mask[i] = 0xFFFFFFFFu;
+        valid[i] = is_valid ? -1 : 0;
+    }
+    rtcOccluded16(valid.data(), built_->scene.get(), &context, &r);
+    unsigned blocked = 0;
+    for (std::size_t i = 0; i < RayPacket::size; ++i) blocked |= (r.tfar[i] < 0 ? 1u : 0u) << i;
+    return blocked & rays.which;
+}
+
 std::optional<RayHit> RayScene::first_hit(const WorldRay& ray) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -204,31 +226,18 @@ std::optional<RayHit> RayScene::first_hit(const WorldRay& ray) const {
     return RayHit{r.hit.geomID, r.hit.primID};
 }
 
-RayStart RayScene::on_triangle(RayHit triangle, const glm::dvec3& p) const {
-    const Corners c = built_->corners(triangle);
-    return start_at(c, weights_at(c, p));
-}
-
-RayStart RayScene::on_bulge(RayHit triangle, const glm::dvec3& p,
-                            const std::array<glm::dvec3, 3>& normals) const {
-    const Corners c = built_->corners(triangle);
-    const glm::dvec3 weights = weights_at(c, p);
-    RayStart start = start_at(c, weights);
-    glm::dvec3 lift(0);
-    for (int i = 0; i < 3; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        lift -= weights[i] * std::min(0.0, glm::dot(glm::dvec3(start.p) - c[k], normals[k])) * normals[k];
-    }
-    start.p = glm::vec3(glm::dvec3(start.p) + lift);
-    return start;
+RayFacet RayScene::facet(RayHit hit) const {
+    const RayObject& object = built_->objects[hit.object];
+    const std::uint32_t* at = &object.corners[3 * std::size_t{hit.triangle}];
+    return RayFacet({object.positions[at[0]], object.positions[at[1]], object.positions[at[2]]});
 }
 
 RayStart RayScene::at_hit(const WorldRay& ray, RayHit hit) const {
-    const Corners c = built_->corners(hit);
-    const glm::dvec3 from(ray.from), along(ray.direction), n = glm::cross(c[1] - c[0], c[2] - c[0]);
-    const double slope = glm::dot(n, along);
-    if (slope == 0) return start_at(c, weights_at(c, from));
-    return start_at(c, weights_at(c, from + glm::dot(n, c[0] - from) / slope * along));
+    const RayFacet at = facet(hit);
+    const glm::dvec3 from(ray.from), along(ray.direction);
+    const double slope = glm::dot(at.across, along);
+    if (slope == 0) return at.nearest(from);
+    return at.nearest(from + glm::dot(at.across, at.c[0] - from) / slope * along);
 }
 
 RayStart RayScene::at_corner(std::uint32_t object, const glm::dvec3& p, const glm::dvec3& n) const {
@@ -242,25 +251,6 @@ RayStart RayScene::at_corner(std::uint32_t object, const glm::dvec3& p, const gl
     // box.
     start.away = static_cast<float>(8 * half_ulp * (glm::length(p) + glm::length(size * scale)));
     return start;
-}
-
-glm::vec3 RayStart::towards(const glm::vec3& direction) const {
-    const glm::vec3 offset = (glm::dot(n, direction) < 0 ? -away : away) * n;
-    glm::vec3 from = p + offset;
-    for (int i = 0; i < 3; ++i)  // rounding must not move the point back
-        if (offset[i] != 0) from[i] = std::nextafter(from[i], std::copysign(HUGE_VALF, offset[i]));
-    return from;
-}
-
-WorldRay ray_to(const RayStart& start, const glm::vec3& target) {
-    const glm::vec3 from = start.towards(target - start.p), direction = target - from;
-    const float length = magnitude(direction), size = magnitude(from) + magnitude(target);
-    if (length == 0) return {from, start.n, 0};
-    return {from, direction, std::max(0.0f, 1 - 4 * static_cast<float>(half_ulp) * size / length)};
-}
-
-WorldRay ray_along(const RayStart& start, const glm::vec3& direction) {
-    return {start.towards(direction), direction, std::numeric_limits<float>::infinity()};
 }
 
 }  // namespace glint

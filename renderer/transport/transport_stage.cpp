@@ -69,13 +69,18 @@ struct Run {
         const ShadingPoint* items =
             pixels ? nullptr : &surface.lit_points().shading_points[block * block_size];
         out.mask = 0;
+        VisibleTriangle triangle;  // often that of several neighbouring pixels
         for (unsigned lane = 0; lane < block_size; ++lane) {
             if (pixels ? !(surface.groups[block].mask >> lane & 1u) : items[lane].item == no_index) continue;
             out.mask |= 1u << lane;
+            if (!pixels) {
+                out.point[lane] = points.item(surface.choice, items[lane], place(block, lane));
+                continue;
+            }
+            const SampleFace face = face_of_lane(surface, geometry, visibility, block, lane);
+            if (!triangle.is_of(face)) triangle = points.triangle(surface, face);
             out.point[lane] =
-                pixels ? points.pixel(surface, face_of_lane(surface, geometry, visibility, block, lane),
-                                      surface.groups[block].first_pixel + lane, place(block, lane))
-                       : points.item(surface.choice, items[lane], place(block, lane));
+                points.pixel(surface, triangle, surface.groups[block].first_pixel + lane, place(block, lane));
         }
     }
 
@@ -97,13 +102,16 @@ struct Run {
         const std::size_t stride = surface.points.size();
         kept.reached.resize(std::max<std::size_t>(kept.inputs.lights.size(), 1) * stride);
         for_blocks([&](std::size_t block, const TracedBlock& traced) {
+            RayPacket rays{};
             for (const std::size_t l : which) {
-                unsigned reached = 0xFFFF;
+                const LightSource& light = kept.inputs.lights[l];
+                rays.which = 0;
                 for (unsigned lane = 0; lane < block_size; ++lane)
                     if ((traced.mask >> lane & 1u) &&
-                        !reaches(kept.rays, kept.inputs, kept.inputs.lights[l], traced.point[lane]))
-                        reached &= ~(1u << lane);
-                kept.reached[l * stride + block] = static_cast<std::uint16_t>(reached);
+                        needs_shadow_ray(kept.inputs, light, traced.point[lane]))
+                        rays.add(lane, shadow_ray(light, traced.point[lane].start));
+                const unsigned blocked = rays.which != 0 ? kept.rays.blocked(rays) : 0;
+                kept.reached[l * stride + block] = static_cast<std::uint16_t>(~blocked);
             }
         });
     }
@@ -207,20 +215,26 @@ bool update_transport(TransportStage& kept, const Scene& scene, const Geometry& 
     return bounces || had_paths || !changed.empty() || !same_points;
 }
 
-TracedPoint LitPointFinder::pixel(const SurfaceInputs& surface, const SampleFace& face, std::size_t pixel,
-                                  const PositionNormal& at) const {
+VisibleTriangle LitPointFinder::triangle(const SurfaceInputs& surface, const SampleFace& face) const {
     const Geometry& g = geometry;
-    const RayHit triangle{face.object, face.triangle - g.objects[face.object].first_triangle};
-    const glm::dvec3 p = position_in_world(world_from_view, at.p);
-    const glm::vec3 n(normal_in_world(world_from_view, at.n));
-    if (surface.choice.facet_normals) return {rays.on_triangle(triangle, p), n, pixel};
-    std::array<glm::dvec3, 3> normals;
+    VisibleTriangle seen{face.object, face.triangle, face.turned,
+                         rays.facet({face.object, face.triangle - g.objects[face.object].first_triangle})};
+    if (surface.choice.facet_normals) return seen;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t corner = g.triangle(face.object, face.triangle).corner[k];
-        normals[k] = normal_in_world(world_from_view, surface.normals[face.object].at_corner(corner));
-        if (face.turned) normals[k] = -normals[k];
+        const glm::dvec3 n = normal_in_world(world_from_view, surface.normals[face.object].at_corner(corner));
+        seen.normals[k] = face.turned ? -n : n;
     }
-    return {rays.on_bulge(triangle, p, normals), n, pixel};
+    return seen;
+}
+
+TracedPoint LitPointFinder::pixel(const SurfaceInputs& surface, const VisibleTriangle& triangle,
+                                  std::size_t pixel, const PositionNormal& at) const {
+    const glm::dvec3 p = position_in_world(world_from_view, at.p);
+    const glm::vec3 n(normal_in_world(world_from_view, at.n));
+    return {surface.choice.facet_normals ? triangle.facet.nearest(p)
+                                         : triangle.facet.on_bulge(p, triangle.normals),
+            n, pixel};
 }
 
 TracedPoint LitPointFinder::item(const SurfaceChoice& choice, const ShadingPoint& source,

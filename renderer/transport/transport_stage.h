@@ -39,6 +39,18 @@ bool update_transport(TransportStage& kept, const Scene& scene, const Geometry& 
                       const Visibility& visibility, const Surface& surface, bool surface_redone,
                       const PathProgress& progress);
 
+/// A triangle that is visible in the picture.
+struct VisibleTriangle {
+    std::uint32_t object = 0, triangle = no_index;  // triangle: global number
+    bool turned = false;                            // as in SampleFace
+    RayFacet facet;
+    std::array<glm::dvec3, 3> normals{};  // unit normals of the corners; unused with facet normals
+
+    [[nodiscard]] bool is_of(const SampleFace& face) const {
+        return object == face.object && triangle == face.triangle && turned == face.turned;
+    }
+};
+
 /// Locates the picture's lit points on the triangles used for ray tracing. The references must outlive this
 /// object.
 struct LitPointFinder {
@@ -46,9 +58,14 @@ struct LitPointFinder {
     const Geometry& geometry;
     glm::dmat4 world_from_view;
 
-    /// The point of a pixel on a face. `pixel`: its number in the picture.
+    [[nodiscard]] VisibleTriangle triangle(const SurfaceInputs& surface, const SampleFace& face) const;
+    /// The point of a pixel on a triangle or face. `pixel`: its number in the picture.
+    [[nodiscard]] TracedPoint pixel(const SurfaceInputs& surface, const VisibleTriangle& triangle,
+                                    std::size_t pixel, const PositionNormal& at) const;
     [[nodiscard]] TracedPoint pixel(const SurfaceInputs& surface, const SampleFace& face, std::size_t pixel,
-                                    const PositionNormal& at) const;
+                                    const PositionNormal& at) const {
+        return this->pixel(surface, triangle(surface, face), pixel, at);
+    }
     /// A lit corner or face (Gouraud or flat shading).
     [[nodiscard]] TracedPoint item(const SurfaceChoice& choice, const ShadingPoint& source,
                                    const PositionNormal& at) const;

@@ -1,5 +1,6 @@
 // Rays against brute force over all triangles in doubles, and against shapes whose shadows are known.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -155,6 +156,34 @@ TEST_CASE("10,000 random rays meet the triangles that brute force finds", "[tran
     }
     CHECK(hits > 2000);
     CHECK(other_triangles == 0);
+}
+
+TEST_CASE("a packet of rays is blocked where its rays are, one by one", "[transport]") {
+    Scene scene = busy_scene();
+    scene.objects.push_back(object_of(primitive(Primitive::Knot, 24), "Knot"));
+    RayScene rays;
+    rays.update(scene);
+    std::mt19937 random(8);
+    int different = 0, blocked = 0;
+    for (int i = 0; i < 5'000; ++i) {
+        // From a small surface to a light, with some rays left out; every fourth packet is scattered.
+        const float spread = i % 4 == 0 ? 2.0f : 0.05f;
+        const glm::vec3 center = uniform_vec3(random, -2, 2), light = uniform_vec3(random, -3, 3);
+        RayPacket packet{};
+        unsigned expected = 0;
+        for (unsigned k = 0; k < RayPacket::size; ++k) {
+            const glm::vec3 from = center + uniform_vec3(random, -spread, spread);
+            const WorldRay ray{from, light - from, 1};
+            if (random() % 8 == 0) continue;
+            packet.add(k, ray);
+            expected |= rays.is_blocked(ray) ? 1u << k : 0u;
+        }
+        const unsigned found = rays.blocked(packet);
+        different += found != expected ? 1 : 0;
+        blocked += std::popcount(found);
+    }
+    CHECK(blocked > 5'000);
+    CHECK(different == 0);
 }
 
 TEST_CASE("a hard shadow ends within a pixel of its projection", "[transport]") {
