@@ -1,6 +1,7 @@
 // Shadows, bounced light and form factors on the command line.
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "tests/places.h"
@@ -35,6 +36,16 @@ TEST_CASE("an invalid number or word of /transport is a one-line error", "[cli][
     CHECK(contains(with("/transport/paths=65537"), "65537 is out of range"));
     CHECK(contains(with("/transport/bounces=65"), "expected a whole number from 0 to 64"));
     CHECK(contains(with("/transport/seed=-1"), "/transport/seed"));
+}
+
+TEST_CASE("Ctrl+C during a render with many paths leaves no file behind", "[cli][transport]") {
+    const TemporaryDirectory folder;
+    const Ended ended = run_glint({"render", shadow_hard, "-o", folder.path("x.png"), "--set",
+                                   "/transport/model=bounces", "--set", "/transport/paths=65536"},
+                                  {}, {}, {"/usr/bin/timeout", "--preserve-status", "-k9", "-sINT", "0.5"});
+    CHECK(ended.status == 128 + SIGINT);
+    CHECK(ended.out.empty());
+    CHECK(folder.names().empty());
 }
 
 TEST_CASE("glint formfactor prints the estimate, its standard error and the rays", "[cli][transport]") {
