@@ -1,59 +1,58 @@
 #!/usr/bin/env python3
-"""Measures what the tests notice: puts faults into a copy of the product, one a run, and counts those that a test fails for.
+"""Measures what the tests notice: puts faults into a copy of the product and counts those that a test fails for.
 
-Usage: tests/mutate.py [-n COUNT] [--seed N] [--jobs N] [FOLDER...]
-COUNT lines are sampled evenly from the one-line statements of the folders (all product folders if none is named). All faults are
-compiled at once, into build/mutants, and the environment variable GLINT_FAULT chooses one. A fault that does not compile is left out.
-The tests nearest to the line run first, then all unit tests; a run that exceeds its time counts as noticed. Prints each fault that no
-test noticed, and the rate per folder. Judge by hand which of them change nothing."""
-import argparse, collections, concurrent.futures, os, pathlib, random, re, shutil, subprocess, sys
+Usage: tests/mutate.py [-n COUNT] [--seed N] [--jobs N] [--seconds N] [FOLDER...]
+Samples COUNT one-line statements evenly from the folders (default: the whole product) and compiles a fault into each, all at once, in
+build/mutants; GLINT_FAULT=NUMBER in the environment chooses one. First all unit tests that are not [long] run without a fault, to see
+which of them reach which. Then those tests run for each fault, short ones that reach few faults first, until one fails, takes ten times
+as long as usual, or N seconds (300) have passed. Prints what noticed each fault, and the rate per folder.
+Judge by hand which unnoticed faults change nothing."""
+import argparse, collections, concurrent.futures, os, pathlib, random, re, subprocess, sys, tempfile, time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COPY = ROOT / 'build/mutants'
-PRODUCT = ['ui', 'lessons', 'programs', 'renderer', 'models', 'diagnose', 'app']
+PRODUCT = ['ui', 'lessons', 'programs', 'renderer', 'models', 'diagnose', 'shader', 'app']
 FAULTS = [  # what someone gets wrong: (name, pattern, replacement), in code without comments and strings
-    *(('comparison', f' {a} ', f' {b} ') for a, b in ('<>', '><', ('==', '!='), ('!=', '=='))),
-    *(('boundary', f' {a} ', f' {b} ') for a, b in (('<', '<='), ('<=', '<'), ('>', '>='), ('>=', '>'))),
+    *(('comparison', f' {a} ', f' {b} ') for a, b in ('<>', '><', ('==', '!='), ('!=', '=='), ('<', '<='), ('<=', '<'), ('>', '>='), ('>=', '>'))),
     ('sign', r' \+ ', ' - '), ('sign', r' - ', ' + '), ('sign', r' \+= ', ' -= '), ('sign', r'([=(,] ?)-(?=\w)', r'\1'),
     ('factor', r' \* (?=[\w(])', ' / '), ('factor', r' / (?=[\w(])', ' * '), ('constant', r'(?<![\w.])(\d+\.\d+f?)(?!\w)', r'2 * \1'),
-    ('constant', r'(?<![\w.<])(\d+)(?![\w.>])', lambda m: str(int(m[1]) + 1)), ('condition', r'(?<=[( ])!(?=\w)', ''),
+    ('constant', r'(?<![\w.<])(\d+)(?![\w.>])', r'(\1 + 1)'), ('condition', r'(?<=[( ])!(?=\w)', ''),
     *(('condition', a, b) for a, b in ((' && ', ' || '), (r' \|\| ', ' && '), (r'\btrue\b', 'false'), (r'\bfalse\b', 'true'))),
     ('arguments', r'(?<=\w)\((\w+), (\w+)(?=[,)])', r'(\2, \1'), ('component', r'\.x\b', '.y'), ('component', r'\.y\b', '.z'),
     ('reset', r'^[\w.\->\[\]]+( = [^;{]*|\.(?:clear|reset|push_back|erase)\(.*\));$', ';'),
 ]
-CHOSEN = '#pragma once\nextern int glint_fault;\n#define GLINT_CHOSEN(k) (glint_fault == (k))\n' + ''.join(
-    f'#pragma GCC diagnostic ignored "-W{warning}"\n' for warning in 'conversion float-conversion parentheses unused-variable unused-but-set-variable unused-parameter '
-    'unused-function sign-compare unused-value dangling-else bool-operation bool-compare int-in-bool-context type-limits empty-body logical-not-parentheses'.split())
-LOOP = re.compile(r'(for \([^;]*; )([^;]*)(; .*)$')
-SIMPLE = re.compile(r'[\w.\->\[\]*:]+(?: [-+*/|&^]?= .*|\(.*\)|\+\+|--);$|(?:\+\+|--)[\w.\->]+;$')
-DEFINED = re.compile(r'((?:const )?[\w:<>, ]+?[*&]? [*&]?\w+ = )([^{\[].*);$')
-
-
-def closing(text, start):
-    """The place of the parenthesis that closes the one before `start`, or -1."""
-    return next((i for i in range(start, len(text)) if text[start - 1:i + 1].count('(') == text[start - 1:i + 1].count(')')), -1)
+WARNINGS = ('conversion float-conversion parentheses unused-variable unused-but-set-variable unused-parameter unused-function sign-compare unused-value '
+            'dangling-else bool-operation bool-compare int-in-bool-context type-limits empty-body logical-not-parentheses').split()
+CHOSEN = """#pragma once
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <cstdlib>
+inline const int glint_fault = std::getenv("GLINT_FAULT") ? std::atoi(std::getenv("GLINT_FAULT")) : 0;
+inline char* const glint_reached = static_cast<char*>(std::getenv("GLINT_REACHED")
+    ? mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED, open(std::getenv("GLINT_REACHED"), O_RDWR), 0) : std::calloc(1, 4096));
+#define GLINT_CHOSEN(k) (glint_reached[k] = 1, glint_fault == (k))
+""" + ''.join(f'#pragma GCC diagnostic ignored "-W{warning}"\n' for warning in WARNINGS)
+PARENTHESES = r'\((?:[^()]|\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\))*\)'
+IF = re.compile(rf'if ((?!\((?:const )?[\w:<>*& ]+ \w+ = |\(.*; ){PARENTHESES}) ?(.*)$')  # defines nothing
+LOOP = re.compile(r'(for \([^;]*; )([^;]*)(; .*)$')  # here and below the second group changes
+DEFINITION = re.compile(r'((?!static|constexpr|using|return)[\w:<>, ]+?[*&]? [*&]?\w+ = )([^{\[].*)(;)$')
+OTHER = re.compile(r'(?!const |auto |static |else|case |for |while )(?:[\w.\->\[\]*:]+(?: [-+*/|&^]?= .*|\(.*\)|\+\+|--);$|(?:\+\+|--)[\w.\->]+;$)')
 
 
 def either(old, new, chosen):
     """One statement that is `new` if the fault is chosen, or None if this form of statement is not known."""
-    if old.startswith('if (') and 'if constexpr' not in old and new.startswith('if ('):
-        end, new_end = closing(old, 4), closing(new, 4)
-        if end < 0 or new_end < 0 or re.match(r'(const )?[\w:<>*& ]+ \w+ = |.*; ', old[4:end]):
-            return None
-        if old[end:] == new[new_end:]:
-            return f'if ({chosen} ? bool({new[4:new_end]}) : bool({old[4:end]}){old[end:]}'
-        rest = either(old[end + 2:], new[new_end + 2:], chosen) if old[:end] == new[:new_end] and old.endswith(';') else None
-        return rest and f'{old[:end]}) {{ {rest} }}'
-    loop, changed = LOOP.match(old), LOOP.match(new)
-    if loop and changed and (loop[1], loop[3]) == (changed[1], changed[3]):
-        return f'{loop[1]}{chosen} ? bool({changed[2]}) : bool({loop[2]}){loop[3]}'
+    if (a := IF.match(old)) and (b := IF.match(new)):
+        if a[2] == b[2]:
+            return f'if ({chosen} ? bool{b[1]} : bool{a[1]}) {a[2]}'
+        inner = either(a[2], b[2], chosen) if a[1] == b[1] and old.endswith(';') else None
+        return inner and f'if {a[1]} {{ {inner} }}'
     if old.startswith('return '):
         return f'{{ if ({chosen}) {new} {old} }}'
-    if not old.startswith(('const ', 'auto ', 'static ', 'else', 'case ', 'for ', 'while ')) and SIMPLE.match(old):
+    if OTHER.match(old):
         return f'if ({chosen}) {{ {new} }} else {{ {old} }}'
-    defined, changed = DEFINED.match(old), DEFINED.match(new)
-    if defined and changed and defined[1] == changed[1] and not re.match('static|constexpr|using|return', old):
-        return f'{defined[1]}{chosen} ? {changed[2]} : {defined[2]};'
+    for form in (LOOP, DEFINITION):
+        if (a := form.match(old)) and (b := form.match(new)) and (a[1], a[3]) == (b[1], b[3]):
+            return f'{a[1]}{chosen} ? ({b[2]}) : ({a[2]}){a[3]}'
     return None
 
 
@@ -63,88 +62,89 @@ def faults_of(lines, number):
     whole = line.endswith((';', '{', ')')) and line.count('(') == line.count(')') and line.count('{') - line.count('}') in (0, 1)
     if not line.startswith('    ') or '//' in line or not whole or not re.match(r'$|//|.*[;{}:]$', before):
         return []
-    found, old = [], line.strip()
+    old = line.strip()
     code = re.sub(r'"(\\.|[^"\\])*"|\'.*?\'', lambda m: '\0' * len(m[0]), old)
-    for name, pattern, replacement in FAULTS:
-        for match in (m for m in re.finditer(pattern, code) if '\0' not in m[0]):
-            text = match.expand(replacement) if isinstance(replacement, str) else replacement(match)
-            found.append((name, old[:match.start()] + text + old[match.end():]))
-    return [(name, new) for name, new in found if new != old and either(old, new, 'GLINT_CHOSEN(0)')]
+    found = [(name, old[:m.start()] + m.expand(changed) + old[m.end():]) for name, pattern, changed in FAULTS
+             for m in re.finditer(pattern, code) if '\0' not in (code if name == 'sign' else m[0])]
+    return [(name, new) for name, new in found if new != old and either(old, new, 'true')]
 
 
-def succeeds(program, tests, seconds, fault):
-    """Whether these tests pass within the time."""
-    return subprocess.run(['timeout', '-k', '5', str(seconds), f'build/ci/tests/{program}_tests', '-a', *tests], cwd=COPY, capture_output=True,
-                          env={**os.environ, 'GLINT_FAULT': str(fault), 'GLINT_WALK_STEPS': '300'}).returncode == 0
+def succeeds(test, seconds, **environment):
+    """Whether a test, (program, name), passes within the time."""
+    return subprocess.run(['timeout', str(seconds), test[0], re.sub(r'([\\,\[])', r'\\\1', test[1])], cwd=COPY, stdin=subprocess.DEVNULL,
+                          capture_output=True, env={**os.environ, **environment, 'GLINT_WALK_STEPS': '300'}).returncode == 0
 
 
-def noticed(file, fault):
-    """'near' or 'all': the tests that fail; '' if none does."""
-    tests = sorted((ROOT / 'tests' / file.parts[0]).rglob('*_test.cpp'))
-    near = [t for t in tests if t.parent.name in file.parts[1:]] or [t for t in tests if file.stem.split('_')[0] in t.stem]
-    chosen = ','.join(f'[#{test.stem}]~[long]' for test in near)
-    if near and not succeeds(file.parts[0], ['--filenames-as-tags', chosen], 300, fault):
-        return 'near'
-    order = [file.parts[0], *(layer for layer in PRODUCT if layer != file.parts[0])]
-    return '' if all(succeeds(layer, ['~[long]'], 1200, fault) for layer in order) else 'all'
+def seen_by(test):
+    """(seconds, faults that it reaches, test): a run without a fault. None are reached if it fails or takes half a minute."""
+    with tempfile.NamedTemporaryFile() as reached:
+        os.truncate(reached.name, 4096)
+        began = time.monotonic()
+        passed = succeeds(test, 30, GLINT_REACHED=reached.name)
+        return time.monotonic() - began, {k for k, mark in enumerate(reached.read()) if mark and passed}, test
 
 
-def write(faults):
-    """Writes the copy with these faults; files that stay the same keep their time."""
-    for file in subprocess.run(['git', 'ls-files'], cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines():
-        text, at = (ROOT / file).read_bytes(), COPY / file
-        here = {number: (k, new) for k, (path, number, _, new) in faults.items() if str(path) == file}
-        if here:
-            lines = text.decode().split('\n')
-            for number, (k, new) in here.items():
-                lines[number] = '    ' + either(lines[number].strip(), new, f'GLINT_CHOSEN({k})')
-            text = '\n'.join(['#include "chosen.h"', f'#line 1 "{at}"', *lines]).encode()
-        if file == 'models/io/file.cpp':
-            text += b'\n#include <cstdlib>\nint glint_fault = std::atoi(std::getenv("GLINT_FAULT") ? std::getenv("GLINT_FAULT") : "0");\n'
-        at.parent.mkdir(parents=True, exist_ok=True)
-        if not at.exists() or at.read_bytes() != text:
-            at.write_bytes(text)
-            shutil.copymode(ROOT / file, at)
-    (COPY / 'chosen.h').exists() or (COPY / 'chosen.h').write_text(CHOSEN)
+def noticed(fault, order, seconds):
+    """What becomes of a fault; `order`: the results of seen_by() for tests that reach it."""
+    end = time.monotonic() + seconds
+    for tried, (usual, _, test) in enumerate(order):
+        if time.monotonic() > end:
+            return f'UNNOTICED by {tried} of {len(order)} tests'
+        if not succeeds(test, int(20 + 10 * usual), GLINT_FAULT=str(fault)):
+            return f'noticed by {test[0].rsplit("/")[-1]} "{test[1]}"'
+    return f'UNNOTICED by {len(order)} tests'
 
 
 def build(faults):
-    """Builds the copy, and removes those faults that do not compile."""
-    while faults:
-        write(faults)
-        subprocess.run(['cmake', '--preset', 'ci', '-DGLINT_TESTS=ON'], cwd=COPY, stdout=subprocess.DEVNULL, check=True)
-        done = subprocess.run(['ninja', '-k0', '-C', 'build/ci', *(f'{layer}_tests' for layer in PRODUCT)], cwd=COPY, capture_output=True, text=True)
-        if done.returncode == 0:
-            return
+    """Writes the copy and builds it; removes those faults that do not compile. Files that stay the same keep their time."""
+    files = subprocess.run(['git', 'ls-files'], cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
+    for file in [*files, 'chosen.h']:
+        text, at = CHOSEN.encode() if file == 'chosen.h' else (ROOT / file).read_bytes(), COPY / file
+        if here := {number: (k, new) for k, (path, number, _, new) in faults.items() if str(path) == file}:
+            lines = text.decode().split('\n')
+            for number, (k, new) in here.items():
+                lines[number] = either(lines[number].strip(), new, f'GLINT_CHOSEN({k})')
+            text = '\n'.join(['#include "chosen.h"', f'#line 1 "{at}"', *lines]).encode()
+        at.parent.mkdir(parents=True, exist_ok=True)
+        if not at.exists() or at.read_bytes() != text:
+            at.write_bytes(text)
+            at.chmod(0o755)
+    subprocess.run(['cmake', '--preset', 'ci', '-DGLINT_TESTS=ON'], cwd=COPY, stdout=subprocess.DEVNULL, check=True)
+    done = subprocess.run(['ninja', '-k0', '-C', 'build/ci', 'glint', *(f'{layer}_tests' for layer in PRODUCT)], cwd=COPY, capture_output=True, text=True)
+    if done.returncode != 0:
         wrong = re.findall(rf'{COPY}/([\w/.]+):(\d+):\d+: (?:error|  required)', done.stdout)
         for k in [k for k, f in faults.items() if (str(f[0]), str(f[1] + 1)) in wrong] or sys.exit(done.stdout[-4000:]):
             del faults[k]
+        build(faults)
 
 
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name, usual in (('-n', 200), ('--seed', 1), ('--jobs', 1)):
+    for name, usual in ('-n', 200), ('--seed', 1), ('--jobs', os.cpu_count()), ('--seconds', 300):
         options.add_argument(name, type=int, default=usual)
     options.add_argument('folders', nargs='*', default=PRODUCT)
     given = options.parse_args()
     places, chance = [], random.Random(given.seed)
-    for path in sorted(p for folder in given.folders for p in (ROOT / folder).rglob('*') if p.suffix in ('.cpp', '.h')):
+    for path in sorted(p for folder in given.folders for p in (ROOT / folder).rglob('*.*')
+                       if p.suffix == '.cpp' or p.suffix == '.h' and '<Number F' in p.read_text()):  # few files include those headers
         lines = path.read_text().split('\n')
         places += [(path.relative_to(ROOT), number, lines) for number in range(len(lines)) if faults_of(lines, number)]
     step = max(1, len(places) // given.n)
     faults = {k: (file, number, *chance.choice(faults_of(lines, number)))
               for k, (file, number, lines) in enumerate(places[chance.randrange(step)::step], 1)}
     build(faults)
-    tried, killed = collections.Counter(), collections.Counter()
+    tests = [(f'build/ci/tests/{layer}_tests', name) for layer in PRODUCT for name in subprocess.run(
+        [f'build/ci/tests/{layer}_tests', '--list-test-names-only', '~[long]'], cwd=COPY, capture_output=True, text=True).stdout.splitlines()]
+    seen = collections.defaultdict(list)
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
-        for (file, number, name, new), result in zip(faults.values(), pool.map(lambda k: noticed(faults[k][0], k), faults)):
-            for folder in ('/'.join(file.parts[:2]), 'all'):
-                tried[folder] += 1
-                killed[folder] += result != ''
-            print(f'{"noticed " + result if result else "UNNOTICED"}: {file}:{number + 1} {name}: {new}', flush=True)
-    for folder, count in sorted(tried.items(), key=lambda item: (item[0] == 'all', item[0])):
-        print(f'{folder:30} {killed[folder]:3} of {count:3}, {100 * killed[folder] / count:.0f} %')
+        known = sorted(pool.map(seen_by, tests), key=lambda test: test[0] * len(test[1]))
+        results = pool.map(lambda k: noticed(k, [test for test in known if k in test[1]], given.seconds), faults)
+        for (k, (file, number, name, new)), result in zip(faults.items(), results):
+            print(f'{k} {file}:{number + 1} {name}: {new}\n    {result}', flush=True)
+            for folder in (str(file.parent), 'all'):
+                seen[folder].append(result.startswith('noticed'))
+    for folder, each in sorted(seen.items(), key=lambda item: (item[0] == 'all', item[0])):
+        print(f'{folder:30} {sum(each):3} of {len(each):3}, {100 * sum(each) / len(each):.0f} %')
 
 
-if __name__ == '__main__':
-    main()
+main()

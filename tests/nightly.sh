@@ -48,7 +48,7 @@ part "every fault, 500 kills" every_fault
 part "exported glTF files" exported_files
 part "files of Blender" tests/blender.sh build/ci/app/glint
 part "speed against the last tag" speed
-part "generated faults" tests/mutate.py -n 100 --seed "$(date +%j)" --jobs "$(nproc)"
+part "generated faults" tests/mutate.py -n 100 --seed "$(date +%j)"
 part "clang-tidy" tests/tidy.sh
 part "the build with sanitizers" build dev ON
 export ASAN_OPTIONS=malloc_context_size=8:handle_sigill=2

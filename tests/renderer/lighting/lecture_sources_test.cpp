@@ -48,51 +48,6 @@ TEST_CASE("a point is lit although another object is in front of its light", "[l
     CHECK(with.colour(below_the_ball) == Drawn(scene).colour(below_the_ball));
 }
 
-TEST_CASE("a sun lights a plane evenly and a sphere by the cosine of its normal", "[lecture]") {
-    const Drawn drawn(lecture_scene("sun"));
-    const glm::dvec3 l = glm::normalize(glm::dvec3(-2, 2, 1.2));
-    const int ground = drawn.for_each_of(3, 8, [](const Explanation& e) {
-        // k_a 0.08 + k_d 0.9 n.l with n = (0, 1, 0): n.l = 2 / sqrt(9.44). Red of 0.5.
-        CHECK(e.sum.x == Approx(0.5 * 0.08 + 0.5 * 0.9 * 2 / std::sqrt(9.44)).epsilon(1e-5));
-        CHECK(e.at.lights[0].falloff == 1);
-    });
-    CHECK(ground > 100);
-    const glm::dvec3 centre{-1.5, 0.6, 1.1};
-    const int ball = drawn.for_each_of(0, 4, [&](const Explanation& e) {
-        const double n_dot_l = dot(normalize(glm::dvec3(e.at.point.world) - centre), l);
-        CHECK(e.at.lights[0].diffuse.y == Approx(0.9 * 0.95 * 0.35 * std::max(n_dot_l, 0.0)).margin(2e-3));
-    });
-    CHECK(ball > 50);
-}
-
-TEST_CASE("a bulb lights a plane by the cosine and the falloff of each point", "[lecture]") {
-    const Drawn drawn(lecture_scene("bulb"));
-    const glm::dvec3 bulb{0.1, 1.35, 0.9};
-    const int ground = drawn.for_each_of(3, 6, [&](const Explanation& e) {
-        const glm::dvec3 to_light = bulb - glm::dvec3(e.at.point.world);
-        const double r = length(to_light), cosine = to_light.y / r;
-        CHECK(e.at.lights[0].diffuse.x == Approx(0.5 * cosine / (0.6 + 0.2 * r * r)).epsilon(1e-4));
-    });
-    CHECK(ground > 200);
-}
-
-TEST_CASE("a lamp lights nothing outside its cone, and by cos^exponent inside", "[lecture]") {
-    const Drawn drawn(lecture_scene("spot-cone"));
-    const glm::dvec3 lamp{-1.8, 3.6, 2.6}, axis = normalize(glm::dvec3(0.45, -0.75, -0.75));
-    int inside = 0, outside = 0;
-    const auto check = [&](const Explanation& e) {
-        const double cosine = dot(normalize(glm::dvec3(e.at.point.world) - lamp), axis);
-        const double angle = std::acos(cosine) / degree;
-        if (std::abs(angle - 26) < 0.01) return;
-        CHECK(e.at.lights[0].spot == Approx(angle < 26 ? std::pow(cosine, 10) : 0).margin(1e-5));
-        ++(angle < 26 ? inside : outside);
-    };
-    drawn.for_each_of(1, 5, check);
-    drawn.for_each_of(2, 5, check);
-    CHECK(inside > 100);
-    CHECK(outside > 100);
-}
-
 TEST_CASE("an area light converges to Lambert's polygon formula with 1 to 64 samples", "[lecture]") {
     // Square [-1, 1]^2 at z = 1 over a receiver that faces it: E / (pi L), by midpoints 4, 1.777778, 1.768973
     // and 1.747985 over pi for 1, 4, 16 and 64 samples; in the limit 2 sqrt(2) atan(1 / sqrt(2)) / pi.

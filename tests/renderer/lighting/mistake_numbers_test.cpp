@@ -274,16 +274,6 @@ TEST_CASE("a face culled by the light disappears from every viewpoint", "[mistak
     }
 }
 
-TEST_CASE("culling by the light follows the light, also in a reused renderer", "[mistakes]") {
-    Renderer renderer(1);
-    Scene scene = plate({sun_from({0, 0, 1})}, {&Mistakes::culled_by_light});
-    for (const float z : {1.0f, -1.0f, 1.0f}) {
-        scene.lights[0].position.z = z;
-        (void)renderer.render(scene, plate_size, false);
-        CHECK(renderer.explain(10, 10).hit == (z > 0));
-    }
-}
-
 TEST_CASE("a wrapping byte maps 1.5 to 127 and -0.1 to 231; encoding 0.5 twice gives 188", "[mistakes]") {
     CHECK(bytes_of({0.25f, 0.5f, 1.5f}, {1, false}) == std::array{64, 128, 255});
     CHECK(bytes_of({0.5f, 1.5f, -0.1f}, {1, false, false, true}) == std::array{128, 127, 231});

@@ -171,20 +171,6 @@ TEST_CASE("without the clamp an even shininess makes a ghost: (-0.9)^20 is 0.12"
     CHECK(unclamped_power(0.9f, 21.0f) == Approx(0.1094190).epsilon(1e-5));
 }
 
-TEST_CASE("an unnormalised l makes the diffuse term grow with the distance", "[mistakes]") {
-    Mistakes wrong;
-    wrong.unnormalized_light = true;
-    LightAt<float> light;
-    light.xyz = {0, 0, 5};
-    light.w = 1;
-    light.diffuse = {1, 1, 1};
-    MaterialAt<float> m;
-    m.k_d = {0.5f, 0.5f, 0.5f};
-    const PointAt<float> at{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
-    CHECK(illuminate({Reflection::Lambert, {}, &wrong}, light, m, at).diffuse.x == Approx(0.5 * 4));
-    CHECK(illuminate({Reflection::Lambert, {}, nullptr}, light, m, at).diffuse.x == Approx(0.5));
-}
-
 TEST_CASE("an unnormalised l to the power of 0 is 1, even far behind the mirror", "[mistakes]") {
     Mistakes wrong;
     wrong.unnormalized_light = true;

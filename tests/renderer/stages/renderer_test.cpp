@@ -285,25 +285,6 @@ TEST_CASE("evaluations are pixels, corners or faces times lights", "[lecture][co
     CHECK(count(ShadingMode::Facet) == renderer.stats().shaded_pixels * 2);
 }
 
-TEST_CASE("Gouraud converges to Phong as the tessellation grows", "[lecture][convergence]") {
-    const auto error = [](int detail) {
-        Scene scene;
-        scene.objects.push_back(object_of(primitive(Primitive::Sphere, detail)));
-        scene.lights = assorted_lights();
-        Renderer a(2), b(2);
-        const Picture phong = a.render(scene, frame_size, true);
-        scene.shading.mode = ShadingMode::Gouraud;
-        const Picture& gouraud = b.render(scene, frame_size, true);
-        double sum = 0;
-        for (std::size_t i = 0; i < phong.linear.size(); ++i)
-            sum += std::abs(static_cast<double>(phong.linear[i]) - gouraud.linear[i]);
-        return sum / static_cast<double>(phong.linear.size());
-    };
-    const double coarse = error(24), middle = error(48), fine = error(96);
-    CHECK(middle < coarse / 2);
-    CHECK(fine < middle / 2);
-}
-
 TEST_CASE("vertex colours are interpolated unlit, and averaged over a polygon in flat mode", "[none]") {
     auto mesh = std::make_shared<Mesh>(
         *polygon_mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}}));

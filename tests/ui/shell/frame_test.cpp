@@ -59,25 +59,6 @@ TEST_CASE("nothing is redrawn while nothing changes", "[ui][window]") {
     CHECK(bench.state.picture_serial == serial + 1);
 }
 
-TEST_CASE("a preview lasts a frame and leaves scene, history and explanation unchanged", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.click(bench.at_pixel({400, 300}));
-    bench.frames(3);
-    REQUIRE(bench.state.on_screen.explanation.has_value());
-    const glm::vec3 sum = bench.state.on_screen.explanation->sum;
-    const Scene scene = bench.scene();
-    bench.state.get<InspectorState>().instead = scene;
-    bench.state.get<InspectorState>().instead->lights.clear();
-    bench.frame();
-    CHECK(bench.state.rendered_scene.lights.empty());
-    CHECK(bench.scene() == scene);
-    REQUIRE(bench.state.on_screen.explanation.has_value());
-    CHECK(bench.state.on_screen.explanation->sum == sum);
-    bench.frame();
-    CHECK(bench.state.rendered_scene == scene);
-    CHECK_FALSE(bench.state.editor.unsaved());
-}
-
 TEST_CASE("precedence of shown scenes: frozen, animated, previewed, B", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -180,20 +161,6 @@ TEST_CASE("every frame of a drag shows the latest cursor position", "[ui][window
     bench.button(false);
 }
 
-TEST_CASE("Escape reverts a dragged light", "[ui][window]") {
-    HeadlessWindow bench;
-    const glm::dvec2 handle = with_grabbed_bulb(bench);
-    const Scene before = bench.scene();
-    bench.move(bench.at_pixel(handle + glm::dvec2(60, 30)));
-    CHECK_FALSE(bench.scene() == before);
-    bench.key(Key::Escape);
-    CHECK(bench.scene() == before);
-    bench.move(bench.at_pixel(handle + glm::dvec2(90, 30)));
-    bench.button(false);
-    CHECK(bench.scene() == before);
-    CHECK_FALSE(bench.state.editor.history.can_undo());
-}
-
 TEST_CASE("axis keys and Shift change what a drag moves along", "[ui][window]") {
     HeadlessWindow bench;
     const glm::dvec2 handle = with_grabbed_bulb(bench);
@@ -236,33 +203,6 @@ TEST_CASE("a click explains a pixel, and the numbers follow drags", "[ui][window
                                                            bench.state.on_screen.explanation->y);
     for (std::size_t i = 0; i < 3; ++i)
         CHECK(bench.state.on_screen.explanation->byte[i] == bench.state.rendered->rgba[at + i]);
-}
-
-TEST_CASE("orbiting leaves lights and objects unchanged and is one step", "[ui][window]") {
-    HeadlessWindow bench;
-    with_bulb(bench);
-    const Scene before = bench.scene();
-    bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
-    CHECK(bench.scene().lights == before.lights);
-    CHECK(bench.scene().objects == before.objects);
-    CHECK_FALSE(bench.scene().camera == before.camera);
-    CHECK_FALSE(bench.state.editor.history.can_undo());
-    run_command(bench.state, test::command_named("Previous view"));
-    CHECK(bench.scene() == before);
-}
-
-TEST_CASE("the wheel moves closer, and quick notches are one step", "[ui][window]") {
-    HeadlessWindow bench;
-    with_bulb(bench);
-    const Scene before = bench.scene();
-    bench.move(bench.at_pixel({300, 300}));
-    for (int i = 0; i < 5; ++i) {
-        ImGui::GetIO().MouseWheel = 1;
-        bench.frames(2);
-    }
-    CHECK(glm::length(bench.scene().camera.eye) < glm::length(before.camera.eye));
-    run_command(bench.state, test::command_named("Previous view"));
-    CHECK(bench.scene() == before);
 }
 
 TEST_CASE("after any wheel motion the view can be saved, and all can be framed again", "[ui][window]") {
@@ -336,32 +276,6 @@ TEST_CASE("an edit that no scene file accepts is reverted and reported", "[ui][w
     bench.scene().lights[0].intensity = 2;
     bench.frames(2);
     CHECK(bench.scene().lights[0].intensity == 2);
-}
-
-TEST_CASE("number keys set the shading, Shift and a letter a term", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    bench.key(Key::Digit1);
-    CHECK(bench.scene().shading.mode == ShadingMode::Flat);
-    bench.key(Key::Digit3);
-    CHECK(bench.scene().shading.mode == ShadingMode::Gouraud);
-    bench.key(Key::S, false, true);
-    CHECK_FALSE(bench.scene().shading.terms.specular);
-    CHECK(bench.state.editor.history.undo_name() == "Terms");
-    bench.key(Key::S, false, true);
-    CHECK(bench.scene().shading.terms.specular);
-}
-
-TEST_CASE("F11 hides everything except the picture and restores it", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
-    const int width = bench.state.rendered->size.width;
-    bench.key(Key::F11);
-    bench.frames(1);
-    CHECK(bench.state.rendered->size.width == 1280 - 20);
-    bench.key(Key::F11);
-    bench.frames(1);
-    CHECK(bench.state.rendered->size.width == width);
 }
 
 TEST_CASE("closing asks about unsaved changes, and only then", "[ui][window]") {
