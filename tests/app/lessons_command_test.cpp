@@ -1,6 +1,10 @@
 // Tests of glint lessons, glint exercise and glint quiz as a user runs them.
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
 #include <string>
 
 #include "tests/places.h"
@@ -68,6 +72,35 @@ TEST_CASE("glint lessons --check returns status 1 if a claim in the given folder
         run_glint({"lessons", "--check", directory.path(), "--format", "json"}).out)["checked"];
     REQUIRE(json.size() == 2);
     CHECK((json[0]["holds"] == true && json[1]["holds"] == false && json[1]["line"] == 9));
+}
+
+TEST_CASE("a run of a lesson has the numbers of the command with the same options", "[cli][lesson]") {
+    const TemporaryDirectory directory;
+    const std::string scene = directory.file("ball.json", ball_scene);
+    const std::string line =
+        GENERATE(as<std::string>(), "explain --pixel 15,11 --set /lights/0/intensity=0.7 --size 32x24",
+                 "profile --from 3,11 --to 29,12 --size 40x24",
+                 "lobe --object 0 --angle 41 --set /objects/0/material/shininess=9",
+                 "microfacets --roughness 0.4 --angle 50 --view 20 --rays 90 --facets 60");
+    CAPTURE(line);
+    std::istringstream text(line);
+    std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
+    if (words[0] != "microfacets") words.insert(words.end(), {scene, "--format", "json"});
+    const Ended command = run_glint(words);
+    REQUIRE(command.status == 0);
+    std::string checks;
+    for (const auto& [pointer, value] : nlohmann::json::parse(command.out).flatten().items()) {
+        std::string path = std::regex_replace(pointer, std::regex("/([0-9]+)"), "[$1]");
+        std::replace(path.begin(), path.end(), '/', '.');
+        if (value.is_number() &&
+            !std::regex_search(path, std::regex("\\[(..+|[2-9])\\]")))  // a block is short
+            checks += "check: r" + path + " = " + value.dump() + " within 1e-9\n";
+    }
+    std::string lesson = lesson_text("ball.json", "e.hit\n" + checks);
+    lesson.insert(lesson.find("e = "), "r = " + line + "\n");
+    const Ended check = run_glint({"lessons", "--check", directory.file("01-runs.md", lesson)});
+    CHECK(check.out == "1 of 1 hold\n");
+    CHECK(check.err.empty());
 }
 
 TEST_CASE("an error in a lesson is one line on standard error", "[cli][lesson][bad-input]") {

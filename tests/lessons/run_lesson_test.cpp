@@ -52,6 +52,25 @@ struct Bench {
     Lesson lesson;
 };
 
+/// The first tag of a page that is not closed in turn, or nothing.
+std::string unclosed_in(const std::string& html) {
+    std::vector<std::string> open;
+    for (std::size_t at = html.find('<'); at < html.size(); at = html.find('<', at + 1)) {
+        const std::string name = html.substr(at + 1, html.find_first_of(" >", at) - at - 1);
+        if (html[html.find('>', at) - 1] == '/' || name[0] == '!') continue;
+        if (name == "img" || name == "br" || name == "meta") continue;
+        if (name == "script" || name == "style")
+            at = html.find("</" + name, at);
+        else if (name[0] != '/')
+            open.push_back(name);
+        else if (open.empty() || "/" + open.back() != name)
+            return name;
+        else
+            open.pop_back();
+    }
+    return open.empty() ? "" : open.back();
+}
+
 constexpr const char* half =
     "```claim\nsays: A half.\ne = explain --pixel 16,16\n"
     "check: e.lights[0].n_dot_l = 0.5 within 1e-5\ncheck: e.sum = 0.25 within 1e-5\n```\n";
@@ -402,6 +421,43 @@ TEST_CASE("a printed sheet's picture is light and its objects are not black", "[
     const auto data = [](const std::string& image) { return image.substr(image.find("src=")); };
     CHECK(data(html) == data(lit(4)));  // 0.05 of the light prints as 0.2
     CHECK(data(html) != data(lit(1)));
+}
+
+TEST_CASE("every page of a lesson closes its tags in turn, with lists in lists", "[lesson][handout]") {
+    const Bench bench(R"(- one
+- two
+    1. deeper
+    2. still
+- three
+
+1. first
+
+## Ask
+
+```predict number
+question: How bright?
+e = explain --pixel 16,16
+answer: e.sum[0]
+tolerance: 0.1
+```
+
+```reveal
+set: /display/exposure=2
+```
+
+- told
+)");
+    for (const PageKind kind : {PageKind::Student, PageKind::Key, PageKind::Slides, PageKind::Instructor}) {
+        LessonRunner runner(1);
+        const auto page = std::get<std::string>(handout_html(runner, bench.lesson, kind));
+        CAPTURE(static_cast<int>(kind));
+        CHECK(unclosed_in(page).empty());
+        CHECK((page.find("addEventListener") != page.npos) == (kind == PageKind::Slides));
+        if (kind == PageKind::Instructor) continue;
+        CHECK(page.find("<ul>\n<li>one</li>\n<li>two</li>\n<ol>\n<li value=\"1\">deeper</li>\n"
+                        "<li value=\"2\">still</li>\n</ol>\n<li>three</li>\n</ul>\n<ol>\n<li value=\"1\">") !=
+              page.npos);
+    }
 }
 
 TEST_CASE("slides show each question before its answer, and notes what students believe",

@@ -213,3 +213,12 @@ TEST_CASE("glTF nodes far from the origin are moved near it with a warning", "[g
     CHECK(
         opened_text(changed("{\"mesh\": 0}", "{\"mesh\": 0, \"translation\": [50, 0, 0]}")).warnings.empty());
 }
+
+TEST_CASE("what a glTF file has and a scene has not is counted by kind", "[gltf]") {
+    const SceneDocument document = opened_text(changed("{\"POSITION\": 0}}]}",
+                                                       R"({"POSITION": 0, "COLOR_0": 0}, "targets": [{}]},
+        {"attributes": {"POSITION": 0}, "targets": [{}]}, {"attributes": {"POSITION": 0}, "mode": 1}]})"));
+    CHECK(document.warnings == Warnings{"1 primitive has colours of vertices, which are not read",
+                                        "2 primitives have morph targets, which are left out",
+                                        "1 primitive of points or lines is left out"});
+}
