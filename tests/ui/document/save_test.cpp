@@ -139,8 +139,9 @@ TEST_CASE("quitting continues only after the question about the changed file", "
     clash.bench.key(Key::Q, true);
     clash.bench.frames(2);
     CHECK(open_dialog(clash.bench.state) == &unsaved_dialog);
-    CHECK_FALSE(clash.bench.key(Key::Enter).quit);  // Save
-    clash.bench.frames(2);
+    bool quits = clash.bench.key(Key::Enter).quit;  // Save
+    for (int i = 0; i < 3; ++i) quits |= clash.bench.frame().quit;
+    CHECK_FALSE(quits);
     REQUIRE(open_dialog(clash.bench.state) == &changed_dialog);
     clash.bench.state.asks_overwrite = false;
     REQUIRE(save_over(clash.bench.state));
@@ -287,4 +288,43 @@ TEST_CASE("an example is not overwritten through a link or by its name", "[ui][s
     answer_with(folder.path(), "mine.json");
     CHECK(intensity_in(folder.path("mine.json")) == 0.75f);
     CHECK(bytes_of(example) == text);
+}
+
+TEST_CASE("in a file dialog a click chooses; a double click enters a folder or opens a file", "[ui][save]") {
+    const TemporaryDirectory folder;
+    std::filesystem::create_directory(folder.path("inner"));
+    Scene scene = test::busy_scene();
+    scene.lights[0].intensity = 0.125f;
+    (void)folder.file("inner/scene.json", scene_text(scene));
+    HeadlessWindow bench;
+    bench.frames(2);
+    bench.key(Key::O, true);
+    bench.frames(2);
+    bench.state.files.ask(*bench.state.files.purpose, folder.path() + "/");
+    bench.frames(3);
+    const auto click_first_row = [&] {
+        const ImGuiContext& context = *ImGui::GetCurrentContext();
+        const auto list =
+            std::find_if(context.Windows.begin(), context.Windows.end(), [](const ImGuiWindow* w) {
+                return std::string_view(w->Name).find("##entries") != std::string_view::npos;
+            });
+        REQUIRE(list != context.Windows.end());
+        bench.click((*list)->InnerRect.Min + ImVec2(60, (*list)->WindowPadding.y + 8));
+    };
+    click_first_row();
+    bench.frames(30);
+    CHECK(std::filesystem::equivalent(bench.state.files.folder, folder.path()));
+    click_first_row();
+    click_first_row();
+    bench.frames(30);
+    CHECK(std::filesystem::equivalent(bench.state.files.folder, folder.path("inner")));
+    click_first_row();
+    bench.frames(30);
+    CHECK(bench.state.files.name == "scene.json");
+    CHECK(open_dialog(bench.state) == &files_dialog);
+    click_first_row();
+    click_first_row();
+    bench.wait_for_loads();
+    CHECK(bench.scene().lights[0].intensity == 0.125f);
+    CHECK(open_dialog(bench.state) == nullptr);
 }

@@ -266,6 +266,7 @@ TEST_CASE("moving, turning and scaling an object in the picture are one named st
 
 TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[ui][hands][window]") {
     HeadlessWindow bench;
+    bench.records_text = true;
     with_light(bench, LightKind::Spot);
     bench.scene().lights[0].position = {-1.6f, 1.0f, 1.2f, 1};
     bench.scene().lights[0].spot = {{1.6f, -1.0f, -1.2f}, 20, 1};
@@ -284,7 +285,11 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
         // Inwards: past the rim of the sphere of the free aim no position is under the cursor.
         const glm::dvec2 from = place(part), to = from + glm::round(0.2 * (bench.handle_pixel(0) - from));
         ImGui::GetIO().KeyShift = part == ShapePart::Aim;
-        bench.drag(bench.at_pixel(from), bench.at_pixel(to));
+        bench.move(bench.at_pixel(from));
+        bench.button(true);
+        bench.move(bench.at_pixel(to));
+        CHECK((bench.text().find("It shines at the point") != std::string::npos) == (part == ShapePart::Aim));
+        bench.button(false);
         ImGui::GetIO().KeyShift = false;
         CHECK(bench.state.editor.history.undo_name() == "Cone of Lamp");
         if (part == ShapePart::Aim) CHECK(glm::length(place(part) - to) < 0.5);

@@ -6,6 +6,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/lecture_scene.h"
+#include "tests/support/person.h"
 #include "tests/support/scenes.h"
 #include "ui/picture/handles/light_handles.h"
 
@@ -273,4 +274,22 @@ TEST_CASE("a Ctrl+Shift drag changes a light's brightness, not its position", "[
     CHECK(bench.scene() == before);
     CHECK(dimmed(0, 30, 300) > 0);
     CHECK(dimmed(0, -30, 300) == 0);
+}
+
+TEST_CASE("a light dimmed by its highlight stays when the keys are released", "[ui][hands][window]") {
+    test::Person person;
+    const ImVec2 highlight = person.finds_highlight();
+    const auto item = static_cast<std::size_t>(person.state.viewport.hovered_grip.item);
+    const Light before = person.scene().lights[item];
+    person.button(true);
+    ImGui::GetIO().KeyShift = ImGui::GetIO().KeyCtrl = true;
+    person.move(highlight + ImVec2(0, 20));
+    ImGui::GetIO().KeyShift = ImGui::GetIO().KeyCtrl = false;
+    person.frames(2);
+    const Light after = person.scene().lights[item];
+    CHECK(after.intensity < 0.95f * before.intensity);
+    CHECK(glm::length(after.position - before.position) < 1e-2f);
+    person.move(highlight + ImVec2(10, 20));
+    CHECK_FALSE(person.scene().lights[item].position == after.position);
+    person.button(false);
 }

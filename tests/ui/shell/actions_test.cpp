@@ -3,7 +3,7 @@
 
 #include "models/fields/choices.h"
 #include "tests/support/catch.h"
-#include "tests/support/headless_window.h"
+#include "tests/support/person.h"
 #include "ui/commands/command.h"
 #include "ui/commands/match.h"
 
@@ -222,4 +222,21 @@ TEST_CASE("keys alone select a light, set its kind and space, and type a number"
     bench.type("7");  // over the previous contents of the first field, the eye's x
     CHECK(bench.scene().camera.eye.x == 7);
     CHECK_FALSE(bench.scene().shading.mode == ShadingMode::Flat);  // keys are text now
+}
+
+TEST_CASE("each menu lists its own actions, and the shading keys are in none", "[ui][window][commands]") {
+    constexpr std::pair<const char*, const char*> menus[] = {{"File", "Save as…"},
+                                                             {"Edit", "Duplicate"},
+                                                             {"View", "Picture alone"},
+                                                             {"Inspect", "Big pixels"},
+                                                             {"Compare", "Compare under wipe lines"},
+                                                             {"Lecture", "Erase all pen strokes"},
+                                                             {"Help", "Keys and mouse"}};
+    for (const auto& [menu, own] : menus) {
+        test::Person person;
+        person.clicks(menu);
+        CAPTURE(menu);
+        for (const auto& [other, action] : menus) CHECK(person.sees(action) == (action == own));
+        CHECK_FALSE(person.sees("Flat shading"));
+    }
 }

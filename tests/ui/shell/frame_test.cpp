@@ -398,21 +398,6 @@ TEST_CASE("scenes and pictures saved by the window open in it again", "[ui][wind
     fs::remove_all(folder);
 }
 
-TEST_CASE("a file dropped during a drag ends the drag", "[ui][window]") {
-    HeadlessWindow bench;
-    const glm::dvec2 handle = with_grabbed_bulb(bench);
-    bench.move(bench.at_pixel(handle + glm::dvec2(40, 0)));
-    bench.state.editor.saved = bench.scene();  // nothing to save
-    bench.scene().lights.front().enabled = false;
-    UiInput drop;
-    drop.dropped = {"/nowhere.json"};
-    (void)bench.frame(drop);
-    bench.key(Key::Escape);
-    bench.frames(2);
-    bench.button(false);
-    CHECK(bench.state.viewport.gesture == Gesture::None);
-}
-
 TEST_CASE("a frame without a request lets the window sleep", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(3);
