@@ -3,15 +3,15 @@
 
 Usage: tests/mutate.py [-n COUNT] [--seed N] [--jobs N] [--seconds N] [FOLDER...]
 Samples COUNT one-line statements evenly from the folders (default: the whole product) and compiles a fault into each, all at once, in
-build/mutants; GLINT_FAULT=NUMBER in the environment chooses one. First all unit tests that are not [long] run without a fault, to see
-which of them reach which. Then those tests run for each fault, short ones that reach few faults first, until one fails, takes ten times
-as long as usual, or N seconds (300) have passed. Prints what noticed each fault, and the rate per folder.
-Judge by hand which unnoticed faults change nothing."""
+build/mutants; GLINT_FAULT=NUMBER in the environment chooses one. First each test that is not [long] runs without a fault, to see which
+faults it reaches. Then those tests run for each fault, those of its layer, quick ones and ones that reach few faults first, until one
+fails, takes ten times as long as usual, or N seconds (300) have passed. Judge by hand which unnoticed faults change nothing."""
 import argparse, collections, concurrent.futures, os, pathlib, random, re, subprocess, sys, tempfile, time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COPY = ROOT / 'build/mutants'
 PRODUCT = ['ui', 'lessons', 'programs', 'renderer', 'models', 'diagnose', 'shader', 'app']
+TESTS = [*(f'tests/{layer}_tests' for layer in PRODUCT), 'tests/programs/written_program_tests']
 FAULTS = [  # what someone gets wrong: (name, pattern, replacement), in code without comments and strings
     *(('comparison', f' {a} ', f' {b} ') for a, b in ('<>', '><', ('==', '!='), ('!=', '=='), ('<', '<='), ('<=', '<'), ('>', '>='), ('>=', '>'))),
     ('sign', r' \+ ', ' - '), ('sign', r' - ', ' + '), ('sign', r' \+= ', ' -= '), ('sign', r'([=(,] ?)-(?=\w)', r'\1'),
@@ -22,7 +22,7 @@ FAULTS = [  # what someone gets wrong: (name, pattern, replacement), in code wit
     ('reset', r'^[\w.\->\[\]]+( = [^;{]*|\.(?:clear|reset|push_back|erase)\(.*\));$', ';'),
 ]
 WARNINGS = ('conversion float-conversion parentheses unused-variable unused-but-set-variable unused-parameter unused-function sign-compare unused-value '
-            'dangling-else bool-operation bool-compare int-in-bool-context type-limits empty-body logical-not-parentheses').split()
+            'dangling-else bool-operation bool-compare int-in-bool-context type-limits empty-body logical-not-parentheses maybe-uninitialized').split()
 CHOSEN = """#pragma once
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -76,16 +76,17 @@ def succeeds(test, seconds, **environment):
 
 
 def seen_by(test):
-    """(seconds, faults that it reaches, test): a run without a fault. None are reached if it fails or takes half a minute."""
+    """(seconds, faults that it reaches, test): a run without a fault. None are reached if it fails or takes a minute."""
     with tempfile.NamedTemporaryFile() as reached:
         os.truncate(reached.name, 4096)
         began = time.monotonic()
-        passed = succeeds(test, 30, GLINT_REACHED=reached.name)
+        passed = succeeds(test, 60, GLINT_REACHED=reached.name)
         return time.monotonic() - began, {k for k, mark in enumerate(reached.read()) if mark and passed}, test
 
 
-def noticed(fault, order, seconds):
-    """What becomes of a fault; `order`: the results of seen_by() for tests that reach it."""
+def noticed(fault, layer, known, seconds):
+    """What becomes of a fault; `known`: the results of seen_by() in their order."""
+    order = sorted((seen for seen in known if fault in seen[1]), key=lambda seen: f'/{layer}' not in seen[2][0])
     end = time.monotonic() + seconds
     for tried, (usual, _, test) in enumerate(order):
         if time.monotonic() > end:
@@ -97,7 +98,10 @@ def noticed(fault, order, seconds):
 
 def build(faults):
     """Writes the copy and builds it; removes those faults that do not compile. Files that stay the same keep their time."""
-    files = subprocess.run(['git', 'ls-files'], cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
+    listed = subprocess.run(['git', 'ls-files', '-co', '--exclude-standard'], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    files = [file for file in listed.splitlines() if (ROOT / file).exists()]
+    for gone in {str(path.relative_to(COPY)) for path in COPY.glob('[!b]*/**/*.*')} - {*files}:
+        (COPY / gone).unlink()
     for file in [*files, 'chosen.h']:
         text, at = CHOSEN.encode() if file == 'chosen.h' else (ROOT / file).read_bytes(), COPY / file
         if here := {number: (k, new) for k, (path, number, _, new) in faults.items() if str(path) == file}:
@@ -110,7 +114,7 @@ def build(faults):
             at.write_bytes(text)
             at.chmod(0o755)
     subprocess.run(['cmake', '--preset', 'ci', '-DGLINT_TESTS=ON'], cwd=COPY, stdout=subprocess.DEVNULL, check=True)
-    done = subprocess.run(['ninja', '-k0', '-C', 'build/ci', 'glint', *(f'{layer}_tests' for layer in PRODUCT)], cwd=COPY, capture_output=True, text=True)
+    done = subprocess.run(['ninja', '-k0', '-C', 'build/ci', 'glint', *TESTS], cwd=COPY, capture_output=True, text=True)
     if done.returncode != 0:
         wrong = re.findall(rf'{COPY}/([\w/.]+):(\d+):\d+: (?:error|  required)', done.stdout)
         for k in [k for k, f in faults.items() if (str(f[0]), str(f[1] + 1)) in wrong] or sys.exit(done.stdout[-4000:]):
@@ -118,33 +122,29 @@ def build(faults):
         build(faults)
 
 
-def main():
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name, usual in ('-n', 200), ('--seed', 1), ('--jobs', os.cpu_count()), ('--seconds', 300):
-        options.add_argument(name, type=int, default=usual)
-    options.add_argument('folders', nargs='*', default=PRODUCT)
-    given = options.parse_args()
-    places, chance = [], random.Random(given.seed)
-    for path in sorted(p for folder in given.folders for p in (ROOT / folder).rglob('*.*')
-                       if p.suffix == '.cpp' or p.suffix == '.h' and '<Number F' in p.read_text()):  # few files include those headers
-        lines = path.read_text().split('\n')
-        places += [(path.relative_to(ROOT), number, lines) for number in range(len(lines)) if faults_of(lines, number)]
-    step = max(1, len(places) // given.n)
-    faults = {k: (file, number, *chance.choice(faults_of(lines, number)))
-              for k, (file, number, lines) in enumerate(places[chance.randrange(step)::step], 1)}
-    build(faults)
-    tests = [(f'build/ci/tests/{layer}_tests', name) for layer in PRODUCT for name in subprocess.run(
-        [f'build/ci/tests/{layer}_tests', '--list-test-names-only', '~[long]'], cwd=COPY, capture_output=True, text=True).stdout.splitlines()]
-    seen = collections.defaultdict(list)
-    with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
-        known = sorted(pool.map(seen_by, tests), key=lambda test: test[0] * len(test[1]))
-        results = pool.map(lambda k: noticed(k, [test for test in known if k in test[1]], given.seconds), faults)
-        for (k, (file, number, name, new)), result in zip(faults.items(), results):
-            print(f'{k} {file}:{number + 1} {name}: {new}\n    {result}', flush=True)
-            for folder in (str(file.parent), 'all'):
-                seen[folder].append(result.startswith('noticed'))
-    for folder, each in sorted(seen.items(), key=lambda item: (item[0] == 'all', item[0])):
-        print(f'{folder:30} {sum(each):3} of {len(each):3}, {100 * sum(each) / len(each):.0f} %')
-
-
-main()
+options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+for name, usual in ('-n', 200), ('--seed', 1), ('--jobs', os.cpu_count()), ('--seconds', 300):
+    options.add_argument(name, type=int, default=usual)
+options.add_argument('folders', nargs='*', default=PRODUCT)
+given = options.parse_args()
+places, chance = [], random.Random(given.seed)
+for path in sorted(p for folder in given.folders for p in (ROOT / folder).rglob('*.*')
+                   if p.suffix == '.cpp' or p.suffix == '.h' and '<Number F' in p.read_text()):  # few files include those headers
+    lines = path.read_text().split('\n')
+    places += [(path.relative_to(ROOT), number, lines) for number in range(len(lines)) if faults_of(lines, number)]
+step = max(1, len(places) // given.n)
+faults = {k: (file, number, *chance.choice(faults_of(lines, number)))
+          for k, (file, number, lines) in enumerate(places[chance.randrange(step)::step], 1)}
+build(faults)
+tests = [(f'build/ci/{program}', name) for program in TESTS for name in subprocess.run(
+    [f'build/ci/{program}', '--list-test-names-only', '~[long]'], cwd=COPY, capture_output=True, text=True).stdout.splitlines()]
+seen = collections.defaultdict(list)
+with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
+    known = sorted(pool.map(seen_by, tests), key=lambda seen: seen[0] * len(seen[1]))
+    results = pool.map(lambda k: noticed(k, faults[k][0].parts[0], known, given.seconds), faults)
+    for (k, (file, number, name, new)), result in zip(faults.items(), results):
+        print(f'{k} {file}:{number + 1} {name}: {new}\n    {result}', flush=True)
+        for folder in (str(file.parent), 'all'):
+            seen[folder].append(result.startswith('noticed'))
+for folder, each in sorted(seen.items(), key=lambda item: (item[0] == 'all', item[0])):
+    print(f'{folder:30} {sum(each):3} of {len(each):3}, {100 * sum(each) / len(each):.0f} %')

@@ -152,10 +152,7 @@ Unchanged compare(const Lighting& kept, const Scene& scene, const Strokes& strok
 
 /// Recomputes sources and jobs, reusing their memory. Returns false if the grid of an object has changed.
 bool take_jobs(Lighting& kept, const Scene& scene, PictureSize size, bool at_corners) {
-    std::swap(kept.sources, kept.sources_before);
     light_sources(scene, kept.sources);
-    if (kept.sources != kept.sources_before)
-        kept.objects_again.clear();  // the bounds of the lights depend on the materials
     bool same_grids = kept.jobs.size() == scene.objects.size();
     kept.materials.resize(scene.objects.size());
     kept.jobs.resize(scene.objects.size());

@@ -21,7 +21,7 @@ struct Lighting {
     /// The light that reaches the surface's points (renderer/transport). If empty, nothing is blocked. Points
     /// into the results of that stage.
     std::optional<Arrivals> arrivals;
-    std::vector<LightSource> sources, sources_before;
+    std::vector<LightSource> sources;
     std::vector<LightJob> jobs;             // one per object
     std::vector<ColorRecord> point_colors;  // Corners, Faces: colours of the lit points
     std::vector<std::uint32_t> point_rgba;  // Faces: the same as bytes, 16 per block

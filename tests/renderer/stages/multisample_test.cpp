@@ -46,12 +46,13 @@ TEST_CASE("the samples of a pixel are spread over it and balanced around its cen
     }
 }
 
-TEST_CASE("an edge within a column of pixels shows as the fraction of samples on its side", "[multisample]") {
+TEST_CASE("an edge within a column of pixels mixes face and background by its samples", "[multisample]") {
     // 8 x 8 pixels of 1/4 unit; the edge is at 1/4 * share inside column 4.
     for (const int samples : {2, 4, 8})
         for (const float share : {0.1f, 0.3f, 0.5f, 0.7f, 0.9f}) {
             const float edge = 0.25f * share;
-            const Scene scene = white_quad({{-2, -2, 0}, {edge, -2, 0}, {edge, 2, 0}, {-2, 2, 0}});
+            Scene scene = white_quad({{-2, -2, 0}, {edge, -2, 0}, {edge, 2, 0}, {-2, 2, 0}});
+            scene.display.background.y = 0.25f;
             int inside = 0;
             for (int s = 0; s < samples; ++s) {
                 const double x = 0.5 + sample_offset(samples, s).x / 256.0;  // in the pixel, 0 to 1
@@ -61,7 +62,9 @@ TEST_CASE("an edge within a column of pixels shows as the fraction of samples on
             const Picture& p = renderer.render(scene, {8, 8}, true, samples);
             CAPTURE(samples, share);
             CHECK(p.linear_at(3, 5).x == 1);
-            CHECK(p.linear_at(4, 5).x == Approx(static_cast<double>(inside) / samples));
+            const double covered = static_cast<double>(inside) / samples;
+            CHECK(p.linear_at(4, 5).x == Approx(covered));
+            CHECK(p.linear_at(4, 5).y == Approx(covered + (1 - covered) * 0.25));
             CHECK(p.linear_at(5, 5).x == 0);
         }
 }
