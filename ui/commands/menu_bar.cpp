@@ -39,6 +39,7 @@ void menu_item(UiState& state, const WindowCommand& command) {
     const std::string keys = command.keys.empty() ? "" : text_of(command.keys[0]);
     if (ImGui::MenuItem(label.c_str(), keys.c_str(), is_on(state, command).value_or(false), refused.empty()))
         run_command(state, command);
+    list_control(command.name, "", last_item());
     if (!refused.empty()) tooltip(command.name, refused.c_str());
 }
 

@@ -139,14 +139,34 @@ TEST_CASE("quitting continues only after the question about the changed file", "
     clash.bench.key(Key::Q, true);
     clash.bench.frames(2);
     CHECK(open_dialog(clash.bench.state) == &unsaved_dialog);
-    bool quits = clash.bench.key(Key::Enter).quit;  // Save
-    for (int i = 0; i < 3; ++i) quits |= clash.bench.frame().quit;
-    CHECK_FALSE(quits);
+    CHECK_FALSE(clash.bench.key(Key::Enter).quit);  // Save
+    clash.bench.frames(2);
     REQUIRE(open_dialog(clash.bench.state) == &changed_dialog);
     clash.bench.state.asks_overwrite = false;
     REQUIRE(save_over(clash.bench.state));
     finish_pending(clash.bench.state);
     CHECK(clash.bench.frame().quit);
+}
+
+TEST_CASE("a scene without a file gets a name before the window closes", "[ui][save]") {
+    const TemporaryDirectory folder;
+    HeadlessWindow bench;
+    bench.frames(2);
+    edit(bench, 0.25f);
+    bench.key(Key::Q, true);
+    bench.frames(2);
+    const auto quits = [&] {  // on Enter, or soon after
+        bool now = bench.key(Key::Enter).quit;
+        for (int i = 0; i < 3; ++i) now |= bench.frame().quit;
+        return now;
+    };
+    CHECK_FALSE(quits());  // Save
+    REQUIRE(open_dialog(bench.state) == &files_dialog);
+    bench.state.files.folder = folder.path();
+    bench.state.files.name = "new.json";
+    bench.frames(2);
+    CHECK(quits());
+    CHECK(intensity_in(folder.path("new.json")) == 0.25f);
 }
 
 TEST_CASE("saving recovered work does not overwrite newer changes of the file", "[ui][save]") {

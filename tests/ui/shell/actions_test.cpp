@@ -229,7 +229,7 @@ TEST_CASE("each menu lists its own actions, and the shading keys are in none", "
                                                              {"Edit", "Duplicate"},
                                                              {"View", "Picture alone"},
                                                              {"Inspect", "Big pixels"},
-                                                             {"Compare", "Compare under wipe lines"},
+                                                             {"Compare", "Store the scene as B"},
                                                              {"Lecture", "Erase all pen strokes"},
                                                              {"Help", "Keys and mouse"}};
     for (const auto& [menu, own] : menus) {

@@ -167,17 +167,6 @@ TEST_CASE("a plain click on a number starts typing, which is one undo step", "[u
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("a double click also starts typing and reverts nothing", "[ui][window][numbers]") {
-    Bench bench;
-    bench.click(bench.field());
-    bench.button(true);
-    bench.button(false);
-    CHECK(bench.intensity() == 0.5f);
-    bench.type("*2");
-    bench.tap(enter_key);
-    CHECK(bench.intensity() == 1.0f);
-}
-
 TEST_CASE("a click elsewhere ends the typing and keeps its result", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
