@@ -89,7 +89,8 @@ TEST_CASE("a run of a lesson has the numbers of the command with the same option
     const Ended command = run_glint(words);
     REQUIRE(command.status == 0);
     std::string checks;
-    for (const auto& [pointer, value] : nlohmann::json::parse(command.out).flatten().items()) {
+    const auto numbers = nlohmann::json::parse(command.out).flatten();
+    for (const auto& [pointer, value] : numbers.items()) {
         std::string path = std::regex_replace(pointer, std::regex("/([0-9]+)"), "[$1]");
         std::replace(path.begin(), path.end(), '/', '.');
         if (value.is_number() &&

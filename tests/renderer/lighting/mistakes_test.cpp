@@ -31,6 +31,8 @@ struct Both {
         right = renderer.render(scene, mistaken_size, true);
         scene.shading.mistakes.*flag = true;
         wrong = renderer.render(scene, mistaken_size, true);
+        scene.shading.mistakes.*flag = false;
+        CHECK((renderer.render(scene, mistaken_size, true).rgba == right.rgba));
     }
     [[nodiscard]] bool show() const {
         for (std::size_t i = 0; i < right.linear.size(); ++i)

@@ -163,8 +163,8 @@ TEST_CASE("a scene without a file gets a name before the window closes", "[ui][s
     CHECK_FALSE(quits());  // Save
     REQUIRE(open_dialog(bench.state) == &files_dialog);
     bench.state.files.folder = folder.path();
-    bench.state.files.name = "new.json";
     bench.frames(2);
+    bench.type("new.json");
     CHECK(quits());
     CHECK(intensity_in(folder.path("new.json")) == 0.25f);
 }

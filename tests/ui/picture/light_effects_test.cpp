@@ -275,22 +275,3 @@ TEST_CASE("a Ctrl+Shift drag changes a light's brightness, not its position", "[
     CHECK(dimmed(0, 30, 300) > 0);
     CHECK(dimmed(0, -30, 300) == 0);
 }
-
-TEST_CASE("a light dimmed by its highlight stays when the keys are released", "[ui][hands][window]") {
-    test::Person person;
-    const ImVec2 highlight = person.finds_highlight();
-    const auto item = static_cast<std::size_t>(person.state.viewport.hovered_grip.item);
-    const Light before = person.scene().lights[item];
-    person.button(true);
-    ImGui::GetIO().KeyShift = ImGui::GetIO().KeyCtrl = true;
-    person.move(highlight + ImVec2(0, 20));
-    ImGui::GetIO().KeyShift = ImGui::GetIO().KeyCtrl = false;
-    person.frames(2);
-    const Light after = person.scene().lights[item];
-    CHECK(after.intensity < 0.95f * before.intensity);
-    const auto direction = [](const Light& light) { return glm::normalize(glm::vec3(light.position)); };
-    CHECK(glm::distance(direction(after), direction(before)) < 0.02f);
-    person.move(highlight + ImVec2(10, 20));
-    CHECK_FALSE(person.scene().lights[item].position == after.position);
-    person.button(false);
-}
