@@ -6,7 +6,6 @@
 #include <imgui.h>
 
 #include <glm/vec2.hpp>
-#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -115,28 +114,5 @@ struct Feature {
 /// The reason why a feature prevents changes of the scene and picks in the picture; empty if none does.
 [[nodiscard]] std::string why_held(const UiState& state);
 [[nodiscard]] bool is_held(const UiState& state);
-
-// State that features keep from frame to frame. The window's core does not know their types.
-
-/// One value of each requested type, created by the first request for it. Its address never changes.
-class FeatureStates {
-  public:
-    template <class T> [[nodiscard]] T& get() const {
-        for (const State& state : states_)
-            if (state.type == &type_id<T>) return *static_cast<T*>(state.value.get());
-        const auto value = std::make_shared<T>();
-        states_.push_back({&type_id<T>, value});
-        return *value;
-    }
-
-  private:
-    template <class T> static inline char type_id = 0;  // its address identifies the type
-
-    struct State {
-        const char* type;
-        std::shared_ptr<void> value;
-    };
-    mutable std::vector<State> states_;
-};
 
 }  // namespace glint

@@ -25,6 +25,7 @@
 #include "ui/preferences/persistence.h"
 #include "ui/shell/layout.h"
 #include "ui/shell/notifications.h"
+#include "ui/widgets/kept.h"
 #include "ui/widgets/picture_sheet.h"
 
 namespace glint {
@@ -43,11 +44,8 @@ struct PlacedPicture {
     bool operator==(const PlacedPicture&) const = default;
 };
 
-/// The window's state from frame to frame, in addition to ImGui's own context and the data that ui/widgets
-/// keeps for the current context: the theme and scale applied last (theme.cpp), the fonts loaded last
-/// (fonts.cpp); the hovered item, the earliest requested frame, and the list in which tests find controls
-/// (tooltip.cpp); the number being edited and its messages (number_input.cpp); the requested field
-/// (field_panel.cpp).
+/// The window's state from frame to frame, in addition to ImGui's own context and what widgets store in it
+/// (widget_state() in ui/widgets/kept.h).
 struct UiState {
     explicit UiState(int thread_count)
         : threads(thread_count), renderer(std::make_unique<Renderer>(thread_count)) {}
@@ -79,7 +77,7 @@ struct UiState {
 
     FramePace pace;
     std::vector<Camera> kept_views;  // saved views, of any scene; remembered with the settings
-    FeatureStates features;
+    States features;
 
     int threads;               // threads of each renderer
     float parts_progress = 1;  // progress of a comparison's parts, as Refinement::progress

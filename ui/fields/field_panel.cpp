@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/widgets/area.h"
+#include "ui/widgets/kept.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/theme.h"
 
@@ -18,17 +19,15 @@ constexpr double marked_s = 1.5, waits_s = 6;
 // Number of ImGui frames from requesting keyboard focus until the text cursor appears.
 constexpr int frames_until_typed = 5;
 
-// Kept from frame to frame; see ui/ui.h.
 struct AskedField {
     std::string pointer;
     int frames = 0;         // drawn since the request: the field is first scrolled to, then focused
     double until = -1;      // ImGui time at which the mark disappears
-    int since = 0;          // frame of the request; a smaller frame count belongs to another window
     std::string component;  // "/1", the component to focus; empty: the first
 };
-AskedField asked;
+AskedField& asked_field() { return widget_state<AskedField>(); }
 
-bool is_asked_now() { return ImGui::GetTime() < asked.until && ImGui::GetFrameCount() >= asked.since; }
+bool is_asked_now() { return ImGui::GetTime() < asked_field().until; }
 
 void mark_row(ImVec2 low) {
     const float right = low.x + ImGui::GetContentRegionAvail().x;
@@ -37,7 +36,7 @@ void mark_row(ImVec2 low) {
     list.PushClipRect(low - 2.0f * around, high + 2.0f * around);  // the labels begin at the panel's edge
     list.AddRect(low - around, high + around, to_u32(theme().accent), px(4), 0, px(1.5f));
     list.PopClipRect();
-    redraw_within(std::max(asked.until - ImGui::GetTime(), 0.01));
+    redraw_within(std::max(asked_field().until - ImGui::GetTime(), 0.01));
 }
 
 /// Draws the key of a switch next to it while the switch waits for that key.
@@ -53,21 +52,22 @@ void name_its_key(ImVec2 low) {
 bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
 
 bool turns_now(const std::string& pointer) {
-    return pointer == asked.pointer && is_asked_now() && !ImGui::GetIO().WantTextInput &&
+    return pointer == asked_field().pointer && is_asked_now() && !ImGui::GetIO().WantTextInput &&
            (is_pressed(ImGuiKey_Space) || is_pressed(ImGuiKey_Enter));
 }
 
 }  // namespace
 
 void ask_for_field(const std::string& pointer, const std::string& component) {
-    asked = {pointer, 0, ImGui::GetTime() + marked_s, ImGui::GetFrameCount(), component};
+    asked_field() = {pointer, 0, ImGui::GetTime() + marked_s, component};
 }
 
 bool field_is_asked_below(const std::string& pointer) {
-    return is_asked_now() && asked.pointer.starts_with(pointer + "/");
+    return is_asked_now() && asked_field().pointer.starts_with(pointer + "/");
 }
 
 bool draw_asked(const std::string& pointer, Typed typed, const std::function<bool()>& draw) {
+    AskedField& asked = asked_field();
     if (pointer != asked.pointer || !is_asked_now()) return draw();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (asked.frames < 2) ImGui::SetScrollHereY(0.5f);  // a panel does not know its length in its first frame

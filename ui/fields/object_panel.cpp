@@ -14,6 +14,7 @@
 #include "ui/fields/mesh_check.h"
 #include "ui/fields/panels.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/kept.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
@@ -187,12 +188,16 @@ template <class Vector> auto largest_of(const Vector& scale) {
     return std::max({size.x, size.y, size.z});
 }
 
+/// The scales before the field for all three changed them, and as it set them.
+struct UniformScale {
+    glm::dvec3 before{0};
+    glm::vec3 written{0};
+};
+
 /// One number for all three scales: the largest one. The scales keep their ratio and signs.
 bool uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
-    // Kept from frame to frame; see ui/ui.h. The ratio is that of the scales before this field changed them:
-    // typing "0.5" passes through "0", which would lose the ratio.
-    static glm::dvec3 before;
-    static glm::vec3 written;
+    // The ratio is that before the edit: typing "0.5" passes through "0", which would lose the ratio.
+    auto& [before, written] = widget_state<UniformScale>();
     if (scale != written) before = scale;
     float wanted = largest_of(scale);
     const Real kind{.range = above_zero, .step = 0.01f, .format = "%.2f", .logarithmic = true};

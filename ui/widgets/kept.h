@@ -1,14 +1,42 @@
 #pragma once
-// A cached result of a slow computation, with its key.
+// Values that are kept from frame to frame: states by their type, and the cached result of a slow computation
+// with its key.
 
 #include <imgui.h>
 
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "ui/widgets/widgets.h"
 
 namespace glint {
+
+/// One value of each requested type, created by the first request for it. Its address never changes.
+class States {
+  public:
+    template <class T> [[nodiscard]] T& get() const {
+        for (const State& state : states_)
+            if (state.type == &type_id<T>) return *static_cast<T*>(state.value.get());
+        const auto value = std::make_shared<T>();
+        states_.push_back({&type_id<T>, value});
+        return *value;
+    }
+
+  private:
+    template <class T> static inline char type_id = 0;  // its address identifies the type
+
+    struct State {
+        const char* type;
+        std::shared_ptr<void> value;
+    };
+    mutable std::vector<State> states_;
+};
+
+/// The states of widgets, which do not know the window's state. The current ImGui context owns them.
+[[nodiscard]] const States& widget_states();
+template <class T> [[nodiscard]] T& widget_state() { return widget_states().get<T>(); }
 
 template <class Key, class Value> class Kept {
   public:

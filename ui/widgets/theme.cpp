@@ -10,6 +10,8 @@
 #include <initializer_list>
 #include <vector>
 
+#include "ui/widgets/kept.h"
+
 namespace glint {
 namespace {
 
@@ -18,9 +20,12 @@ ImVec4 rgb(unsigned hex) {
     return {float((hex >> 16) & 255) / 255, float((hex >> 8) & 255) / 255, float(hex & 255) / 255, 1};
 }
 
-// applied last (ui/ui.h)
-const Theme* applied_theme = nullptr;
-float applied_scale = 1;
+/// The theme and the scale applied last, and the fonts loaded last.
+struct Applied {
+    const Theme* theme = &dark_theme();
+    float scale = 1;
+    Fonts fonts;
+};
 
 double luminance(const ImVec4& c) {
     const auto linear = [](double v) {
@@ -146,12 +151,14 @@ ImVec4 accent_pointed_at(const Theme& theme, bool pressed) {
     return {mix(theme.accent.x), mix(theme.accent.y), mix(theme.accent.z), 1};
 }
 
-const Theme& theme() { return applied_theme != nullptr ? *applied_theme : dark_theme(); }
-float px(float length) { return length * applied_scale; }
+const Theme& theme() { return *widget_state<Applied>().theme; }
+float px(float length) {
+    return ImGui::GetCurrentContext() == nullptr ? length : length * widget_state<Applied>().scale;
+}
 
 void apply_theme(const Theme& chosen, float scale) {
-    applied_theme = &chosen;
-    applied_scale = scale;
+    widget_state<Applied>().theme = &chosen;
+    widget_state<Applied>().scale = scale;
     ImGuiStyle style;
     style.WindowPadding = {10, 8};
     style.FramePadding = {7, 5};  // with text of 15: 24 high or more, as WCAG 2.2 (2.5.8) demands
@@ -191,8 +198,6 @@ ImU32 to_u32(const ImVec4& colour, float opacity) {
 namespace {
 
 namespace fs = std::filesystem;
-
-Fonts loaded;  // applied last (ui/ui.h)
 
 struct Family {
     const char *text, *bold, *figures;  // paths below a font folder
@@ -269,7 +274,7 @@ void load_fonts(const FontFiles& files, float scale, float dots_per_unit) {
         ImFontConfig config;
         config.SizePixels = 13 * dots;
         ImFont* only = atlas.AddFontDefault(&config);
-        loaded = {only, only, only, only, only, only};
+        widget_state<Applied>().fonts = {only, only, only, only, only, only};
         atlas.Build();
         stand_in(*only);
         return;
@@ -277,12 +282,12 @@ void load_fonts(const FontFiles& files, float scale, float dots_per_unit) {
     const auto add = [&](const std::string& path, float size) {
         return atlas.AddFontFromFileTTF(path.c_str(), size * dots, nullptr, glyphs.data());
     };
-    loaded = {add(files.text, 15),    add(files.text, 13), add(files.bold, 15),
-              add(files.figures, 14), add(files.text, 17), add(files.bold, 18)};
+    widget_state<Applied>().fonts = {add(files.text, 15),    add(files.text, 13), add(files.bold, 15),
+                                     add(files.figures, 14), add(files.text, 17), add(files.bold, 18)};
     atlas.Build();
 }
 
-const Fonts& fonts() { return loaded; }
+const Fonts& fonts() { return widget_state<Applied>().fonts; }
 
 float small_text_height() { return fonts().small->FontSize * ImGui::GetIO().FontGlobalScale; }
 

@@ -50,7 +50,7 @@ struct Theme {
 /// Sets ImGui's style: colours of `chosen`, sizes times `scale` (1 on a display of 96 dots per inch).
 void apply_theme(const Theme& chosen, float scale);
 
-/// A design length in ImGui's units: `length` times the scale applied last.
+/// A design length in ImGui's units: `length` times the scale applied last, or itself without a context.
 [[nodiscard]] float px(float length);
 
 /// Contrast of two opaque colours, 1 to 21. Source: WCAG 2.1, "contrast ratio".

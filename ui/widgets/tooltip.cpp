@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "ui/widgets/kept.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"
@@ -18,8 +19,6 @@ namespace {
 
 constexpr double rest_before_tooltip = 0.45;  // seconds
 
-// Kept from frame to frame; see ui/ui.h.
-double earliest_redraw = std::numeric_limits<double>::infinity();
 /// The item under the pointer.
 struct Resting {
     ImGuiID item = 0;  // or 0: `at` identifies it
@@ -28,10 +27,14 @@ struct Resting {
     int frame = -1;        // the last in which the pointer was on it
     bool clicked = false;  // the user knows it: no tooltip until the pointer has left it
 };
-Resting resting;
-/// Where a click silenced tooltips: they do not cover what it opened until the pointer moves.
-std::optional<ImVec2> silenced;
-std::vector<NamedControl>* listed = nullptr;
+struct ControlsState {
+    double earliest_redraw = std::numeric_limits<double>::infinity();
+    Resting resting;
+    /// Where a click silenced tooltips: they do not cover what it opened until the pointer moves.
+    std::optional<ImVec2> silenced;
+    std::vector<NamedControl>* listed = nullptr;
+};
+ControlsState& controls() { return widget_state<ControlsState>(); }
 
 /// Whether text is typed in another window, such as the list of actions, which a tooltip would cover.
 bool types_elsewhere() {
@@ -42,6 +45,7 @@ bool types_elsewhere() {
 
 void follow_clicks() {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
+    std::optional<ImVec2>& silenced = controls().silenced;
     if (ImGui::IsAnyMouseDown())
         silenced = mouse;
     else if (silenced && std::abs(mouse.x - silenced->x) + std::abs(mouse.y - silenced->y) > px(4))
@@ -54,12 +58,12 @@ bool is_due() {
     const ImGuiID item = GImGui->LastItemData.ID;
     const ImVec2 at = ImGui::GetItemRectMin();
     const int frame = ImGui::GetFrameCount();
+    Resting& resting = controls().resting;
     const bool same = item == resting.item && (item != 0 || (at.x == resting.at.x && at.y == resting.at.y));
-    if (!same || frame > resting.frame + 1 || frame < resting.frame)
-        resting = {item, at, ImGui::GetTime(), frame, false};
+    if (!same || frame > resting.frame + 1) resting = {item, at, ImGui::GetTime(), frame, false};
     resting.frame = frame;
     if (ImGui::IsAnyMouseDown()) resting.clicked = true;
-    if (resting.clicked || silenced || types_elsewhere()) return false;
+    if (resting.clicked || controls().silenced || types_elsewhere()) return false;
     const double rested = ImGui::GetTime() - resting.since;
     if (rested < rest_before_tooltip) redraw_within(rest_before_tooltip - rested + 0.01);
     return rested >= rest_before_tooltip;
@@ -93,9 +97,11 @@ std::string whole_label(const std::string& name) {
     return label;
 }
 
-void redraw_within(double seconds) { earliest_redraw = std::min(earliest_redraw, seconds); }
-void reset_next_redraw() { earliest_redraw = std::numeric_limits<double>::infinity(); }
-double next_redraw() { return earliest_redraw; }
+void redraw_within(double seconds) {
+    controls().earliest_redraw = std::min(controls().earliest_redraw, seconds);
+}
+void reset_next_redraw() { controls().earliest_redraw = std::numeric_limits<double>::infinity(); }
+double next_redraw() { return controls().earliest_redraw; }
 
 void tooltip(const char* title, const char* what, const std::string& range, const std::string& key) {
     list_control(title, key, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
@@ -125,11 +131,11 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
     ImGui::PopStyleVar(2);
 }
 
-void list_controls_in(std::vector<NamedControl>* list) { listed = list; }
+void list_controls_in(std::vector<NamedControl>* list) { controls().listed = list; }
 
 void list_control(const char* name, const std::string& key, const Rect& at) {
-    if (listed == nullptr) return;
-    listed->push_back({name, key, keys_of_value(key), at, ImGui::IsRectVisible(at.low, at.high)});
+    if (controls().listed == nullptr) return;
+    controls().listed->push_back({name, key, keys_of_value(key), at, ImGui::IsRectVisible(at.low, at.high)});
 }
 
 }  // namespace glint

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "models/utf8.h"
+#include "ui/widgets/kept.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/theme.h"
 
@@ -180,14 +181,30 @@ void mono_text(const std::string& text) {
     ImGui::PopFont();
 }
 
+const States& widget_states() {
+    void*& states = ImGui::GetIO().UserData;
+    if (states != nullptr) return *static_cast<States*>(states);
+    ImGuiContextHook hook;
+    hook.Type = ImGuiContextHookType_Shutdown;
+    hook.Callback = [](ImGuiContext* context, ImGuiContextHook*) {
+        delete static_cast<States*>(context->IO.UserData);
+    };
+    ImGui::AddContextHook(GImGui, &hook);
+    states = new States;
+    return *static_cast<States*>(states);
+}
+
 namespace {
 
-const char* (*from_clipboard)(void*) = nullptr;
+struct Clipboard {
+    const char* (*get)(void*) = nullptr;
+    std::string line;
+};
 
 const char* text_in_one_line(void* data) {
-    const char* const text = from_clipboard != nullptr ? from_clipboard(data) : nullptr;
+    auto& [get, line] = widget_state<Clipboard>();
+    const char* const text = get != nullptr ? get(data) : nullptr;
     if (text == nullptr) return nullptr;
-    static std::string line;
     line = text;
     line.resize(line.find_last_not_of(" \t\r\n") + 1);  // a copied line ends with a line break
     std::replace_if(
@@ -209,11 +226,11 @@ std::string as_visited(const std::string& text) {
 }  // namespace
 
 PasteInOneLine::PasteInOneLine() {
-    from_clipboard = ImGui::GetIO().GetClipboardTextFn;
+    widget_state<Clipboard>().get = ImGui::GetIO().GetClipboardTextFn;
     ImGui::GetIO().GetClipboardTextFn = text_in_one_line;
 }
 
-PasteInOneLine::~PasteInOneLine() { ImGui::GetIO().GetClipboardTextFn = from_clipboard; }
+PasteInOneLine::~PasteInOneLine() { ImGui::GetIO().GetClipboardTextFn = widget_state<Clipboard>().get; }
 
 bool text_field(const char* label, const char* hint, std::string& text, int flags) {
     const PasteInOneLine pasted;

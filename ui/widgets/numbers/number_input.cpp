@@ -14,6 +14,7 @@
 #include "models/json/json.h"
 #include "models/problem.h"
 #include "renderer/explain/equation_text.h"
+#include "ui/widgets/kept.h"
 #include "ui/widgets/numbers/expression.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -23,8 +24,6 @@ namespace {
 
 constexpr float press_becomes_drag = 3;     // logical pixels that a click may move
 constexpr std::size_t longest_text = 1024;  // bytes, including the terminating 0
-
-// The one number being edited, kept from frame to frame; see ui/ui.h.
 
 struct Scrub {
     float before = 0;
@@ -40,6 +39,7 @@ struct Typing {
     std::string problem;  // problem of the current text
     std::string refused;  // why the scene rejects the number; empty if it does not
 };
+/// The one number being edited.
 struct InHand {
     ImGuiID id = 0;
     int frame = -1;  // the last frame in which it was drawn
@@ -47,33 +47,37 @@ struct InHand {
     Scrub scrub;
     Typing typing;
 };
-InHand hand;
 /// The number that gets focus next.
 struct Awaited {
     std::string pointer;
     int frame = -1;
 };
-Awaited awaited;
-std::vector<Said> said;
-std::string refused_text;
+struct NumberState {
+    InHand hand;
+    Awaited awaited;
+    std::vector<Said> said;
+    std::string refused_text;
+};
+NumberState& numbers() { return widget_state<NumberState>(); }
+InHand& hand() { return numbers().hand; }
 
-bool is_held(ImGuiID id) { return hand.id == id && hand.frame + 1 >= ImGui::GetFrameCount(); }
+bool is_held(ImGuiID id) { return hand().id == id && hand().frame + 1 >= ImGui::GetFrameCount(); }
 
 // Typing.
 
 /// Begins typing with `text`, all of it selected, so that the next letter replaces it.
 void begin_typing(ImGuiID id, float value) {
-    hand = {id, ImGui::GetFrameCount(), true, {}, {}};
-    hand.typing.before = value;
-    hand.typing.began_with = exact_text(value);
-    hand.typing.began_with.copy(hand.typing.text.data(), longest_text - 1);
+    hand() = {id, ImGui::GetFrameCount(), true, {}, {}};
+    hand().typing.before = value;
+    hand().typing.began_with = exact_text(value);
+    hand().typing.began_with.copy(hand().typing.text.data(), longest_text - 1);
     // The same request that ImGui's own drags use to open their text field.
     GImGui->NavActivateId = GImGui->NavActivateInputId = id;
     GImGui->NavActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
 bool take_typed(float& value, const Range& range) {
-    Typing& typing = hand.typing;
+    Typing& typing = hand().typing;
     const std::string text = typing.text.data();
     typing.problem.clear();
     typing.refused.clear();
@@ -95,13 +99,13 @@ std::string why_refused(const Typing& typing, const std::string& text, const Cal
 
 /// Ends typing. Rejected text restores the previous value.
 bool end_typing(float& value, const Range& range) {
-    const Typing typing = hand.typing;
-    hand = {};
+    const Typing typing = hand().typing;
+    hand() = {};
     const std::string text = typing.text.data();
     if (text == typing.began_with) return assign(value, double(typing.before), range);
     const Calculated found = calculated(text, double(typing.before));
     if (const std::string why = why_refused(typing, text, found); !why.empty()) {
-        if (!found.problem.empty()) refused_text = text;
+        if (!found.problem.empty()) numbers().refused_text = text;
         say_refused(fmt::format("{}. The field keeps {}", why, exact_text(typing.before)));
         return assign(value, double(typing.before), range);
     }
@@ -113,7 +117,7 @@ bool end_typing(float& value, const Range& range) {
 /// The frame of the text being typed; it covers neighbours if the text is wider than the number's field.
 ImRect frame_for_typing(const ImRect& frame) {
     const float wanted =
-        ImGui::CalcTextSize(hand.typing.text.data()).x + 2 * ImGui::GetStyle().FramePadding.x + px(12);
+        ImGui::CalcTextSize(hand().typing.text.data()).x + 2 * ImGui::GetStyle().FramePadding.x + px(12);
     const ImRect room = ImGui::GetCurrentWindow()->WorkRect;
     const float width = std::max(frame.GetWidth(), std::min(wanted, room.GetWidth()));
     const float left = std::max(std::min(frame.Min.x, room.Max.x - width), room.Min.x);
@@ -121,12 +125,12 @@ ImRect frame_for_typing(const ImRect& frame) {
 }
 
 bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value, const Range& range) {
-    hand.frame = ImGui::GetFrameCount();
+    hand().frame = ImGui::GetFrameCount();
     bool edited = false;
     const PasteInOneLine pasted;
-    const bool wrong = !hand.typing.problem.empty() || !hand.typing.refused.empty();
+    const bool wrong = !hand().typing.problem.empty() || !hand().typing.refused.empty();
     if (wrong) ImGui::PushStyleColor(ImGuiCol_Text, theme().error);
-    if (ImGui::TempInputText(frame, id, label, hand.typing.text.data(), int(longest_text),
+    if (ImGui::TempInputText(frame, id, label, hand().typing.text.data(), int(longest_text),
                              ImGuiInputTextFlags_AutoSelectAll))
         edited = take_typed(value, range);
     if (wrong) ImGui::PopStyleColor();
@@ -140,7 +144,7 @@ bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value,
 
 void begin_scrub(ImGuiID id, float value) {
     const float x = ImGui::GetIO().MousePos.x;
-    hand = {id, ImGui::GetFrameCount(), false, {value, double(value), x, x, false}, {}};
+    hand() = {id, ImGui::GetFrameCount(), false, {value, double(value), x, x, false}, {}};
 }
 
 double scrubbed(double at, float pixels, const NumberInput& input) {
@@ -160,7 +164,7 @@ double rounded(double value, const Real& kind) {
 
 bool drag(float& value, const NumberInput& input) {
     const ImGuiIO& io = ImGui::GetIO();
-    Scrub& scrub = hand.scrub;
+    Scrub& scrub = hand().scrub;
     if (!scrub.moved && std::abs(io.MousePos.x - scrub.pressed_x) <= px(press_becomes_drag)) return false;
     scrub.moved = true;
     const Range& range = input.kind.range;
@@ -178,17 +182,17 @@ bool drag(float& value, const NumberInput& input) {
 
 /// Handles a drag while the button is down, and when it is released.
 bool hold(ImGuiID id, float& value, const NumberInput& input, bool hovered) {
-    hand.frame = ImGui::GetFrameCount();
+    hand().frame = ImGui::GetFrameCount();
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
-        const bool edited = assign(value, double(hand.scrub.before), input.kind.range);
-        hand = {};
+        const bool edited = assign(value, double(hand().scrub.before), input.kind.range);
+        hand() = {};
         ImGui::ClearActiveID();
         return edited;
     }
     const bool edited = drag(value, input);
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return edited;
-    const bool clicked = !hand.scrub.moved && hovered;
-    hand = {};
+    const bool clicked = !hand().scrub.moved && hovered;
+    hand() = {};
     ImGui::ClearActiveID();
     if (clicked) begin_typing(id, value);
     return edited;
@@ -218,6 +222,7 @@ void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput
 
 /// Whether type_into() requested it; resets the request.
 bool is_awaited(const std::string& pointer) {
+    Awaited& awaited = numbers().awaited;
     if (awaited.frame != ImGui::GetFrameCount() || pointer.empty()) return false;
     if (!is_within(pointer, awaited.pointer)) return false;
     awaited = {};
@@ -251,7 +256,6 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     if (window->SkipItems) return false;
     const ImGuiID id = window->GetID(label);
-    if (hand.frame > ImGui::GetFrameCount()) hand = {};  // from a closed window
     ImGui::PushFont(fonts().figures);
     const ImVec2 low = window->DC.CursorPos;
     const ImRect frame(low, {low.x + input.width, low.y + ImGui::GetFrameHeight()});
@@ -263,16 +267,16 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
     const bool hovered = ImGui::ItemHoverable(frame, id);
     bool edited = false;
     if (is_held(id) && GImGui->ActiveId != id) {  // something else was clicked or focused
-        if (hand.types) edited = end_typing(value, input.kind.range);
-        hand = {};
+        if (hand().types) edited = end_typing(value, input.kind.range);
+        hand() = {};
     }
     if (!is_held(id)) take_in_hand(id, value, input, hovered);
-    if (is_held(id) && !hand.types) edited |= hold(id, value, input, hovered);
-    if (is_held(id) && hand.types)
+    if (is_held(id) && !hand().types) edited |= hold(id, value, input, hovered);
+    if (is_held(id) && hand().types)
         edited |= type_text(id, frame_for_typing(frame), label, value, input.kind.range);
     else
         draw_number(id, frame, value, input, hovered);
-    if ((hovered || is_held(id)) && !hand.types) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if ((hovered || is_held(id)) && !hand().types) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     ImGui::PopFont();
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup(number_menu_id);
     return number_menu(value, input) || edited;
@@ -284,29 +288,29 @@ void say_out_of_range(double wanted, const Range& range, float taken) {
 }
 
 void refuse_edit(const std::string& why) {
-    if (hand.id == 0)
+    if (hand().id == 0)
         say_refused("Not possible: " + why);
-    else if (hand.types)
-        hand.typing.refused = why;
+    else if (hand().types)
+        hand().typing.refused = why;
 }
 
-void type_into(const std::string& pointer) { awaited = {pointer, ImGui::GetFrameCount()}; }
+void type_into(const std::string& pointer) { numbers().awaited = {pointer, ImGui::GetFrameCount()}; }
 
 void let_go_of_fields() {
-    hand = {};
-    awaited = {};
+    numbers().hand = {};
+    numbers().awaited = {};
     if (ImGui::GetTopMostPopupModal() != nullptr) return;
     ImGui::ClearActiveID();
     if (!GImGui->OpenPopupStack.empty()) ImGui::ClosePopupToLevel(0, true);
 }
 
-bool number_in_hand() { return hand.id != 0 && GImGui->ActiveId == hand.id; }
+bool number_in_hand() { return hand().id != 0 && GImGui->ActiveId == hand().id; }
 
-void say(const std::string& line) { said.push_back({line}); }
-void say_refused(const std::string& line) { said.push_back({line, true}); }
-void unsay() { said.pop_back(); }
-std::vector<Said> take_said() { return std::exchange(said, {}); }
-std::string take_refused_text() { return std::exchange(refused_text, {}); }
+void say(const std::string& line) { numbers().said.push_back({line}); }
+void say_refused(const std::string& line) { numbers().said.push_back({line, true}); }
+void unsay() { numbers().said.pop_back(); }
+std::vector<Said> take_said() { return std::exchange(numbers().said, {}); }
+std::string take_refused_text() { return std::exchange(numbers().refused_text, {}); }
 
 // Sliders, steps and texts for each kind of number.
 

@@ -21,6 +21,7 @@
 #include "ui/picture/handles/light_handles.h"
 #include "ui/ui.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/kept.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -130,9 +131,9 @@ bool distance_handle(TextLine& line, const HandledScene& scene, const ExplainedL
                           .logarithmic = true};
     handle.number.value = distance;
     handle.number.place = scene.edited != nullptr ? &distance : nullptr;
-    // Kept from frame to frame, see ui/ui.h, while the number is being edited: typing "0.5" passes through a
-    // distance of "0", at which the direction to the light would be lost.
-    static Ray kept;
+    // Kept while the number is being edited: typing "0.5" passes through a distance of "0", at which the
+    // direction to the light would be lost.
+    Ray& kept = widget_state<Ray>();
     const bool goes_on = number_in_hand() && kept.light == explained.index && light.position == kept.written;
     const Ray ray = goes_on ? kept : ray_to(light, explained);
     if (!line.symbol(Quantity::Distance).gap(2).handle(handle, theme().text)) return false;
