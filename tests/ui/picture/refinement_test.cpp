@@ -72,10 +72,9 @@ TEST_CASE("the formula of a traced scene has its letters", "[ui][transport]") {
     bench.ask_ball();
     const auto in_formula = [&](Quantity quantity) {
         const float table = bench.area_of("d  diffuse", test::right_column(bench)).low.y;
-        const QuantityMark mark(quantity, false);
         (void)bench.frame();
         return std::any_of(bench.controls().begin(), bench.controls().end(), [&](const NamedControl& c) {
-            return c.name == "Marked number" && c.at.low.y < table;
+            return c.name == text_of(quantity) && c.at.low.y < table;
         });
     };
     CHECK(in_formula(Quantity::Bounced));

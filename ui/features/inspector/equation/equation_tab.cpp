@@ -111,11 +111,11 @@ void against_phong(const UiState& state, const Explanation& explanation) {
 }
 
 /// The tone, which replaces emission, ambient and diffuse under cool-to-warm shading.
-void tone_line(const ExplainedTone& tone, int channel) {
-    TextLine line;
+void tone_line(const ExplainedTone& tone, int channel, QuantityMark* mark) {
+    TextLine line(14, mark);
     line.symbol(Quantity::WarmShare).plain(" = (1 + ").symbol(Quantity::NL).plain(")/2 = ");
     line.number(shown_number(tone.k_w), theme().text);
-    TextLine mix;
+    TextLine mix(14, mark);
     mix.gap(14).symbol(Quantity::Warm).number(shown_number(tone.warm[channel]), theme().text);
     mix.times().symbol(Quantity::WarmShare).plain(" + ").symbol(Quantity::Cool);
     mix.number(shown_number(tone.cool[channel]), theme().text);
@@ -127,11 +127,11 @@ void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint&
     const int channel = state.get<InspectorState>().channel;
     const auto& marked = state.get<InspectorState>().marked;
     const bool is_marked = marked && marked->light < 0;
-    const QuantityMark mark(is_marked ? std::optional(marked->quantity) : std::nullopt, false);
-    if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel);
+    QuantityMark mark{is_marked ? std::optional(marked->quantity) : std::nullopt};
+    if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel, &mark);
     for (const EquationLine& line : unlit_lines(explained_scene(state), explanation, point)) {
         ImGui::PushID(static_cast<int>(line.term));
-        (void)draw_line(line, {explained_scene(state), editable_scene(state)}, channel);
+        (void)draw_line(line, {explained_scene(state), editable_scene(state), &mark}, channel);
         ImGui::PopID();
     }
 }

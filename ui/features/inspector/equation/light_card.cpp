@@ -75,8 +75,8 @@ void angle(TextLine& line, UiState& state, Quantity cosine, Symbol to, float val
 }
 
 void angles(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
-            const ExplainedLight& light) {
-    TextLine line(0);
+            const ExplainedLight& light, QuantityMark* mark) {
+    TextLine line(0, mark);
     std::string causes;
     const auto angle_of = [&](Quantity cosine, Symbol to, float value) {
         angle(line, state, cosine, to, value, point, light, causes);
@@ -152,7 +152,7 @@ bool falloff_line(const HandledScene& scene, const ExplainedLight& explained) {
         values, least,
         [](std::span<const double> v) { return 1 / (v[0] + v[1] * v[3] + v[2] * v[3] * v[3]); },
         0.45 * last_digit);
-    TextLine line;
+    TextLine line(14, scene.mark);
     bool edited = false;
     const auto number = [&](const char* key, int places) {
         edited |= line.handle(light_number(scene, explained.index, key, places), theme().text);
@@ -185,7 +185,7 @@ bool cone_line(const HandledScene& scene, const ExplainedLight& explained) {
         values, least,
         [](std::span<const double> v) { return std::pow(std::cos(v[0] * std::numbers::pi / 180), v[1]); },
         explained.spot > 0 ? 0.45 * last_digit : 1);
-    TextLine line;
+    TextLine line(14, scene.mark);
     bool edited = false;
     line.gap(14).together([&] {
         line.symbol(Quantity::Spot).plain(" = (cos ");
@@ -215,12 +215,12 @@ bool share_lines(const HandledScene& scene, const LightOfEquation& in) {
 }
 
 /// The samples of an area light, below a foldable row.
-void sample_rows(const ExplainedLight& area, const Light& light, int channel) {
+void sample_rows(const ExplainedLight& area, const Light& light, int channel, QuantityMark* mark) {
     if (!fold(sample_words(area, light).c_str(), false)) return;
     const std::vector<double> weights = sample_weights(area);
     for (std::size_t i = 0; i < area.samples.size(); ++i) {
         const ExplainedLight& s = area.samples[i];
-        TextLine line;
+        TextLine line(14, mark);
         line.gap(14).plain(fmt::format("{}  ", i + 1)).symbol(Quantity::NL);
         line.number(shown_number(s.n_dot_l), s.n_dot_l > 0 ? theme().text : theme().warning).gap(6);
         line.symbol(Quantity::Form).number(decimal_text(s.falloff, 5), theme().text).gap(6);
@@ -271,11 +271,10 @@ const char* name_of_term(Symbol term) {
 }
 
 /// A term's line; while hovered, the picture shows this term of this light alone.
-bool light_term(UiState& state, const EquationLine& term, int light) {
-    const Scene& scene = explained_scene(state);
+bool light_term(UiState& state, const HandledScene& scene, const EquationLine& term, int light) {
     ImGui::PushID(static_cast<int>(term.term));
     ImGui::BeginGroup();
-    const bool edited = draw_line(term, {scene, editable_scene(state)}, state.get<InspectorState>().channel);
+    const bool edited = draw_line(term, scene, state.get<InspectorState>().channel);
     ImGui::EndGroup();
     ImGui::PopID();
     const auto [low, high] = last_item();
@@ -284,9 +283,9 @@ bool light_term(UiState& state, const EquationLine& term, int light) {
         is_pointed_at({low, {low.x + px(14), high.y}}) || is_pointed_at({{high.x - px(52), low.y}, high});
     if (ends && term.left_out != switched_off) {
         const Symbol symbol = colour_of(term.term);
-        show_instead(state, with_term_alone(with_light_alone(scene, light), symbol),
+        show_instead(state, with_term_alone(with_light_alone(scene.shown, light), symbol),
                      fmt::format("{} of {} alone", name_of_term(symbol),
-                                 scene.lights[static_cast<std::size_t>(light)].name));
+                                 scene.shown.lights[static_cast<std::size_t>(light)].name));
     }
     return edited;
 }
@@ -303,8 +302,9 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
     const Light before = scene.lights[index];
     const auto& marked = state.get<InspectorState>().marked;
     const bool is_marked = marked && marked->light == explained.index;
-    const QuantityMark mark(is_marked ? std::optional(marked->quantity) : std::nullopt,
-                            is_marked && ImGui::GetTime() < marked->scrolls_until);
+    QuantityMark mark{is_marked ? std::optional(marked->quantity) : std::nullopt,
+                      is_marked && ImGui::GetTime() < marked->scrolls_until};
+    const HandledScene handled{scene, edited_scene, &mark};
     bool edited = false;
     ImGui::PushID(explained.index);
     ImGui::BeginGroup();
@@ -312,10 +312,11 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
         show_instead(state, with_light_alone(scene, explained.index), before.name + " alone");
     const LightOfEquation in{scene, explanation, explained};
     const bool is_area = before.kind == LightKind::Area;
-    if (!is_area) angles(state, explanation, point, explained);  // each sample has its own angles
-    edited |= share_lines({scene, edited_scene}, in);
-    for (const EquationLine& term : light_lines(in)) edited |= light_term(state, term, explained.index);
-    if (is_area) sample_rows(explained, before, state.get<InspectorState>().channel);
+    if (!is_area) angles(state, explanation, point, explained, &mark);  // each sample has its own angles
+    edited |= share_lines(handled, in);
+    for (const EquationLine& term : light_lines(in))
+        edited |= light_term(state, handled, term, explained.index);
+    if (is_area) sample_rows(explained, before, state.get<InspectorState>().channel, &mark);
     if (const std::string reason = dark_reason(explained, before); !reason.empty()) warning_text(reason);
     if (const std::string words = blocked_words(state, explanation, which); !words.empty())
         wrapped_dim(words);

@@ -17,10 +17,6 @@
 namespace glint {
 namespace {
 
-// The mark of the current light's card (QuantityMark in ui/features/inspector/equation/text_line.h).
-std::optional<Quantity> marked;
-bool marked_scrolls = false;
-
 constexpr float padding_x = 2, padding_y = 1;  // of a handle, logical pixels
 
 /// The width of the current number, at least that of two digits, so that it is easy to grab.
@@ -50,7 +46,7 @@ void dotted_line(ImVec2 low, ImVec2 high, ImU32 colour) {
 
 }  // namespace
 
-TextLine::TextLine(float indent) {
+TextLine::TextLine(float indent, QuantityMark* mark) : wanted_mark_(mark) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     left_ = x_ = at.x;
     y_ = at.y;
@@ -129,24 +125,18 @@ TextLine& TextLine::copied_as(std::string line) {
     return *this;
 }
 
-QuantityMark::QuantityMark(std::optional<Quantity> quantity, bool scrolls) {
-    marked = quantity;
-    marked_scrolls = scrolls;
-}
-QuantityMark::~QuantityMark() { marked.reset(); }
-
 TextLine& TextLine::symbol(Quantity quantity) {
     const ImVec2 begin{x_, y_};
     letters(quantity);
-    if (measures_ || marked != quantity) return *this;
-    marked.reset();
+    if (measures_ || wanted_mark_ == nullptr || wanted_mark_->quantity != quantity) return *this;
+    wanted_mark_->quantity.reset();
     const Rect last = last_item();  // for a cosine, its second letter
     const bool went_on = last.low.y > begin.y + px(2);
     mark_ = Rect{{went_on ? left_ + indent_ : begin.x, last.low.y}, last.high};
     marks_result_ = (quantity >= Quantity::AmbientTerm && quantity <= Quantity::SpecularTerm) ||
                     quantity == Quantity::Result || quantity == Quantity::WarmShare;
     list_control("Marked number", row_of(quantity).letter, *mark_);
-    if (marked_scrolls) ImGui::SetScrollHereY(0.4f);
+    if (wanted_mark_->scrolls) ImGui::SetScrollHereY(0.4f);
     return *this;
 }
 
@@ -405,7 +395,7 @@ class LinePieces {
 bool draw_line(const EquationLine& term, const HandledScene& scene, int channel) {
     const LineDecimals decimals = written_decimals(term, channel, shown);
     const std::string result = shown(term.result[channel]);
-    TextLine line(28);
+    TextLine line(28, scene.mark);
     line.copied_as(fmt::format("{} = {}{}", text_of(term.term), written_product(term, channel, shown),
                                term.left_out.empty() ? " = " + trimmed(result) : ""));
     line.symbol(term.term).gap(4).plain("=").gap(4);

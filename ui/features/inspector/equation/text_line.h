@@ -26,29 +26,26 @@ struct NumberHandle {
     std::string name;  // "shininess of Teapot"
 };
 
+/// A quantity whose first letter is framed, with the number after it. Reset when that letter is drawn.
+struct QuantityMark {
+    std::optional<Quantity> quantity;
+    bool scrolls = false;  // the letter is also scrolled into view
+};
+
 /// A scene whose numbers are shown, and the same scene for editing; the latter is null if read-only.
 struct HandledScene {
     const Scene& shown;
     Scene* edited = nullptr;
+    QuantityMark* mark = nullptr;
 };
 /// The number at `pointer` of the scene, named by its keys and its light's or object's name, without a target
 /// if the scene is read-only. Precondition: it exists.
 [[nodiscard]] NumberHandle number_handle(const HandledScene& scene, const std::string& pointer);
 
-/// During the lifetime of a mark, the first letter of that quantity is framed, with the number after it; with
-/// `scrolls` it is also scrolled into view.
-class QuantityMark {
-  public:
-    QuantityMark(std::optional<Quantity> quantity, bool scrolls);
-    ~QuantityMark();
-    QuantityMark(const QuantityMark&) = delete;
-    QuantityMark& operator=(const QuantityMark&) = delete;
-};
-
 class TextLine {
   public:
     /// Begins at the cursor; lines after the first are indented by `indent` logical pixels.
-    explicit TextLine(float indent = 14);
+    explicit TextLine(float indent = 14, QuantityMark* mark = nullptr);
     ~TextLine();
     TextLine(const TextLine&) = delete;
     TextLine& operator=(const TextLine&) = delete;
@@ -104,6 +101,7 @@ class TextLine {
     std::string line_;
     int numbers_ = 0;
     bool measures_ = false;      // nothing is drawn: only x_ advances
+    QuantityMark* wanted_mark_;  // null: none
     std::optional<Rect> mark_;   // the letter of the marked quantity, until its value is drawn
     bool marks_result_ = false;  // whether the marked quantity is the line's result
 };
