@@ -24,7 +24,6 @@
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/mistake_row.h"
 #include "ui/features/inspector/outside_view.h"
-#include "ui/features/inspector/program/program_state.h"
 #include "ui/features/inspector/sensitivity.h"
 #include "ui/features/lecture/examples.h"
 #include "ui/features/lecture/lecture.h"

@@ -5,7 +5,6 @@
 #include "programs/program.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
-#include "ui/features/inspector/program/program_state.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -215,6 +215,8 @@ struct CarriedLight {
 // can be dragged to the other side of gluLookAt(), a transform past another.
 
 void program_tab(UiState& state, const PictureView& view);
+/// The command that writes a program for this scene, in a supported language.
+[[nodiscard]] std::string whole_program_words(const Scene& scene);
 
 // The sensitivity tab sorts every number of the scene by its effect on the picked pixel.
 

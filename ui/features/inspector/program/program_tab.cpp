@@ -6,8 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "models/fields/choices.h"
 #include "models/json/json.h"
@@ -22,14 +26,105 @@
 #include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/mistake_row.h"
-#include "ui/features/inspector/program/program_state.h"
 #include "ui/fields/panels.h"
 #include "ui/ui.h"
+#include "ui/widgets/area.h"
+#include "ui/widgets/kept.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 namespace {
+
+// The calls of an object's transforms can be dragged past each other. A scene file has a fixed order, so the
+// numbers do not change and the object moves to where the other order puts it.
+
+/// An object's transform as written in the tab.
+struct WrittenTransform {
+    TransformOrder order = file_order;
+    Transform numbers;
+    bool operator==(const WrittenTransform&) const = default;
+};
+
+/// A scene's calls as written in the tab.
+struct WrittenCalls {
+    Scene scene;  // the scene with the transforms' numbers as written
+    std::vector<WrittenTransform> transforms;
+    std::vector<GlCallGroup> groups;
+};
+
+/// An object's transform as last edited in the tab, and the result in the scene.
+struct KeptTransform {
+    WrittenTransform written;
+    Transform result;
+    bool operator==(const KeptTransform&) const = default;
+};
+
+struct ProgramState {
+    Kept<Scene, WrittenCalls> calls;     // with thousands of objects, computing them takes up to a second
+    Kept<Scene, std::string> program;    // whole_program_words()
+    BlocksInSight groups{1}, places{1};  // the groups; within one, the calls of the lights' positions
+    std::map<int, KeptTransform> transforms;  // by the object's index
+};
+
+/// Returns how the object with that index is written: as last edited, or in the file's order if something
+/// else has changed `transform` since.
+WrittenTransform written_transform(const ProgramState& program, int object, const Transform& transform) {
+    const auto kept = program.transforms.find(object);
+    if (kept == program.transforms.end() || kept->second.result != transform) return {file_order, transform};
+    return kept->second.written;
+}
+
+/// The transform of a call; nothing for other calls.
+std::optional<TransformStep> step_of(const GlCall& call) {
+    const std::string_view name = call.pieces.front().text;
+    if (name.starts_with("glTranslatef(")) return TransformStep::Translate;
+    if (name.starts_with("glRotatef(")) return TransformStep::Rotate;
+    if (name.starts_with("glScalef(")) return TransformStep::Scale;
+    return std::nullopt;
+}
+
+bool is_before(const TransformOrder& order, TransformStep a, TransformStep b) {
+    return std::find(order.begin(), order.end(), a) < std::find(order.begin(), order.end(), b);
+}
+
+/// Puts the calls of the three transforms, which must be consecutive, into that order.
+void put_in_order(std::vector<GlCall>& calls, const TransformOrder& order) {
+    const auto is_step = [](const GlCall& call) { return step_of(call).has_value(); };
+    const auto first = std::find_if(calls.begin(), calls.end(), is_step);
+    std::stable_sort(first, std::find_if_not(first, calls.end(), is_step),
+                     [&order](const GlCall& a, const GlCall& b) {
+                         return *step_of(a) != *step_of(b) && is_before(order, *step_of(a), *step_of(b));
+                     });
+}
+
+/// Returns the order while the step's lines are dragged to height `mouse_y`. They pass a neighbour once they
+/// would be under the mouse afterwards. `areas`: of each step's lines, in written order.
+TransformOrder dragged_order(const TransformOrder& order, TransformStep held, float mouse_y,
+                             std::span<const Rect, 3> areas) {
+    const auto at = static_cast<std::size_t>(std::find(order.begin(), order.end(), held) - order.begin());
+    const float height = areas[at].size().y;
+    TransformOrder changed = order;
+    if (at > 0 && mouse_y < std::min(areas[at - 1].low.y + height, areas[at - 1].high.y))
+        std::swap(changed[at - 1], changed[at]);
+    else if (at < 2 && mouse_y > std::max(areas[at + 1].high.y - height, areas[at + 1].low.y))
+        std::swap(changed[at + 1], changed[at]);
+    return changed;
+}
+
+/// Explains, below the calls, the effect of an order other than the file's; draws nothing in the file's
+/// order.
+void order_note(const WrittenTransform& written, const Transform& transform) {
+    if (written.order == file_order) return;
+    std::string note = "The order is swapped.";
+    if (is_before(written.order, TransformStep::Rotate, TransformStep::Translate))
+        note += " Moved before it is turned, the object turns about the world's origin, not about its own.";
+    if (is_before(written.order, TransformStep::Scale, TransformStep::Translate))
+        note += " Moved before it is scaled, the object has its translation scaled as well.";
+    const glm::vec3& t = transform.translate;
+    wrapped_dim(fmt::format("{} In the scene file, where translate comes first: [{}, {}, {}].", note,
+                            number_text(t.x), number_text(t.y), number_text(t.z)));
+}
 
 /// Highlights in the picture what a call sets: a light shines alone, an object glows.
 void light_up(UiState& state, const std::string& about) {
@@ -128,8 +223,7 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
         if (i + 1 < call.pieces.size()) punctuation = first_word(call.pieces[i + 1].text);
         number.number.kind.format = decimal_format(number.number.value, std::max(decimals_of(piece.text), 1));
         line.together([&] {
-            const bool edited = line.handle(number, theme().text);
-            state.editor.edits_camera |= edited && piece.pointer.starts_with("/camera");
+            line.handle(number, theme().text);
             line.code(std::string(punctuation), theme().dim_text);
         });
     }
@@ -139,9 +233,9 @@ Rect draw_call(UiState& state, Scene& scene, const GlCall& call) {
     return area;
 }
 
-/// Draws the calls of an object as written, and applies drags. `written_scene`: the scene of these calls,
-/// with the transforms' numbers as written. True if `written` has changed.
-bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransform& written,
+/// Draws the calls of an object as written, and applies edits and drags. `written_scene`: the scene of these
+/// calls, with the transforms' numbers as written.
+void draw_object(UiState& state, Scene& written_scene, int index, WrittenTransform written,
                  const std::vector<GlCall>& calls) {
     Object& object = state.editor.scene().objects[static_cast<std::size_t>(index)];
     Object& edited = written_scene.objects[static_cast<std::size_t>(index)];
@@ -179,10 +273,11 @@ bool draw_object(UiState& state, Scene& written_scene, int index, WrittenTransfo
         transform = in_file_order(written.numbers, written.order);
     }
     object.material = edited.material;
-    const bool changed = transform && written != before;
-    if (changed) object.transform = *transform;
+    if (transform && written != before) {
+        object.transform = *transform;
+        state.get<ProgramState>().transforms[index] = {written, *transform};
+    }
     order_note(written, object.transform);
-    return changed;
 }
 
 /// Names each light whose coordinate space has changed since the scene was opened or saved while its numbers
@@ -222,11 +317,11 @@ void copy_button(UiState& state, const std::vector<GlCallGroup>& groups) {
     tooltip("Copy all calls", "As a function in C or C++", program);
 }
 
-WrittenCalls written_calls(const Scene& scene) {
+WrittenCalls written_calls(const ProgramState& program, const Scene& scene) {
     WrittenCalls calls{scene, {}, {}};
     for (Object& object : calls.scene.objects) {
         calls.transforms.push_back(
-            written_transform(static_cast<int>(calls.transforms.size()), object.transform));
+            written_transform(program, static_cast<int>(calls.transforms.size()), object.transform));
         object.transform = calls.transforms.back().numbers;
     }
     calls.groups = gl_calls(calls.scene);
@@ -252,21 +347,16 @@ void draw_places(UiState& state, const std::vector<GlCall>& calls, const Picture
     wrong_space_notes(state);
 }
 
-/// Draws a group. Returns the transform of its object as it is now written, if that has changed.
-std::optional<WrittenTransform> draw_group(UiState& state, Scene& written_scene, const WrittenCalls& calls,
-                                           const GlCallGroup& group, const PictureView& view) {
-    if (!fold(whole_label(group.title).c_str(), is_open_at_first(state, group))) return {};
-    const std::optional<ListItem> object = item_in(group.about, "/objects/");
-    if (object) {
-        WrittenTransform written = calls.transforms[static_cast<std::size_t>(object->place)];
-        const bool changed = draw_object(state, written_scene, object->place, written, group.calls);
-        return changed ? std::optional(written) : std::nullopt;
-    }
-    if (group.about.empty())
+void draw_group(UiState& state, Scene& written_scene, const WrittenCalls& calls, const GlCallGroup& group,
+                const PictureView& view) {
+    if (!fold(whole_label(group.title).c_str(), is_open_at_first(state, group))) return;
+    if (const std::optional<ListItem> object = item_in(group.about, "/objects/"))
+        draw_object(state, written_scene, object->place,
+                    calls.transforms[static_cast<std::size_t>(object->place)], group.calls);
+    else if (group.about.empty())
         draw_places(state, group.calls, view);
     else
         for (const GlCall& call : group.calls) (void)draw_call(state, state.editor.scene(), call);
-    return {};
 }
 
 }  // namespace
@@ -279,112 +369,22 @@ std::string whole_program_words(const Scene& scene) {
 
 void program_tab(UiState& state, const PictureView& view) {
     ProgramState& program = state.get<ProgramState>();
-    const WrittenCalls& calls =
-        program.calls.of(state.editor.scene(), [&] { return written_calls(state.editor.scene()); });
+    const Scene& scene = state.editor.scene();
+    const Camera camera = scene.camera;
+    const auto transforms = program.transforms;
+    const WrittenCalls& calls = program.calls.of(scene, [&] { return written_calls(program, scene); });
     Scene written_scene = calls.scene;
     copy_button(state, calls.groups);
-    bool any_changed = false;
     const auto draw = [&](int i) {
         const GlCallGroup& group = calls.groups[static_cast<std::size_t>(i)];
         ImGui::PushID(i);
-        const auto changed = draw_group(state, written_scene, calls, group, view);
+        draw_group(state, written_scene, calls, group, view);
         ImGui::PopID();
-        if (!changed) return;
-        const int object = item_in(group.about, "/objects/")->place;
-        keep_written(object, *changed,
-                     state.editor.scene().objects[static_cast<std::size_t>(object)].transform);
-        any_changed = true;
     };
     program.groups.draw(static_cast<int>(calls.groups.size()), draw,
                         index_of(calls.groups, [](const GlCallGroup& group) { return group.about.empty(); }));
-    if (any_changed) program.calls.forget();
-}
-
-namespace {
-
-ImGuiID key_of(int object, int number) {
-    return ImGui::GetID(fmt::format("transform of {}, {}", object, number).c_str());
-}
-
-/// The numbers that determine how an object is written, in a fixed order: its translation, and the resulting
-/// transform.
-std::array<float, 12> numbers_of(const glm::vec3& translate, const Transform& t) {
-    return {translate.x,    translate.y,    translate.z,    t.translate.x, t.translate.y, t.translate.z,
-            t.rotate_deg.x, t.rotate_deg.y, t.rotate_deg.z, t.scale.x,     t.scale.y,     t.scale.z};
-}
-
-int code_of(const TransformOrder& order) {
-    return 100 * static_cast<int>(order[0]) + 10 * static_cast<int>(order[1]) + static_cast<int>(order[2]);
-}
-TransformOrder order_of(int code) {
-    const auto step = [](int digit) { return static_cast<TransformStep>(digit % 10); };
-    return {step(code / 100), step(code / 10), step(code)};
-}
-
-bool is_before(const TransformOrder& order, TransformStep a, TransformStep b) {
-    return std::find(order.begin(), order.end(), a) < std::find(order.begin(), order.end(), b);
-}
-
-}  // namespace
-
-WrittenTransform written_transform(int object, const Transform& transform) {
-    WrittenTransform written{file_order, transform};
-    const ImGuiStorage& kept = *ImGui::GetStateStorage();
-    std::array<float, 12> numbers{};
-    for (int i = 0; i < 12; ++i) numbers[static_cast<std::size_t>(i)] = kept.GetFloat(key_of(object, i));
-    const glm::vec3 translate(numbers[0], numbers[1], numbers[2]);
-    if (numbers != numbers_of(translate, transform)) return written;  // changed elsewhere in the meantime
-    written.order = order_of(kept.GetInt(key_of(object, -1), code_of(file_order)));
-    written.numbers.translate = translate;
-    return written;
-}
-
-void keep_written(int object, const WrittenTransform& written, const Transform& transform) {
-    ImGuiStorage& kept = *ImGui::GetStateStorage();
-    kept.SetInt(key_of(object, -1), code_of(written.order));
-    const std::array<float, 12> numbers = numbers_of(written.numbers.translate, transform);
-    for (int i = 0; i < 12; ++i) kept.SetFloat(key_of(object, i), numbers[static_cast<std::size_t>(i)]);
-}
-
-std::optional<TransformStep> step_of(const GlCall& call) {
-    const std::string_view name = call.pieces.front().text;
-    if (name.starts_with("glTranslatef(")) return TransformStep::Translate;
-    if (name.starts_with("glRotatef(")) return TransformStep::Rotate;
-    if (name.starts_with("glScalef(")) return TransformStep::Scale;
-    return std::nullopt;
-}
-
-void put_in_order(std::vector<GlCall>& calls, const TransformOrder& order) {
-    const auto is_step = [](const GlCall& call) { return step_of(call).has_value(); };
-    const auto first = std::find_if(calls.begin(), calls.end(), is_step);
-    std::stable_sort(first, std::find_if_not(first, calls.end(), is_step),
-                     [&order](const GlCall& a, const GlCall& b) {
-                         return *step_of(a) != *step_of(b) && is_before(order, *step_of(a), *step_of(b));
-                     });
-}
-
-TransformOrder dragged_order(const TransformOrder& order, TransformStep held, float mouse_y,
-                             std::span<const Rect, 3> areas) {
-    const auto at = static_cast<std::size_t>(std::find(order.begin(), order.end(), held) - order.begin());
-    const float height = areas[at].size().y;
-    TransformOrder changed = order;
-    if (at > 0 && mouse_y < std::min(areas[at - 1].low.y + height, areas[at - 1].high.y))
-        std::swap(changed[at - 1], changed[at]);
-    else if (at < 2 && mouse_y > std::max(areas[at + 1].high.y - height, areas[at + 1].low.y))
-        std::swap(changed[at + 1], changed[at]);
-    return changed;
-}
-
-void order_note(const WrittenTransform& written, const Transform& transform) {
-    if (written.order == file_order) return;
-    std::string note = "The order is swapped.";
-    if (is_before(written.order, TransformStep::Rotate, TransformStep::Translate))
-        note += " Moved before it is turned, the object turns about the world's origin, not about its own.";
-    if (is_before(written.order, TransformStep::Scale, TransformStep::Translate))
-        note += " Moved before it is scaled, the object has its translation scaled as well.";
-    const glm::vec3& t = transform.translate;
-    wrapped_dim(fmt::format("{} In the scene file, where translate comes first: [{}, {}, {}].", note,
-                            number_text(t.x), number_text(t.y), number_text(t.z)));
+    state.editor.edits_camera |= scene.camera != camera;
+    if (program.transforms != transforms) program.calls.forget();
 }
 
 }  // namespace glint
