@@ -137,9 +137,9 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     recovery_panel(state, layout.centre);
     if (!state.layout.hides_all) status_line(state, layout.status);
     dialogs(state, input);  // after every window: ui/shell/modal.h
+    keep_scene_valid(state);
     for (const Said& said : take_said())
         state.notifications.add(said.refuses ? Tone::Warning : Tone::Done, said.line);
-    keep_scene_valid(state);
     remember(state, in_hand);
     each(&Feature::end, state);
     poll_persistence(state);

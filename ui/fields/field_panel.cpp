@@ -66,7 +66,7 @@ bool field_is_asked_below(const std::string& pointer) {
     return is_asked_now() && asked_field().pointer.starts_with(pointer + "/");
 }
 
-bool draw_asked(const std::string& pointer, Typed typed, const std::function<bool()>& draw) {
+void draw_asked(const std::string& pointer, Typed typed, const std::function<void()>& draw) {
     AskedField& asked = asked_field();
     if (pointer != asked.pointer || !is_asked_now()) return draw();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -82,54 +82,48 @@ bool draw_asked(const std::string& pointer, Typed typed, const std::function<boo
     if (waits && asked.frames == 0) asked.until = ImGui::GetTime() + waits_s;
     if (typed == Typed::Key && !waits) asked.until = ImGui::GetTime();
     ++asked.frames;
-    const bool edited = draw();
+    draw();
     mark_row(low);
     if (waits) name_its_key(low);
-    return edited;
 }
 
-bool dimmed_unless(bool applies, const std::function<bool()>& draw) {
+void dimmed_unless(bool applies, const std::function<void()>& draw) {
     if (applies) return draw();
     // Does not use ImGuiStyleVar_Alpha, since menus, lists and pickers opened from the field must stay
     // opaque.
     ImVector<ImDrawVert>& vertices = ImGui::GetWindowDrawList()->VtxBuffer;
     const int first = vertices.Size;
-    const bool edited = draw();
+    draw();
     for (int i = first; i < vertices.Size; ++i) {
         ImU32& colour = vertices[i].col;
         colour = (colour & ~IM_COL32_A_MASK) | ((colour >> IM_COL32_A_SHIFT) * 3 / 4) << IM_COL32_A_SHIFT;
     }
-    return edited;
 }
 
-bool draw_field(const Row& row, const Switch&, bool& value, bool, const Help& help) {
-    const bool turns = turns_now(help.pointer);
-    if (turns) value = !value;
-    return switch_field(row.label, value, help) || turns;
+void draw_field(const Row& row, const Switch&, bool& value, bool, const Help& help) {
+    if (turns_now(help.pointer)) value = !value;
+    switch_field(row.label, value, help);
 }
 
-bool draw_field(const Row& row, const Vector& kind, glm::vec3& value, const glm::vec3& initial,
+void draw_field(const Row& row, const Vector& kind, glm::vec3& value, const glm::vec3& initial,
                 const Help& help) {
-    return vector_field(row.label, value, component_of(kind), initial, help);
+    vector_field(row.label, value, component_of(kind), initial, help);
 }
 
-bool draw_field(const Row& row, const Homogeneous& kind, glm::vec4& value, const glm::vec4& initial,
+void draw_field(const Row& row, const Homogeneous& kind, glm::vec4& value, const glm::vec4& initial,
                 const Help& help) {
     glm::vec3 xyz(value);
-    if (!vector_field(row.label, xyz, component_of(kind), glm::vec3(initial), help)) return false;
+    vector_field(row.label, xyz, component_of(kind), glm::vec3(initial), help);
     value = {xyz, value.w};
-    return true;
 }
 
-bool draw_field(const Row& row, const Count& kind, int& value, int initial, const Help& help) {
+void draw_field(const Row& row, const Count& kind, int& value, int initial, const Help& help) {
     int edited = value;
-    if (!integer_field(row.label, edited, kind, initial, help) || edited == value) return false;
+    if (!integer_field(row.label, edited, kind, initial, help)) return;
     // The nearest allowed number in the direction of the edit.
     const int step = edited > value ? 1 : -1;
     while (edited >= kind.low && edited <= kind.high && !kind.contains(edited)) edited += step;
-    if (!kind.contains(edited)) return false;
-    value = edited;
-    return true;
+    if (kind.contains(edited)) value = edited;
 }
 
 }  // namespace glint

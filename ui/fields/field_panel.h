@@ -12,31 +12,30 @@
 
 #include "models/fields/choices.h"
 #include "models/fields/scene_fields.h"
-#include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {
 
 // One control per type; `initial` is the value that a reset restores.
-inline bool draw_field(const Row& row, const Text& kind, std::string& value, const std::string&,
+inline void draw_field(const Row& row, const Text& kind, std::string& value, const std::string&,
                        const Help& help) {
-    return name_field(row.label, value, kind.max_characters, help);
+    name_field(row.label, value, kind.max_characters, help);
 }
-bool draw_field(const Row& row, const Switch& kind, bool& value, bool initial, const Help& help);
-inline bool draw_field(const Row& row, const Real& kind, float& value, float initial, const Help& help) {
-    return number_field(row.label, value, kind, initial, help);
+void draw_field(const Row& row, const Switch& kind, bool& value, bool initial, const Help& help);
+inline void draw_field(const Row& row, const Real& kind, float& value, float initial, const Help& help) {
+    number_field(row.label, value, kind, initial, help);
 }
-inline bool draw_field(const Row& row, const Colour&, glm::vec3& value, const glm::vec3& initial,
+inline void draw_field(const Row& row, const Colour&, glm::vec3& value, const glm::vec3& initial,
                        const Help& help) {
-    return colour_field(row.label, value, initial, help);
+    colour_field(row.label, value, initial, help);
 }
-bool draw_field(const Row& row, const Vector& kind, glm::vec3& value, const glm::vec3& initial,
+void draw_field(const Row& row, const Vector& kind, glm::vec3& value, const glm::vec3& initial,
                 const Help& help);
-bool draw_field(const Row& row, const Homogeneous& kind, glm::vec4& value, const glm::vec4& initial,
+void draw_field(const Row& row, const Homogeneous& kind, glm::vec4& value, const glm::vec4& initial,
                 const Help& help);
-bool draw_field(const Row& row, const Count& kind, int& value, int initial, const Help& help);
-template <class E> bool draw_field(const Row& row, const OneOf&, E& value, E, const Help& help) {
-    return choice_field(row.label, value, help);
+void draw_field(const Row& row, const Count& kind, int& value, int initial, const Help& help);
+template <class E> void draw_field(const Row& row, const OneOf&, E& value, E, const Help& help) {
+    choice_field(row.label, value, help);
 }
 
 /// What can be typed into the control of a type; for a switch, the key that toggles it.
@@ -47,7 +46,7 @@ constexpr Typed typed_into(const OneOf&) { return Typed::Nothing; }
 constexpr Typed typed_into(const Text&) { return Typed::Text; }
 
 /// Draws a control dimmed while it has no effect.
-[[nodiscard]] bool dimmed_unless(bool applies, const std::function<bool()>& draw);
+void dimmed_unless(bool applies, const std::function<void()>& draw);
 
 // A field that was requested by its pointer (the palette finds fields).
 
@@ -58,7 +57,7 @@ void ask_for_field(const std::string& pointer, const std::string& component = ""
 /// Whether a requested field is below `pointer` ("/npr"): a fold that contains it has to open.
 [[nodiscard]] bool field_is_asked_below(const std::string& pointer);
 /// Draws a field by `draw` and handles a request for it; `typed`: what can be typed into it.
-bool draw_asked(const std::string& pointer, Typed typed, const std::function<bool()>& draw);
+void draw_asked(const std::string& pointer, Typed typed, const std::function<void()>& draw);
 
 class FieldPanel {
   public:
@@ -71,15 +70,13 @@ class FieldPanel {
             if (Field* field = find(key)) draw(*field);
         return *this;
     }
-    /// Draws a field with the panel's own control: control(row, help, usual) returns whether the value was
-    /// edited; usual() draws the field's ordinary control.
+    /// Draws a field with the panel's own control(row, help, usual); usual() draws the field's ordinary one.
     template <class Control> FieldPanel& draw_as(std::string_view key, const Control& control) {
         Field* field = find(key);
         if (field == nullptr) return *this;
         field->drawn = true;
-        edited_ |= draw_asked(field->help.pointer, field->typed, [&] {
-            return dimmed_unless(field->row.applies,
-                                 [&] { return control(field->row, field->help, field->draw); });
+        draw_asked(field->help.pointer, field->typed, [&] {
+            dimmed_unless(field->row.applies, [&] { control(field->row, field->help, field->draw); });
         });
         return *this;
     }
@@ -88,7 +85,7 @@ class FieldPanel {
         Field* field = find(key);
         if (field == nullptr || !field->row.applies) return *this;
         section_heading(field->row.label);
-        edited_ |= draw_group(value, field->help.pointer);
+        draw_group(value, field->help.pointer);
         return *this;
     }
     /// Leaves out a field that the panel draws itself.
@@ -111,13 +108,12 @@ class FieldPanel {
             if (!field.drawn) draw(field);
         return *this;
     }
-    [[nodiscard]] bool edited() const { return edited_; }
 
   private:
     struct Field {
         Row row;
         Help help;
-        std::function<bool()> draw;
+        std::function<void()> draw;
         bool drawn = false;
         Typed typed = Typed::Nothing;
     };
@@ -130,9 +126,7 @@ class FieldPanel {
             if constexpr (requires { draw_field(row, kind, member, from, help); }) {
                 field.drawn = false;
                 field.typed = typed_into(kind);
-                field.draw = [row, kind, &member, &from, help] {
-                    return draw_field(row, kind, member, from, help);
-                };
+                field.draw = [row, kind, &member, &from, help] { draw_field(row, kind, member, from, help); };
             }
             fields_.push_back(std::move(field));
         });
@@ -144,31 +138,18 @@ class FieldPanel {
     }
     void draw(Field& field) {
         field.drawn = true;
-        edited_ |= draw_asked(field.help.pointer, field.typed,
-                              [&] { return dimmed_unless(field.row.applies, field.draw); });
+        draw_asked(field.help.pointer, field.typed, [&] { dimmed_unless(field.row.applies, field.draw); });
     }
 
     std::vector<Field> fields_;
-    bool edited_ = false;
 };
 
 /// All fields of a struct.
-template <class T> [[nodiscard]] bool field_rows(T& value, const std::string& pointer) {
-    return FieldPanel(value, pointer).rest().edited();
+template <class T> void field_rows(T& value, const std::string& pointer) {
+    FieldPanel(value, pointer).rest();
 }
 
-/// Reverts an edit that breaks a condition between numbers (models/fields/scene_fields.h): the window must
-/// not produce a scene that would be rejected as a file. The fields keep each number in its own range.
-/// Returns true if the edit was kept.
-template <class Item> bool keep_valid(Item& edited, const Item& before) {
-    const auto found = violation_of(edited);
-    if (!found) return true;
-    refuse_edit(with_expected(found->what, found->expected));
-    edited = before;
-    return false;
-}
-
-/// A drop-down for the enumerators of E.
+/// A drop-down for the enumerators of E; true if another one was chosen.
 template <class E> bool choice_field(const char* label, E& value, const Help& help) {
     const E before = value;
     value = static_cast<E>(choose(label, static_cast<int>(value), choices<E>, help));

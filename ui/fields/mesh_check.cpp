@@ -21,41 +21,32 @@ bool repair(const char* name, bool done, const char* what) {
 }
 
 /// Draws the repairs of one finding.
-bool repairs(std::string_view finding, Object& object) {
-    bool edited = false;
+void repairs(std::string_view finding, Object& object) {
     if (finding == "normals_against_faces" &&
-        repair("Flip", object.normals.flip, "Reverses all normals: if most of them point inwards")) {
+        repair("Flip", object.normals.flip, "Reverses all normals: if most of them point inwards"))
         object.normals.flip = !object.normals.flip;
-        edited = true;
-    }
     if (finding.find("normals") != std::string_view::npos && finding != "own_normal_indices") {
         const bool done = object.normals.source == NormalSource::Vertex;
-        if (repair("Recompute", done, "Averages the normals of the faces in place of the file's")) {
+        if (repair("Recompute", done, "Averages the normals of the faces in place of the file's"))
             object.normals.source = done ? NormalSource::Auto : NormalSource::Vertex;
-            edited = true;
-        }
     }
     if ((finding == "open_edges" || finding == "opposite_winding") &&
-        repair("Both sides", object.double_sided, "Draws back faces of this object too")) {
+        repair("Both sides", object.double_sided, "Draws back faces of this object too"))
         object.double_sided = !object.double_sided;
-        edited = true;
-    }
-    return edited;
 }
 
 }  // namespace
 
-bool mesh_check_rows(MeshCheck& check, Object& object) {
-    if (!object.mesh) return false;
+void mesh_check_rows(MeshCheck& check, Object& object) {
+    if (!object.mesh) return;
     const std::size_t count = check.info ? check.info->findings.size() : 0;
     const std::string found =
         count > 0 ? fmt::format(": {} {}", count, count == 1 ? "finding" : "findings") : "";
     const bool is_open = fold(("Mesh check" + found + "###check").c_str(), false);
     check.is_wanted = is_open || std::holds_alternative<MeshFile>(object.source);
-    if (!is_open) return false;
-    if (!check.info) return small_dim("Checking …"), false;
-    if (count == 0) return small_dim("Nothing that another program would draw wrong."), false;
-    bool edited = false;
+    if (!is_open) return;
+    if (!check.info) return small_dim("Checking …");
+    if (count == 0) return small_dim("Nothing that another program would draw wrong.");
     for (std::size_t i = 0; i < count; ++i) {
         const MeshFinding& finding = check.info->findings[i];
         const int index = static_cast<int>(i);
@@ -76,11 +67,10 @@ bool mesh_check_rows(MeshCheck& check, Object& object) {
         } else {
             ImGui::Dummy({0, 0});
         }
-        edited |= repairs(finding.name, object);
+        repairs(finding.name, object);
         ImGui::PopID();
         ImGui::Dummy({0, px(2)});
     }
-    return edited;
 }
 
 }  // namespace glint

@@ -17,8 +17,7 @@ struct MeshCheck {
     int hovered = -1, shown = -1;  // findings whose places the picture shows
 };
 
-/// Draws the findings about the object's mesh, with a repair for those that the scene can repair. True when
-/// the object was edited.
-[[nodiscard]] bool mesh_check_rows(MeshCheck& check, Object& object);
+/// Draws the findings about the object's mesh, with a repair for those that the scene can repair.
+void mesh_check_rows(MeshCheck& check, Object& object);
 
 }  // namespace glint

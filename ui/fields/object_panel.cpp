@@ -61,25 +61,20 @@ bool preset_row(const MaterialPreset& preset, bool chosen) {
     return pressed;
 }
 
-bool preset_field(Material& material) {
+void preset_field(Material& material) {
     const MaterialPreset* present = preset_of(material);
-    bool edited = false;
     ImGui::SetNextItemWidth(label_cell("Preset"));
     const std::string shown = present != nullptr ? std::string(present->name) : "Custom";
     const bool open = ImGui::BeginCombo("##preset", shown.c_str(), ImGuiComboFlags_HeightLarge);
-    if (!open) {
-        tooltip("Preset", "One of the classic materials; sets ambient, diffuse, specular and shininess");
-        return false;
-    }
+    if (!open)
+        return tooltip("Preset",
+                       "One of the classic materials; sets ambient, diffuse, specular and shininess");
     std::string_view family;
     for (const MaterialPreset& preset : material_presets()) {
         if (preset.family != family) section_heading(std::string(family = preset.family).c_str());
-        if (!preset_row(preset, &preset == present)) continue;
-        apply(preset, material);
-        edited = true;
+        if (preset_row(preset, &preset == present)) apply(preset, material);
     }
     ImGui::EndCombo();
-    return edited;
 }
 
 /// The label of a mesh: a primitive's label, or a file's name.
@@ -89,31 +84,23 @@ std::string mesh_label(const MeshSource& source) {
 }
 
 /// A drop-down of all primitives, with the choice of a file at its end.
-bool source_field(Object& object, const std::string& pointer, ObjectRequests& requests) {
+void source_field(MeshSource& source, const std::string& pointer, ObjectRequests& requests) {
     ImGui::SetNextItemWidth(label_cell("Mesh"));
-    if (!ImGui::BeginCombo("##mesh", whole_label(mesh_label(object.source)).c_str(),
-                           ImGuiComboFlags_HeightLarge)) {
-        tooltip("Mesh", "The shape: a built-in one, or a mesh file", "", pointer + "/mesh");
-        return false;
-    }
-    bool edited = false;
+    if (!ImGui::BeginCombo("##mesh", whole_label(mesh_label(source)).c_str(), ImGuiComboFlags_HeightLarge))
+        return tooltip("Mesh", "The shape: a built-in one, or a mesh file", "", pointer + "/mesh");
     for (const Primitive primitive : enumerators<Primitive>) {
-        const auto* present = std::get_if<PrimitiveMesh>(&object.source);
+        const auto* present = std::get_if<PrimitiveMesh>(&source);
         const bool chosen = present != nullptr && present->primitive == primitive;
-        if (ImGui::Selectable(choice_of(primitive).label, chosen) && !chosen) {
-            object.source = default_mesh(primitive);
-            object.mesh = nullptr;
-            edited = true;
-        }
+        if (ImGui::Selectable(choice_of(primitive).label, chosen) && !chosen)
+            source = default_mesh(primitive);
     }
     ImGui::Separator();
     if (ImGui::Selectable("File…")) requests.browse_mesh = true;
     ImGui::EndCombo();
-    return edited;
 }
 
 /// A slider up to the mesh's original number of triangles, which it shows as "all".
-bool decimate_field(const Row& row, int& decimate, const Mesh* mesh, const Help& help) {
+void decimate_field(const Row& row, int& decimate, const Mesh* mesh, const Help& help) {
     constexpr std::size_t when_not_known = 1'000'000;
     const std::size_t given = mesh == nullptr             ? when_not_known
                               : mesh->given_triangles > 0 ? mesh->given_triangles
@@ -124,14 +111,13 @@ bool decimate_field(const Row& row, int& decimate, const Mesh* mesh, const Help&
                     .usual_max = all,
                     .logarithmic = true};
     float wanted = decimate == 0 ? all : std::min(static_cast<float>(decimate), all);
-    if (!number_field(row.label, wanted, kind, all, help)) return false;
-    decimate = wanted >= all ? 0 : std::max(static_cast<int>(std::round(wanted)), 1);
-    return true;
+    if (number_field(row.label, wanted, kind, all, help))
+        decimate = wanted >= all ? 0 : std::max(static_cast<int>(std::round(wanted)), 1);
 }
 
 /// Subdivision levels of a generated mesh.
-bool detail_fields(Object& object, const std::string& pointer) {
-    const bool edited = std::visit(
+void detail_fields(Object& object, const std::string& pointer) {
+    std::visit(
         [&](auto& source) {
             FieldPanel panel(source, pointer + "/mesh");
             if constexpr (std::is_same_v<std::decay_t<decltype(source)>, MeshFile>) {
@@ -143,17 +129,15 @@ bool detail_fields(Object& object, const std::string& pointer) {
             if constexpr (std::is_same_v<std::decay_t<decltype(source)>, PrimitiveMesh>)
                 panel.skip("primitive").draw_as("detail", [&](const Row& row, const Help& help, const auto&) {
                     const PrimitiveInfo info = info_of(source.primitive);
-                    return integer_field(row.label, source.detail, Count{1, info.max_detail},
-                                         info.default_detail, help);
+                    integer_field(row.label, source.detail, Count{1, info.max_detail}, info.default_detail,
+                                  help);
                 });
             panel.draw_as("decimate", [&](const Row& row, const Help& help, const auto&) {
-                return decimate_field(row, source.decimate, object.mesh.get(), help);
+                decimate_field(row, source.decimate, object.mesh.get(), help);
             });
-            return panel.rest().edited();
+            panel.rest();
         },
         object.source);
-    if (edited) object.mesh = nullptr;
-    return edited;
 }
 
 void mesh_facts(const Object& object, const std::string& about_mesh) {
@@ -195,16 +179,15 @@ struct UniformScale {
 };
 
 /// One number for all three scales: the largest one. The scales keep their ratio and signs.
-bool uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
+void uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
     // The ratio is that before the edit: typing "0.5" passes through "0", which would lose the ratio.
     auto& [before, written] = widget_state<UniformScale>();
     if (scale != written) before = scale;
     float wanted = largest_of(scale);
     const Real kind{.range = above_zero, .step = 0.01f, .format = "%.2f", .logarithmic = true};
     const Help help{"Scales all three axes by one factor. Shows the largest of the three", pointer};
-    if (!number_field("Scale all", wanted, kind, 1, help)) return false;
-    scale = written = glm::vec3(before * (double(wanted) / largest_of(before)));
-    return true;
+    if (number_field("Scale all", wanted, kind, 1, help))
+        scale = written = glm::vec3(before * (double(wanted) / largest_of(before)));
 }
 
 /// The choice of the gizmo that is drawn on the object in the picture.
@@ -232,27 +215,28 @@ void apply(const MaterialPreset& preset, Material& material) {
     material.shininess = m.shininess;
 }
 
-bool material_panel(Material& material, const std::string& pointer, Reflection of_scene) {
+void material_panel(Material& material, const std::string& pointer, Reflection of_scene) {
     const ReflectionInfo uses = info_of(reflection_of(material, of_scene));
-    bool edited = preset_field(material);
+    preset_field(material);
     FieldPanel panel(material, pointer);
     panel.dim("shininess", uses.uses_shininess())
         .dim("roughness", uses.uses_roughness)
         .dim("f0", uses.uses_f0)
         .dim("reflection", uses.is_lit);
     panel.draw({"reflection"});
-    return panel.rest().edited() || edited;
+    panel.rest();
 }
 
-bool object_panel(Object& object, const std::string& pointer, Reflection reflection,
+void object_panel(Object& object, const std::string& pointer, Reflection reflection,
                   ObjectRequests& requests) {
-    const Object before = object;
     FieldPanel panel(object, pointer);
     panel.draw({"name", "visible", "double_sided"});
-    bool edited = source_field(object, pointer, requests);
-    edited |= detail_fields(object, pointer);
+    const MeshSource source = object.source;
+    source_field(object.source, pointer, requests);
+    detail_fields(object, pointer);
+    if (object.source != source) object.mesh = nullptr;
     mesh_facts(object, requests.about_mesh);
-    if (requests.check != nullptr) edited |= mesh_check_rows(*requests.check, object);
+    if (requests.check != nullptr) mesh_check_rows(*requests.check, object);
     const auto normals = [&] { panel.group("normals", object.normals, field_rows<NormalOptions>); };
     // If the mesh has no normals, users look for these fields first.
     const bool brings_normals = !object.mesh || object.mesh->given_normals != GivenNormals::None;
@@ -260,17 +244,15 @@ bool object_panel(Object& object, const std::string& pointer, Reflection reflect
     // Drawn below the fields, so that they do not move when the note disappears.
     if (smooths_every_edge(object))
         wrapped_dim("The mesh has no normals: they are averaged over all edges. Crease keeps edges sharp.");
-    panel.group("material", object.material, [&](Material& material, const std::string& at) {
-        return material_panel(material, at, reflection);
-    });
+    panel.group("material", object.material,
+                [&](Material& material, const std::string& at) { material_panel(material, at, reflection); });
     panel.group("transform", object.transform, [&](Transform& transform, const std::string& at) {
         gizmo_field(requests.gizmo);
-        const bool moved = field_rows(transform, at);
-        return uniform_scale_field(transform.scale, at + "/scale") || moved;
+        field_rows(transform, at);
+        uniform_scale_field(transform.scale, at + "/scale");
     });
     if (brings_normals) normals();
-    edited |= panel.rest().edited();
-    return edited && keep_valid(object, before);
+    panel.rest();
 }
 
 }  // namespace glint

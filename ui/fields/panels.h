@@ -1,6 +1,6 @@
 #pragma once
-// The panels of the left column: the scene's list, and a panel for each kind of item. Each edits its value
-// and returns whether it did.
+// The panels of the left column: the scene's list, and a panel for each kind of item. They may make an edit
+// that no scene file accepts; the caller reverts it (take_back_invalid() in ui/document/editor.h).
 
 #include <algorithm>
 #include <optional>
@@ -21,25 +21,25 @@ struct MeshCheck;
 
 /// Edits a light, whose JSON pointer is `pointer`: "/lights/1". A change of kind or space keeps the light
 /// where it is, as seen through `map` and `dome`.
-[[nodiscard]] bool light_panel(Light& light, const std::string& pointer, const Camera& camera,
-                               const Dome& dome, const ScreenMap& map);
+void light_panel(Light& light, const std::string& pointer, const Camera& camera, const Dome& dome,
+                 const ScreenMap& map);
 
 /// Edits a material, whose JSON pointer is `pointer`: "/objects/0/material". Dims numbers that its reflection
 /// model, which may be that of the scene, does not use.
-[[nodiscard]] bool material_panel(Material& material, const std::string& pointer, Reflection of_scene);
+void material_panel(Material& material, const std::string& pointer, Reflection of_scene);
 
 /// Copies a preset's ambient, diffuse, specular and shininess into the material; the rest stays.
 void apply(const MaterialPreset& preset, Material& material);
 
 /// Cool-to-warm tones, and strokes along silhouettes and creases. Dims numbers without effect.
-bool npr_panel(Npr& npr);
+void npr_panel(Npr& npr);
 
 /// Also edits how light reaches points, and global ambient light.
-[[nodiscard]] bool shading_panel(Shading& shading, Transport& transport, glm::vec3& global_ambient);
-[[nodiscard]] bool display_panel(Display& display);
+void shading_panel(Shading& shading, Transport& transport, glm::vec3& global_ambient);
+void display_panel(Display& display);
 
 /// `size` of the picture: switching to a frustum keeps the visible region.
-[[nodiscard]] bool camera_panel(Camera& camera, PictureSize size);
+void camera_panel(Camera& camera, PictureSize size);
 /// Notes the effective view angle or height when it differs in a picture narrower than 16:9 (fitted()).
 void note_fitted(const Camera& camera, PictureSize size);
 
@@ -57,8 +57,8 @@ struct ObjectRequests {
 
 /// Edits an object, whose JSON pointer is `pointer`: "/objects/0". A changed mesh source leaves Object::mesh
 /// null: the caller loads it or reverts the edit.
-[[nodiscard]] bool object_panel(Object& object, const std::string& pointer, Reflection reflection,
-                                ObjectRequests& requests);
+void object_panel(Object& object, const std::string& pointer, Reflection reflection,
+                  ObjectRequests& requests);
 
 /// The state of the scene's list: the lights that the picture shows, regardless of the scene's own switches
 /// (one alone, or all but some), and the item that is being renamed.

@@ -48,7 +48,7 @@ void typed_row(Icon icon, ImU32 colour, std::string& name, float indent, float r
     ImGui::SameLine(0, 0);
     if (!focus.is_typed) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - reserve, px(20)));
-    (void)bare_name("##name", name, max_name_characters, ImGuiInputTextFlags_AutoSelectAll);
+    bare_name("##name", name, max_name_characters, ImGuiInputTextFlags_AutoSelectAll);
     if (focus.is_typed && !ImGui::IsItemActive()) focus.renamed = -1;
     focus.is_typed = ImGui::IsItemActive();
     list_control("Name in the list", "", last_item());

@@ -27,7 +27,7 @@ double half_height(const Camera& camera) {
 }
 
 /// Six buttons, each for a view of the target from one side.
-bool look_from(Camera& camera) {
+void look_from(Camera& camera) {
     static constexpr struct {
         const char* label;
         CommandId command;
@@ -37,7 +37,6 @@ bool look_from(Camera& camera) {
         {"Above", CommandId::ViewTop, ViewFrom::Top},     {"Behind", CommandId::ViewBack, ViewFrom::Back},
         {"Left", CommandId::ViewLeft, ViewFrom::Left},    {"Below", CommandId::ViewBottom, ViewFrom::Bottom}};
     section_heading("Look from");
-    const Camera before = camera;
     const float gap = px(3), width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
     for (int i = 0; i < 6; ++i) {
         if (i % 3 != 0) ImGui::SameLine(0, gap);
@@ -45,7 +44,6 @@ bool look_from(Camera& camera) {
         tooltip(sides[i].label, "Views the target from this side, at the same distance", "",
                 keys_of(sides[i].command));
     }
-    return camera != before;
 }
 
 }  // namespace
@@ -85,15 +83,15 @@ namespace {
 
 /// The fields of the projection as drawn: a narrow picture shows more above and below than the written values
 /// say.
-bool projection_fields(Projection& written, PictureSize size) {
+void projection_fields(Projection& written, PictureSize size) {
     Projection drawn = fitted(written, size);
-    const bool is_fitted = !(drawn == written);
-    const bool edited =
-        std::visit([](auto& projection) { return field_rows(projection, "/camera/projection"); }, drawn);
-    if (!is_fitted) {
-        if (edited) written = drawn;
-        return edited;
+    const Projection before = drawn;
+    std::visit([](auto& projection) { field_rows(projection, "/camera/projection"); }, drawn);
+    if (before == written) {
+        written = drawn;
+        return;
     }
+    const bool edited = !(drawn == before);
     const double share = double(size.width) / size.height / composed_aspect;  // of the drawn height
     if (auto* p = std::get_if<Perspective>(&drawn)) {
         const double half = std::tan(p->fov_y_deg / 2 * degree) * share;
@@ -104,28 +102,23 @@ bool projection_fields(Projection& written, PictureSize size) {
         o->height = static_cast<float>(o->height * share);
     }
     if (edited) written = drawn;
-    return edited;
 }
 
 }  // namespace
 
-bool camera_panel(Camera& camera, PictureSize size) {
-    const Camera before = camera;
+void camera_panel(Camera& camera, PictureSize size) {
     FieldPanel panel(camera, "/camera");
     panel.draw({"eye", "target"});
-    bool edited = look_from(camera);
+    look_from(camera);
     section_heading("Projection");
     ProjectionKind kind = kind_of(camera.projection);
-    if (choice_field("Kind", kind, {"How the view volume is projected", "/camera/projection/type"})) {
+    if (choice_field("Kind", kind, {"How the view volume is projected", "/camera/projection/type"}))
         camera.projection = as_projection(camera, kind, size);
-        edited = true;
-    }
-    edited |= projection_fields(camera.projection, size);
+    projection_fields(camera.projection, size);
     if (fold("Advanced", camera.up != Camera{}.up, field_is_asked_below("/camera"))) panel.rest();
-    return (edited || panel.edited()) && keep_valid(camera, before);
 }
 
-bool shading_panel(Shading& shading, Transport& transport, glm::vec3& global_ambient) {
+void shading_panel(Shading& shading, Transport& transport, glm::vec3& global_ambient) {
     static const Shading usual;
     FieldPanel panel(shading, "/shading");
     panel.draw({"mode", "reflection"});
@@ -135,23 +128,21 @@ bool shading_panel(Shading& shading, Transport& transport, glm::vec3& global_amb
     if (bounces || field_is_asked_below("/transport")) paths.rest();
     panel.group("terms", shading.terms, field_rows<Terms>);
     const Help help{"Ambient light from everywhere that belongs to none of the lights", "/global_ambient"};
-    const bool edited = draw_asked(help.pointer, Typed::Number, [&] {
-        return colour_field("Global", global_ambient, Scene{}.global_ambient, help);
-    });
+    draw_asked(help.pointer, Typed::Number,
+               [&] { colour_field("Global", global_ambient, Scene{}.global_ambient, help); });
     const bool asked = field_is_asked_below("/shading");
     const bool is_usual = shading.cull == usual.cull && !shading.two_sided && shading.local_viewer &&
                           shading.rules == usual.rules && shading.flat_point == usual.flat_point &&
                           shading.power_table == usual.power_table &&
                           shading.interpolation == usual.interpolation;
     if (fold("Advanced", !is_usual, asked)) panel.rest();
-    return panel.edited() || paths.edited() || edited;
 }
 
-bool display_panel(Display& display) {
-    return FieldPanel(display, "/display").draw({"exposure", "transfer"}).rest().edited();
+void display_panel(Display& display) {
+    FieldPanel(display, "/display").draw({"exposure", "transfer"}).rest();
 }
 
-bool npr_panel(Npr& npr) {
+void npr_panel(Npr& npr) {
     FieldPanel panel(npr, "/npr");
     const bool asked = field_is_asked_below("/npr");
     if (fold("Cool to warm", npr.cool_to_warm, asked))
@@ -159,7 +150,6 @@ bool npr_panel(Npr& npr) {
     else
         panel.skip("cool_to_warm").skip("cool").skip("warm").skip("alpha").skip("beta");
     if (fold("Strokes", npr.silhouettes || npr.creases, asked)) panel.rest();
-    return panel.edited();
 }
 
 }  // namespace glint

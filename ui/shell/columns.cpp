@@ -26,28 +26,30 @@ void selected_panel(UiState& state, const PictureView& view) {
     const Selection& selection = state.editor.selection;
     const auto index = static_cast<std::size_t>(selection.index);
     const std::string number = std::to_string(selection.index);
+    const Camera camera = scene.camera;
     ObjectRequests requests;
     requests.gizmo = state.viewport.gizmo;
     switch (selection.kind) {
     case Selection::Kind::Camera:
-        state.editor.edits_camera |= camera_panel(scene.camera, view.map.size);
+        camera_panel(scene.camera, view.map.size);
         break;
     case Selection::Kind::Light:
-        (void)light_panel(scene.lights[index], "/lights/" + number, scene.camera, view.dome, view.map);
+        light_panel(scene.lights[index], "/lights/" + number, scene.camera, view.dome, view.map);
         break;
     case Selection::Kind::Object:
         requests.about_mesh = highlight_words(state.get<HighlightShareState>(), scene, index, view.map.size);
         requests.check = &state.get<MeshCheck>();
-        (void)object_panel(scene.objects[index], "/objects/" + number, scene.shading.reflection, requests);
+        object_panel(scene.objects[index], "/objects/" + number, scene.shading.reflection, requests);
         break;
     case Selection::Kind::Shading:
-        (void)shading_panel(scene.shading, scene.transport, scene.global_ambient);
-        (void)npr_panel(scene.npr);
+        shading_panel(scene.shading, scene.transport, scene.global_ambient);
+        npr_panel(scene.npr);
         break;
     case Selection::Kind::Display:
-        (void)display_panel(scene.display);
+        display_panel(scene.display);
         break;
     }
+    state.editor.edits_camera |= scene.camera != camera;
     state.viewport.gizmo = requests.gizmo;
     if (requests.browse_mesh) ask_mesh(state, selection.index);
 }

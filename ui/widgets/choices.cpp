@@ -127,66 +127,57 @@ bool swatch(const char* id, glm::vec3 colour, float side) {
 }
 
 /// Accepts the colour of a swatch that was dragged here from another field.
-bool take_dropped_colour(glm::vec3& value) {
-    if (!ImGui::BeginDragDropTarget()) return false;
+void take_dropped_colour(glm::vec3& value) {
+    if (!ImGui::BeginDragDropTarget()) return;
     const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(IMGUI_PAYLOAD_TYPE_COLOR_3F);
     if (payload != nullptr) std::copy_n(static_cast<const float*>(payload->Data), 3, &value.x);
     ImGui::EndDragDropTarget();
-    return payload != nullptr;
 }
 
-bool presets(glm::vec3& value, float width) {
+void presets(glm::vec3& value, float width) {
     const auto all = colour_presets();
     const float gap = px(4);
     const float side = (width - gap * float(presets_a_row - 1)) / float(presets_a_row);
-    bool chosen = false;
     for (std::size_t i = 0, column = 0; i < all.size(); ++i, ++column) {
         const bool lamps_begin = i > 0 && all[i].kelvin > 0 && all[i - 1].kelvin == 0;
         if (lamps_begin) column = 0;
         if (column % presets_a_row != 0) ImGui::SameLine(0, gap);
-        if (swatch(fmt::format("##preset{}", i).c_str(), all[i].linear, side)) {
-            value = all[i].linear;
-            chosen = true;
-        }
+        if (swatch(fmt::format("##preset{}", i).c_str(), all[i].linear, side)) value = all[i].linear;
         const glm::vec3 c = all[i].linear;
         const std::string kelvin =
             all[i].kelvin > 0 ? fmt::format("As a black body of {} K", all[i].kelvin) : "";
         tooltip(all[i].name, kelvin.c_str(), fmt::format("{:.3g}  {:.3g}  {:.3g}", c.x, c.y, c.z));
     }
-    return chosen;
 }
 
 /// The picker with the presets below it, next to the swatch that opened it.
-bool picker(const char* label, glm::vec3& value) {
-    if (!ImGui::BeginPopup("##colour")) return false;
+void picker(const char* label, glm::vec3& value) {
+    if (!ImGui::BeginPopup("##colour")) return;
     ImGui::PushFont(fonts().title);
     ImGui::TextUnformatted(label, ImGui::FindRenderedTextEnd(label));
     ImGui::PopFont();
     const float width = px(236);
     ImGui::SetNextItemWidth(width);
     ImGui::PushFont(fonts().figures);
-    bool changed = ImGui::ColorPicker3("##picker", &value.x,
-                                       as_numbers | ImGuiColorEditFlags_NoSidePreview |
-                                           ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_NoInputs);
+    ImGui::ColorPicker3("##picker", &value.x,
+                        as_numbers | ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
+                            ImGuiColorEditFlags_NoInputs);
     ImGui::PopFont();
     section_heading("Presets");
-    changed |= presets(value, width);
+    presets(value, width);
     ImGui::EndPopup();
-    return changed;
 }
 
 }  // namespace
 
-bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help) {
+void colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help) {
     ImGui::PushID(label);
     const float gap = px(3), side = ImGui::GetFrameHeight();
     const float width = (label_cell(label) - side - 3 * gap) / 3;
-    bool changed = false;
     for (int i = 0; i < 3; ++i) {
         constexpr std::array channels{"red", "green", "blue"};
-        changed |= bare_number(fmt::format("{}: {}", label, channels[static_cast<std::size_t>(i)]).c_str(),
-                               value[i], channel_field, initial[i],
-                               {help.what, help.pointer + "/" + std::to_string(i)}, width);
+        bare_number(fmt::format("{}: {}", label, channels[static_cast<std::size_t>(i)]).c_str(), value[i],
+                    channel_field, initial[i], {help.what, help.pointer + "/" + std::to_string(i)}, width);
         ImGui::SameLine(0, gap);
     }
     glm::vec3 picked = value;
@@ -196,12 +187,11 @@ bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const 
             "Linear red, green, blue; 1 is full, above 1 is allowed\nClick: picker and presets · Drag: onto "
             "another swatch",
             help.pointer);
-    changed |= take_dropped_colour(picked);
+    take_dropped_colour(picked);
     ImGui::SetNextWindowPos(beside, ImGuiCond_Appearing);
-    changed |= picker(label, picked);
+    picker(label, picked);
     if (picked != value) value = glm::clamp(picked, glm::vec3(0), glm::vec3(float(max_number)));
     ImGui::PopID();
-    return changed;
 }
 
 std::span<const ColourPreset> colour_presets() {

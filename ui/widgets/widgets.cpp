@@ -102,23 +102,21 @@ bool integer_field(const char* label, int& value, const Count& count, int initia
     return changed;
 }
 
-bool vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial,
+void vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial,
                   const Help& help) {
     ImGui::PushID(label);
     const float gap = px(3), width = (label_cell(label) - 2 * gap) / 3;
-    bool changed = false;
     for (int i = 0; i < 3; ++i) {
         ImGui::PushID(i);
         if (i > 0) ImGui::SameLine(0, gap);
         const std::string pointer =
             help.pointer.empty() ? std::string() : help.pointer + "/" + std::to_string(i);
-        changed |= number_input("##part", value[i], {kind, initial[i], pointer, width});
+        number_input("##part", value[i], {kind, initial[i], pointer, width});
         const char* const names[] = {"x", "y", "z"};
         number_tooltip(fmt::format("{} {}", label, names[i]).c_str(), kind, initial[i], {help.what, pointer});
         ImGui::PopID();
     }
     ImGui::PopID();
-    return changed;
 }
 
 bool switch_field(const char* label, bool& value, const Help& help) {
@@ -132,21 +130,19 @@ bool switch_field(const char* label, bool& value, const Help& help) {
     return changed;
 }
 
-bool bare_name(const char* id, std::string& name, std::size_t max_characters, int flags) {
-    const bool changed = text_field(id, "", name, flags);
-    if (changed) name = with_invalid_replaced(name);  // a scene file is UTF-8; pasted text may not be
-    if (changed && max_characters > 0) name = first_characters(name, max_characters);
-    return changed;
+void bare_name(const char* id, std::string& name, std::size_t max_characters, int flags) {
+    if (!text_field(id, "", name, flags)) return;
+    name = with_invalid_replaced(name);  // a scene file is UTF-8; pasted text may not be
+    if (max_characters > 0) name = first_characters(name, max_characters);
 }
 
-bool name_field(const char* label, std::string& name, std::size_t max_characters, const Help& help) {
+void name_field(const char* label, std::string& name, std::size_t max_characters, const Help& help) {
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(label_cell(label));
-    const bool changed = bare_name("##name", name, max_characters);
+    bare_name("##name", name, max_characters);
     const bool is_cut = ImGui::CalcTextSize(name.c_str()).x > ImGui::GetItemRectSize().x - px(12);
     tooltip(label, help.what, is_cut ? name : "", help.pointer);
     ImGui::PopID();
-    return changed;
 }
 
 void section_heading(const char* title) {

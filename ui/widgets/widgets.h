@@ -1,6 +1,6 @@
 #pragma once
 // The controls of every panel: a label and a field in a row, with a tooltip that explains it and shows unit,
-// range, default and key in the scene file. Each edits its value and returns whether it did.
+// range, default and key in the scene file. Each edits its value; some return whether they did.
 
 #include <imgui.h>
 
@@ -26,25 +26,21 @@ struct Help {
 
 /// Label and draggable number of that kind. Values always stay in its range, however they are entered. It can
 /// be dragged, typed after a click, and has a menu: ui/widgets/numbers/number_input.h.
-[[nodiscard]] bool number_field(const char* label, float& value, const Real& kind, float initial,
-                                const Help& help);
+bool number_field(const char* label, float& value, const Real& kind, float initial, const Help& help);
 /// The bare draggable number, `width` wide, for use within text; same behaviour and tooltip.
-[[nodiscard]] bool bare_number(const char* label, float& value, const Real& kind, float initial,
-                               const Help& help, float width);
+bool bare_number(const char* label, float& value, const Real& kind, float initial, const Help& help,
+                 float width);
 /// Integers in the range of `count`; the caller must reject values that are not allowed.
-[[nodiscard]] bool integer_field(const char* label, int& value, const Count& count, int initial,
-                                 const Help& help);
+bool integer_field(const char* label, int& value, const Count& count, int initial, const Help& help);
 /// Three numbers of that kind.
-[[nodiscard]] bool vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial,
-                                const Help& help);
+void vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial, const Help& help);
 /// Linear RGB, each >= 0, with a swatch that opens a picker and presets.
-[[nodiscard]] bool colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help);
-[[nodiscard]] bool switch_field(const char* label, bool& value, const Help& help);
-[[nodiscard]] bool name_field(const char* label, std::string& name, std::size_t max_characters,
-                              const Help& help);
+void colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help);
+bool switch_field(const char* label, bool& value, const Help& help);
+void name_field(const char* label, std::string& name, std::size_t max_characters, const Help& help);
 
 /// The bare text of a name, as wide as ImGui's next item; flags are ImGuiInputTextFlags.
-[[nodiscard]] bool bare_name(const char* id, std::string& name, std::size_t max_characters, int flags = 0);
+void bare_name(const char* id, std::string& name, std::size_t max_characters, int flags = 0);
 
 /// The chosen index; `chosen` if nothing changed. As a drop-down, alone or in a row, or as joined buttons.
 [[nodiscard]] int drop_down(const char* label, int chosen, std::span<const Choice> options, const Help& help);

@@ -132,8 +132,8 @@ void time_fields(AnimateState& animate) {
     if (number_field(turns ? "Per turn" : "Per cycle", wanted, length, 1.92f,
                      {"Length of one period; then it repeats", ""}))
         animation.frames = framed(wanted);
-    (void)integer_field("Frames", animation.frames, Count{1, max_frames}, 48,
-                        {"Frames of one period; then it repeats", ""});
+    integer_field("Frames", animation.frames, Count{1, max_frames}, 48,
+                  {"Frames of one period; then it repeats", ""});
     if (integer_field("Frames / s", animate.frames_a_second, Count{1, 50}, 25, {"Frames per second", ""}))
         animation.frames = framed(seconds);
 }
@@ -191,7 +191,7 @@ void animate_panel(UiState& state) {
             choose_circle(animate.animation, state.editor.scene());
         if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
         time_fields(animate);
-        (void)segment_field("File", animate.file, {"What Export animation writes", ""});
+        segment_field("File", animate.file, {"What Export animation writes", ""});
         if (!(animate.animation == before)) animate.refused.clear();
         if (!animate.refused.empty()) {
             ImGui::PushTextWrapPos();

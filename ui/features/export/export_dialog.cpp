@@ -68,8 +68,8 @@ void size_rows(UiState& state, ExportOptions& options) {
     }
     const Help help{"Size of the picture, in pixels; 800x600 sets both", ""};
     (void)take_refused_text();  // from another field
-    (void)integer_field("Width", options.size.width, Count{1, max_picture_side}, 1920, help);
-    (void)integer_field("Height", options.size.height, Count{1, max_picture_side}, 1080, help);
+    integer_field("Width", options.size.width, Count{1, max_picture_side}, 1920, help);
+    integer_field("Height", options.size.height, Count{1, max_picture_side}, 1080, help);
     if (const std::optional<PictureSize> both = size_in(take_refused_text())) {
         options.size = *both;
         unsay();

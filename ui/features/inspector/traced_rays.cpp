@@ -125,8 +125,7 @@ void traced_controls(UiState& state, const ExplainedPoint& point) {
     inspector.shows_path ^= small_chosen_button("Show a path", inspector.shows_path);
     tooltip("Show a path", "One of the random paths of bounced light, step by step");
     if (!inspector.shows_path) return;
-    (void)integer_field("Path", inspector.path_number, {1, bounces.paths}, 1,
-                        {"Which of the paths is shown", ""});
+    integer_field("Path", inspector.path_number, {1, bounces.paths}, 1, {"Which of the paths is shown", ""});
     inspector.path_number = std::clamp(inspector.path_number, 1, bounces.paths);
     path_rows(explained_scene(state), inspector.path);
 }

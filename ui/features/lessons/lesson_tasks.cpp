@@ -98,21 +98,17 @@ void poll_lesson(UiState& state) {
 
 namespace {
 
-/// Draws a field for the number, under the label of its panel. True when it was edited; then `value` has
-/// changed.
-bool field_of(const SceneNumber& number, const char* label, double& value) {
+/// Draws a field for the number, under the label of its panel. Returns its value.
+double field_of(const SceneNumber& number, const char* label) {
     const Help help{number.help, number.pointer};
     if (number.count) {
         int count = static_cast<int>(number.value);
-        const bool edited =
-            integer_field(label, count, *number.count, static_cast<int>(number.initial), help);
-        value = count;
-        return edited;
+        integer_field(label, count, *number.count, static_cast<int>(number.initial), help);
+        return count;
     }
     auto real = static_cast<float>(number.value);
-    const bool edited = number_field(label, real, number.kind, static_cast<float>(number.initial), help);
-    value = double(real);
-    return edited;
+    number_field(label, real, number.kind, static_cast<float>(number.initial), help);
+    return double(real);
 }
 
 /// The numbers that the task lets the user edit, if they are few.
@@ -127,8 +123,8 @@ void task_fields(UiState& state, const Task& task) {
         if (number.is_w || std::none_of(task.controls.begin(), task.controls.end(), holds_it)) continue;
         if (++shown > most_numbers) return;
         ImGui::PushID(number.pointer.c_str());
-        double value = 0;
-        if (field_of(number, named_number(number.pointer, scene).what.c_str(), value)) {
+        const double value = field_of(number, named_number(number.pointer, scene).what.c_str());
+        if (value != number.value) {
             end_motion(state);
             state.editor.edits_camera |= number.pointer.starts_with("/camera");
             if (const auto problem = set_number(scene, number.pointer, value))

@@ -121,7 +121,7 @@ void cosine_section(PlotsState& plots, const PlotSubject& subject) {
     const bool picked = subject.point.light != nullptr;
     if (picked) plots.beam_deg = static_cast<float>(local_directions(subject.point).light_deg);
     ImGui::BeginDisabled(picked);
-    (void)number_field(
+    number_field(
         "Light", plots.beam_deg,
         {.range = half_turn_deg, .unit = "degrees", .step = 0.25f, .format = "%.1f", .usual_max = 180}, 50,
         {"Between n and l: that of the picked point if one is picked", ""});

@@ -105,8 +105,8 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
     const LocalDirections local = local_directions(subject.point);
     const bool can_follow = subject.point.light != nullptr && local.light_deg < 89;
     ImGui::BeginDisabled(!can_follow);
-    (void)switch_field("At the pick", plots.follow_pick,
-                       {"The light's and the viewer's angle at the picked point", ""});
+    switch_field("At the pick", plots.follow_pick,
+                 {"The light's and the viewer's angle at the picked point", ""});
     ImGui::EndDisabled();
     const auto angle = [](const char* label, double& deg, float initial, const char* what) {
         auto value = static_cast<float>(deg);

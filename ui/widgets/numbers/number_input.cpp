@@ -98,20 +98,19 @@ std::string why_refused(const Typing& typing, const std::string& text, const Cal
 }
 
 /// Ends typing. Rejected text restores the previous value.
-bool end_typing(float& value, const Range& range) {
+void end_typing(float& value, const Range& range) {
     const Typing typing = hand().typing;
     hand() = {};
     const std::string text = typing.text.data();
-    if (text == typing.began_with) return assign(value, double(typing.before), range);
+    if (text == typing.began_with) return (void)assign(value, double(typing.before), range);
     const Calculated found = calculated(text, double(typing.before));
     if (const std::string why = why_refused(typing, text, found); !why.empty()) {
         if (!found.problem.empty()) numbers().refused_text = text;
         say_refused(fmt::format("{}. The field keeps {}", why, exact_text(typing.before)));
-        return assign(value, double(typing.before), range);
-    }
-    if (!range.contains(found.value) && value != static_cast<float>(found.value))
+        assign(value, double(typing.before), range);
+    } else if (!range.contains(found.value) && value != static_cast<float>(found.value)) {
         say_out_of_range(found.value, range, value);
-    return false;
+    }
 }
 
 /// The frame of the text being typed; it covers neighbours if the text is wider than the number's field.
@@ -124,7 +123,7 @@ ImRect frame_for_typing(const ImRect& frame) {
     return {{std::min(left, frame.Min.x), frame.Min.y}, {std::max(left + width, frame.Max.x), frame.Max.y}};
 }
 
-bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value, const Range& range) {
+void type_text(ImGuiID id, const ImRect& frame, const char* label, float& value, const Range& range) {
     hand().frame = ImGui::GetFrameCount();
     bool edited = false;
     const PasteInOneLine pasted;
@@ -134,10 +133,9 @@ bool type_text(ImGuiID id, const ImRect& frame, const char* label, float& value,
                              ImGuiInputTextFlags_AutoSelectAll))
         edited = take_typed(value, range);
     if (wrong) ImGui::PopStyleColor();
-    if (GImGui->ActiveId == id) return edited;
+    if (GImGui->ActiveId == id) return;
     if (!edited) return end_typing(value, range);
     redraw_within(0);  // the next frame shows whether the scene accepts it
-    return true;
 }
 
 // Dragging.
@@ -162,40 +160,38 @@ double rounded(double value, const Real& kind) {
     return value == 0 || *kind.format != '%' ? value : double(std::strtof(text, nullptr));
 }
 
-bool drag(float& value, const NumberInput& input) {
+void drag(float& value, const NumberInput& input) {
     const ImGuiIO& io = ImGui::GetIO();
     Scrub& scrub = hand().scrub;
-    if (!scrub.moved && std::abs(io.MousePos.x - scrub.pressed_x) <= px(press_becomes_drag)) return false;
+    if (!scrub.moved && std::abs(io.MousePos.x - scrub.pressed_x) <= px(press_becomes_drag)) return;
     scrub.moved = true;
     const Range& range = input.kind.range;
     const float moved = io.MousePos.x - std::exchange(scrub.last_x, io.MousePos.x);
     const float pixels = moved * (io.KeyShift ? 0.1f : 1.0f);
-    if (pixels == 0) return false;
+    if (pixels == 0) return;
     scrub.at = std::clamp(scrubbed(scrub.at, pixels, input), double(lowest(range)), double(highest(range)));
     double wanted = rounded(scrub.at, input.kind);
     if (io.KeyCtrl) {
         const double step = drag_step(input.kind, scrub.at);
         wanted = std::round(scrub.at / step) * step;
     }
-    return assign(value, wanted, {range.low, range.high, range.words, range.low_open, range.high_open});
+    assign(value, wanted, {range.low, range.high, range.words, range.low_open, range.high_open});
 }
 
 /// Handles a drag while the button is down, and when it is released.
-bool hold(ImGuiID id, float& value, const NumberInput& input, bool hovered) {
+void hold(ImGuiID id, float& value, const NumberInput& input, bool hovered) {
     hand().frame = ImGui::GetFrameCount();
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
-        const bool edited = assign(value, double(hand().scrub.before), input.kind.range);
+        assign(value, double(hand().scrub.before), input.kind.range);
         hand() = {};
-        ImGui::ClearActiveID();
-        return edited;
+        return ImGui::ClearActiveID();
     }
-    const bool edited = drag(value, input);
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return edited;
+    drag(value, input);
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     const bool clicked = !hand().scrub.moved && hovered;
     hand() = {};
     ImGui::ClearActiveID();
     if (clicked) begin_typing(id, value);
-    return edited;
 }
 
 void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput& input, bool hovered) {
@@ -218,6 +214,59 @@ void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput
     const std::string text = fitting_text(value, input.kind, frame.GetWidth() - px(2));
     ImGui::RenderTextClipped(frame.Min, frame.Max, text.c_str(), nullptr, nullptr, {0.5f, 0.5f});
     ImGui::PopStyleColor();
+}
+
+constexpr const char* number_menu_id = "##number menu";
+
+bool item(const char* name, const std::string& about, bool possible = true) {
+    const bool chosen = ImGui::MenuItem(name, about.c_str(), false, possible);
+    list_control(name, "", last_item());
+    return chosen;
+}
+
+void copy(const std::string& text) {
+    ImGui::SetClipboardText(text.c_str());
+    say(fmt::format("{} is on the clipboard", text));
+}
+
+void paste(float& value, const Range& range) {
+    const char* text = ImGui::GetClipboardText();
+    if (text == nullptr) return;  // the window has reported why
+    const Calculated found = calculated(text, double(value));
+    if (!found.problem.empty())
+        return say_refused("The clipboard has no number: " + on_one_line(found.problem));
+    assign(value, found.value, range);
+    if (!range.contains(found.value)) say_out_of_range(found.value, range, value);
+}
+
+/// The menu of a number, while it is open: Copy, Paste, Reset, Copy pointer. True if it changed the value.
+bool number_menu(float& value, const NumberInput& input) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(6)});
+    const bool open = ImGui::BeginPopup(number_menu_id);
+    ImGui::PopStyleVar();
+    if (!open) return false;
+    ImGui::PushFont(fonts().body);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // regardless of the number's own colour
+    const float before = value;
+    if (item("Copy", exact_text(value))) copy(exact_text(value));
+    if (item("Paste", "")) paste(value, input.kind.range);
+    const bool has_default = !std::isnan(input.initial);
+    if (has_default && item("Reset to default", exact_text(input.initial), value != input.initial))
+        value = input.initial;
+    if (value == input.initial && value == before) tooltip("Reset to default", "It is already the default");
+    if (!input.pointer.empty()) {
+        ImGui::Separator();
+        const bool advanced = ImGui::BeginMenu("Advanced");
+        list_control("Advanced", "", last_item());
+        if (advanced) {
+            if (item("Copy pointer", input.pointer)) copy(input.pointer);
+            ImGui::EndMenu();
+        }
+    }
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ImGui::EndPopup();
+    return value != before;
 }
 
 /// Whether type_into() requested it; resets the request.
@@ -265,21 +314,23 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
         return false;
     }
     const bool hovered = ImGui::ItemHoverable(frame, id);
-    bool edited = false;
+    const float before = value;
     if (is_held(id) && GImGui->ActiveId != id) {  // something else was clicked or focused
-        if (hand().types) edited = end_typing(value, input.kind.range);
+        if (hand().types) end_typing(value, input.kind.range);
         hand() = {};
     }
     if (!is_held(id)) take_in_hand(id, value, input, hovered);
-    if (is_held(id) && !hand().types) edited |= hold(id, value, input, hovered);
+    if (is_held(id) && !hand().types) hold(id, value, input, hovered);
     if (is_held(id) && hand().types)
-        edited |= type_text(id, frame_for_typing(frame), label, value, input.kind.range);
+        type_text(id, frame_for_typing(frame), label, value, input.kind.range);
     else
         draw_number(id, frame, value, input, hovered);
     if ((hovered || is_held(id)) && !hand().types) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     ImGui::PopFont();
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup(number_menu_id);
-    return number_menu(value, input) || edited;
+    if (number_menu(value, input))  // the edited number for this frame: refuse_edit() may report it
+        hand() = {id, ImGui::GetFrameCount(), false, {}, {}};
+    return value != before;
 }
 
 void say_out_of_range(double wanted, const Range& range, float taken) {
@@ -288,10 +339,10 @@ void say_out_of_range(double wanted, const Range& range, float taken) {
 }
 
 void refuse_edit(const std::string& why) {
-    if (hand().id == 0)
-        say_refused("Not possible: " + why);
-    else if (hand().types)
+    if (hand().types)
         hand().typing.refused = why;
+    else if (hand().id == 0 || GImGui->ActiveId != hand().id)
+        say_refused("Not possible: " + why);
 }
 
 void type_into(const std::string& pointer) { numbers().awaited = {pointer, ImGui::GetFrameCount()}; }
@@ -304,7 +355,7 @@ void let_go_of_fields() {
     if (!GImGui->OpenPopupStack.empty()) ImGui::ClosePopupToLevel(0, true);
 }
 
-bool number_in_hand() { return hand().id != 0 && GImGui->ActiveId == hand().id; }
+bool number_in_hand() { return hand().id != 0 && is_held(hand().id); }
 
 void say(const std::string& line) { numbers().said.push_back({line}); }
 void say_refused(const std::string& line) { numbers().said.push_back({line, true}); }
@@ -375,68 +426,5 @@ std::string fitting_text(float value, const Real& kind, float width) {
 }
 
 std::string exact_text(float value) { return fmt::format("{}", value); }
-
-// The context menu of a number.
-
-namespace {
-
-bool item(const char* name, const std::string& about, bool possible = true) {
-    const bool chosen = ImGui::MenuItem(name, about.c_str(), false, possible);
-    list_control(name, "", last_item());
-    return chosen;
-}
-
-void copy(const std::string& text) {
-    ImGui::SetClipboardText(text.c_str());
-    say(fmt::format("{} is on the clipboard", text));
-}
-
-/// True if the clipboard contained another number. If reading it failed, the window has reported that.
-bool paste(float& value, const Range& range) {
-    const char* text = ImGui::GetClipboardText();
-    if (text == nullptr) return false;
-    const Calculated found = calculated(text, double(value));
-    if (!found.problem.empty()) {
-        say_refused("The clipboard has no number: " + on_one_line(found.problem));
-        return false;
-    }
-    const bool edited = assign(value, found.value, range);
-    if (!range.contains(found.value)) say_out_of_range(found.value, range, value);
-    return edited;
-}
-
-}  // namespace
-
-bool number_menu(float& value, const NumberInput& input) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(6)});
-    const bool open = ImGui::BeginPopup(number_menu_id);
-    ImGui::PopStyleVar();
-    if (!open) return false;
-    ImGui::PushFont(fonts().body);
-    ImGui::PushStyleColor(ImGuiCol_Text, theme().text);  // regardless of the number's own colour
-    const float before = value;
-    bool edited = false;
-    if (item("Copy", exact_text(value))) copy(exact_text(value));
-    if (item("Paste", "")) edited = paste(value, input.kind.range);
-    const bool has_default = !std::isnan(input.initial);
-    if (has_default && item("Reset to default", exact_text(input.initial), value != input.initial)) {
-        value = input.initial;
-        edited = true;
-    }
-    if (value == input.initial && !edited) tooltip("Reset to default", "It is already the default");
-    if (!input.pointer.empty()) {
-        ImGui::Separator();
-        const bool advanced = ImGui::BeginMenu("Advanced");
-        list_control("Advanced", "", last_item());
-        if (advanced) {
-            if (item("Copy pointer", input.pointer)) copy(input.pointer);
-            ImGui::EndMenu();
-        }
-    }
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
-    ImGui::EndPopup();
-    return edited && value != before;
-}
 
 }  // namespace glint

@@ -55,7 +55,7 @@ struct NumberInput {
 /// press without a drag, or Tab from the previous field, starts typing. The text is read by calculated() and
 /// takes effect at once. Escape restores the previous value, and so does a text that is not a number, which
 /// is reported (take_said()). The right button opens a menu.
-[[nodiscard]] bool number_input(const char* id, float& value, const NumberInput& input);
+bool number_input(const char* id, float& value, const NumberInput& input);
 
 /// Records that the scene rejects this frame's edit, and why. The caller has restored the value. Typing then
 /// ends with the previous value and reports it; a drag stays at the last valid number; a value that was
@@ -71,7 +71,8 @@ void type_into(const std::string& pointer);
 /// when another scene replaces this one: pending input was about the previous scene. A dialog stays open.
 void let_go_of_fields();
 
-/// Whether a number is being typed or dragged: Escape then affects only that number.
+/// Whether a number is being typed or dragged, or was edited last in this frame: Escape then affects only
+/// that number.
 [[nodiscard]] bool number_in_hand();
 
 /// A message from a control, for a notification.
@@ -87,9 +88,5 @@ void unsay();
 [[nodiscard]] std::vector<Said> take_said();
 /// Returns, once, the last text that was not a number: the code that draws the field may understand it.
 [[nodiscard]] std::string take_refused_text();
-
-/// The menu of a number, while it is open: Copy, Paste, Reset, Copy pointer. True if it set the value.
-[[nodiscard]] bool number_menu(float& value, const NumberInput& input);
-inline constexpr const char* number_menu_id = "##number menu";
 
 }  // namespace glint

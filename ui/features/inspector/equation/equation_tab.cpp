@@ -21,7 +21,6 @@
 #include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
-#include "ui/fields/field_panel.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/ui.h"
@@ -131,7 +130,7 @@ void unlit(UiState& state, const Explanation& explanation, const ExplainedPoint&
     if (point.cool_to_warm.used) return tone_line(point.cool_to_warm, channel, &mark);
     for (const EquationLine& line : unlit_lines(explained_scene(state), explanation, point)) {
         ImGui::PushID(static_cast<int>(line.term));
-        (void)draw_line(line, {explained_scene(state), editable_scene(state), &mark}, channel);
+        draw_line(line, {explained_scene(state), editable_scene(state), &mark}, channel);
         ImGui::PopID();
     }
 }

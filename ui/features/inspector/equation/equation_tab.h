@@ -37,9 +37,8 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
                                         std::size_t which);
 
 /// Draws letter = factor × factor … = result, in one channel (0 red, 1 green, 2 blue), with as many digits as
-/// the result needs. Numbers of the scene can be dragged, the others can be copied. True when a number was
-/// edited.
-bool draw_line(const EquationLine& line, const HandledScene& scene, int channel);
+/// the result needs. Numbers of the scene can be dragged, the others can be copied.
+void draw_line(const EquationLine& line, const HandledScene& scene, int channel);
 
 enum class CopyAs { Text, Json, Latex };
 struct CopyFormat {

@@ -16,7 +16,6 @@
 #include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
-#include "ui/fields/field_panel.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/ui.h"
@@ -115,7 +114,7 @@ Ray ray_to(const Light& light, const ExplainedLight& explained) {
 }
 
 /// "dist" and the number that moves the light towards or away from the point, without changing l.
-bool distance_handle(TextLine& line, const HandledScene& scene, const ExplainedLight& explained,
+void distance_handle(TextLine& line, const HandledScene& scene, const ExplainedLight& explained,
                      int decimals) {
     const auto index = static_cast<std::size_t>(explained.index);
     const Light& light = scene.shown.lights[index];
@@ -136,14 +135,14 @@ bool distance_handle(TextLine& line, const HandledScene& scene, const ExplainedL
     Ray& kept = widget_state<Ray>();
     const bool goes_on = number_in_hand() && kept.light == explained.index && light.position == kept.written;
     const Ray ray = goes_on ? kept : ray_to(light, explained);
-    if (!line.symbol(Quantity::Distance).gap(2).handle(handle, theme().text)) return false;
+    line.symbol(Quantity::Distance).gap(2).handle(handle, theme().text);
+    if (distance == explained.distance) return;
     scene.edited->lights[index].position = glm::vec4(ray.lit + double(distance) * ray.way, 1);
     kept = {explained.index, ray.lit, ray.way, light.position};
-    return true;
 }
 
 /// The numbers of "falloff = 1 / (constant + linear dist + quadratic dist²), dist".
-bool falloff_line(const HandledScene& scene, const ExplainedLight& explained) {
+void falloff_line(const HandledScene& scene, const ExplainedLight& explained) {
     const Falloff& f = scene.shown.lights[static_cast<std::size_t>(explained.index)].falloff;
     const std::array<double, 4> values{f.constant, f.linear, f.quadratic, explained.distance};
     constexpr std::array least{2, 2, 2, 2};
@@ -153,9 +152,8 @@ bool falloff_line(const HandledScene& scene, const ExplainedLight& explained) {
         [](std::span<const double> v) { return 1 / (v[0] + v[1] * v[3] + v[2] * v[3] * v[3]); },
         0.45 * last_digit);
     TextLine line(14, scene.mark);
-    bool edited = false;
     const auto number = [&](const char* key, int places) {
-        edited |= line.handle(light_number(scene, explained.index, key, places), theme().text);
+        line.handle(light_number(scene, explained.index, key, places), theme().text);
     };
     line.gap(14).together([&] {
         line.symbol(Quantity::Falloff).plain(" = 1/(");
@@ -171,12 +169,11 @@ bool falloff_line(const HandledScene& scene, const ExplainedLight& explained) {
         number("falloff/quadratic", decimals[2]);
         line.symbol(Quantity::Distance).plain("²),  ");
     });
-    line.together([&] { edited |= distance_handle(line, scene, explained, decimals[3]); });
-    return edited;
+    line.together([&] { distance_handle(line, scene, explained, decimals[3]); });
 }
 
 /// The numbers of "spot = (cos angle)^exponent within cutoff".
-bool cone_line(const HandledScene& scene, const ExplainedLight& explained) {
+void cone_line(const HandledScene& scene, const ExplainedLight& explained) {
     const SpotCone& cone = scene.shown.lights[static_cast<std::size_t>(explained.index)].spot;
     const std::array<double, 2> values{explained.spot_angle_deg, cone.exponent};
     constexpr std::array least{1, 0};
@@ -186,32 +183,28 @@ bool cone_line(const HandledScene& scene, const ExplainedLight& explained) {
         [](std::span<const double> v) { return std::pow(std::cos(v[0] * std::numbers::pi / 180), v[1]); },
         explained.spot > 0 ? 0.45 * last_digit : 1);
     TextLine line(14, scene.mark);
-    bool edited = false;
     line.gap(14).together([&] {
         line.symbol(Quantity::Spot).plain(" = (cos ");
         line.number(decimal_text(values[0], decimals[0]) + "°", theme().text).plain(")");
-        edited |=
-            line.exponent(light_number(scene, explained.index, "spot/exponent", decimals[1]), theme().text);
+        line.exponent(light_number(scene, explained.index, "spot/exponent", decimals[1]), theme().text);
     });
     NumberHandle cutoff = light_number(scene, explained.index, "spot/cutoff_deg", 1);
     cutoff.number.kind.format = "%.1f°";
     line.together([&] {
         line.plain(" within");
-        edited |= line.handle(cutoff, theme().text);
+        line.handle(cutoff, theme().text);
         if (explained.spot == 0) line.plain(", else 0");
     });
-    return edited;
 }
 
 /// The factor f, and the parts of falloff and spot.
-bool share_lines(const HandledScene& scene, const LightOfEquation& in) {
+void share_lines(const HandledScene& scene, const LightOfEquation& in) {
     const Light& light = scene.shown.lights[static_cast<std::size_t>(in.light.index)];
     const bool has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
     const bool falls_off = light.kind == LightKind::Point || light.kind == LightKind::Spot;
-    bool edited = draw_line(share_line(in), scene, 0);
-    if (falls_off) edited |= falloff_line(scene, in.light);
-    if (has_cone) edited |= cone_line(scene, in.light);
-    return edited;
+    draw_line(share_line(in), scene, 0);
+    if (falls_off) falloff_line(scene, in.light);
+    if (has_cone) cone_line(scene, in.light);
 }
 
 /// The samples of an area light, below a foldable row.
@@ -271,10 +264,10 @@ const char* name_of_term(Symbol term) {
 }
 
 /// A term's line; while hovered, the picture shows this term of this light alone.
-bool light_term(UiState& state, const HandledScene& scene, const EquationLine& term, int light) {
+void light_term(UiState& state, const HandledScene& scene, const EquationLine& term, int light) {
     ImGui::PushID(static_cast<int>(term.term));
     ImGui::BeginGroup();
-    const bool edited = draw_line(term, scene, state.get<InspectorState>().channel);
+    draw_line(term, scene, state.get<InspectorState>().channel);
     ImGui::EndGroup();
     ImGui::PopID();
     const auto [low, high] = last_item();
@@ -287,7 +280,6 @@ bool light_term(UiState& state, const HandledScene& scene, const EquationLine& t
                      fmt::format("{} of {} alone", name_of_term(symbol),
                                  scene.shown.lights[static_cast<std::size_t>(light)].name));
     }
-    return edited;
 }
 
 }  // namespace
@@ -296,34 +288,30 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
                 std::size_t which, glm::vec3 added) {
     const ExplainedLight& explained = point.lights[which];
     const Scene& scene = explained_scene(state);
-    Scene* const edited_scene = editable_scene(state);
     const auto index = static_cast<std::size_t>(explained.index);
     if (index >= scene.lights.size()) return;
-    const Light before = scene.lights[index];
+    const Light& light = scene.lights[index];
     const auto& marked = state.get<InspectorState>().marked;
     const bool is_marked = marked && marked->light == explained.index;
     QuantityMark mark{is_marked ? std::optional(marked->quantity) : std::nullopt,
                       is_marked && ImGui::GetTime() < marked->scrolls_until};
-    const HandledScene handled{scene, edited_scene, &mark};
-    bool edited = false;
+    const HandledScene handled{scene, editable_scene(state), &mark};
     ImGui::PushID(explained.index);
     ImGui::BeginGroup();
     if (name_row(state, explanation, explained.index, added))
-        show_instead(state, with_light_alone(scene, explained.index), before.name + " alone");
+        show_instead(state, with_light_alone(scene, explained.index), light.name + " alone");
     const LightOfEquation in{scene, explanation, explained};
-    const bool is_area = before.kind == LightKind::Area;
+    const bool is_area = light.kind == LightKind::Area;
     if (!is_area) angles(state, explanation, point, explained, &mark);  // each sample has its own angles
-    edited |= share_lines(handled, in);
-    for (const EquationLine& term : light_lines(in))
-        edited |= light_term(state, handled, term, explained.index);
-    if (is_area) sample_rows(explained, before, state.get<InspectorState>().channel, &mark);
-    if (const std::string reason = dark_reason(explained, before); !reason.empty()) warning_text(reason);
+    share_lines(handled, in);
+    for (const EquationLine& term : light_lines(in)) light_term(state, handled, term, explained.index);
+    if (is_area) sample_rows(explained, light, state.get<InspectorState>().channel, &mark);
+    if (const std::string reason = dark_reason(explained, light); !reason.empty()) warning_text(reason);
     if (const std::string words = blocked_words(state, explanation, which); !words.empty())
         wrapped_dim(words);
     ImGui::EndGroup();
     if (is_pointed_at(last_item())) state.get<InspectorState>().pointed_light = explained.index;
     ImGui::PopID();
-    if (edited) keep_valid(edited_scene->lights[index], before);
 }
 
 }  // namespace glint

@@ -183,12 +183,12 @@ TextLine& TextLine::gap(float width) {
     return *this;
 }
 
-bool TextLine::edit(const NumberHandle& handle, const ImVec4& colour, float down) {
+TextLine& TextLine::edit(const NumberHandle& handle, const ImVec4& colour, float down) {
     const float width = handle_width(handle);
     const SceneNumber& n = handle.number;
     if (measures_) {
         x_ += width;
-        return false;
+        return *this;
     }
     place(width);
     ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() + ImVec2(0, down));
@@ -196,18 +196,20 @@ bool TextLine::edit(const NumberHandle& handle, const ImVec4& colour, float down
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(padding_x), px(padding_y)});
     auto value = static_cast<float>(n.value);
-    const bool changed = bare_number(handle.name.c_str(), value, n.kind, static_cast<float>(n.initial),
-                                     {n.help, n.pointer}, width) &&
-                         n.place != nullptr;
-    if (changed) *n.place = value;
+    if (bare_number(handle.name.c_str(), value, n.kind, static_cast<float>(n.initial), {n.help, n.pointer},
+                    width) &&
+        n.place != nullptr)
+        *n.place = value;
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
     if (!is_read_only()) dotted_line(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), to_u32(colour, 0.8f));
-    return changed;
+    return *this;
 }
 
-bool TextLine::handle(const NumberHandle& handle, const ImVec4& colour) { return edit(handle, colour, 0); }
-bool TextLine::exponent(const NumberHandle& handle, const ImVec4& colour) {
+TextLine& TextLine::handle(const NumberHandle& handle, const ImVec4& colour) {
+    return edit(handle, colour, 0);
+}
+TextLine& TextLine::exponent(const NumberHandle& handle, const ImVec4& colour) {
     return edit(handle, colour, -px(4));
 }
 
@@ -364,7 +366,6 @@ class LinePieces {
         line_.plain(" by " + (word == std::string::npos ? named.what : named.what.substr(word + 1)));
         handle(pointer, 2, theme().text);
     }
-    [[nodiscard]] bool edited() const { return edited_; }
 
   private:
     void power(const EquationPower& p, int decimals) {
@@ -376,23 +377,22 @@ class LinePieces {
         }
         NumberHandle number = number_handle(scene_, p.pointer);
         number.number.kind.format = decimal_format(p.exponent, decimals);
-        edited_ |= line_.exponent(number, colour);
+        line_.exponent(number, colour);
     }
     void handle(const std::string& pointer, int decimals, const ImVec4& colour) {
         NumberHandle number = number_handle(scene_, pointer);
         number.number.kind.format = decimal_format(number.number.value, decimals);
-        edited_ |= line_.handle(number, colour);
+        line_.handle(number, colour);
     }
 
     TextLine& line_;
     const HandledScene& scene_;
     int channel_;
-    bool edited_ = false;
 };
 
 }  // namespace
 
-bool draw_line(const EquationLine& term, const HandledScene& scene, int channel) {
+void draw_line(const EquationLine& term, const HandledScene& scene, int channel) {
     const LineDecimals decimals = written_decimals(term, channel, shown);
     const std::string result = shown(term.result[channel]);
     TextLine line(28, scene.mark);
@@ -415,7 +415,6 @@ bool draw_line(const EquationLine& term, const HandledScene& scene, int channel)
     for (const std::string& pointer : term.made_by) line.together([&] { pieces.made_by(pointer); });
     line.result(trimmed(result),
                 term.result[channel] == 0 ? theme().disabled_text : theme()[colour_of(term.term)]);
-    return pieces.edited();
 }
 
 }  // namespace glint

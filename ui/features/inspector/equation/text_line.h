@@ -60,10 +60,10 @@ class TextLine {
     /// it.
     TextLine& symbol(Quantity quantity);
     TextLine& times();
-    /// A draggable number, with a dotted underline. True when it was edited.
-    bool handle(const NumberHandle& number, const ImVec4& colour);
+    /// A draggable number, with a dotted underline.
+    TextLine& handle(const NumberHandle& number, const ImVec4& colour);
     /// A handle, or a plain number, raised like an exponent.
-    bool exponent(const NumberHandle& number, const ImVec4& colour);
+    TextLine& exponent(const NumberHandle& number, const ImVec4& colour);
     TextLine& raised(const std::string& text, const ImVec4& colour);
     /// Sets the text of "Copy line" in the menus of the following numbers.
     TextLine& copied_as(std::string line);
@@ -71,7 +71,7 @@ class TextLine {
     void result(const std::string& text, const ImVec4& colour);
     TextLine& gap(float width);
     /// Keeps the output of draw(), such as a value with its name, on one line if it fits. draw() is called
-    /// twice, first only to measure; handles then return false.
+    /// twice, first only to measure.
     template <class Draw> TextLine& together(const Draw& draw) {
         const float x = x_;
         measures_ = true;
@@ -91,7 +91,7 @@ class TextLine {
     /// Continues on a new line if the next `width` does not fit on this one.
     void keep_together(float width);
     TextLine& piece(const std::string& text, const ImVec4& colour, ImFont* font, float down);
-    bool edit(const NumberHandle& number, const ImVec4& colour, float down);
+    TextLine& edit(const NumberHandle& number, const ImVec4& colour, float down);
 
     void menu_of(const std::string& number);
     void letters(Quantity quantity);

@@ -122,10 +122,9 @@ void mirror_section(InspectorState& state, const ExplainedPoint& point, const Ex
                                     Choice{"", "2q", "Twice as far"}, Choice{"", "r", "r = 2q − l"}};
     state.mirror_step = segments("##step", state.mirror_step, options, {"", ""});
     if (state.mirror_step == 0) return;
-    (void)number_field(
-        "|n|", state.normal_length,
-        {.range = {0.25, 2, "0.25 to 2"}, .step = 0.005f, .format = "%.2f", .usual_max = 2}, 1,
-        {"Length of the normal here; a normal should have unit length. Not part of the scene", ""});
+    number_field("|n|", state.normal_length,
+                 {.range = {0.25, 2, "0.25 to 2"}, .step = 0.005f, .format = "%.2f", .usual_max = 2}, 1,
+                 {"Length of the normal here; a normal should have unit length. Not part of the scene", ""});
     const bool world = state.world_frame;
     const glm::vec3 n = state.normal_length * (world ? point.normal.world : point.normal.camera);
     const glm::vec3 l = world ? light.l.world : light.l.camera;
