@@ -15,6 +15,7 @@
 namespace glint {
 
 using Json = nlohmann::ordered_json;
+struct ItemPlaces;
 struct KeyPress;
 struct Layout;
 struct Opening;
@@ -100,6 +101,7 @@ struct Feature {
     // Interaction with others.
     std::string (*why_held)(const UiState&) = nullptr;  // why the scene cannot be changed or picked, or empty
     bool (*is_presented)(const UiState&) = nullptr;     // to an audience: nothing pops up by itself
+    void (*follow)(UiState&, const ItemPlaces&) = nullptr;  // lights or objects were added or deleted
     void (*leave_document)(UiState&, const SceneDocument& next) = nullptr;
     void (*put_away)(UiState&) = nullptr;  // ends everything shown in place of the picture or over it
 };

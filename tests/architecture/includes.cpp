@@ -12,7 +12,7 @@ using std::string_view;
 
 /// The layers, from the bottom up; a file may include its own layer and those below. A layer is a file, a
 /// folder with all its contents, or, with a star, the files directly in a folder. The longest match counts.
-constexpr std::array<string_view, 34> layers{
+constexpr std::array<string_view, 35> layers{
     "models/*",
     "models/io/",
     "models/json/",
@@ -46,6 +46,7 @@ constexpr std::array<string_view, 34> layers{
     "lessons/",
     "ui/widgets/",
     "ui/",
+    "ui/features/",
     "app/",
 };
 

@@ -15,10 +15,7 @@
 #include "models/fields/choices.h"
 #include "models/json/json.h"
 #include "models/utf8.h"
-#include "ui/features/export/animation.h"
-#include "ui/features/inspector/inspector.h"
-#include "ui/features/views/debug_view_controls.h"
-#include "ui/features/views/term_grid.h"
+#include "ui/feature.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/picture/screen.h"
 #include "ui/ui.h"
@@ -163,67 +160,34 @@ void remove(Scene& scene, Selection& selection) {
     selection = valid_selection(selection, scene);
 }
 
-namespace {
-
-/// The pointer with the item's new index, if it refers into that list; empty if the item was deleted.
-template <class Item>
-std::string followed(const std::string& pointer, std::string_view list, const std::vector<Item>& before,
-                     const std::vector<Item>& after) {
-    const std::optional<ListItem> item = item_in(pointer, list);
-    if (!item || item->place >= static_cast<int>(before.size())) return pointer;
-    const int place = place_in(before, after, item->place);
-    return place < 0 ? "" : fmt::format("{}{}{}", list, place, item->rest);
+bool ItemPlaces::follow_light(int& light) const {
+    if (light < 0 || light >= static_cast<int>(before.lights.size())) return true;
+    const int place = place_in(before.lights, after.lights, light);
+    if (place >= 0) light = place;
+    return place >= 0;
 }
 
-template <class Item>
-void follow_number(UiState& state, std::string_view list, const std::vector<Item>& before,
-                   const std::vector<Item>& after) {
-    const std::string& pointer = state.get<AnimateState>().animation.pointer;
-    const std::string place = followed(pointer, list, before, after);
-    if (place.empty() && !pointer.empty())
-        forget_number(state);
-    else
-        state.get<AnimateState>().animation.pointer = place;
-}
-
-void follow_lights(UiState& state, const std::vector<Light>& before) {
-    const std::vector<Light>& after = state.editor.scene().lights;
-    const auto is_one = [&before](int light) {
-        return light >= 0 && light < static_cast<int>(before.size());
-    };
-    const auto follow = [&](int& light) {
-        if (!is_one(light)) return true;
-        const int place = place_in(before, after, light);
-        if (place >= 0) light = place;
+bool ItemPlaces::follow(std::string& pointer) const {
+    const auto follow_in = [&pointer](std::string_view list, const auto& items, const auto& now) {
+        const std::optional<ListItem> item = item_in(pointer, list);
+        if (!item || item->place >= static_cast<int>(items.size())) return true;
+        const int place = place_in(items, now, item->place);
+        if (place >= 0) pointer = fmt::format("{}{}{}", list, place, item->rest);
         return place >= 0;
     };
-    (void)follow(state.get<DebugViewState>().set.choice.light);  // the neighbour's if it was deleted
-    TermGridState& grid = state.get<TermGridState>();
-    if (grid.solo && !follow(grid.solo->light)) grid.solo.reset();
-    std::erase_if(grid.muted, [&](GridCell& cell) { return !follow(cell.light); });
-    auto& marked = state.get<InspectorState>().marked;
-    if (marked && !follow(marked->light)) marked.reset();
-    AnimateState& animate = state.get<AnimateState>();
-    if (!follow(animate.animation.light) && animate.animation.motion == Motion::Circle)
-        animate.playing = false;
-    follow_number(state, "/lights/", before, after);
+    return follow_in("/lights/", before.lights, after.lights) &&
+           follow_in("/objects/", before.objects, after.objects);
 }
-
-}  // namespace
 
 void follow_items(UiState& state) {
     const Scene& scene = state.editor.scene();
     std::optional<FollowedItems>& known = state.editor.followed;
     if (!known) known.emplace(FollowedItems{scene.lights, scene.objects});
-    if (known->lights != scene.lights) {
-        if (known->lights.size() != scene.lights.size()) follow_lights(state, known->lights);
-        known->lights = scene.lights;
-    }
-    if (known->objects != scene.objects) {
-        if (known->objects.size() != scene.objects.size())
-            follow_number(state, "/objects/", known->objects, scene.objects);
-        known->objects = scene.objects;
-    }
+    if (known->lights.size() != scene.lights.size() || known->objects.size() != scene.objects.size())
+        for (const Feature* feature : features())
+            if (feature->follow != nullptr) feature->follow(state, {*known, scene});
+    if (known->lights != scene.lights) known->lights = scene.lights;
+    if (known->objects != scene.objects) known->objects = scene.objects;
 }
 
 bool smooths_every_edge(const Object& object) {

@@ -94,8 +94,17 @@ template <class Item>
     return static_cast<int>(place + after.size() - before.size());
 }
 
-/// Updates the indices in the window's tools after changes to the edited scene: the light of n·l, the cells
-/// of Light × term, the animated number, the highlighted quantity. Called after each action that may add or
+/// Lights and objects before and after some were added or deleted.
+struct ItemPlaces {
+    const FollowedItems& before;
+    const Scene& after;
+    /// Updates the index of a light, or a JSON pointer to an item or into it. False if the item was deleted:
+    /// then it is unchanged.
+    bool follow_light(int& light) const;
+    bool follow(std::string& pointer) const;
+};
+
+/// Updates the indices that features refer to (Feature::follow). Called after each action that may add or
 /// delete lights or objects, before any of them is drawn.
 void follow_items(UiState& state);
 

@@ -37,6 +37,25 @@
 namespace glint {
 namespace {
 
+/// Drops the animated number, which the scene no longer has, and reports it if it was playing.
+void forget_number(UiState& state) {
+    AnimateState& animate = state.get<AnimateState>();
+    const std::string gone = animate.number.empty() ? animate.animation.pointer : animate.number;
+    animate.number.clear();
+    animate.animation.pointer.clear();
+    animate.refused.clear();
+    if (animate.animation.motion != Motion::PingPong) return;
+    animate.playing = false;
+    state.notifications.tell("Animate: there is no “" + gone + "” any more", Tone::Warning);
+}
+
+void follow_moved(UiState& state, const ItemPlaces& places) {
+    AnimateState& animate = state.get<AnimateState>();
+    if (!places.follow_light(animate.animation.light) && animate.animation.motion == Motion::Circle)
+        animate.playing = false;
+    if (!places.follow(animate.animation.pointer)) forget_number(state);
+}
+
 /// After lights or objects were deleted, renamed or replaced with the scene, the pointer may refer to a
 /// different number.
 void forget_number_that_is_gone(UiState& state) {
@@ -167,17 +186,6 @@ void stop_animation(UiState& state) {
     state.get<AnimateState>().frame.reset();
 }
 
-void forget_number(UiState& state) {
-    AnimateState& animate = state.get<AnimateState>();
-    const std::string gone = animate.number.empty() ? animate.animation.pointer : animate.number;
-    animate.number.clear();
-    animate.animation.pointer.clear();
-    animate.refused.clear();
-    if (animate.animation.motion != Motion::PingPong) return;
-    animate.playing = false;
-    state.notifications.tell("Animate: there is no “" + gone + "” any more", Tone::Warning);
-}
-
 void poll_animation(UiState& state) {
     AnimateState& animate = state.get<AnimateState>();
     poll_job(animate.job, state.notifications);
@@ -303,6 +311,7 @@ const Feature animation_feature{.draw = [](UiState& s, const Layout&) { animate_
                                 .key = animate_by_key,
                                 .escape = close_panel,
                                 .is_presented = [](const UiState& s) { return s.get<AnimateState>().open; },
+                                .follow = follow_moved,
                                 .leave_document =
                                     [](UiState& s, const SceneDocument& next) {
                                         if (is_another(s, next)) stop_animation(s);

@@ -129,9 +129,6 @@ extern const FilePurpose frames_purpose;
 /// Opens the dialog for the path of the frames.
 void ask_for_frames(UiState& state);
 
-/// Drops the animated number, which the scene no longer has, and reports it if it was playing.
-void forget_number(UiState& state);
-
 /// Once a frame: advances the animation and the writing of frames.
 void poll_animation(UiState& state);
 

@@ -405,6 +405,11 @@ const Feature inspector_feature{.update =
                                 .status = mistakes_mark,
                                 .commands = inspector_commands,
                                 .palette = add_entries,
+                                .follow =
+                                    [](UiState& s, const ItemPlaces& places) {
+                                        auto& marked = s.get<InspectorState>().marked;
+                                        if (marked && !places.follow_light(marked->light)) marked.reset();
+                                    },
                                 .leave_document =
                                     [](UiState& s, const SceneDocument& next) {
                                         if (is_another(s, next)) end_cells(s);

@@ -272,6 +272,13 @@ void term_grid_tab(UiState& state, const PictureView& view) {
 }
 
 extern const Feature term_grid_feature;
-const Feature term_grid_feature{.sheet = [](UiState& s) { return &s.get<TermGridState>().sheet; }};
+const Feature term_grid_feature{
+    .sheet = [](UiState& s) { return &s.get<TermGridState>().sheet; },
+    .follow =
+        [](UiState& s, const ItemPlaces& places) {
+            TermGridState& grid = s.get<TermGridState>();
+            if (grid.solo && !places.follow_light(grid.solo->light)) grid.solo.reset();
+            std::erase_if(grid.muted, [&](GridCell& cell) { return !places.follow_light(cell.light); });
+        }};
 
 }  // namespace glint

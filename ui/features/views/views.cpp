@@ -407,6 +407,10 @@ const Feature debug_view_feature{
         },
     .note = note_of_debug_view,
     .commands = debug_view_commands,
+    .follow =
+        [](UiState& s, const ItemPlaces& places) {  // the light of n·l; its neighbour if it was deleted
+            (void)places.follow_light(s.get<DebugViewState>().set.choice.light);
+        },
     .leave_document =
         [](UiState& s, const SceneDocument& next) {
             if (is_another(s, next)) s.get<DebugViewState>().set = {};
