@@ -93,8 +93,6 @@ std::optional<Problem> take_back_invalid(Editor& editor) {
     return {};
 }
 
-void take_back_edits(Editor& editor) { take_step(editor, editor.history.present()); }
-
 std::optional<Problem> settle(Editor& editor) {
     Scene& scene = editor.scene();
     const bool missing =
@@ -103,7 +101,7 @@ std::optional<Problem> settle(Editor& editor) {
     Result<Warnings> loaded = load_meshes(scene, editor.document.path, editor.document.mesh_dir);
     const Problem* problem = problem_of(loaded);
     if (!problem) return {};
-    take_back_edits(editor);
+    take_step(editor, editor.history.present());
     return *problem;
 }
 

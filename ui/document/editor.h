@@ -132,9 +132,6 @@ void take_document(Editor& editor, SceneDocument document);
 /// range, or a violated condition. The scene can therefore be saved, copied and recovered after any edit.
 [[nodiscard]] std::optional<Problem> take_back_invalid(Editor& editor);
 
-/// Restores the scene of the history's newest step.
-void take_back_edits(Editor& editor);
-
 /// Loads meshes that an edit left unloaded. On a problem, restores the history's newest step.
 [[nodiscard]] std::optional<Problem> settle(Editor& editor);
 

@@ -107,9 +107,6 @@ void answer_copy(UiState& state, CopyAnswer answer);
 /// Offers to recover unsaved work after a crash, at the same position, while nothing is being loaded.
 void recovery_panel(UiState& state, const Rect& picture);
 
-/// "reading 12 of 37 MB", "building the mesh: 400000 faces": the progress of a load.
-[[nodiscard]] std::string progress_words(const LoadProgress& progress);
-
 /// The completed share of the load, from 0 to 1; negative if unknown.
 [[nodiscard]] float progress_share(const LoadProgress& progress);
 

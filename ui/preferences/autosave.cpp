@@ -55,8 +55,8 @@ std::optional<Copy> read_copy(const std::string& path) {
                 stamped ? stamp_of(stamp->get_ref<const std::string&>()).value_or(FileStamp{}) : FileStamp{}};
 }
 
-}  // namespace
-
+/// Locks the copy `path`, whether or not it exists; nothing when another process has locked it or the folder
+/// is not writable.
 std::optional<AutosaveLock> lock_autosave(const std::string& path) {
     const auto close = [](const int* file) {
         ::close(*file);
@@ -68,6 +68,8 @@ std::optional<AutosaveLock> lock_autosave(const std::string& path) {
     if (*file < 0 || ::flock(*file, LOCK_EX | LOCK_NB) != 0) return {};
     return AutosaveLock{path, file};
 }
+
+}  // namespace
 
 std::optional<AutosaveLock> new_autosave(const std::string& folder) {
     for (int number = 0; number < max_copies; ++number) {

@@ -19,10 +19,6 @@ struct AutosaveLock {
     std::shared_ptr<const int> file;
 };
 
-/// Locks the copy `path`, whether or not it exists; nothing when another process has locked it or the folder
-/// is not writable.
-[[nodiscard]] std::optional<AutosaveLock> lock_autosave(const std::string& path);
-
 /// A new copy in `folder`, locked and not yet written; nothing when the folder is not writable.
 [[nodiscard]] std::optional<AutosaveLock> new_autosave(const std::string& folder);
 

@@ -115,10 +115,6 @@ void column_tab(const char* name, bool chosen, float width, bool& wanted) {
     ImGui::PopStyleColor();
 }
 
-}  // namespace
-
-namespace {
-
 constexpr float caption_margin = 12;  // logical pixels, on both sides
 
 std::string caption_of(const UiState& state) {
@@ -133,8 +129,8 @@ float height_of(const std::string& text, float width) {
     return ImGui::CalcTextSize(text.c_str(), nullptr, false, std::max(width, 1.0f)).y;
 }
 
-}  // namespace
-
+/// Returns the smallest width at which `text`, in ImGui's current font, takes no more lines than at `width`:
+/// the lines are then about equally long, and no line is a single word. At most `width`.
 float even_width(const std::string& text, float width) {
     constexpr int halvings = 10;  // steps of bisecting a width, down to one pixel
     const float lines = height_of(text, width);
@@ -145,6 +141,8 @@ float even_width(const std::string& text, float width) {
     }
     return std::ceil(wide);
 }
+
+}  // namespace
 
 const LeftColumn* open_column(const UiState& state) {
     for (const Feature* feature : features())

@@ -20,10 +20,6 @@ struct UiState;
 /// The feature column that replaces the scene's list in the left column; null: none.
 [[nodiscard]] const LeftColumn* open_column(const UiState& state);
 
-/// Returns the smallest width at which `text`, in ImGui's current font, takes no more lines than at `width`:
-/// the lines are then about equally long, and no line is a single word. At most `width`.
-[[nodiscard]] float even_width(const std::string& text, float width);
-
 /// The open scene's caption, below the picture.
 void caption_line(const UiState& state, const Layout& layout);
 

@@ -197,7 +197,7 @@ void begin_diagnosis(UiState& state) {
 /// Begins to load a file. `follows`: as in MyPictureState.
 void begin_reading(UiState& state, const std::string& path, bool follows) {
     MyPictureState& mine = state.get<MyPictureState>();
-    cancel_reading(mine);
+    leave(mine.reading);
     mine.reading_since = ImGui::GetTime();
     mine.follows = follows;
     mine.drawn_of = under_mistakes(state.editor.scene(), {});
@@ -247,8 +247,7 @@ void keep_shown_by_the_display(UiState& state) {
     state.get<CompareState>().choice.mine = mine.shown;
 }
 
-}  // namespace
-
+/// Whether the file is a picture without a scene that Glint could open.
 bool is_bare_picture(const std::string& path) {
     const Result<PictureFormat> format = picture_format(path);
     if (problem_of(format) != nullptr) return false;
@@ -256,60 +255,8 @@ bool is_bare_picture(const std::string& path) {
     return std::filesystem::exists(path, failed) && !carries_scene(path);
 }
 
-void bring_picture(UiState& state, const std::string& path) {
-    if (is_held(state))
-        return state.notifications.add(Tone::Warning, "The lesson asks first: answer, then drop the picture");
-    begin_reading(state, path, false);
-}
-
-void read_again(UiState& state) { begin_reading(state, state.get<MyPictureState>().path, true); }
-
-void put_picture_away(UiState& state) {
-    MyPictureState& mine = state.get<MyPictureState>();
-    cancel_reading(mine);
-    leave(mine.job, mine.ending);
-    if (!mine.shown) return;
-    CompareState& compare = state.get<CompareState>();
-    give_comparison_back(compare);
-    compare.choice.mine.reset();
-    compare.label_of_mine.clear();
-    mine.watched.reset();
-    if (compare.borrowers > 0) compare.choice.on = false;
-    mine.shown.reset();
-    mine.file.reset();
-    mine.answer.reset();
-    mine.tried.reset();
-    mine.right.reset();
-    mine.mistaken.reset();
-    if (state.get<InspectorState>().tab == InspectorTab::MyPicture)
-        state.get<InspectorState>().tab = state.get<InspectorState>().tab_before;
-}
-
-void cancel_reading(MyPictureState& mine) { leave(mine.reading); }
-
-void cancel_diagnosis(MyPictureState& mine) {
-    leave(mine.job, mine.ending);
-    mine.settled = true;
-}
-
-void ask_again(MyPictureState& mine) {
-    mine.settled = mine.current = false;
-    mine.asked_since = ImGui::GetTime() - settling_time;
-}
-
-void ask_for_pairs(MyPictureState& mine) {
-    mine.pairs = true;
-    ask_again(mine);
-}
-
-std::string why_no_pairs(const MyPictureState& mine) {
-    if (!mine.answer || !mine.current) return "No picture was compared with this scene";
-    if (mine.pairs) return "The search for two mistakes at once is already done";
-    return mine.answer->diagnosis.verdict == Verdict::NotInCatalogue
-               ? std::string()
-               : "There is nothing left for two mistakes to explain";
-}
-
+/// Call this once a frame. Collects finished results, and begins a new diagnosis when the scene, apart from
+/// its mistakes, has changed and then been still for a moment.
 void poll_my_picture(UiState& state) {
     poll_reading(state);
     MyPictureState& mine = state.get<MyPictureState>();
@@ -337,6 +284,60 @@ void poll_my_picture(UiState& state) {
     mine.settled = true;
     if (const Problem* problem = problem_of(answer)) return state.notifications.add(*problem);
     show_answer(state, std::get<PictureAnswer>(std::move(answer)));
+}
+
+}  // namespace
+
+void bring_picture(UiState& state, const std::string& path) {
+    if (is_held(state))
+        return state.notifications.add(Tone::Warning, "The lesson asks first: answer, then drop the picture");
+    begin_reading(state, path, false);
+}
+
+void read_again(UiState& state) { begin_reading(state, state.get<MyPictureState>().path, true); }
+
+void put_picture_away(UiState& state) {
+    MyPictureState& mine = state.get<MyPictureState>();
+    leave(mine.reading);
+    leave(mine.job, mine.ending);
+    if (!mine.shown) return;
+    CompareState& compare = state.get<CompareState>();
+    give_comparison_back(compare);
+    compare.choice.mine.reset();
+    compare.label_of_mine.clear();
+    mine.watched.reset();
+    if (compare.borrowers > 0) compare.choice.on = false;
+    mine.shown.reset();
+    mine.file.reset();
+    mine.answer.reset();
+    mine.tried.reset();
+    mine.right.reset();
+    mine.mistaken.reset();
+    if (state.get<InspectorState>().tab == InspectorTab::MyPicture)
+        state.get<InspectorState>().tab = state.get<InspectorState>().tab_before;
+}
+
+void cancel_diagnosis(MyPictureState& mine) {
+    leave(mine.job, mine.ending);
+    mine.settled = true;
+}
+
+void ask_again(MyPictureState& mine) {
+    mine.settled = mine.current = false;
+    mine.asked_since = ImGui::GetTime() - settling_time;
+}
+
+void ask_for_pairs(MyPictureState& mine) {
+    mine.pairs = true;
+    ask_again(mine);
+}
+
+std::string why_no_pairs(const MyPictureState& mine) {
+    if (!mine.answer || !mine.current) return "No picture was compared with this scene";
+    if (mine.pairs) return "The search for two mistakes at once is already done";
+    return mine.answer->diagnosis.verdict == Verdict::NotInCatalogue
+               ? std::string()
+               : "There is nothing left for two mistakes to explain";
 }
 
 PictureSize thumbnail_size(PictureSize size) {
@@ -438,7 +439,7 @@ void draw_reading(UiState& state, const Layout& layout) {
     MyPictureState& mine = state.get<MyPictureState>();
     if (mine.reading && !state.loading.active() &&
         progress_panel(*mine.reading, mine.reading_since, layout.centre))
-        cancel_reading(mine);
+        leave(mine.reading);
 }
 
 /// Saves the shader while its editor has the keyboard.

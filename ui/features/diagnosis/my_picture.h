@@ -94,8 +94,6 @@ void bring_picture(UiState& state, const std::string& path);
 void read_again(UiState& state);
 /// Removes the picture, restores the previous comparison and tab, and cancels running computations.
 void put_picture_away(UiState& state);
-/// Cancels loading a picture.
-void cancel_reading(MyPictureState& mine);
 /// Cancels the diagnosis until the scene changes, or ask_again().
 void cancel_diagnosis(MyPictureState& mine);
 void ask_again(MyPictureState& mine);
@@ -103,13 +101,6 @@ void ask_again(MyPictureState& mine);
 void ask_for_pairs(MyPictureState& mine);
 /// Why that is not needed; empty: no single mistake explains the picture, and two may.
 [[nodiscard]] std::string why_no_pairs(const MyPictureState& mine);
-
-/// Call this once a frame. Collects finished results, and begins a new diagnosis when the scene, apart from
-/// its mistakes, has changed and then been still for a moment.
-void poll_my_picture(UiState& state);
-
-/// Whether the file is a picture without a scene that Glint could open.
-[[nodiscard]] bool is_bare_picture(const std::string& path);
 
 [[nodiscard]] bool is_shader(const std::string& path);
 /// Draws the scene with the shader in that file. Problem: the file cannot be read, or shaders cannot draw the

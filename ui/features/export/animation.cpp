@@ -142,27 +142,13 @@ bool is_held_up(const SceneDocument& document, const Animation& animation, int f
     return is_slow_at(animation.to) || is_slow_at(value_at(animation, frame));
 }
 
-}  // namespace
-
-std::string number_words(const Scene& scene, const SceneNumber& number) {
-    return fmt::format("{}: {}", owner_of(number.pointer, scene), number.words);
+/// Stops playing; the picture shows the edited scene again.
+void stop_animation(UiState& state) {
+    state.get<AnimateState>().playing = false;
+    state.get<AnimateState>().frame.reset();
 }
 
-void begin_animation(UiState& state, Motion motion) {
-    AnimateState& animate = state.get<AnimateState>();
-    animate.open = animate.takes_keys = true;
-    animate.animation.motion = motion;
-    if (const int light = selected_light(state.editor.selection); light >= 0) animate.animation.light = light;
-    animate.refused.clear();
-}
-
-void switch_playing(UiState& state) {
-    AnimateState& animate = state.get<AnimateState>();
-    animate.playing = !animate.playing;
-    animate.open |= animate.playing;
-    animate.began = ImGui::GetTime();
-}
-
+/// Enter starts or stops playing while the panel has focus. Returns true if the key is consumed.
 bool animate_by_key(UiState& state, KeyPress press) {
     AnimateState& animate = state.get<AnimateState>();
     if (!animate.open || !animate.has_keyboard) return false;
@@ -172,20 +158,7 @@ bool animate_by_key(UiState& state, KeyPress press) {
     return true;
 }
 
-void ask_for_frames(UiState& state) {
-    if (refuses_nothing_chosen(state.get<AnimateState>(), state.editor.scene())) {
-        state.get<AnimateState>().open = true;  // to show the reason
-        return;
-    }
-    const std::string ending(choice_of(state.get<AnimateState>().file).word);
-    state.files.ask(frames_purpose, offered_name(state, ending.c_str()));
-}
-
-void stop_animation(UiState& state) {
-    state.get<AnimateState>().playing = false;
-    state.get<AnimateState>().frame.reset();
-}
-
+/// Once a frame: advances the animation and the writing of frames.
 void poll_animation(UiState& state) {
     AnimateState& animate = state.get<AnimateState>();
     poll_job(animate.job, state.notifications);
@@ -213,6 +186,36 @@ void poll_animation(UiState& state) {
     }
     animate.frame = std::get<Scene>(std::move(scene));
     redraw_within((std::floor(frame) + 1 - frame) / animate.frames_a_second);
+}
+
+}  // namespace
+
+std::string number_words(const Scene& scene, const SceneNumber& number) {
+    return fmt::format("{}: {}", owner_of(number.pointer, scene), number.words);
+}
+
+void begin_animation(UiState& state, Motion motion) {
+    AnimateState& animate = state.get<AnimateState>();
+    animate.open = animate.takes_keys = true;
+    animate.animation.motion = motion;
+    if (const int light = selected_light(state.editor.selection); light >= 0) animate.animation.light = light;
+    animate.refused.clear();
+}
+
+void switch_playing(UiState& state) {
+    AnimateState& animate = state.get<AnimateState>();
+    animate.playing = !animate.playing;
+    animate.open |= animate.playing;
+    animate.began = ImGui::GetTime();
+}
+
+void ask_for_frames(UiState& state) {
+    if (refuses_nothing_chosen(state.get<AnimateState>(), state.editor.scene())) {
+        state.get<AnimateState>().open = true;  // to show the reason
+        return;
+    }
+    const std::string ending(choice_of(state.get<AnimateState>().file).word);
+    state.files.ask(frames_purpose, offered_name(state, ending.c_str()));
 }
 
 double radius_of(const Light& light, const Camera& camera, const glm::dvec3& axis) {

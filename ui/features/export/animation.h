@@ -118,19 +118,12 @@ void animate_panel(UiState& state);
 void begin_animation(UiState& state, Motion motion);
 /// Starts or stops playing.
 void switch_playing(UiState& state);
-/// Stops playing; the picture shows the edited scene again.
-void stop_animation(UiState& state);
-/// Enter starts or stops playing while the panel has focus. Returns true if the key is consumed.
-bool animate_by_key(UiState& state, KeyPress press);
 /// For the file dialog: the files of all frames.
 extern const FilePurpose frames_purpose;
 /// The file of frame `frame`, from 0, of an animation: next to NAME.png as NAME-0001.png, NAME-0002.png, ...
 [[nodiscard]] std::string frame_path(const std::string& path, int frame);
 /// Opens the dialog for the path of the frames.
 void ask_for_frames(UiState& state);
-
-/// Once a frame: advances the animation and the writing of frames.
-void poll_animation(UiState& state);
 
 /// Writes all frames in the background: NAME.png as NAME-0001.png, NAME-0002.png, …, each with its scene
 /// embedded; NAME.gif, NAME.webp and NAME.mp4 as one file. The picture's size is `size`, with `samples` per

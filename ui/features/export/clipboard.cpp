@@ -89,8 +89,7 @@ Scene with_absolute_meshes(Scene scene, const std::string& mesh_dir) {
     return scene;
 }
 
-}  // namespace
-
+/// Whether $PATH contains the program.
 bool is_installed(const std::string& program) {
     const char* path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
@@ -98,6 +97,17 @@ bool is_installed(const std::string& program) {
         if (!folder.empty() && ::access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
     return false;
 }
+
+/// The command line that copies a PNG from standard input to the clipboard: `wl-copy` under Wayland, `xclip`
+/// under X11, if $PATH contains it. Empty if there is none.
+std::vector<std::string> clipboard_command() {
+    if (is_set("WAYLAND_DISPLAY") && is_installed("wl-copy")) return {"wl-copy", "--type", "image/png"};
+    if (is_set("DISPLAY") && is_installed("xclip"))
+        return {"xclip", "-selection", "clipboard", "-t", "image/png", "-i"};
+    return {};
+}
+
+}  // namespace
 
 std::string mp4_disabled_reason() { return is_installed("ffmpeg") ? "" : "MP4 needs the program ffmpeg"; }
 
@@ -123,13 +133,6 @@ int run_tool(const std::vector<std::string>& command, int input, const std::atom
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return ended == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-std::vector<std::string> clipboard_command() {
-    if (is_set("WAYLAND_DISPLAY") && is_installed("wl-copy")) return {"wl-copy", "--type", "image/png"};
-    if (is_set("DISPLAY") && is_installed("xclip"))
-        return {"xclip", "-selection", "clipboard", "-t", "image/png", "-i"};
-    return {};
 }
 
 std::string clipboard_disabled_reason() {

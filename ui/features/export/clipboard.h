@@ -12,15 +12,9 @@
 
 namespace glint {
 
-/// The command line that copies a PNG from standard input to the clipboard: `wl-copy` under Wayland, `xclip`
-/// under X11, if $PATH contains it. Empty if there is none.
-[[nodiscard]] std::vector<std::string> clipboard_command();
-
 /// The reason why there is none, as text for the user; empty if there is one.
 [[nodiscard]] std::string clipboard_disabled_reason();
 
-/// Whether $PATH contains the program.
-[[nodiscard]] bool is_installed(const std::string& program);
 /// Runs a program with the file `input` as its standard input and returns its exit status; -1 if it did not
 /// run, or was ended because `cancelled` was set. Not for the window's thread.
 [[nodiscard]] int run_tool(const std::vector<std::string>& command, int input,

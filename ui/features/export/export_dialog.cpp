@@ -131,8 +131,7 @@ void export_buttons(UiState& state, const UiInput& input) {
     small_dim("S: save, copy the command  ·  Enter: choose a name  ·  C: copy as command  ·  Esc: cancel");
 }
 
-}  // namespace
-
+/// The dialog for size and samples; the file dialog follows.
 void export_dialog(UiState& state, const UiInput& input) {
     ExportState& exporting = state.get<ExportState>();
     static constexpr const char* id = "Export the picture##export";
@@ -155,8 +154,6 @@ void export_dialog(UiState& state, const UiInput& input) {
     if (!exporting.open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
-
-namespace {
 
 std::string unless_picture_can_be_written(const UiState& state) {
     return state.rendered == nullptr ? unless_drawn(nullptr)

@@ -71,9 +71,6 @@ void copy_last_command(UiState& state);
 /// Once a frame: if the job is done, reports its result as a notification and clears it.
 void poll_job(JobPtr<Notification>& job, Notifications& notifications);
 
-/// The dialog for size and samples; the file dialog follows.
-void export_dialog(UiState& state, const UiInput& input);
-
 // A picture and the command line that draws it, in one step.
 
 /// Draws the picture into a new file of pictures_folder() and copies the command for it to the clipboard.

@@ -96,6 +96,57 @@ void hint(MatchState& match, const Scene& scene) {
     prose_line(match.hint);
 }
 
+/// Once a frame: the difference of the current scene.
+void poll_match(UiState& state) {
+    MatchState& match = state.get<MatchState>();
+    if (!match.on || match.asked_of == state.editor.scene() || awaits_mesh(state)) return;
+    match.asked_of = state.editor.scene();
+    match.now = distance_to_target(match, match.asked_of);
+    match.hint.clear();
+    match.solved = match.solved || match.now <= match_tolerance;
+    redraw_within(0);  // the column was drawn earlier in this frame
+}
+
+/// Once a frame, after its step was recorded: edits made in the game do not count as unsaved work until the
+/// scene is saved under a name.
+void forget_play(UiState& state) {
+    Editor& editor = state.editor;
+    if (!state.get<MatchState>().on || !editor.document.path.empty()) return;
+    editor.saved = editor.scene();
+    editor.saved_edited_camera = editor.history.edited_camera();
+}
+
+/// The game's column.
+void match_column(UiState& state) {
+    MatchState& match = state.get<MatchState>();
+    ImGui::PushFont(fonts().heading);
+    ImGui::TextUnformatted("Match the target");
+    ImGui::PopFont();
+    small_dim(fmt::format("Number {}: the same for everyone", match.seed));
+    target_picture(match);
+    distance_bar(match);
+    ImGui::Dummy({0, px(4)});
+    if (match.now <= match_tolerance)
+        prose_line("✓ Matched.", theme().accent);
+    else
+        prose_line(
+            "Drag the light or its highlight, the highlight's rim for its size, Ctrl+Shift for its "
+            "brightness, until the picture matches this one.");
+    hint(match, match.asked_of);
+    ImGui::Dummy({0, px(4)});
+    const CompareChoice& choice = state.get<CompareState>().choice;
+    const bool beside =
+        choice.on && has_target_as_b(match, choice) && choice.parts.back().kind == Variant::Kind::Stored;
+    if (chosen_button("Target next to it", beside)) show_beside(state, !beside);
+    tooltip("Target next to it", "Half of the picture is the target, behind a draggable line");
+    ImGui::SameLine(0, px(8));
+    if (ImGui::Button("Begin again")) state.editor.scene() = match.task.start;
+    tooltip("Begin again", "The scene from the beginning; undo restores yours");
+    const bool another = match.solved ? main_button("Another") : ImGui::Button("Another");
+    tooltip("Another", "The next number: some are harder");
+    if (another) ask_to_begin(state, match.seed + 1);
+}
+
 }  // namespace
 
 void begin_match(UiState& state, std::uint64_t seed) {
@@ -135,53 +186,6 @@ void end_match(UiState& state) {
         choice.shows_stored = false;
     }
     give_comparison_back(state.get<CompareState>());
-}
-
-void poll_match(UiState& state) {
-    MatchState& match = state.get<MatchState>();
-    if (!match.on || match.asked_of == state.editor.scene() || awaits_mesh(state)) return;
-    match.asked_of = state.editor.scene();
-    match.now = distance_to_target(match, match.asked_of);
-    match.hint.clear();
-    match.solved = match.solved || match.now <= match_tolerance;
-    redraw_within(0);  // the column was drawn earlier in this frame
-}
-
-void forget_play(UiState& state) {
-    Editor& editor = state.editor;
-    if (!state.get<MatchState>().on || !editor.document.path.empty()) return;
-    editor.saved = editor.scene();
-    editor.saved_edited_camera = editor.history.edited_camera();
-}
-
-void match_column(UiState& state) {
-    MatchState& match = state.get<MatchState>();
-    ImGui::PushFont(fonts().heading);
-    ImGui::TextUnformatted("Match the target");
-    ImGui::PopFont();
-    small_dim(fmt::format("Number {}: the same for everyone", match.seed));
-    target_picture(match);
-    distance_bar(match);
-    ImGui::Dummy({0, px(4)});
-    if (match.now <= match_tolerance)
-        prose_line("✓ Matched.", theme().accent);
-    else
-        prose_line(
-            "Drag the light or its highlight, the highlight's rim for its size, Ctrl+Shift for its "
-            "brightness, until the picture matches this one.");
-    hint(match, match.asked_of);
-    ImGui::Dummy({0, px(4)});
-    const CompareChoice& choice = state.get<CompareState>().choice;
-    const bool beside =
-        choice.on && has_target_as_b(match, choice) && choice.parts.back().kind == Variant::Kind::Stored;
-    if (chosen_button("Target next to it", beside)) show_beside(state, !beside);
-    tooltip("Target next to it", "Half of the picture is the target, behind a draggable line");
-    ImGui::SameLine(0, px(8));
-    if (ImGui::Button("Begin again")) state.editor.scene() = match.task.start;
-    tooltip("Begin again", "The scene from the beginning; undo restores yours");
-    const bool another = match.solved ? main_button("Another") : ImGui::Button("Another");
-    tooltip("Another", "The next number: some are harder");
-    if (another) ask_to_begin(state, match.seed + 1);
 }
 
 namespace {

@@ -53,12 +53,5 @@ struct MatchState {
 void begin_match(UiState& state, std::uint64_t seed);
 /// Ends the game; the scene remains, with the previous comparison or the user's own picture.
 void end_match(UiState& state);
-/// Once a frame: the difference of the current scene.
-void poll_match(UiState& state);
-/// Once a frame, after its step was recorded: edits made in the game do not count as unsaved work until the
-/// scene is saved under a name.
-void forget_play(UiState& state);
-/// The game's column.
-void match_column(UiState& state);
 
 }  // namespace glint

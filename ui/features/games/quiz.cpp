@@ -278,10 +278,7 @@ void count_time(QuizState& quiz, std::size_t was) {
     quiz.since = now;
 }
 
-}  // namespace
-
-void open_quiz(UiState& state) { open_form(state, false); }
-
+/// Draws it. Keys: an option's letter chooses it, Enter and PgDn go to the next question, PgUp goes back.
 void quiz_dialog(UiState& state, const UiInput& input) {
     QuizState& quiz = state.get<QuizState>();
     if (quiz.loading && quiz.loading->done()) take_pages(state);
@@ -316,6 +313,10 @@ void quiz_dialog(UiState& state, const UiInput& input) {
     if (!quiz.open || state.files.open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
+
+}  // namespace
+
+void open_quiz(UiState& state) { open_form(state, false); }
 
 namespace {
 

@@ -51,7 +51,5 @@ struct QuizState {
 extern const FilePurpose answers_purpose;  // writes the answers, and stops keeping them for another window
 /// Opens the dialog; unsaved answers are still there.
 void open_quiz(UiState& state);
-/// Draws it. Keys: an option's letter chooses it, Enter and PgDn go to the next question, PgUp goes back.
-void quiz_dialog(UiState& state, const UiInput& input);
 
 }  // namespace glint

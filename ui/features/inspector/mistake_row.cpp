@@ -222,6 +222,18 @@ void ask_again(MistakePictures& m, const Scene& scene, PictureSize size) {
     stop_small_pictures(m.pictures);
 }
 
+/// Ends the drawing and releases all meshes if the pictures were not visible in this frame. Call it after the
+/// tab.
+void rest_mistake_pictures(MistakePictures& of_mistakes) {
+    if (std::exchange(of_mistakes.looked_at, false)) return;
+    take_small_pictures(of_mistakes.pictures);
+    if (of_mistakes.asked_size == PictureSize{0, 0}) return;
+    stop_small_pictures(of_mistakes.pictures);
+    of_mistakes.seen = of_mistakes.asked = {};
+    of_mistakes.asked_size = {0, 0};
+    of_mistakes.begun = false;
+}
+
 }  // namespace
 
 std::span<const std::size_t> mistakes_as_seen() {
@@ -247,16 +259,6 @@ void look_at_mistake_pictures(UiState& state, PictureSize size) {
     begin_small_pictures(state.jobs, m.pictures, "Mistakes", size,
                          static_cast<int>(mistakes_as_seen().size()) + 1, DrawUnderMistakes(m.asked, size));
     redraw_within(0);
-}
-
-void rest_mistake_pictures(MistakePictures& of_mistakes) {
-    if (std::exchange(of_mistakes.looked_at, false)) return;
-    take_small_pictures(of_mistakes.pictures);
-    if (of_mistakes.asked_size == PictureSize{0, 0}) return;
-    stop_small_pictures(of_mistakes.pictures);
-    of_mistakes.seen = of_mistakes.asked = {};
-    of_mistakes.asked_size = {0, 0};
-    of_mistakes.begun = false;
 }
 
 namespace {

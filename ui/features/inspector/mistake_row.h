@@ -65,10 +65,6 @@ struct MistakePictures {
 /// moment with no button down. The tab calls this once a frame.
 void look_at_mistake_pictures(UiState& state, PictureSize size);
 
-/// Ends the drawing and releases all meshes if the pictures were not visible in this frame. Call it after the
-/// tab.
-void rest_mistake_pictures(MistakePictures& of_mistakes);
-
 /// Whether the mistakes of the open scene change a pixel: found in the background while nothing moves.
 struct MistakeEffect {
     Scene of;  // the compared scene

@@ -68,17 +68,7 @@ bool card(const ExamplesState& examples, int index, float width, float height) {
     return clicked;
 }
 
-}  // namespace
-
-std::vector<Example> examples_in(const std::string& folder) {
-    std::vector<Example> list;
-    for (std::string& path : folder_scenes(folder)) {
-        std::string title = title_of(path);
-        list.push_back({std::move(path), std::move(title)});
-    }
-    return list;
-}
-
+/// Opens the dialog; a click in it, or the arrow keys and Enter, opens a scene.
 void open_examples(UiState& state) {
     ExamplesState& examples = state.get<ExamplesState>();
     examples.open = true;
@@ -92,6 +82,7 @@ void open_examples(UiState& state) {
                          });
 }
 
+/// Draws it. Precondition: it is open.
 void examples_dialog(UiState& state, const UiInput& input) {
     ExamplesState& examples = state.get<ExamplesState>();
     take_small_pictures(examples.pictures);
@@ -120,6 +111,17 @@ void examples_dialog(UiState& state, const UiInput& input) {
     if (!examples.open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     if (chosen) ask_to_open(state, examples.list[static_cast<std::size_t>(*chosen)].path);
+}
+
+}  // namespace
+
+std::vector<Example> examples_in(const std::string& folder) {
+    std::vector<Example> list;
+    for (std::string& path : folder_scenes(folder)) {
+        std::string title = title_of(path);
+        list.push_back({std::move(path), std::move(title)});
+    }
+    return list;
 }
 
 extern const Feature examples_feature;

@@ -28,9 +28,4 @@ struct ExamplesState {
     SmallPictures pictures;  // of the list, with the captions; started when the dialog first opens
 };
 
-/// Opens the dialog; a click in it, or the arrow keys and Enter, opens a scene.
-void open_examples(UiState& state);
-/// Draws it. Precondition: it is open.
-void examples_dialog(UiState& state, const UiInput& input);
-
 }  // namespace glint

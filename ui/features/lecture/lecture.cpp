@@ -60,17 +60,7 @@ void patches(WedgeRow& row, float height) {
     ImGui::SetCursorScreenPos(low + ImVec2(0, height + px(4)));
 }
 
-}  // namespace
-
-std::string wedge_words(const WedgeRow& row) {
-    if (row.seen < 0)
-        return fmt::format("On {}: click the first patch that the last row of the room can see", row.name);
-    if (row.seen == 0) return fmt::format("On {} every step is visible", row.name);
-    const auto seen = std::min(static_cast<std::size_t>(row.seen), wedge_steps.size() - 1);
-    return fmt::format("On {} this projector loses steps below {}/255: colours {:.3f} apart look the same",
-                       row.name, wedge_steps[seen], double(wedge_steps[seen - 1]) / 255);
-}
-
+/// Covers the entire window while it is open.
 void step_wedge(WedgeState& wedge) {
     if (!wedge.open) return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -103,6 +93,17 @@ void step_wedge(WedgeState& wedge) {
     ImGui::End();
 }
 
+}  // namespace
+
+std::string wedge_words(const WedgeRow& row) {
+    if (row.seen < 0)
+        return fmt::format("On {}: click the first patch that the last row of the room can see", row.name);
+    if (row.seen == 0) return fmt::format("On {} every step is visible", row.name);
+    const auto seen = std::min(static_cast<std::size_t>(row.seen), wedge_steps.size() - 1);
+    return fmt::format("On {} this projector loses steps below {}/255: colours {:.3f} apart look the same",
+                       row.name, wedge_steps[seen], double(wedge_steps[seen - 1]) / 255);
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -126,6 +127,16 @@ void sort_for_lecture(std::vector<std::string>& names, const std::string& folder
                      [&](const std::string& a, const std::string& b) { return place_of(a) < place_of(b); });
 }
 
+/// The scene `step` positions after `path` (before it, if negative) among those on the command line, empty if
+/// there is none; nothing if `path` is not among them.
+std::optional<std::string> given_scene_beside(const std::vector<std::string>& given, const std::string& path,
+                                              int step) {
+    const auto found = std::find(given.begin(), given.end(), path);
+    if (found == given.end()) return {};
+    const std::ptrdiff_t at = found - given.begin() + step;
+    return at >= 0 && at < std::ssize(given) ? given[static_cast<std::size_t>(at)] : "";
+}
+
 }  // namespace
 
 std::vector<std::string> folder_scenes(const std::string& folder) {
@@ -141,14 +152,6 @@ std::vector<std::string> folder_scenes(const std::string& folder) {
     sort_for_lecture(names, folder);
     for (std::string& name : names) name = (fs::path(folder) / name).string();
     return names;
-}
-
-std::optional<std::string> given_scene_beside(const std::vector<std::string>& given, const std::string& path,
-                                              int step) {
-    const auto found = std::find(given.begin(), given.end(), path);
-    if (found == given.end()) return {};
-    const std::ptrdiff_t at = found - given.begin() + step;
-    return at >= 0 && at < std::ssize(given) ? given[static_cast<std::size_t>(at)] : "";
 }
 
 std::string scene_beside(const std::string& path, int step) {

@@ -38,7 +38,6 @@ struct PenState {
 };
 
 inline constexpr int pen_colour_count = 5;
-[[nodiscard]] ImVec4 pen_colour(int index);
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
 
@@ -74,9 +73,6 @@ struct WedgeState {
 /// The meaning of a row's answer: "On black, differences below 6/255 are lost: a colour of 0.02 is black."
 [[nodiscard]] std::string wedge_words(const WedgeRow& row);
 
-/// Covers the entire window while it is open.
-void step_wedge(WedgeState& wedge);
-
 // The scenes of a folder, in natural order.
 
 /// The scene files (.json) of a folder in that order, as paths. Hidden ones are left out; empty if the folder
@@ -86,11 +82,6 @@ void step_wedge(WedgeState& wedge);
 /// Returns the scene `step` positions after `path` (before it, if negative) in its folder. If `path` is not
 /// in the list, counts from the position at which it would be sorted. Empty if there is none.
 [[nodiscard]] std::string scene_beside(const std::string& path, int step);
-
-/// The scene `step` positions after `path` (before it, if negative) among those on the command line, empty if
-/// there is none; nothing if `path` is not among them.
-[[nodiscard]] std::optional<std::string> given_scene_beside(const std::vector<std::string>& given,
-                                                            const std::string& path, int step);
 
 /// The scale of type and widgets: the smallest type, 13 units, becomes 18.
 inline constexpr float projector_scale = 1.4f;

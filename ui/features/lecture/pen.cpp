@@ -82,10 +82,6 @@ void draw_piece(ImDrawList& list, std::span<const glm::vec2> places, ImU32 colou
     cased_outline(list, corners, colour, line_width, false);
 }
 
-}  // namespace
-
-const Tool pen_tool{.hover = pen_hover, .press = pen_press, .drag = pen_drag};
-
 ImVec4 pen_colour(int index) {
     // Okabe and Ito's yellow, sky blue, vermillion and green; and white. They are drawn on a picture, so they
     // do not depend on the theme.
@@ -96,6 +92,10 @@ ImVec4 pen_colour(int index) {
                                                      {1, 1, 1, 1}};
     return colours[index];
 }
+
+}  // namespace
+
+const Tool pen_tool{.hover = pen_hover, .press = pen_press, .drag = pen_drag};
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view) {
     for (const PenLine& line : pen.lines) {

@@ -187,6 +187,21 @@ std::string with_sign(double slope) {
     return (slope > 0 ? "+" : "") + significant_text(slope, 4);
 }
 
+/// The panel's text for a sample: its pixel, intensity, differences (where the slope jumps, the slopes before
+/// and after) and face.
+std::string sample_text(const std::vector<ProfileSample>& samples, std::size_t at) {
+    const ProfileSample& s = samples[at];
+    std::string text = fmt::format("{},{}  I {}", s.pixel.x, s.pixel.y, significant_text(s.intensity, 4));
+    if (const auto jump = slope_jump_at(samples, at)) {
+        text += fmt::format("  ΔI {} → {}, jump {}", with_sign(jump->before), with_sign(jump->after),
+                            with_sign(jump->after - jump->before));
+    } else {
+        if (s.first_difference) text += "  ΔI " + with_sign(*s.first_difference);
+        if (s.second_difference) text += "  Δ²I " + with_sign(*s.second_difference);
+    }
+    return text + (s.seen ? fmt::format("  face {}", s.seen->face) : std::string("  background"));
+}
+
 }  // namespace
 
 const Tool scope_tool{scope_hover, scope_press, scope_drag, scope_release, scope_hint};
@@ -269,19 +284,6 @@ std::string edge_words(const std::vector<ProfileSample>& samples) {
     const std::string all =
         counted(samples.size(), "pixel") + ", " + counted(edges.size() - diagonals, "edge");
     return diagonals == 0 ? all : all + ", " + counted(diagonals, "diagonal");
-}
-
-std::string sample_text(const std::vector<ProfileSample>& samples, std::size_t at) {
-    const ProfileSample& s = samples[at];
-    std::string text = fmt::format("{},{}  I {}", s.pixel.x, s.pixel.y, significant_text(s.intensity, 4));
-    if (const auto jump = slope_jump_at(samples, at)) {
-        text += fmt::format("  ΔI {} → {}, jump {}", with_sign(jump->before), with_sign(jump->after),
-                            with_sign(jump->after - jump->before));
-    } else {
-        if (s.first_difference) text += "  ΔI " + with_sign(*s.first_difference);
-        if (s.second_difference) text += "  Δ²I " + with_sign(*s.second_difference);
-    }
-    return text + (s.seen ? fmt::format("  face {}", s.seen->face) : std::string("  background"));
 }
 
 // The panel below the picture: intensity along the scope's line.

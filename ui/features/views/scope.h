@@ -75,8 +75,4 @@ struct ScopeEdge {
 /// "384 pixels, 1 edge, 2 diagonals".
 [[nodiscard]] std::string edge_words(const std::vector<ProfileSample>& samples);
 
-/// The panel's text for a sample: its pixel, intensity, differences (where the slope jumps, the slopes before
-/// and after) and face.
-[[nodiscard]] std::string sample_text(const std::vector<ProfileSample>& samples, std::size_t at);
-
 }  // namespace glint

@@ -171,6 +171,30 @@ void sum_note(const Scene& scene) {
         "before clipping, the cells add up to the picture.");
 }
 
+/// Draws the next few thumbnails if some of the scene's have not been drawn yet. `size`: of the large
+/// picture.
+void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size) {
+    if (!grid.drawn_of || !(*grid.drawn_of == scene)) {
+        if (ImGui::IsAnyMouseDown()) return;  // when no button is down
+        begin_sheet(grid, scene, size);
+    }
+    const std::vector<GridCell> cells = grid_cells(scene);
+    if (grid.next >= cells.size()) return;
+    if (!grid.renderer) grid.renderer = std::make_unique<Renderer>(1);
+    const auto start = std::chrono::steady_clock::now();
+    const auto spent = [start] {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    };
+    try {
+        do draw_cell(grid, scene, cells[grid.next++]);
+        while (grid.next < cells.size() && spent() < budget_ms);
+    } catch (...) {
+        grid.next = cells.size();  // the others would fail for the same reason
+        throw;
+    }
+    if (grid.next < cells.size()) redraw_within(0);
+}
+
 }  // namespace
 
 std::vector<GridCell> grid_cells(const Scene& scene) {
@@ -218,28 +242,6 @@ Scene brightened(Scene scene, int gain) {
     scene.display.exposure *= times;
     scene.display.background /= times;
     return scene;
-}
-
-void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size) {
-    if (!grid.drawn_of || !(*grid.drawn_of == scene)) {
-        if (ImGui::IsAnyMouseDown()) return;  // when no button is down
-        begin_sheet(grid, scene, size);
-    }
-    const std::vector<GridCell> cells = grid_cells(scene);
-    if (grid.next >= cells.size()) return;
-    if (!grid.renderer) grid.renderer = std::make_unique<Renderer>(1);
-    const auto start = std::chrono::steady_clock::now();
-    const auto spent = [start] {
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    };
-    try {
-        do draw_cell(grid, scene, cells[grid.next++]);
-        while (grid.next < cells.size() && spent() < budget_ms);
-    } catch (...) {
-        grid.next = cells.size();  // the others would fail for the same reason
-        throw;
-    }
-    if (grid.next < cells.size()) redraw_within(0);
 }
 
 void term_grid_tab(UiState& state, const PictureView& view) {

@@ -50,10 +50,6 @@ struct TermGridState {
     BlocksInSight rows{5};
 };
 
-/// Draws the next few thumbnails if some of the scene's have not been drawn yet. `size`: of the large
-/// picture.
-void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size);
-
 void term_grid_tab(UiState& state, const PictureView& view);
 
 }  // namespace glint
