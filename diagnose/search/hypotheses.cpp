@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <iterator>
 #include <limits>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <queue>
 
@@ -113,25 +111,22 @@ void try_changes(const std::vector<DisplayChange>& changes, const Supposition& e
 }
 
 /// The largest of the `count` smallest costs that were added so far; infinity while fewer were added.
-/// Several threads may add and read concurrently.
 class CostBound {
   public:
     explicit CostBound(std::size_t count) : count_(count) {}
 
-    [[nodiscard]] double get() const { return bound_.load(std::memory_order_relaxed); }
+    [[nodiscard]] double get() const {
+        return count_ > 0 && smallest_.size() == count_ ? smallest_.top()
+                                                        : std::numeric_limits<double>::infinity();
+    }
     void add(double cost) {
-        const std::lock_guard lock(mutex_);
         smallest_.push(cost);
         if (smallest_.size() > count_) smallest_.pop();
-        if (count_ > 0 && smallest_.size() == count_)
-            bound_.store(smallest_.top(), std::memory_order_relaxed);
     }
 
   private:
     std::size_t count_;
-    std::mutex mutex_;
     std::priority_queue<double> smallest_;
-    std::atomic<double> bound_ = std::numeric_limits<double>::infinity();
 };
 
 /// An explanation as it was drawn at the probes.
@@ -186,7 +181,7 @@ class Search {
     void leave_out_exchanges();
     std::vector<Hypothesis> hypotheses();
     Hypothesis judged(const Drawn& drawn) const;
-    void find_cost(Drawn& drawn, const WrongProbes& wrong, const CostBound& bound) const;
+    void find_cost(Drawn& drawn, const WrongProbes& wrong, double bound) const;
     [[nodiscard]] static bool fits(const Drawn& d) {
         constexpr double few = 1;  // times the free excess
         return d.misfit < std::log2((1 + few) * free_in_probes);
@@ -322,11 +317,11 @@ void Search::leave_out_exchanges() {
         std::erase_if(*changes, [&](const DisplayChange& c) { return c.red_blue && differs_alike(c); });
 }
 
-void Search::find_cost(Drawn& d, const WrongProbes& wrong, const CostBound& bound) const {
+void Search::find_cost(Drawn& d, const WrongProbes& wrong, double bound) const {
     constexpr double rounding = 1e-6;
     double& least = d.cost = std::numeric_limits<double>::infinity();
     const auto enough = [&](const DisplayChange& change) {
-        return most_excess(std::min(least, bound.get() + rounding), d.explanation.belief, change);
+        return most_excess(std::min(least, bound + rounding), d.explanation.belief, change);
     };
     try_changes(changes_for(d.explanation), d.explanation, d.at, wrong, enough,
                 [&](const DisplayChange& change, double cost) {
@@ -334,7 +329,7 @@ void Search::find_cost(Drawn& d, const WrongProbes& wrong, const CostBound& boun
                     least = cost;
                     // Softness leaves room for much, and a gain takes something away from any difference.
                     // Beyond the bound the cost is not exact.
-                    const bool is_loose = change.soft || change.gain != 1 || cost > bound.get() + rounding;
+                    const bool is_loose = change.soft || change.gain != 1 || cost > bound + rounding;
                     d.misfit = is_loose ? std::numeric_limits<double>::infinity()
                                         : cost - d.explanation.belief - change.count();
                 });
@@ -378,7 +373,7 @@ void Search::keep(Drawn d) {
 template <class TakeSome>
 void Search::draw_batch(std::vector<Supposition>& batch, const Sample& sample, CostBound& bound,
                         const TakeSome& take_some) {
-    constexpr std::size_t together = 128;
+    constexpr std::size_t together = 64;
     drawings_.draw_blocks(sample.blocks);
     for (std::size_t first = 0; first < batch.size(); first += together) {
         std::vector<Drawn> drawn;
@@ -388,10 +383,12 @@ void Search::draw_batch(std::vector<Supposition>& batch, const Sample& sample, C
             const bool is_plain = kept_.empty();
             if (is_plain || d.at != sample.right) drawn.push_back(std::move(d));
         }
-        tbb::parallel_for(std::size_t{0}, drawn.size(), [&](std::size_t i) {
-            find_cost(drawn[i], sample.wrong, bound);
-            bound.add(drawn[i].cost);
-        });
+        // The bound stays while they are judged, so that inexact costs do not depend on the number of
+        // threads.
+        const double enough = bound.get();
+        tbb::parallel_for(std::size_t{0}, drawn.size(),
+                          [&](std::size_t i) { find_cost(drawn[i], sample.wrong, enough); });
+        for (const Drawn& d : drawn) bound.add(d.cost);
         take_some(std::move(drawn));
     }
 }
