@@ -56,7 +56,7 @@ struct Bench {
 std::string unclosed_in(const std::string& html) {
     std::vector<std::string> open;
     for (std::size_t at = html.find('<'); at < html.size(); at = html.find('<', at + 1)) {
-        const std::string name = html.substr(at + 1, html.find_first_of(" >", at) - at - 1);
+        std::string name = html.substr(at + 1, html.find_first_of(" >", at) - at - 1);
         if (html[html.find('>', at) - 1] == '/' || name[0] == '!') continue;
         if (name == "img" || name == "br" || name == "meta") continue;
         if (name == "script" || name == "style")
