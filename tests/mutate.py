@@ -85,7 +85,7 @@ def seen_by(test):
 
 
 def noticed(fault, layer, known, seconds):
-    """What becomes of a fault; `known`: the results of seen_by() in their order."""
+    """The result of a fault; `known`: the results of seen_by() in their order."""
     order = sorted((seen for seen in known if fault in seen[1]), key=lambda seen: f'/{layer}' not in seen[2][0])
     end = time.monotonic() + seconds
     for tried, (usual, _, test) in enumerate(order):

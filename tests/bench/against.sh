@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Compares the speed of this checkout with that of another revision, in pairs: tests/bench/against.sh REV [ROUNDS]
 # Builds REV in build/against. Each round draws every row with both programs, in turn; a row's figure is the median
-# of the rounds' medians. Exits with 1 if a row is more than 10 % and 0.1 ms slower. Nothing else should run meanwhile.
+# of the rounds' medians. Exits with 1 if a row is more than 10 % and 0.1 ms slower. Nothing else should run at the same time.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 rev=${1:?a revision is expected, such as a tag} rounds=${2:-7}

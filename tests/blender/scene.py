@@ -1,5 +1,5 @@
-"""Run by Blender: builds a scene with lights, a camera, materials and vertex colours, exports it as scene.glb, mesh.obj,
-mesh.ply and mesh.stl, and writes what is known of it as known.json: names, triangles, world bounds (y up), places."""
+"""Run by Blender: builds a scene with lights, a camera, materials and vertex colours, and exports it as scene.glb, mesh.obj,
+mesh.ply and mesh.stl. Writes the names, triangles and world bounds (y up) of its objects and the eye as known.json."""
 import json
 import math
 import sys

@@ -56,7 +56,7 @@ looks_like() { # LOOK PIXELS: fewer pixels than that differ from the screenshot 
     [ "$(difference "$1" now)" -lt "$2" ]
 }
 xdotool key ctrl+z
-# A hint at the bottom has gone since; without undo the whole ball differs.
+# The hint at the bottom has disappeared since; without undo the whole ball differs.
 within 10 looks_like before 10000 || fail "after undo $(difference before now) pixels differ from the beginning"
 save_as third
 cmp -s "$work/first" "$work/third" || fail "after undo the saved scene is not the first one"

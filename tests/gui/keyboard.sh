@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Keys mean what is printed on them, on a German and a French keyboard too; the number pad types digits, and without
+# Keys have the meaning that is printed on them, also on a German and a French keyboard; the number pad types digits, and without
 # NumLock it moves the cursor.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it

@@ -109,7 +109,7 @@ TEST_CASE("an own reflection model drawn after another scene equals a fresh pict
     (void)renderer.render(scene, small);
     scene.objects[0].material.reflection = OwnReflection::CookTorrance;
     CHECK(renderer.render(scene, small).rgba == drawn_bytes(scene));
-    scene.shading.reflection = Reflection::None;  // nothing is lit, whatever a material says
+    scene.shading.reflection = Reflection::None;  // no material is lit
     const std::vector<std::uint8_t> unlit = drawn_bytes(scene);
     scene.objects[0].material.reflection = OwnReflection::Scene;
     CHECK(drawn_bytes(scene) == unlit);
