@@ -75,6 +75,14 @@ start_glint() { # ARGUMENTS of the program
     sleep 0.5
 }
 
+title_is() { xdotool getwindowname "$window" | grep -q "$1"; }
+# NAME: drops that file of $work on the picture, by the program $source.
+drop() {
+    xdotool mousemove 640 420
+    sleep 0.2
+    "$source" "$work/$1" || fail "$1 was not accepted"
+}
+
 gone() { ! kill -0 "$glint_pid" 2>/dev/null; }
 # MODE: the copy of unsaved work, or the scene's file, has that shading.
 copied() { grep -q "\"mode\": \"$1\"" "$XDG_STATE_HOME"/glint/*.autosave 2>/dev/null; }

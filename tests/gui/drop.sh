@@ -24,12 +24,6 @@ echo '{"glint": 1, "lights": 5}' >"$work/broken.json"
 
 start_display 1280x800
 start_glint "$work/first.json"
-title_is() { xdotool getwindowname "$window" | grep -q "$1"; }
-drop() { # FILE
-    xdotool mousemove 640 420
-    sleep 0.2
-    "$source" "$work/$1" || fail "$1 was not accepted"
-}
 xdotool key F10 # only the picture
 within 10 middle_is 003300 || fail "the first scene is not visible"
 drop second.json

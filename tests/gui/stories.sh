@@ -17,13 +17,6 @@ differs() {
     shot now
     [ "$(compare -metric AE "$work/$1.png[$2]" "$work/now.png[$2]" null: 2>&1)" -gt "$3" ]
 }
-same() { ! differs "$@"; }
-drop() { # FILE
-    xdotool mousemove 600 420
-    sleep 0.2
-    "$source" "$1" || fail "$1 was not accepted"
-}
-title_is() { xdotool getwindowname "$window" | grep -q "$1"; }
 quits() {
     kill -9 "$glint_pid" && wait "$glint_pid" 2>/dev/null
     within 10 gone
@@ -49,7 +42,7 @@ convert "$work/wrong.png" -strip "$work/mine.png" # as another program writes it
 start_glint "$work/scene.json"
 wait_for_rest
 shot start
-drop "$work/mine.png"
+drop mine.png
 within 20 differs start $right 2000 || fail "the wrong picture is not judged"
 sleep 2 # a watched file keeps the window busy
 shot wrong
@@ -63,7 +56,7 @@ cp "$work/blank/lighting.glsl" "$work/lighting.glsl"
 start_glint "$work/scene.json"
 wait_for_rest
 shot start
-drop "$work/lighting.glsl"
+drop lighting.glsl
 within 20 differs start $picture 20000 || fail "the blank shader does not darken the ball"
 sleep 2
 shot blank
