@@ -28,7 +28,9 @@ namespace {
 constexpr int lobe_steps = 180;
 
 Reflector reflector_of(const PlotSubject& subject) {
-    return {reflection_of(subject.material, subject.scene.shading.reflection), subject.material, {}};
+    Reflector reflector = reflector_of(subject.material, subject.scene.shading);
+    reflector.terms = {};
+    return reflector;
 }
 
 template <class Value>
