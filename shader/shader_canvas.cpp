@@ -57,6 +57,9 @@ class Shader {
 
 enum Attachment : GLuint { Shown, Raw, RawP, RawN, Attachments };
 
+/// The number of attachments, from the first, that an output needs: Raw tells what is wrong with a pixel.
+GLuint attachments_of(ShaderOutput output) { return output == ShaderOutput::All ? Attachments : RawP; }
+
 class GlProgram {
   public:
     GlProgram(const Shader& vertex, const Shader& fragment) : name_(glCreateProgram()) {
@@ -137,16 +140,16 @@ void check_uniforms(GLuint program, const ShaderScene& scene, std::vector<Shader
 /// The buffers that a picture is drawn into.
 class Framebuffer {
   public:
-    explicit Framebuffer(PictureSize size) : size_(size) {
+    Framebuffer(PictureSize size, GLuint attachments) : size_(size), attachments_(attachments) {
         glGenFramebuffers(1, &name_);
         glBindFramebuffer(GL_FRAMEBUFFER, name_);
         glGenRenderbuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
-        for (GLuint i = 0; i < Attachments; ++i)
+        for (GLuint i = 0; i < attachments; ++i)
             attach(i, GL_COLOR_ATTACHMENT0 + i, i == Shown ? GL_RGBA8 : GL_RGBA32F);
         attach(Attachments, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
         constexpr std::array<GLenum, Attachments> drawn{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1,
                                                         GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3};
-        glDrawBuffers(Attachments, drawn.data());
+        glDrawBuffers(static_cast<GLsizei>(attachments), drawn.data());
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
             throw std::runtime_error("OpenGL has no memory for the picture");
     }
@@ -165,8 +168,7 @@ class Framebuffer {
         };
         fill(Shown, scene.shown_background, 1);
         fill(Raw, scene.background, 0);
-        fill(RawP, glm::vec3(0), 0);
-        fill(RawN, glm::vec3(0), 0);
+        for (GLuint i = RawP; i < attachments_; ++i) fill(static_cast<GLint>(i), glm::vec3(0), 0);
         constexpr float far = 1;
         glClearBufferfv(GL_DEPTH, 0, &far);
     }
@@ -195,6 +197,7 @@ class Framebuffer {
     }
 
     PictureSize size_;
+    GLuint attachments_;
     GLuint name_ = 0;
     std::array<GLuint, Attachments + 1> buffers_{};
 };
@@ -334,10 +337,10 @@ ShaderLog ShaderCanvas::compile(const ShaderScene& scene, std::string_view text)
     return log;
 }
 
-ShaderPicture ShaderCanvas::draw(const ShaderScene& scene) {
+ShaderPicture ShaderCanvas::draw(const ShaderScene& scene, ShaderOutput output) {
     const PictureSize size = scene.size;
     parts_->forget_meshes_except(scene);
-    const Framebuffer framebuffer(size);
+    const Framebuffer framebuffer(size, attachments_of(output));
     ShaderPicture out;
     const auto is_stopped = [](const float* raw) { return raw[3] > 1; };
     const auto draw_at = [&](PictureSize drawn, const GlProgram& program) {
@@ -366,13 +369,13 @@ ShaderPicture ShaderCanvas::draw(const ShaderScene& scene) {
         pixels_where(raw, size, is_drawn).count > 0 && pixels_where(raw, size, is_bright).count == 0;
     out.picture.size = size;
     out.picture.rgba = framebuffer.read<std::uint8_t>(Shown, GL_UNSIGNED_BYTE, size);
-    out.picture.linear = without_fourth(raw);
     for (std::size_t i = 0; i < raw.size(); i += 4) {
         const bool is_nan = std::any_of(&raw[i], &raw[i] + 3, [](float c) { return std::isnan(c); });
         if (is_nan) std::fill_n(&out.picture.rgba[i], 3, std::uint8_t{0});
         out.picture.rgba[i + 3] = 255;
     }
-    if (scene.stages.lights_pixels) {
+    if (output == ShaderOutput::All) out.picture.linear = without_fourth(raw);
+    if (output == ShaderOutput::All && scene.stages.lights_pixels) {
         out.positions = without_fourth(framebuffer.read<float>(RawP, GL_FLOAT, size));
         out.normals = without_fourth(framebuffer.read<float>(RawN, GL_FLOAT, size));
     }

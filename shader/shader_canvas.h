@@ -2,6 +2,7 @@
 // Compiles a user's lighting.glsl and draws scenes with it, using OpenGL 3.3 in the current context: that of
 // an OffscreenContext, or of a window.
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <string>
@@ -29,9 +30,12 @@ struct PixelFinding {
     }
 };
 
+/// All: also the linear colours and the arguments of lit(), which take ten times as many bytes.
+enum class ShaderOutput : std::uint8_t { Displayed, All };
+
 struct ShaderPicture {
-    Picture picture;  // linear and displayed colours; NaN is displayed as black
-    // Three numbers per pixel if pixels are lit: the arguments of lit(); 0 at the background.
+    Picture picture;  // displayed colours, NaN as black; and linear ones if asked for
+    // If asked for and pixels are lit: three numbers per pixel, the arguments of lit(); 0 at the background.
     std::vector<float> positions, normals;
     bool is_black = false;    // lit() returned nothing above 0
     PixelFinding not_finite;  // lit() returned NaN or an infinity
@@ -52,7 +56,7 @@ class ShaderCanvas {
     [[nodiscard]] ShaderLog compile(const ShaderScene& scene, std::string_view text);
     /// Draws with the last program. Precondition: it was compiled for a scene with equal stages. Throws
     /// std::runtime_error if OpenGL fails.
-    [[nodiscard]] ShaderPicture draw(const ShaderScene& scene);
+    [[nodiscard]] ShaderPicture draw(const ShaderScene& scene, ShaderOutput output);
 
   private:
     struct Parts;

@@ -117,9 +117,10 @@ template <class A, class T> void answer_fields(A& a, T& s) {
     a(s.picture.stopped);
 }
 
-std::string packed(const ShaderScene& scene, const std::string& text) {
+std::string packed(const ShaderScene& scene, const std::string& text, ShaderOutput output) {
     Packer pack;
     pack(text);
+    pack(output);
     scene_fields(pack, scene);
     pack(scene.objects.size());
     std::vector<const std::vector<float>*> sent;
@@ -136,10 +137,11 @@ std::string packed(const ShaderScene& scene, const std::string& text) {
     return std::move(pack.bytes);
 }
 
-ShaderScene unpacked(std::string_view bytes, std::string& text) {
+ShaderScene unpacked(std::string_view bytes, std::string& text, ShaderOutput& output) {
     Unpacker unpack(bytes);
     ShaderScene scene;
     unpack(text);
+    unpack(output);
     scene_fields(unpack, scene);
     std::size_t objects = 0;
     unpack(objects);
@@ -165,7 +167,7 @@ std::string pixel_text(const PixelFinding& found) {
                        found.first.x, found.first.y);
 }
 
-ShaderAnswer shaded(const ShaderScene& scene, const std::string& text) {
+ShaderAnswer shaded(const ShaderScene& scene, const std::string& text, ShaderOutput output) {
     ShaderAnswer answer;
     const OffscreenContext context;
     ShaderCanvas canvas;
@@ -173,7 +175,7 @@ ShaderAnswer shaded(const ShaderScene& scene, const std::string& text) {
     answer.messages = std::move(log.messages);
     answer.end = ShaderAnswer::End::NotCompiled;
     if (!log.is_compiled) return answer;
-    answer.picture = canvas.draw(scene);
+    answer.picture = canvas.draw(scene, output);
     answer.end = ShaderAnswer::End::Drawn;
     if (answer.picture.stopped.count == 0) return answer;
     answer.end = ShaderAnswer::End::NeverEnds;
@@ -214,8 +216,9 @@ ShaderAnswer without_answer(const ChildEnd& end, const ChildLimits& limits) {
 
 }  // namespace
 
-ShaderAnswer shade_in_process(const ShaderScene& scene, const std::string& text, ChildLimits limits) {
-    const std::string input = packed(scene, text);
+ShaderAnswer shade_in_process(const ShaderScene& scene, const std::string& text, ShaderOutput output,
+                              ChildLimits limits) {
+    const std::string input = packed(scene, text, output);
     // The scene, OpenGL's copies of it, and four buffers of the picture in OpenGL and here.
     constexpr std::uint64_t bytes_per_pixel = 200;
     if (limits.bytes == 0)
@@ -262,8 +265,9 @@ int run_shader_worker() {
     try {
         const auto input = value_or_throw(read_file("-", std::size_t{1} << 40));
         std::string text;
-        const ShaderScene scene = unpacked(input, text);
-        const ShaderAnswer answer = shaded(scene, text);
+        ShaderOutput output{};
+        const ShaderScene scene = unpacked(input, text, output);
+        const ShaderAnswer answer = shaded(scene, text, output);
         Packer pack;
         answer_fields(pack, answer);
         return problem_of(write_file("-", pack.bytes)) == nullptr ? 0 : 1;

@@ -27,9 +27,8 @@ inline constexpr std::uint64_t shader_memory = std::uint64_t{4} << 30;
 
 /// Compiles `text` from read_shader() and draws the scene. `limits.bytes` may be 0 for shader_memory. Several
 /// threads may call it.
-/// threads may call it.
 [[nodiscard]] ShaderAnswer shade_in_process(const ShaderScene& scene, const std::string& text,
-                                            ChildLimits limits);
+                                            ShaderOutput output, ChildLimits limits);
 
 /// The errors as problems of the file; empty if it was drawn.
 [[nodiscard]] std::vector<Problem> problems_of(const ShaderAnswer& answer, const std::string& file);

@@ -80,7 +80,8 @@ std::optional<Picture> drawn_by(const std::string& file, GradeRow& row, const Sc
     Result<ShaderScene> scene = shader_scene(document.scene, arguments.size, cache);
     if (Problem* problem = std::get_if<Problem>(&scene)) problem->file = arguments.scene.file;
     const std::string text = take(read_shader(file));
-    ShaderAnswer answer = shade_in_process(take(std::move(scene)), text, {arguments.timeout});
+    ShaderAnswer answer =
+        shade_in_process(take(std::move(scene)), text, ShaderOutput::Displayed, {arguments.timeout});
     Json& messages = row["messages"];
     for (const Problem& problem : problems_of(answer, file)) messages.push_back(problem.text());
     for (const std::string& warning : warnings_of(answer, file)) messages.push_back(warning);
@@ -90,7 +91,6 @@ std::optional<Picture> drawn_by(const std::string& file, GradeRow& row, const Sc
     if (answer.end != End::Drawn) return {};
     row["not_finite"] = answer.picture.not_finite.count;
     row["discarded"] = answer.picture.discarded.count;
-    answer.picture.picture.linear.clear();
     return std::move(answer.picture.picture);
 }
 

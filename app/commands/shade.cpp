@@ -66,7 +66,10 @@ Outcome shade(const ShadeArguments& arguments) {
     CornerCache cache;
     Result<ShaderScene> scene = shader_scene(document.scene, size_to_draw(arguments.size, document), cache);
     if (Problem* problem = std::get_if<Problem>(&scene)) problem->file = arguments.scene.file;
-    ShaderAnswer answer = shade_in_process(take(std::move(scene)), text, {arguments.timeout});
+    const bool is_png = format == PictureFormat::Png && arguments.buffers.empty();
+    ShaderAnswer answer =
+        shade_in_process(take(std::move(scene)), text, is_png ? ShaderOutput::Displayed : ShaderOutput::All,
+                         {arguments.timeout});
     require_drawn(answer, arguments.shader);
     Outcome outcome{{}, document.warnings, ExitStatus::Done};
     for (const std::string& warning : warnings_of(answer, arguments.shader))

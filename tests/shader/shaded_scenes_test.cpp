@@ -34,7 +34,7 @@ ShaderPicture drawn(const Scene& scene, const std::string& text) {
     ShaderCanvas canvas;
     const ShaderLog log = canvas.compile(std::get<ShaderScene>(shaded), text);
     for (const ShaderMessage& message : log.messages) FAIL(problem_from(message, "lighting.glsl").text());
-    ShaderPicture picture = canvas.draw(std::get<ShaderScene>(shaded));
+    ShaderPicture picture = canvas.draw(std::get<ShaderScene>(shaded), ShaderOutput::All);
     REQUIRE(picture.stopped.count == 0);
     return picture;
 }

@@ -87,14 +87,13 @@ Result<BroughtPicture> drawn_by_shader(const std::string& path, const Scene& sce
         Scene with_meshes = scene;
         std::erase_if(with_meshes.objects, [](const Object& object) { return !object.mesh; });
         CornerCache cache;
-        ShaderAnswer answer =
-            shade_in_process(value_or_throw(shader_scene(with_meshes, size, cache)), out.text, limits);
+        ShaderAnswer answer = shade_in_process(value_or_throw(shader_scene(with_meshes, size, cache)),
+                                               out.text, ShaderOutput::Displayed, limits);
         const std::string name = std::filesystem::path(path).filename().string();
         out.messages = problems_of(answer, name);
         for (const std::string& warning : warnings_of(answer, name))
             out.messages.push_back({"", "", warning, ""});
         if (answer.end != ShaderAnswer::End::Drawn) return out;
-        answer.picture.picture.linear.clear();
         out.file = out.shown = std::make_shared<const Picture>(std::move(answer.picture.picture));
         return out;
     });
@@ -105,7 +104,6 @@ void save_shader(UiState& state) {
     const auto written = write_file_at_once(mine.path, mine.editor.text);
     if (const Problem* problem = problem_of(written)) return state.notifications.add(*problem);
     mine.editor.saved = mine.editor.text;
-    mine.watched.emplace(mine.path);
     read_again(state);
 }
 
