@@ -172,6 +172,7 @@ void catch_ending_signals() {
 /// open before the window does, or if no display with OpenGL 3.2 is available.
 [[noreturn]] void run_window(const WindowArguments& arguments) {
     UiState state(arguments.scene.threads);
+    state.jobs.when_done = glfwPostEmptyEvent;
     Beginning first = beginning(arguments);
     take_document(state.editor, std::move(first.document));
     state.shipped_scenes = asset_path("scenes");

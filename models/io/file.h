@@ -110,8 +110,6 @@ class WatchedFile {
         known_ = stamp;
         return stamp.exists() ? Change::Written : Change::Vanished;
     }
-    /// Whether a change has begun that has not been reported yet: call update() again soon.
-    [[nodiscard]] bool is_changing() const { return seen_ != known_; }
 
   private:
     std::string path_;

@@ -44,7 +44,7 @@ wait_for_rest
 shot start
 drop mine.png
 within 20 differs start $right 2000 || fail "the wrong picture is not judged"
-sleep 2 # a watched file keeps the window busy
+sleep 2 # a watched file keeps a thread busy
 shot wrong
 convert "$work/right.png" -strip "$work/mine.png"
 within 20 differs wrong $right 1000 || fail "the mended picture is not judged again"

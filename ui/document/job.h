@@ -68,9 +68,13 @@ template <class T> class Job : public AnyJob {
 
     /// Starts `work`, which may only touch its own data. It and the loads within it may report to the job's
     /// LoadProgress. If no thread can start, the job is done, with a Problem. `name`: the subject, shown on
-    /// the screen.
-    Job(std::string name, Work work) : AnyJob(std::move(name)) {
-        const auto problem = start_thread(thread_, name_, [this, work = std::move(work)] { run(work); });
+    /// the screen. `when_done`: called on the job's thread after it is done.
+    Job(std::string name, Work work, std::function<void()> when_done = {}) : AnyJob(std::move(name)) {
+        const auto problem =
+            start_thread(thread_, name_, [this, work = std::move(work), when_done = std::move(when_done)] {
+                run(work);
+                if (when_done) when_done();
+            });
         if (!problem) return;
         result_ = *problem;
         done_ = true;
@@ -104,6 +108,8 @@ using LoadJob = Job<SceneDocument>;
 /// All jobs of a window that have not ended, including cancelled ones whose threads still run.
 class Jobs {
   public:
+    std::function<void()> when_done;  // of each job started later, called on its thread: wakes the window
+
     ~Jobs() {
         for (const auto& job : jobs_) job->cancel();
     }
@@ -112,7 +118,7 @@ class Jobs {
         return job;
     }
     template <class T> JobPtr<T> start(std::string name, typename Job<T>::Work work) {
-        return add(std::make_shared<Job<T>>(std::move(name), std::move(work)));
+        return add(std::make_shared<Job<T>>(std::move(name), std::move(work), when_done));
     }
     void drop_ended() {
         std::erase_if(jobs_, [](const auto& job) { return job->done(); });

@@ -142,7 +142,7 @@ TEST_CASE("errors of a shader have their line, and the last picture stays, dimme
     CHECK_FALSE(bench.mine().is_outdated);
     bench.key(Key::Escape);
     CHECK_FALSE(bench.mine().shown);
-    CHECK_FALSE(bench.mine().watched);
+    CHECK_FALSE(bench.mine().watching);
 }
 
 TEST_CASE("a shader that does not compile opens, so that it can be mended", "[ui][window][shader]") {

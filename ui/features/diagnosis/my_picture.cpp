@@ -126,6 +126,19 @@ void show_in_editor(ShaderEditor& editor, const std::string& text) {
     editor.text = text;
 }
 
+/// Watches the file on a thread, so that the window may sleep.
+void watch(UiState& state, WatchedFile file) {
+    MyPictureState& mine = state.get<MyPictureState>();
+    leave(mine.watching);
+    mine.watching = state.jobs.start<std::monostate>(
+        mine.name, [file = std::move(file)](LoadProgress& progress) mutable -> Result<std::monostate> {
+            while (!progress.cancelled &&
+                   file.update(std::chrono::steady_clock::now()) == WatchedFile::Change::None)
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            return std::monostate();
+        });
+}
+
 /// Adds the new picture to the comparison and shows its tab.
 void show_picture(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
@@ -153,7 +166,7 @@ void take_picture(UiState& state, BroughtPicture picture) {
     if (mine.path != picture.path) mine.editor = {};
     mine.path = picture.path;
     mine.name = mine.reading->name();
-    mine.watched = std::move(picture.watched);
+    watch(state, std::move(*picture.watched));
     mine.pairs = false;
     mine.tried.reset();
     show_in_editor(mine.editor, picture.text);
@@ -170,9 +183,7 @@ void take_picture(UiState& state, BroughtPicture picture) {
 
 void poll_reading(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
-    if (!mine.reading) return;
-    redraw_within(look_again);
-    if (!mine.reading->done()) return;
+    if (!mine.reading || !mine.reading->done()) return;
     Result<BroughtPicture> read = mine.reading->take();
     if (Problem* problem = std::get_if<Problem>(&read); problem != nullptr && mine.follows)
         show_outdated(state, {std::move(*problem)});
@@ -222,10 +233,8 @@ void begin_reading(UiState& state, const std::string& path, bool follows) {
 /// Loads the file again when it has changed, and draws a shader again when the scene has.
 void follow_file(UiState& state, const Scene& now) {
     MyPictureState& mine = state.get<MyPictureState>();
-    if (is_held(state) || !mine.watched || (mine.reading && !mine.follows)) return;
-    const bool has_changed =
-        mine.watched->update(std::chrono::steady_clock::now()) != WatchedFile::Change::None;
-    redraw_within(mine.watched->is_changing() ? 0.02 : 0.08);
+    if (is_held(state) || (mine.reading && !mine.follows)) return;
+    const bool has_changed = mine.watching && mine.watching->done();
     const bool is_of_before = is_shader(mine.path) && !mine.reading && !(now == mine.drawn_of);
     if (has_changed || is_of_before) read_again(state);
 }
@@ -294,7 +303,11 @@ void bring_picture(UiState& state, const std::string& path) {
     begin_reading(state, path, false);
 }
 
-void read_again(UiState& state) { begin_reading(state, state.get<MyPictureState>().path, true); }
+void read_again(UiState& state) {
+    const std::string& path = state.get<MyPictureState>().path;
+    watch(state, WatchedFile(path));
+    begin_reading(state, path, true);
+}
 
 void put_picture_away(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
@@ -305,7 +318,7 @@ void put_picture_away(UiState& state) {
     give_comparison_back(compare);
     compare.choice.mine.reset();
     compare.label_of_mine.clear();
-    mine.watched.reset();
+    leave(mine.watching);
     if (compare.borrowers > 0) compare.choice.on = false;
     mine.shown.reset();
     mine.file.reset();

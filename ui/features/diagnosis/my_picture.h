@@ -64,12 +64,12 @@ struct MyPictureState {
     bool pairs = false;                    // also search for two mistakes at once
     std::vector<std::string> conventions;  // of convention_names(), that the program is known to have
     JobPtr<BroughtPicture> reading;
-    double reading_since = 0;  // ImGui time when it began
-    bool follows = false;      // `reading` reads the file again, and only its picture changes
-    std::optional<WatchedFile> watched;
-    bool is_outdated = false;       // the file cannot be shown as it is now, for the reason in `messages`
-    std::vector<Problem> messages;  // about the file
-    Scene drawn_of;                 // the scene without mistakes that a shader draws, or has drawn
+    double reading_since = 0;         // ImGui time when it began
+    bool follows = false;             // `reading` reads the file again, and only its picture changes
+    JobPtr<std::monostate> watching;  // done: the file has changed
+    bool is_outdated = false;         // the file cannot be shown as it is now, for the reason in `messages`
+    std::vector<Problem> messages;    // about the file
+    Scene drawn_of;                   // the scene without mistakes that a shader draws, or has drawn
     ShaderEditor editor;
     ChildLimits shader_limits;
     std::vector<std::string> verdicts;  // the newest three, newest first, with their times
